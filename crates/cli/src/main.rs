@@ -1,0 +1,2 @@
+//! The program `epicyclic`.
+fn main() {}

@@ -1,0 +1,1 @@
+//! Hydromotors with non-circular wheels and floating satellites. Nothing is here yet.

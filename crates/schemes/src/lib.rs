@@ -1,0 +1,1 @@
+//! Planetary gearboxes: rows tied by links and controls. Nothing is here yet.

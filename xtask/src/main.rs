@@ -1,0 +1,2 @@
+//! Verification of the project against its source documents.
+fn main() {}
