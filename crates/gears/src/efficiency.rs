@@ -1,0 +1,224 @@
+//! Torques and efficiency of a row from the losses of its meshes.
+//!
+//! Seen from the carrier a row is an ordinary gear: the power that enters at one central wheel
+//! leaves at the other, less what the meshes take. The share that arrives is `η₀`.
+//!
+//! ```text
+//! T_b = −i₀·η₀^w·T_a      w = +1 where T_a·(ω_a − ω_H) > 0 (power flows from a to b), else −1
+//! T_H = −T_a − T_b
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `T_a`, `T_b`, `T_H` | torque on sun, ring, carrier from outside the row | N·m |
+//! | `η₀` | efficiency of the row under a resting carrier | 1 |
+//!
+//! Mesh losses alone: bearings, churning and seals are left out.
+//!
+//! # Source
+//! excavator-dynamics, efficiency of the mechanism; multispeed-gearboxes, section 2.3.
+
+use crate::Error;
+use crate::row::{Member, Mode, StationaryRatio};
+use crate::units::{n_m, torque};
+use uom::si::f64::Torque;
+
+/// Efficiency `η₀` of a row (or of one mesh) under a resting carrier, `0 < η₀ ≤ 1`.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct MeshEfficiency(f64);
+
+impl MeshEfficiency {
+    /// A gear without losses.
+    pub const IDEAL: Self = Self(1.0);
+
+    /// An efficiency.
+    ///
+    /// # Errors
+    /// [`Error::Efficiency`] unless `0 < η ≤ 1`.
+    pub fn new(eta: f64) -> Result<Self, Error> {
+        if eta > 0.0 && eta <= 1.0 { Ok(Self(eta)) } else { Err(Error::Efficiency { eta }) }
+    }
+
+    /// The efficiency as a number.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        self.0
+    }
+
+    /// Loss factor `ψ = 1 − η`.
+    #[must_use]
+    pub fn loss(self) -> f64 {
+        1.0 - self.0
+    }
+
+    /// Efficiency of a row from those of its meshes, which the power passes one after the other:
+    /// `η₀ = Π η_j`.
+    #[must_use]
+    pub fn of_meshes(meshes: &[Self]) -> Self {
+        Self(meshes.iter().map(|mesh| mesh.0).product::<f64>().max(f64::MIN_POSITIVE))
+    }
+}
+
+/// Torques on the three members of a row, from outside; they sum to zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RowTorques {
+    /// Torque on the sun, `T_a`.
+    pub sun: Torque,
+    /// Torque on the ring, `T_b`.
+    pub ring: Torque,
+    /// Torque on the carrier, `T_H`.
+    pub carrier: Torque,
+}
+
+/// Torques on the members of a row driven in `mode` by `input_torque`, with mesh losses.
+///
+/// # Errors
+/// [`Error::CarrierUndetermined`] with the carrier driving or driven at `i₀ = 1`.
+pub fn torques(
+    row: StationaryRatio,
+    eta0: MeshEfficiency,
+    mode: Mode,
+    input_torque: Torque,
+) -> Result<RowTorques, Error> {
+    let [sun, ring, carrier] = unit_torques(row, eta0, mode)?;
+    let input = n_m(input_torque);
+    Ok(RowTorques { sun: torque(sun * input), ring: torque(ring * input), carrier: torque(carrier * input) })
+}
+
+/// Efficiency of a row in `mode`: power that leaves over power that enters.
+///
+/// Zero or less where the losses would take more than enters: the row is self-locking in this mode
+/// and moves only if the output is driven too.
+///
+/// For a simple row (`i₀ = −k`):
+///
+/// | mode | η |
+/// |---|---|
+/// | `ab^H`, `ba^H` | `η₀` |
+/// | `aH^b` | `(1 + k·η₀)/(1 + k)` |
+/// | `bH^a` | `(k + η₀)/(1 + k)` |
+/// | `Ha^b` | `(1 + k)·η₀/(k + η₀)` |
+/// | `Hb^a` | `(1 + k)·η₀/(1 + k·η₀)` |
+///
+/// # Errors
+/// [`Error::CarrierUndetermined`] with the carrier driving or driven at `i₀ = 1`.
+pub fn efficiency(row: StationaryRatio, eta0: MeshEfficiency, mode: Mode) -> Result<f64, Error> {
+    let unit = unit_torques(row, eta0, mode)?;
+    // The input has torque 1 and speed 1, the output speed 1/i.
+    Ok(-unit[mode.output() as usize] / row.ratio(mode)?)
+}
+
+/// Torques on sun, ring and carrier for a torque of 1 on the input.
+fn unit_torques(row: StationaryRatio, eta0: MeshEfficiency, mode: Mode) -> Result<[f64; 3], Error> {
+    let i0 = row.get();
+    let ratio = row.ratio(mode)?;
+    let speed = |member: Member| match member {
+        m if m == mode.input() => 1.0,
+        m if m == mode.output() => 1.0 / ratio,
+        _ => 0.0,
+    };
+    let with = |i: f64| {
+        let per_sun_torque = [1.0, -i, i - 1.0];
+        per_sun_torque.map(|t| t / per_sun_torque[mode.input() as usize])
+    };
+    // The sense of the relative power is that of the row without losses: losses never reverse it
+    // on the branch that is continuous with η₀ → 1.
+    let relative_power = with(i0)[Member::Sun as usize] * (speed(Member::Sun) - speed(Member::Carrier));
+    Ok(with(if relative_power > 0.0 { i0 * eta0.get() } else { i0 / eta0.get() }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row::RowParameter;
+    use proptest::prelude::*;
+
+    fn mode(input: Member, output: Member) -> Mode {
+        Mode::new(input, output).unwrap()
+    }
+
+    fn row(i0: f64) -> StationaryRatio {
+        StationaryRatio::new(i0).unwrap()
+    }
+
+    fn eta(value: f64) -> MeshEfficiency {
+        MeshEfficiency::new(value).unwrap()
+    }
+
+    #[test]
+    fn excavator_loses_four_per_cent() {
+        let eta0 = MeshEfficiency::of_meshes(&[eta(0.97), eta(0.98)]);
+        let found = efficiency(row(-5.0), eta0, mode(Member::Sun, Member::Carrier)).unwrap();
+        assert!((found - (1.0 + 5.0 * 0.9506) / 6.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_row_near_one_locks_itself() {
+        // Carrier driven through i₀ = 0.99 with 3 % loss: the output torque changes sign.
+        let found = efficiency(row(0.99), eta(0.97), mode(Member::Sun, Member::Carrier)).unwrap();
+        assert!(found < 0.0);
+        let driving = efficiency(row(0.99), eta(0.97), mode(Member::Carrier, Member::Sun)).unwrap();
+        assert!(driving > 0.0 && driving < 0.5);
+    }
+
+    #[test]
+    fn impossible_efficiencies_are_refused() {
+        for bad in [0.0, -0.1, 1.0001, f64::NAN] {
+            assert!(MeshEfficiency::new(bad).is_err());
+        }
+    }
+
+    #[test]
+    fn a_carrier_that_nothing_moves_carries_no_power() {
+        let found = efficiency(row(1.0), eta(0.97), mode(Member::Sun, Member::Carrier));
+        assert_eq!(found, Err(Error::CarrierUndetermined));
+    }
+
+    proptest! {
+        #[test]
+        fn simple_row_follows_its_closed_forms(k in 1.05..12.0, eta0 in 0.5..1.0) {
+            let closed = [
+                eta0,
+                (1.0 + k * eta0) / (1.0 + k),
+                (k + eta0) / (1.0 + k),
+                eta0,
+                (1.0 + k) * eta0 / (k + eta0),
+                (1.0 + k) * eta0 / (1.0 + k * eta0),
+            ];
+            for (mode, closed) in Mode::ALL.into_iter().zip(closed) {
+                let found = efficiency(RowParameter::new(k).unwrap().into(), eta(eta0), mode).unwrap();
+                prop_assert!((found - closed).abs() < 1e-13, "{} {} {}", mode, found, closed);
+            }
+        }
+
+        #[test]
+        fn torques_and_powers_balance(
+            i0 in prop_oneof![-12.0..-0.05, 0.05..0.95, 1.05..12.0_f64],
+            eta0 in 0.5..1.0,
+            mode in proptest::sample::select(&Mode::ALL[..]),
+            input in 1.0..1e4,
+        ) {
+            let found = torques(row(i0), eta(eta0), mode, torque(input)).unwrap();
+            let all = [found.sun, found.ring, found.carrier].map(n_m);
+            let largest = all.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
+            prop_assert!(all.iter().sum::<f64>().abs() <= 1e-13 * largest);
+
+            // Power in, power out and the loss of the meshes: what the central wheels leave of the
+            // relative power, computed without the efficiency.
+            let ratio = row(i0).ratio(mode).unwrap();
+            let speed = Member::ALL.map(|m| {
+                if m == mode.input() { 1.0 } else if m == mode.output() { 1.0 / ratio } else { 0.0 }
+            });
+            let power_in = input;
+            let power_out = -all[mode.output() as usize] * speed[mode.output() as usize];
+            let loss = all[0] * (speed[0] - speed[2]) + all[1] * (speed[1] - speed[2]);
+            prop_assert!(loss >= -1e-12 * largest);
+            prop_assert!((power_in - power_out - loss).abs() <= 1e-12 * largest.max(power_out.abs()));
+            let eta = efficiency(row(i0), eta(eta0), mode).unwrap();
+            prop_assert!((eta * power_in - power_out).abs() <= 1e-12 * largest.max(power_out.abs()));
+            prop_assert!(eta <= 1.0 + 1e-12);
+        }
+    }
+}

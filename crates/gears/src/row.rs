@@ -1,0 +1,338 @@
+//! A row: two central wheels and a carrier, joined by planets of any kind.
+
+use crate::Error;
+use crate::teeth::ToothCount;
+use num_rational::Ratio;
+use std::fmt;
+
+/// A ratio of tooth counts, exactly.
+pub type Fraction = Ratio<i128>;
+
+/// A basic member of a row: the three that turn about its axis.
+///
+/// In a row of two suns or two rings (stepped planets, meshing suns) and in a bevel row, `Sun` is
+/// the first central wheel and `Ring` the second.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Member {
+    /// Central wheel `a`, the sun.
+    Sun,
+    /// Central wheel `b`, the ring.
+    Ring,
+    /// Carrier `H`.
+    Carrier,
+}
+
+impl Member {
+    /// The three members, in the order of the row's equation.
+    pub const ALL: [Self; 3] = [Self::Sun, Self::Ring, Self::Carrier];
+
+    /// The source's letter: `a`, `b` or `H`.
+    #[must_use]
+    pub fn symbol(self) -> char {
+        match self {
+            Self::Sun => 'a',
+            Self::Ring => 'b',
+            Self::Carrier => 'H',
+        }
+    }
+}
+
+impl fmt::Display for Member {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sun => "sun",
+            Self::Ring => "ring",
+            Self::Carrier => "carrier",
+        })
+    }
+}
+
+/// One of the six ways to use a row with one member at rest: who drives and who is driven.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Mode {
+    input: Member,
+    output: Member,
+}
+
+impl Mode {
+    /// The six modes in the order of multispeed-gearboxes, table 2.2:
+    /// `ab^H`, `aH^b`, `bH^a`, `ba^H`, `Ha^b`, `Hb^a`.
+    pub const ALL: [Self; 6] = {
+        use Member::{Carrier, Ring, Sun};
+        [
+            Self { input: Sun, output: Ring },
+            Self { input: Sun, output: Carrier },
+            Self { input: Ring, output: Carrier },
+            Self { input: Ring, output: Sun },
+            Self { input: Carrier, output: Sun },
+            Self { input: Carrier, output: Ring },
+        ]
+    };
+
+    /// The mode in which `input` drives `output` and the third member rests.
+    ///
+    /// # Errors
+    /// [`Error::SameMember`] where input and output coincide.
+    pub fn new(input: Member, output: Member) -> Result<Self, Error> {
+        if input == output {
+            return Err(Error::SameMember(input));
+        }
+        Ok(Self { input, output })
+    }
+
+    /// The driving member.
+    #[must_use]
+    pub fn input(self) -> Member {
+        self.input
+    }
+
+    /// The driven member.
+    #[must_use]
+    pub fn output(self) -> Member {
+        self.output
+    }
+
+    /// The member at rest.
+    #[must_use]
+    pub fn fixed(self) -> Member {
+        match (self.input, self.output) {
+            (Member::Sun, Member::Ring) | (Member::Ring, Member::Sun) => Member::Carrier,
+            (Member::Sun, _) | (_, Member::Sun) => Member::Ring,
+            _ => Member::Sun,
+        }
+    }
+}
+
+impl fmt::Display for Mode {
+    /// The field's notation: `aH^b` reads "from the sun to the carrier, ring at rest".
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { input, output } = self;
+        write!(f, "{}{}^{}", input.symbol(), output.symbol(), self.fixed().symbol())
+    }
+}
+
+/// Row parameter `k = z_b/z_a` of a simple row, greater than 1.
+///
+/// The ring encloses the sun and the planets between them, so `k ≤ 1` is no gear.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct RowParameter(f64);
+
+impl RowParameter {
+    /// A row parameter.
+    ///
+    /// # Errors
+    /// [`Error::RowParameter`] unless `1 < k < ∞`.
+    pub fn new(k: f64) -> Result<Self, Error> {
+        if k > 1.0 && k.is_finite() { Ok(Self(k)) } else { Err(Error::RowParameter { k }) }
+    }
+
+    /// `k` as a number.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        self.0
+    }
+
+    /// Planet to sun, `z_g/z_a = (k − 1)/2`, by coaxiality `z_b = z_a + 2·z_g`.
+    #[must_use]
+    pub fn planet_to_sun(self) -> f64 {
+        (self.0 - 1.0) / 2.0
+    }
+}
+
+impl From<RowParameter> for StationaryRatio {
+    /// `i₀ = −k`.
+    fn from(k: RowParameter) -> Self {
+        Self(-k.0)
+    }
+}
+
+/// Stationary ratio `i₀` of a row: speed of the first central wheel over the second, both relative
+/// to the carrier.
+///
+/// ```text
+/// i₀ = (ω_a − ω_H)/(ω_b − ω_H)
+/// ```
+///
+/// Any finite value but 0. With `i₀ = 1` the central wheels always turn alike and the carrier is
+/// free of both (a wheel that keeps its direction, as in a south-pointing chariot): legitimate, but
+/// no speed or torque of its carrier follows from theirs.
+///
+/// | kind | constructor | `i₀` |
+/// |---|---|---|
+/// | simple | [`simple`](Self::simple) | `−z_b/z_a` |
+/// | double planet | [`double_planet`](Self::double_planet) | `+z_b/z_a` |
+/// | stepped planet, sun and ring | [`stepped_sun_ring`](Self::stepped_sun_ring) | `−(z_g/z_a)·(z_b/z_f)` |
+/// | stepped planet, two suns or two rings | [`stepped_alike`](Self::stepped_alike) | `+(z_g/z_1)·(z_2/z_f)` |
+/// | two suns of meshing planets, external pair, bevel | [`external`](Self::external) | `−z_2/z_1` |
+/// | internal pair | [`internal`](Self::internal) | `+z_2/z_1` |
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct StationaryRatio(f64);
+
+impl StationaryRatio {
+    /// A stationary ratio from its value.
+    ///
+    /// # Errors
+    /// [`Error::StationaryRatio`] for 0 and what is not finite.
+    pub fn new(i0: f64) -> Result<Self, Error> {
+        if i0 != 0.0 && i0.is_finite() { Ok(Self(i0)) } else { Err(Error::StationaryRatio { i0 }) }
+    }
+
+    /// Sun, planets in one mesh with it and with the ring: `i₀ = −z_b/z_a`.
+    #[must_use]
+    pub fn simple(sun: ToothCount, ring: ToothCount) -> Self {
+        Self(-ring.as_f64() / sun.as_f64())
+    }
+
+    /// Sun, ring and two planets in mesh between them: `i₀ = +z_b/z_a`.
+    #[must_use]
+    pub fn double_planet(sun: ToothCount, ring: ToothCount) -> Self {
+        Self(ring.as_f64() / sun.as_f64())
+    }
+
+    /// Stepped planet: `z_g` meshes with the sun `z_a`, `z_f` beside it with the ring `z_b`.
+    #[must_use]
+    pub fn stepped_sun_ring(sun: ToothCount, g: ToothCount, f: ToothCount, ring: ToothCount) -> Self {
+        Self(-(g.as_f64() / sun.as_f64()) * (ring.as_f64() / f.as_f64()))
+    }
+
+    /// Stepped planet between two suns or two rings: `z_g` meshes with `z_1`, `z_f` with `z_2`.
+    #[must_use]
+    pub fn stepped_alike(first: ToothCount, g: ToothCount, f: ToothCount, second: ToothCount) -> Self {
+        Self((g.as_f64() / first.as_f64()) * (second.as_f64() / f.as_f64()))
+    }
+
+    /// Two wheels that turn against each other under a resting carrier: an external pair, two suns
+    /// whose planets mesh (Ravigneaux), a bevel row (`z_1 = z_2` gives −1).
+    #[must_use]
+    pub fn external(first: ToothCount, second: ToothCount) -> Self {
+        Self(-second.as_f64() / first.as_f64())
+    }
+
+    /// A pinion in a ring: both turn the same way under a resting carrier.
+    #[must_use]
+    pub fn internal(pinion: ToothCount, ring: ToothCount) -> Self {
+        Self(ring.as_f64() / pinion.as_f64())
+    }
+
+    /// `i₀` as a number.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        self.0
+    }
+
+    /// Factors of `ω_a`, `ω_b`, `ω_H` in the row's equation `ω_a − i₀·ω_b − (1 − i₀)·ω_H = 0`.
+    /// They sum to zero: a row that turns as a block satisfies it.
+    #[must_use]
+    pub fn coefficients(self) -> [f64; 3] {
+        [1.0, -self.0, self.0 - 1.0]
+    }
+
+    /// Ratio of speeds `i = ω_in/ω_out` in a mode, the third member at rest.
+    ///
+    /// For a simple row these are the six ratios `−k`, `1 + k`, `(1 + k)/k` and their inverses.
+    ///
+    /// # Errors
+    /// [`Error::CarrierUndetermined`] with the carrier driving or driven at `i₀ = 1`.
+    ///
+    /// # Source
+    /// multispeed-gearboxes, table 2.2.
+    pub fn ratio(self, mode: Mode) -> Result<f64, Error> {
+        let factor = |member: Member| self.coefficients()[member as usize];
+        let (of_input, of_output) = (factor(mode.input), factor(mode.output));
+        // With one member at rest the equation is c_in·ω_in + c_out·ω_out = 0.
+        if of_input == 0.0 || of_output == 0.0 {
+            return Err(Error::CarrierUndetermined);
+        }
+        Ok(-of_output / of_input)
+    }
+}
+
+/// The ratio of a mode of a simple row as an exact fraction of its tooth counts.
+///
+/// ```
+/// use epicyclic_gears::row::{exact_ratio, Fraction, Member, Mode};
+/// use epicyclic_gears::teeth::ToothCount;
+/// # fn main() -> Result<(), epicyclic_gears::Error> {
+/// let ratio = exact_ratio(ToothCount::new(24)?, ToothCount::new(57)?, Mode::new(Member::Sun, Member::Carrier)?);
+/// assert_eq!(ratio, Fraction::new(27, 8));
+/// # Ok(())
+/// # }
+/// ```
+#[must_use]
+pub fn exact_ratio(sun: ToothCount, ring: ToothCount, mode: Mode) -> Fraction {
+    let (a, b) = (i128::from(sun.get()), i128::from(ring.get()));
+    // The row's equation times z_a: z_a·ω_a + z_b·ω_b − (z_a + z_b)·ω_H = 0.
+    let factors = [a, b, -(a + b)];
+    -Fraction::new(factors[mode.output as usize], factors[mode.input as usize])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn teeth(count: u32) -> ToothCount {
+        ToothCount::new(count).unwrap()
+    }
+
+    #[test]
+    fn six_ratios_of_a_simple_row_are_those_of_table_2_2() {
+        let k = 1.7;
+        let row = StationaryRatio::from(RowParameter::new(k).unwrap());
+        let expected = [-k, 1.0 + k, (1.0 + k) / k, -1.0 / k, 1.0 / (1.0 + k), k / (1.0 + k)];
+        for (mode, expected) in Mode::ALL.into_iter().zip(expected) {
+            let ratio = row.ratio(mode).unwrap();
+            assert!((ratio - expected).abs() < 1e-15, "{mode}: {ratio} is not {expected}");
+        }
+    }
+
+    #[test]
+    fn the_fixed_member_is_the_third() {
+        let named: Vec<String> = Mode::ALL.iter().map(ToString::to_string).collect();
+        assert_eq!(named, ["ab^H", "aH^b", "bH^a", "ba^H", "Ha^b", "Hb^a"]);
+    }
+
+    #[test]
+    fn exact_ratio_is_the_floating_one() {
+        for mode in Mode::ALL {
+            let exact = exact_ratio(teeth(24), teeth(57), mode);
+            #[allow(clippy::cast_precision_loss)] // far below 2⁵³
+            let exact = *exact.numer() as f64 / *exact.denom() as f64;
+            let float = StationaryRatio::simple(teeth(24), teeth(57)).ratio(mode).unwrap();
+            assert!((exact - float).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn kinds_of_row_have_their_stationary_ratios() {
+        let [z20, z40, z50, z100] = [20, 40, 50, 100].map(teeth);
+        assert_eq!(StationaryRatio::simple(z20, z100).get(), -5.0);
+        assert_eq!(StationaryRatio::double_planet(z20, z100).get(), 5.0);
+        assert_eq!(StationaryRatio::stepped_sun_ring(z20, z40, z20, z100).get(), -10.0);
+        assert_eq!(StationaryRatio::stepped_alike(z20, z40, z20, z50).get(), 5.0);
+        assert_eq!(StationaryRatio::external(z20, z20).get(), -1.0);
+        assert_eq!(StationaryRatio::internal(z20, z100).get(), 5.0);
+    }
+
+    #[test]
+    fn what_is_no_row_is_refused() {
+        assert_eq!(RowParameter::new(1.0), Err(Error::RowParameter { k: 1.0 }));
+        assert!(RowParameter::new(f64::NAN).is_err());
+        assert_eq!(StationaryRatio::new(0.0), Err(Error::StationaryRatio { i0: 0.0 }));
+        assert_eq!(Mode::new(Member::Sun, Member::Sun), Err(Error::SameMember(Member::Sun)));
+    }
+
+    #[test]
+    fn a_carrier_that_nothing_moves_has_no_ratio() {
+        let paradox = StationaryRatio::new(1.0).unwrap();
+        let sun_to_carrier = Mode::new(Member::Sun, Member::Carrier).unwrap();
+        assert_eq!(paradox.ratio(sun_to_carrier), Err(Error::CarrierUndetermined));
+        assert_eq!(paradox.ratio(Mode::new(Member::Sun, Member::Ring).unwrap()), Ok(1.0));
+    }
+}

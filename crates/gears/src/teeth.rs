@@ -1,0 +1,53 @@
+//! Tooth counts.
+
+use crate::Error;
+use std::fmt;
+use std::num::NonZeroU32;
+
+/// Number of teeth of a wheel, at least 1.
+///
+/// How many teeth a wheel *should* have is for [`crate::synthesis`]; the type only keeps a zero out
+/// of every denominator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct ToothCount(NonZeroU32);
+
+impl ToothCount {
+    /// A tooth count.
+    ///
+    /// # Errors
+    /// [`Error::NoTeeth`] for 0.
+    pub fn new(count: u32) -> Result<Self, Error> {
+        NonZeroU32::new(count).map(Self).ok_or(Error::NoTeeth)
+    }
+
+    /// The count as an integer.
+    #[must_use]
+    pub fn get(self) -> u32 {
+        self.0.get()
+    }
+
+    /// The count as a factor.
+    #[must_use]
+    pub fn as_f64(self) -> f64 {
+        f64::from(self.get())
+    }
+}
+
+impl fmt::Display for ToothCount {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_is_refused() {
+        assert_eq!(ToothCount::new(0), Err(Error::NoTeeth));
+        assert_eq!(ToothCount::new(12).unwrap().get(), 12);
+    }
+}
