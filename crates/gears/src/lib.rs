@@ -34,8 +34,8 @@
 pub mod efficiency;
 pub mod error;
 pub mod row;
-//pub mod spacing;
-//pub mod synthesis;
+pub mod spacing;
+pub mod synthesis;
 pub mod teeth;
 mod units;
 pub mod willis;

@@ -1,0 +1,151 @@
+//! Where the planets sit.
+//!
+//! Between a sun and a ring that both mesh with it, a planet fits at `z_a + z_b` angles a turn and
+//! nowhere between: moving it on by one of these slots turns the sun's and the ring's teeth
+//! together by whole teeth. Equal spacing therefore needs `(z_a + z_b)/N` to be an integer; without
+//! it the planets go to the slots nearest to equal spacing.
+//!
+//! # Source
+//! excavator-dynamics, condition of assembly.
+
+use crate::teeth::ToothCount;
+use crate::units::angle;
+use std::f64::consts::TAU;
+use uom::si::f64::Angle;
+
+/// Slots that the planets of a simple planetary gear occupy.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct PlanetSpacing {
+    slots: u32,
+    occupied: Vec<u32>,
+}
+
+impl PlanetSpacing {
+    /// The spacing of `planets` planets that departs least from an equal one.
+    ///
+    /// ```text
+    /// p_j = ⌊j·(z_a + z_b)/N⌋,  j = 0 … N − 1
+    /// ```
+    ///
+    /// Up to a rotation of the whole this is the only spacing with the least greatest deviation:
+    /// the `p_j − j·(z_a + z_b)/N` fall into `q = N/gcd(N, z_a + z_b)` classes modulo 1 that lie
+    /// `1/q` apart, so they spread over at least `(q − 1)/q` slots, and here they spread over just
+    /// that.
+    #[must_use]
+    pub fn least_unequal(sun: ToothCount, ring: ToothCount, planets: u32) -> Self {
+        let slots = sun.get() + ring.get();
+        let at = |j: u32| (u64::from(j) * u64::from(slots) / u64::from(planets.max(1))) as u32;
+        Self { slots, occupied: (0..planets).map(at).collect() }
+    }
+
+    /// Number of angles at which a planet fits, `z_a + z_b`.
+    #[must_use]
+    pub fn slots(&self) -> u32 {
+        self.slots
+    }
+
+    /// Slots occupied, ascending from 0.
+    #[must_use]
+    pub fn occupied(&self) -> &[u32] {
+        &self.occupied
+    }
+
+    /// Angles of the planets, ascending from 0.
+    #[must_use]
+    pub fn angles(&self) -> Vec<Angle> {
+        let slot = TAU / f64::from(self.slots);
+        self.occupied.iter().map(|&p| angle(f64::from(p) * slot)).collect()
+    }
+
+    /// Whether all gaps are equal.
+    #[must_use]
+    pub fn is_equal(&self) -> bool {
+        self.slots.is_multiple_of((self.occupied.len() as u32).max(1))
+    }
+
+    /// The smallest angle between neighbours, `2π·⌊(z_a + z_b)/N⌋/(z_a + z_b)`.
+    #[must_use]
+    pub fn smallest_gap(&self) -> Angle {
+        let gap = self.slots / (self.occupied.len() as u32).max(1);
+        angle(TAU * f64::from(gap) / f64::from(self.slots))
+    }
+
+    /// The greatest deviation of a planet from equal spacing, the equally spaced pattern turned to
+    /// where that is least: `π·(1 − 1/q)/(z_a + z_b)`, `q = N/gcd(N, z_a + z_b)`.
+    #[must_use]
+    pub fn greatest_deviation(&self) -> Angle {
+        let planets = self.occupied.len() as u32;
+        let classes = planets.max(1) / gcd(planets.max(1), self.slots);
+        let spread = 1.0 - 1.0 / f64::from(classes);
+        angle(TAU * spread / 2.0 / f64::from(self.slots))
+    }
+
+    /// Static imbalance: distance of the planets' common centre of mass from the axis over the
+    /// radius of their centres. 0 for equal spacing.
+    #[must_use]
+    pub fn imbalance(&self) -> f64 {
+        let slot = TAU / f64::from(self.slots);
+        let (x, y) = self.occupied.iter().fold((0.0, 0.0), |(x, y), &p| {
+            let (sin, cos) = (f64::from(p) * slot).sin_cos();
+            (x + cos, y + sin)
+        });
+        f64::hypot(x, y) / (self.occupied.len().max(1) as f64)
+    }
+}
+
+fn gcd(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use uom::si::angle::{degree, radian};
+
+    fn spacing(sun: u32, ring: u32, planets: u32) -> PlanetSpacing {
+        PlanetSpacing::least_unequal(ToothCount::new(sun).unwrap(), ToothCount::new(ring).unwrap(), planets)
+    }
+
+    #[test]
+    fn the_excavator_sits_evenly() {
+        let even = spacing(20, 100, 4);
+        assert!(even.is_equal());
+        let degrees: Vec<f64> = even.angles().iter().map(|a| a.get::<degree>().round()).collect();
+        assert_eq!(degrees, [0.0, 90.0, 180.0, 270.0]);
+        assert!(even.imbalance() < 1e-15);
+        assert_eq!(even.greatest_deviation().get::<radian>(), 0.0);
+    }
+
+    #[test]
+    fn two_slots_too_many_leave_four_planets_balanced_in_pairs() {
+        let uneven = spacing(18, 84, 4);
+        assert_eq!(uneven.occupied(), [0, 25, 51, 76]);
+        assert!(!uneven.is_equal());
+        assert!(uneven.imbalance() < 1e-15);
+    }
+
+    /// Every placement of the planets on the slots, by brute force.
+    #[test]
+    fn no_placement_departs_less_from_equal_spacing() {
+        for slots in 6..=15_u32 {
+            for planets in 2..=5_u32 {
+                let mut least = f64::INFINITY;
+                for mask in 0_u32..1 << slots {
+                    if mask.count_ones() == planets && mask & 1 == 1 {
+                        let places = (0..slots).filter(|p| mask >> p & 1 == 1);
+                        let departures = places
+                            .enumerate()
+                            .map(|(j, p)| f64::from(p) - j as f64 * f64::from(slots) / f64::from(planets));
+                        let (low, high) = departures
+                            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
+                        least = least.min((high - low) / 2.0);
+                    }
+                }
+                let found = spacing(1, slots - 1, planets).greatest_deviation().get::<radian>();
+                let expected = least * TAU / f64::from(slots);
+                assert!((found - expected).abs() < 1e-12, "{planets} planets on {slots} slots");
+            }
+        }
+    }
+}

@@ -1,0 +1,485 @@
+//! Tooth synthesis of a simple planetary gear: *every* tooth set within bounds.
+//!
+//! ```text
+//! coaxiality   z_a + z_g = z_b − z_g
+//! neighbour    (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s        γ smallest angle between planets
+//! assembly     (z_a + z_b)/N integer, for equal spacing γ = 2π/N
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `z_a`, `z_g`, `z_b` | teeth of sun, planet, ring | 1 |
+//! | `N` | number of planets | 1 |
+//! | `h_a*` | addendum coefficient | modules |
+//! | `s` | least gap wanted between the tip circles of neighbours | modules |
+//!
+//! Gears without profile shift: with it a real gear may depart from coaxiality by a tooth or two.
+//!
+//! # Source
+//! excavator-dynamics (1) and the conditions after it. Its condition of assembly,
+//! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
+//! and the factor is an integer that shares no divisor with `N`.
+
+use crate::Error;
+use crate::row::{Fraction, Mode, StationaryRatio, exact_ratio};
+use crate::spacing::PlanetSpacing;
+use crate::teeth::ToothCount;
+use crate::units::radians;
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+/// Teeth and planet number of a simple planetary gear that goes together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ToothSet {
+    /// Teeth of the sun, `z_a`.
+    pub sun: ToothCount,
+    /// Teeth of a planet, `z_g`.
+    pub planet: ToothCount,
+    /// Teeth of the ring, `z_b`.
+    pub ring: ToothCount,
+    /// Number of planets, `N`.
+    pub planets: u32,
+}
+
+impl ToothSet {
+    /// Row parameter `k = z_b/z_a`.
+    #[must_use]
+    pub fn row_parameter(&self) -> f64 {
+        self.ring.as_f64() / self.sun.as_f64()
+    }
+
+    /// Stationary ratio `−z_b/z_a`.
+    #[must_use]
+    pub fn stationary_ratio(&self) -> StationaryRatio {
+        StationaryRatio::simple(self.sun, self.ring)
+    }
+}
+
+/// How the planets may be placed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Placement {
+    /// At equal angles only.
+    #[default]
+    Equal,
+    /// At equal angles, or, where those do not assemble, as near to them as they do.
+    LeastUnequal,
+}
+
+/// Within what the tooth sets are sought.
+///
+/// All ranges include their ends. The default is 12 teeth and more on sun and planet, a ring up to
+/// 200, `k` from 1.3 to 10, 3 to 8 equally spaced planets, standard addendum, tips that just clear.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounds {
+    /// Teeth of the sun.
+    pub sun: RangeInclusive<u32>,
+    /// Teeth of the planet.
+    pub planet: RangeInclusive<u32>,
+    /// Teeth of the ring.
+    pub ring: RangeInclusive<u32>,
+    /// Number of planets, from 2 to [`MOST_PLANETS`].
+    pub planets: RangeInclusive<u32>,
+    /// Row parameter `k = z_b/z_a`.
+    pub row_parameter: RangeInclusive<f64>,
+    /// Addendum coefficient `h_a*`.
+    pub addendum: f64,
+    /// Least gap between the tip circles of neighbouring planets, in modules.
+    pub tip_gap: f64,
+    /// How the planets may be placed.
+    pub placement: Placement,
+}
+
+/// The greatest number of planets that the synthesis places.
+pub const MOST_PLANETS: u32 = 8;
+
+/// The greatest tooth count that the synthesis considers.
+pub const MOST_TEETH: u32 = 10_000;
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self {
+            sun: 12..=200,
+            planet: 12..=200,
+            ring: 12..=200,
+            planets: 3..=8,
+            row_parameter: 1.3..=10.0,
+            addendum: 1.0,
+            tip_gap: 0.0,
+            placement: Placement::Equal,
+        }
+    }
+}
+
+impl Bounds {
+    fn check(&self) -> Result<(), Error> {
+        for (what, range) in [("sun", &self.sun), ("planet", &self.planet), ("ring", &self.ring)] {
+            if *range.start() == 0 {
+                return Err(Error::NoTeeth);
+            }
+            if range.is_empty() || *range.end() > MOST_TEETH {
+                let (from, to) = (*range.start(), *range.end());
+                return Err(Error::ToothRange { wheel: what, from, to, most: MOST_TEETH });
+            }
+        }
+        if self.planets.is_empty() || *self.planets.start() < 2 || *self.planets.end() > MOST_PLANETS {
+            return Err(Error::PlanetNumber {
+                from: *self.planets.start(),
+                to: *self.planets.end(),
+                most: MOST_PLANETS,
+            });
+        }
+        let (from, to) = (*self.row_parameter.start(), *self.row_parameter.end());
+        if !(from > 1.0 && from <= to && to.is_finite()) {
+            return Err(Error::RowParameterRange { from, to });
+        }
+        for (name, value) in [("addendum coefficient", self.addendum), ("tip gap", self.tip_gap)] {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(Error::Negative { name, value });
+            }
+        }
+        Ok(())
+    }
+
+    /// What `planet` and the tip circle's allowance need of `(z_a + z_g)·sin(γ/2)`.
+    fn needed(&self, planet: u32) -> f64 {
+        f64::from(planet) + 2.0 * self.addendum + self.tip_gap
+    }
+
+    /// Every tooth set within the bounds, ascending by sun, planet and number of planets.
+    ///
+    /// ```
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// assert_eq!(Bounds::default().tooth_sets()?.len(), 8016);
+    /// # Ok::<(), epicyclic_gears::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoTeeth`], [`Error::ToothRange`], [`Error::PlanetNumber`],
+    /// [`Error::RowParameterRange`], [`Error::Negative`] for bounds that are none.
+    pub fn tooth_sets(&self) -> Result<Vec<ToothSet>, Error> {
+        self.check()?;
+        let mut found = Vec::new();
+        let (low_k, high_k) = (*self.row_parameter.start(), *self.row_parameter.end());
+        // By coaxiality a ring within its range leaves the planet only these.
+        let most_planet = (*self.planet.end()).min(self.ring.end().saturating_sub(*self.sun.start()) / 2);
+        let half_gap_sines: Vec<(u32, f64)> =
+            self.planets.clone().map(|n| (n, (PI / f64::from(n)).sin())).collect();
+        let most_sum = self.sun.end() + self.ring.end();
+        // Bit n of entry s: n planets divide s slots evenly.
+        let divisors: Vec<u16> = (0..=most_sum)
+            .map(|s| self.planets.clone().filter(|n| s % n == 0).fold(0, |bits, n| bits | 1 << n))
+            .collect();
+
+        for sun in self.sun.clone() {
+            let z_a = f64::from(sun);
+            // One tooth of slack against rounding; the test on k itself decides.
+            let from_k = ((low_k - 1.0) / 2.0 * z_a).floor().max(0.0) as u32;
+            let to_k = (((high_k - 1.0) / 2.0 * z_a).ceil()).min(f64::from(MOST_TEETH)) as u32;
+            let from_ring = self.ring.start().saturating_sub(sun).div_ceil(2);
+            let to_ring = self.ring.end().saturating_sub(sun) / 2;
+            let from = (*self.planet.start()).max(from_k).max(from_ring);
+            let to = most_planet.min(to_k).min(to_ring);
+            for planet in from..=to {
+                let ring = sun + 2 * planet;
+                if !self.row_parameter.contains(&(f64::from(ring) / z_a)) {
+                    continue;
+                }
+                let (centres, needed) = (z_a + f64::from(planet), self.needed(planet));
+                let slots = sun + ring;
+                let even = divisors[slots as usize];
+                let (Ok(sun), Ok(planet), Ok(ring)) =
+                    (ToothCount::new(sun), ToothCount::new(planet), ToothCount::new(ring))
+                else {
+                    continue;
+                };
+                for &(planets, sine) in &half_gap_sines {
+                    // More planets stand closer: none of the following fits either.
+                    if centres * sine <= needed {
+                        break;
+                    }
+                    let assembles = match self.placement {
+                        Placement::Equal => even >> planets & 1 == 1,
+                        Placement::LeastUnequal => {
+                            even >> planets & 1 == 1 || centres * half_gap_sine(slots, planets) > needed
+                        }
+                    };
+                    if assembles {
+                        found.push(ToothSet { sun, planet, ring, planets });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// Every tooth set whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the most
+    /// exact first; equally exact ones by ring, sun and number of planets.
+    ///
+    /// # Errors
+    /// As [`tooth_sets`](Self::tooth_sets); [`Error::Tolerance`]; [`Error::NoToothSet`], with the
+    /// nearest ratio within the bounds, where none comes close enough.
+    pub fn for_ratio(&self, wanted: f64, mode: Mode, tolerance: f64) -> Result<Vec<Candidate>, Error> {
+        if !(tolerance >= 0.0 && tolerance.is_finite()) {
+            return Err(Error::Tolerance { tolerance });
+        }
+        if wanted == 0.0 || !wanted.is_finite() {
+            return Err(Error::Ratio { ratio: wanted });
+        }
+        let mut nearest: Option<(f64, f64)> = None;
+        let mut found = Vec::new();
+        for teeth in self.tooth_sets()? {
+            let ratio = teeth.stationary_ratio().ratio(mode)?;
+            let error = ratio / wanted - 1.0;
+            if nearest.is_none_or(|(_, least)| error.abs() < least) {
+                nearest = Some((ratio, error.abs()));
+            }
+            // A set that is off by the tolerance itself, but for rounding, is within.
+            if error.abs() <= tolerance + 4.0 * f64::EPSILON {
+                found.push(Candidate {
+                    ratio,
+                    exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode),
+                    ratio_error: error,
+                    most_planets: self.most_planets(teeth.sun, teeth.planet),
+                    undercut_sun: is_undercut(teeth.sun, self.addendum),
+                    undercut_planet: is_undercut(teeth.planet, self.addendum),
+                    spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
+                    teeth,
+                });
+            }
+        }
+        if found.is_empty() {
+            let nearest = nearest.map(|(ratio, _)| ratio);
+            return Err(Error::NoToothSet { wanted, mode, tolerance, nearest });
+        }
+        found.sort_by(|one, other| {
+            let key = |c: &Candidate| (c.teeth.ring, c.teeth.sun, c.teeth.planets);
+            one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
+        });
+        Ok(found)
+    }
+
+    /// The largest number of equally spaced planets whose tips clear each other by the bounds' gap,
+    /// whether or not they assemble; 1 where not even two do.
+    ///
+    /// ```text
+    /// N < π / arcsin((z_g + 2·h_a* + s)/(z_a + z_g))
+    /// ```
+    #[must_use]
+    pub fn most_planets(&self, sun: ToothCount, planet: ToothCount) -> u32 {
+        let limit = planet_number_limit(self.needed(planet.get()) / (sun.as_f64() + planet.as_f64()));
+        limit.map_or(1, |limit| {
+            let below = limit.ceil() as u32 - 1;
+            // The inequality itself decides where rounding made the limit a whole number.
+            let clears = |n: u32| {
+                (sun.as_f64() + planet.as_f64()) * (PI / f64::from(n)).sin() > self.needed(planet.get())
+            };
+            if clears(below + 1) { below + 1 } else { below.max(1) }
+        })
+    }
+}
+
+/// The neighbour condition's limit as a number, `180°/arcsin((z_g + 2·h_a*)/(z_a + z_g))`: fewer
+/// planets than this clear each other. `None` where two already touch.
+///
+/// # Source
+/// excavator-dynamics, condition of neighbourhood.
+#[must_use]
+pub fn neighbour_limit(sun: ToothCount, planet: ToothCount, addendum: f64) -> Option<f64> {
+    planet_number_limit((planet.as_f64() + 2.0 * addendum) / (sun.as_f64() + planet.as_f64()))
+}
+
+fn planet_number_limit(sine: f64) -> Option<f64> {
+    (sine > 0.0 && sine < 1.0).then(|| PI / sine.asin())
+}
+
+/// Sine of half the smallest angle between planets placed as evenly as they assemble.
+fn half_gap_sine(slots: u32, planets: u32) -> f64 {
+    (PI * f64::from(slots / planets) / f64::from(slots)).sin()
+}
+
+/// A tooth set that meets a wanted ratio, and what there is to know of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    /// The teeth and the number of planets.
+    pub teeth: ToothSet,
+    /// The ratio it has.
+    pub ratio: f64,
+    /// The same as a fraction.
+    pub exact_ratio: Fraction,
+    /// Relative error of the ratio, `i/i_wanted − 1`.
+    pub ratio_error: f64,
+    /// The largest number of equally spaced planets that clear each other.
+    pub most_planets: u32,
+    /// Whether a rack would undercut the sun.
+    pub undercut_sun: bool,
+    /// Whether a rack would undercut the planet.
+    pub undercut_planet: bool,
+    /// Where the planets sit.
+    pub spacing: PlanetSpacing,
+}
+
+impl Candidate {
+    /// Smallest angle between neighbouring planets, in radians.
+    #[must_use]
+    pub fn smallest_gap_rad(&self) -> f64 {
+        radians(self.spacing.smallest_gap())
+    }
+}
+
+/// The least number of teeth that a standard 20° rack does not undercut, without profile shift:
+/// `2·h_a*/sin²20°`, to the nearest integer as handbooks have it (17 for `h_a* = 1`, exactly 17.1).
+#[must_use]
+pub fn least_teeth_without_undercut(addendum: f64) -> u32 {
+    (2.0 * addendum / 20.0_f64.to_radians().sin().powi(2)).round() as u32
+}
+
+/// Whether a standard 20° rack undercuts an external wheel without profile shift.
+#[must_use]
+pub fn is_undercut(teeth: ToothCount, addendum: f64) -> bool {
+    teeth.get() < least_teeth_without_undercut(addendum)
+}
+
+/// Tooth sets by trying every combination of teeth and planets: slow, and the oracle of
+/// [`Bounds::tooth_sets`].
+///
+/// # Errors
+/// As [`Bounds::tooth_sets`].
+pub fn tooth_sets_by_trial(bounds: &Bounds) -> Result<Vec<ToothSet>, Error> {
+    bounds.check()?;
+    let mut found = Vec::new();
+    for sun in bounds.sun.clone() {
+        for planet in bounds.planet.clone() {
+            for ring in bounds.ring.clone() {
+                for planets in bounds.planets.clone() {
+                    let (a, g, b) = (ToothCount::new(sun)?, ToothCount::new(planet)?, ToothCount::new(ring)?);
+                    let spacing = PlanetSpacing::least_unequal(a, b, planets);
+                    let placed = spacing.is_equal() || bounds.placement == Placement::LeastUnequal;
+                    let chord = (a.as_f64() + g.as_f64()) * (radians(spacing.smallest_gap()) / 2.0).sin();
+                    let clears = chord > g.as_f64() + 2.0 * bounds.addendum + bounds.tip_gap;
+                    let k = b.as_f64() / a.as_f64();
+                    if sun + planet == ring.wrapping_sub(planet)
+                        && placed
+                        && clears
+                        && bounds.row_parameter.contains(&k)
+                    {
+                        found.push(ToothSet { sun: a, planet: g, ring: b, planets });
+                    }
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row::Member;
+    use proptest::prelude::*;
+
+    fn teeth(count: u32) -> ToothCount {
+        ToothCount::new(count).unwrap()
+    }
+
+    fn sun_to_carrier() -> Mode {
+        Mode::new(Member::Sun, Member::Carrier).unwrap()
+    }
+
+    #[test]
+    fn the_excavators_set_is_found_for_its_ratio() {
+        let bounds = Bounds { planets: 4..=4, sun: 20..=20, ..Bounds::default() };
+        let found = bounds.for_ratio(6.0, sun_to_carrier(), 0.0).unwrap();
+        assert_eq!(found.len(), 1);
+        let only = &found[0];
+        assert_eq!(only.teeth, ToothSet { sun: teeth(20), planet: teeth(40), ring: teeth(100), planets: 4 });
+        assert_eq!(only.exact_ratio, Fraction::from_integer(6));
+        assert_eq!(only.most_planets, 4);
+        assert!(!only.undercut_sun && !only.undercut_planet);
+        let limit = neighbour_limit(teeth(20), teeth(40), 1.0).unwrap();
+        assert!((limit - 180.0 / 44.427_004).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_ratio_out_of_reach_names_the_nearest() {
+        let error = Bounds::default().for_ratio(20.0, sun_to_carrier(), 0.01).unwrap_err();
+        let Error::NoToothSet { nearest: Some(nearest), .. } = error else { panic!("{error}") };
+        assert!(nearest > 10.0 && nearest <= 11.0);
+    }
+
+    #[test]
+    fn bounds_that_are_none_are_refused() {
+        let base = Bounds::default;
+        let cases = [
+            (Bounds { sun: 0..=20, ..base() }, Error::NoTeeth),
+            (
+                Bounds { sun: 20..=19, ..base() },
+                Error::ToothRange { wheel: "sun", from: 20, to: 19, most: MOST_TEETH },
+            ),
+            (Bounds { planets: 1..=3, ..base() }, Error::PlanetNumber { from: 1, to: 3, most: MOST_PLANETS }),
+            (Bounds { row_parameter: 0.9..=3.0, ..base() }, Error::RowParameterRange { from: 0.9, to: 3.0 }),
+            (
+                Bounds { addendum: -1.0, ..base() },
+                Error::Negative { name: "addendum coefficient", value: -1.0 },
+            ),
+        ];
+        for (bounds, expected) in cases {
+            assert_eq!(bounds.tooth_sets(), Err(expected));
+        }
+        assert_eq!(base().for_ratio(6.0, sun_to_carrier(), -0.1), Err(Error::Tolerance { tolerance: -0.1 }));
+        assert!(matches!(base().for_ratio(0.0, sun_to_carrier(), 0.1), Err(Error::Ratio { .. })));
+    }
+
+    #[test]
+    fn planets_that_just_touch_are_not_neighbours() {
+        // Six planets: (z_a + z_g)/2 = z_g + 2 leaves no gap at all.
+        let (sun, planet) = (teeth(24), teeth(20));
+        assert_eq!(Bounds::default().most_planets(sun, planet), 5);
+        assert_eq!(Bounds::default().most_planets(teeth(25), planet), 6);
+    }
+
+    #[test]
+    fn undercut_begins_below_17_teeth() {
+        assert_eq!(least_teeth_without_undercut(1.0), 17);
+        assert!(is_undercut(teeth(16), 1.0) && !is_undercut(teeth(17), 1.0));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+
+        #[test]
+        fn tooth_sets_are_those_that_trial_finds(
+            sun in 1..30_u32, suns in 0..12_u32,
+            planet in 1..30_u32, spread in 0..12_u32,
+            ring in 1..90_u32, rings in 0..40_u32,
+            planets in 2..=8_u32, more in 0..6_u32,
+            low_k in 1.01..4.0_f64, wide in 0.0..8.0_f64,
+            tip_gap in prop_oneof![Just(0.0), 0.0..1.5_f64],
+            unequal in any::<bool>(),
+        ) {
+            let bounds = Bounds {
+                sun: sun..=sun + suns,
+                planet: planet..=planet + spread,
+                ring: ring..=ring + rings,
+                planets: planets..=(planets + more).min(8),
+                row_parameter: low_k..=low_k + wide,
+                tip_gap,
+                placement: if unequal { Placement::LeastUnequal } else { Placement::Equal },
+                ..Bounds::default()
+            };
+            prop_assert_eq!(bounds.tooth_sets().unwrap(), tooth_sets_by_trial(&bounds).unwrap());
+        }
+
+        #[test]
+        fn most_planets_is_the_last_that_clears(sun in 5..120_u32, planet in 5..120_u32) {
+            let (sun, planet) = (teeth(sun), teeth(planet));
+            let clears = |n: u32| {
+                (sun.as_f64() + planet.as_f64()) * (PI / f64::from(n)).sin() > planet.as_f64() + 2.0
+            };
+            let last = (2..200).take_while(|&n| clears(n)).last().unwrap_or(1);
+            prop_assert_eq!(Bounds::default().most_planets(sun, planet), last);
+        }
+    }
+}

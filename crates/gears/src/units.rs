@@ -1,7 +1,8 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
+use uom::si::angle::radian;
 use uom::si::angular_velocity::radian_per_second;
-use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Torque};
 use uom::si::torque::newton_meter;
 
 pub(crate) fn rad_per_s(speed: AngularVelocity) -> f64 {
@@ -18,4 +19,12 @@ pub(crate) fn n_m(torque: Torque) -> f64 {
 
 pub(crate) fn torque(torque_n_m: f64) -> Torque {
     Torque::new::<newton_meter>(torque_n_m)
+}
+
+pub(crate) fn radians(angle: Angle) -> f64 {
+    angle.get::<radian>()
+}
+
+pub(crate) fn angle(angle_rad: f64) -> Angle {
+    Angle::new::<radian>(angle_rad)
 }
