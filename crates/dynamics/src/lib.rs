@@ -1,1 +1,26 @@
-//! placeholder
+//! Motion of geared drives with one degree of freedom.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`reduction`] | one inertia at the driving shaft in place of all moving links |
+//! | [`energy`] | kinetic energy, link by link |
+//! | [`lagrange`] | generalized force and accelerations, Lagrange's equation of the second kind |
+//! | [`planetary`] | a simple planetary drive: its links, its motion with and without mesh losses |
+//! | [`drive`] | the whole design of such a drive, from power and ratio to the starting time |
+//!
+//! Signs follow [`epicyclic_gears`]: speeds and torques are positive along the common axis, a
+//! torque acts on the link from outside.
+//!
+//! [`energy`] and [`reduction`] share no code: the first sums over absolute speeds, the second over
+//! ratios of tooth numbers, so that `T = ½·J_pr·ω_1²` tests both.
+
+pub mod energy;
+pub mod error;
+pub mod lagrange;
+pub mod planetary;
+pub mod reduction;
+mod units;
+
+pub use error::Error;

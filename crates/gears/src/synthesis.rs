@@ -415,7 +415,7 @@ mod tests {
         let cases = [
             (Bounds { sun: 0..=20, ..base() }, Error::NoTeeth),
             (
-                Bounds { sun: 20..=19, ..base() },
+                Bounds { sun: RangeInclusive::new(20, 19), ..base() },
                 Error::ToothRange { wheel: "sun", from: 20, to: 19, most: MOST_TEETH },
             ),
             (Bounds { planets: 1..=3, ..base() }, Error::PlanetNumber { from: 1, to: 3, most: MOST_PLANETS }),

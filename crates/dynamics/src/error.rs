@@ -1,0 +1,45 @@
+//! What this crate refuses.
+
+/// A mechanism that cannot move as described.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A mass, inertia or radius that no body has.
+    #[error("{what} of {link} is {value} in SI units: it is finite and not negative")]
+    Impossible {
+        /// The link concerned.
+        link: String,
+        /// Which property.
+        what: &'static str,
+        /// Its value in SI units.
+        value: f64,
+    },
+    /// A speed ratio, torque or speed that is not a number.
+    #[error("{what} of {link} is {value}: it is finite")]
+    NotFinite {
+        /// The link concerned.
+        link: String,
+        /// Which property.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Nothing moves, so there is nothing to accelerate.
+    #[error("the reduced inertia is 0: give at least one moving link an inertia or a mass")]
+    NoInertia,
+    /// A drive that does not reach its speed.
+    #[error(
+        "the drive does not start: the driving torque exceeds the reduced load by {surplus_n_m:.6} N·m; \
+         it must exceed it by more than 0"
+    )]
+    DoesNotStart {
+        /// Driving torque less the load reduced to the driving shaft, in N·m.
+        surplus_n_m: f64,
+    },
+    /// The sense of the power through the meshes contradicts itself in every combination.
+    #[error("no sense of the mesh powers is consistent with the torques: the drive locks itself")]
+    Locked,
+    /// A gear set that is none.
+    #[error(transparent)]
+    Gear(#[from] epicyclic_gears::Error),
+}

@@ -1,0 +1,381 @@
+//! A simple planetary drive: driven at the sun, ring at rest, load on the carrier.
+//!
+//! # With mesh losses
+//!
+//! Losses act in the motion relative to the carrier, and the inertia of the planets stands between
+//! the two meshes, so the meshes carry different powers while the drive accelerates:
+//!
+//! ```text
+//! sun      T_1 = M_1 − J_1·ε_1                                into the mesh sun–planet
+//! planets  N·J_2·ε_2 = T_2 − e_12·T_1·z_2/z_1                 T_2 torque of the ring's teeth on them
+//! ring     R = e_23·T_2·z_3/z_2                               torque of the housing on the ring
+//! whole    M_1 − M_H + R = J_1·ε_1 + N·J_2·ε_2 + (N·m·r² + J_H)·ε_H
+//! ```
+//!
+//! `e` is the mesh's efficiency where power flows from the sun towards the ring, else its inverse.
+//! In one line, with `k = z_3/z_1` and `η_0 = e_12·e_23`:
+//!
+//! ```text
+//! J_η·ε_1 = M_1 − M_H/(1 + η_0·k)
+//! J_η = J_1 + [N·J_2·u_2·(1 − e_23·z_3/z_2) + (N·m·r² + J_H)·u_H]/(1 + η_0·k)
+//! ```
+//!
+//! Without losses `1 + k = 1/u_H` and `u_2 = u_H·(1 − z_3/z_2)`, and `J_η` is the reduced inertia.
+//!
+//! excavator-dynamics reduces the load without its losses; what remains as its driving force is
+//! the power that the meshes take.
+
+use crate::Error;
+use crate::energy::MovingBody;
+use crate::lagrange::{AppliedTorque, acceleration, generalized_force};
+use crate::reduction::{Link, Orbit, reduced_inertia};
+use crate::units::{
+    angular_acceleration, angular_velocity, inertia, kg_m2, kilograms, meters, n_m, power, rad_per_s,
+    rad_per_s2, torque,
+};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::willis;
+use uom::si::f64::{
+    AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
+};
+use uom::si::velocity::meter_per_second;
+
+/// A simple planetary gear with its masses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanetaryDrive {
+    /// Teeth and number of planets.
+    pub teeth: ToothSet,
+    /// Inertia of the driving shaft with the sun, `J_1`.
+    pub sun_inertia: MomentOfInertia,
+    /// Inertia of one planet about its own axis, `J_2`.
+    pub planet_inertia: MomentOfInertia,
+    /// Mass of one planet, `m`.
+    pub planet_mass: Mass,
+    /// Radius of the planets' centres, `r`.
+    pub planet_radius: Length,
+    /// Inertia of the carrier without planets, with what it drives, `J_H`.
+    pub carrier_inertia: MomentOfInertia,
+}
+
+/// Speeds of the links over that of the sun.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpeedRatios {
+    /// Planet, absolute: `u_2 = z_1·(z_2 − z_3)/(z_2·(z_1 + z_3))`.
+    pub planet: f64,
+    /// Carrier: `u_H = z_1/(z_1 + z_3)`.
+    pub carrier: f64,
+}
+
+/// Accelerations of the links.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accelerations {
+    /// Sun, `ε_1`.
+    pub sun: AngularAcceleration,
+    /// Planet, absolute, `ε_2`.
+    pub planet: AngularAcceleration,
+    /// Carrier, `ε_H`.
+    pub carrier: AngularAcceleration,
+}
+
+/// The drive under its torques, losses included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LossyMotion {
+    /// Inertia that the driving torque feels, `J_η`.
+    pub inertia: MomentOfInertia,
+    /// Generalized force with the load reduced through the losses, `M_1 − M_H/(1 + η_0·k)`.
+    pub force: Torque,
+    /// Accelerations of the links.
+    pub accelerations: Accelerations,
+    /// Torque of the housing on the ring, `R`.
+    pub ring_torque: Torque,
+    /// Torque of the sun on its meshes, `T_1`.
+    pub sun_mesh_torque: Torque,
+    /// Torque of the ring's teeth on all planets, `T_2`, about their own axes.
+    pub planet_ring_torque: Torque,
+}
+
+impl PlanetaryDrive {
+    /// Speed ratios of the links, from the tooth numbers.
+    #[must_use]
+    pub fn speed_ratios(&self) -> SpeedRatios {
+        let (z1, z2, z3) = self.tooth_numbers();
+        SpeedRatios { planet: z1 * (z2 - z3) / (z2 * (z1 + z3)), carrier: z1 / (z1 + z3) }
+    }
+
+    /// The moving links, to be reduced.
+    #[must_use]
+    pub fn links(&self) -> [Link; 3] {
+        let ratios = self.speed_ratios();
+        [
+            Link::central("sun", self.sun_inertia, 1.0),
+            Link {
+                name: "planets".into(),
+                count: self.teeth.planets,
+                inertia: self.planet_inertia,
+                speed_ratio: ratios.planet,
+                orbit: Some(Orbit {
+                    mass: self.planet_mass,
+                    radius: self.planet_radius,
+                    speed_ratio: ratios.carrier,
+                }),
+            },
+            Link::central("carrier", self.carrier_inertia, ratios.carrier),
+        ]
+    }
+
+    /// Reduced inertia `J_pr`.
+    ///
+    /// ```text
+    /// J_pr = J_1 + N·m·r²·(z_1/(z_1+z_3))² + N·J_2·(z_1(z_3−z_2)/(z_2(z_1+z_3)))² + J_H·(z_1/(z_1+z_3))²
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Link::reduced_inertia`].
+    ///
+    /// # Source
+    /// excavator-dynamics, where the planets' mass term is printed with `(z_1 + z_2)²`, against its
+    /// own equation of motion.
+    pub fn reduced_inertia(&self) -> Result<MomentOfInertia, Error> {
+        reduced_inertia(&self.links())
+    }
+
+    /// The bodies as they move at `speed` of the sun, their speeds from Willis' equation.
+    ///
+    /// # Errors
+    /// [`Error::Gear`] for a gear set without a carrier speed.
+    pub fn bodies(&self, speed: AngularVelocity) -> Result<Vec<MovingBody>, Error> {
+        let row = self.teeth.stationary_ratio();
+        let speeds = willis::speeds(row, Some(speed), Some(angular_velocity(0.0)), None)?;
+        let planet_to_sun = self.teeth.planet.as_f64() / self.teeth.sun.as_f64();
+        let planet = willis::planet_speed(planet_to_sun, speeds.sun, speeds.carrier)?;
+        let orbital =
+            Velocity::new::<meter_per_second>(rad_per_s(speeds.carrier) * meters(self.planet_radius));
+        let planet = MovingBody {
+            inertia: self.planet_inertia,
+            speed: planet.absolute,
+            mass: self.planet_mass,
+            centre_speed: orbital,
+        };
+        let mut bodies = vec![
+            MovingBody::turning(self.sun_inertia, speeds.sun),
+            MovingBody::turning(self.carrier_inertia, speeds.carrier),
+        ];
+        bodies.extend((0..self.teeth.planets).map(|_| planet));
+        Ok(bodies)
+    }
+
+    /// Generalized force without losses, `Q = M_1 − M_H·z_1/(z_1 + z_3)`.
+    #[must_use]
+    pub fn generalized_force(&self, driving: Torque, load: Torque) -> Torque {
+        generalized_force(&[
+            AppliedTorque { torque: driving, speed_ratio: 1.0 },
+            AppliedTorque { torque: -load, speed_ratio: self.speed_ratios().carrier },
+        ])
+    }
+
+    /// Accelerations of the links for one of the sun.
+    #[must_use]
+    pub fn accelerations(&self, sun: AngularAcceleration) -> Accelerations {
+        let ratios = self.speed_ratios();
+        Accelerations { sun, planet: sun * ratios.planet, carrier: sun * ratios.carrier }
+    }
+
+    /// Accelerations under a driving torque on the sun and a load on the carrier, without losses.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`], and as [`Link::reduced_inertia`].
+    pub fn motion(&self, driving: Torque, load: Torque) -> Result<Accelerations, Error> {
+        let force = self.generalized_force(driving, load);
+        Ok(self.accelerations(acceleration(force, self.reduced_inertia()?)?))
+    }
+
+    /// The same with the losses of the meshes, for a drive that turns forward.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`], [`Error::Locked`], and as [`Link::reduced_inertia`].
+    pub fn motion_with_losses(
+        &self,
+        driving: Torque,
+        load: Torque,
+        sun_planet: MeshEfficiency,
+        planet_ring: MeshEfficiency,
+    ) -> Result<LossyMotion, Error> {
+        // Refuses impossible masses before any of them is used.
+        self.reduced_inertia()?;
+        let (z1, z2, z3) = self.tooth_numbers();
+        let ratios = self.speed_ratios();
+        let planets = f64::from(self.teeth.planets);
+        let (j1, j2) = (kg_m2(self.sun_inertia), planets * kg_m2(self.planet_inertia));
+        let orbital = planets * kilograms(self.planet_mass) * meters(self.planet_radius).powi(2);
+        let jh = kg_m2(self.carrier_inertia) + orbital;
+        let (m1, mh) = (n_m(driving), n_m(load));
+        let (eta_12, eta_23) = (sun_planet.get(), planet_ring.get());
+
+        // Four senses of the two mesh powers; the drive's own comes first where it is consistent.
+        for (e_12, e_23) in
+            [(eta_12, eta_23), (1.0 / eta_12, 1.0 / eta_23), (eta_12, 1.0 / eta_23), (1.0 / eta_12, eta_23)]
+        {
+            let arriving = 1.0 + e_12 * e_23 * z3 / z1;
+            let j = j1 + (j2 * ratios.planet * (1.0 - e_23 * z3 / z2) + jh * ratios.carrier) / arriving;
+            let force = m1 - mh / arriving;
+            let epsilon = rad_per_s2(acceleration(torque(force), inertia(j))?);
+            let t1 = m1 - j1 * epsilon;
+            let t2 = j2 * ratios.planet * epsilon + e_12 * t1 * z2 / z1;
+            let forward = |power: f64, e: f64, eta: f64| {
+                // A mesh without power, or without losses, has no sense to contradict.
+                power == 0.0 || eta == 1.0 || (power > 0.0) == (e < 1.0)
+            };
+            if forward(t1, e_12, eta_12) && forward(t2, e_23, eta_23) {
+                return Ok(LossyMotion {
+                    inertia: inertia(j),
+                    force: torque(force),
+                    accelerations: self.accelerations(angular_acceleration(epsilon)),
+                    ring_torque: torque(e_23 * t2 * z3 / z2),
+                    sun_mesh_torque: torque(t1),
+                    planet_ring_torque: torque(t2),
+                });
+            }
+        }
+        Err(Error::Locked)
+    }
+
+    /// Power that the meshes take at `speed` of the sun.
+    ///
+    /// Summed mesh by mesh, so that the balance of powers tests the motion.
+    #[must_use]
+    pub fn mesh_loss(
+        &self,
+        motion: &LossyMotion,
+        speed: AngularVelocity,
+        sun_planet: MeshEfficiency,
+        planet_ring: MeshEfficiency,
+    ) -> Power {
+        let (z1, z2, _) = self.tooth_numbers();
+        let relative = rad_per_s(speed) * (1.0 - self.speed_ratios().carrier);
+        let lost = |into_mesh: f64, eta: MeshEfficiency| {
+            // A driven mesh loses of what enters here; in an overrun one this is what is left.
+            let eta = eta.get();
+            into_mesh.abs() * if into_mesh > 0.0 { 1.0 - eta } else { 1.0 / eta - 1.0 }
+        };
+        let from_sun = n_m(motion.sun_mesh_torque) * relative;
+        let from_planets = n_m(motion.planet_ring_torque) * relative * z1 / z2;
+        power(lost(from_sun, sun_planet) + lost(from_planets, planet_ring))
+    }
+
+    fn tooth_numbers(&self) -> (f64, f64, f64) {
+        (self.teeth.sun.as_f64(), self.teeth.planet.as_f64(), self.teeth.ring.as_f64())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::energy::kinetic_energy;
+    use crate::units::{joules, length, mass, watts};
+    use epicyclic_gears::teeth::ToothCount;
+    use proptest::prelude::*;
+
+    fn teeth(sun: u32, planet: u32, planets: u32) -> ToothSet {
+        let z = |count| ToothCount::new(count).unwrap();
+        ToothSet { sun: z(sun), planet: z(planet), ring: z(sun + 2 * planet), planets }
+    }
+
+    /// The excavator's drive with the source's printed masses and inertias.
+    fn excavator() -> PlanetaryDrive {
+        PlanetaryDrive {
+            teeth: teeth(20, 40, 4),
+            sun_inertia: inertia(0.00818),
+            planet_inertia: inertia(0.3),
+            planet_mass: mass(31.5),
+            planet_radius: length(0.240),
+            carrier_inertia: inertia(0.144),
+        }
+    }
+
+    fn eta(value: f64) -> MeshEfficiency {
+        MeshEfficiency::new(value).unwrap()
+    }
+
+    #[test]
+    fn the_excavator_accelerates_at_a_third_of_what_its_sum_says() {
+        // By hand: 0.00818 + (4·31.5·0.24² + 0.144)/36 + 4·0.3/16.
+        let by_hand = 0.00818 + (4.0 * 31.5 * 0.0576 + 0.144) / 36.0 + 0.075;
+        let j = kg_m2(excavator().reduced_inertia().unwrap());
+        assert!((j - by_hand).abs() < 1e-15);
+        let found = excavator().motion(torque(521.8), torque(2974.26)).unwrap();
+        assert!((rad_per_s2(found.sun) - 26.09 / by_hand).abs() < 1e-9);
+        assert!((found.planet.value / found.sun.value - -0.25).abs() < 1e-15);
+    }
+
+    #[test]
+    fn at_full_load_the_losses_leave_nothing_to_accelerate() {
+        let (e12, e23) = (eta(0.97), eta(0.98));
+        let full = 521.8 * (1.0 + 5.0 * 0.97 * 0.98);
+        let found = excavator().motion_with_losses(torque(521.8), torque(full), e12, e23).unwrap();
+        assert!(rad_per_s2(found.accelerations.sun).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_impossible_mass_is_refused() {
+        let broken = PlanetaryDrive { planet_mass: mass(f64::NAN), ..excavator() };
+        let found = broken.motion_with_losses(torque(1.0), torque(1.0), eta(0.9), eta(0.9));
+        assert!(matches!(found, Err(Error::Impossible { what: "mass", .. })));
+    }
+
+    prop_compose! {
+        fn any_drive()(
+            sun in 6..120_u32, planet in 6..120_u32, planets in 2..8_u32,
+            j1 in 1e-4..2.0, j2 in 1e-4..2.0, jh in 1e-4..9.0, m in 0.01..60.0, r in 0.01..0.9,
+        ) -> PlanetaryDrive {
+            PlanetaryDrive {
+                teeth: teeth(sun, planet, planets),
+                sun_inertia: inertia(j1),
+                planet_inertia: inertia(j2),
+                planet_mass: mass(m),
+                planet_radius: length(r),
+                carrier_inertia: inertia(jh),
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn energy_of_all_links_is_that_of_the_reduced_inertia(drive in any_drive(), omega in -300.0..300.0) {
+            let bodies = drive.bodies(angular_velocity(omega)).unwrap();
+            let summed = joules(kinetic_energy(&bodies));
+            let reduced = 0.5 * kg_m2(drive.reduced_inertia().unwrap()) * omega * omega;
+            prop_assert!((summed - reduced).abs() <= 1e-12 * reduced.max(1e-12));
+        }
+
+        #[test]
+        fn without_losses_both_equations_of_motion_agree(
+            drive in any_drive(), driving in -900.0..900.0, load in -9000.0..9000.0,
+        ) {
+            let (driving, load, ideal) = (torque(driving), torque(load), MeshEfficiency::IDEAL);
+            let plain = drive.motion(driving, load).unwrap();
+            let found = drive.motion_with_losses(driving, load, ideal, ideal).unwrap();
+            let j = kg_m2(drive.reduced_inertia().unwrap());
+            prop_assert!((kg_m2(found.inertia) - j).abs() <= 1e-12 * j);
+            let scale = (n_m(driving).abs() + n_m(load).abs()) / j;
+            prop_assert!(rad_per_s2(found.accelerations.sun - plain.sun).abs() <= 1e-12 * scale);
+        }
+
+        #[test]
+        fn powers_balance_with_losses(
+            drive in any_drive(), driving in -900.0..900.0, load in -9000.0..9000.0,
+            e12 in 0.8..1.0, e23 in 0.8..1.0, omega in 1.0..300.0,
+        ) {
+            let (e12, e23) = (eta(e12), eta(e23));
+            let found = drive.motion_with_losses(torque(driving), torque(load), e12, e23).unwrap();
+            let ratios = drive.speed_ratios();
+            let epsilon = rad_per_s2(found.accelerations.sun);
+            let stored = kg_m2(drive.reduced_inertia().unwrap()) * epsilon * omega;
+            let supplied = driving * omega - load * omega * ratios.carrier;
+            let lost = watts(drive.mesh_loss(&found, angular_velocity(omega), e12, e23));
+            prop_assert!(lost >= 0.0);
+            let scale = (driving.abs() + load.abs()) * omega;
+            prop_assert!((supplied - stored - lost).abs() <= 1e-11 * scale, "{} {} {}", supplied, stored, lost);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Reduction of the moving links to the driving shaft.
+//!
+//! ```text
+//! J_pr = Σ n·(J·u² + m·r²·u_H²)
+//! ```
+//!
+//! | symbol | field | meaning | unit |
+//! |---|---|---|---|
+//! | `n` | [`Link::count`] | how many alike | 1 |
+//! | `J` | [`Link::inertia`] | inertia about the link's own axis | kg·m² |
+//! | `u` | [`Link::speed_ratio`] | absolute speed of the link over that of the driving shaft | 1 |
+//! | `m`, `r` | [`Orbit::mass`], [`Orbit::radius`] | mass whose centre circles the main axis, and at what radius | kg, m |
+//! | `u_H` | [`Orbit::speed_ratio`] | speed of that circling over that of the driving shaft | 1 |
+//!
+//! The ratios are constant, so `J_pr` is: gears without backlash, rigid links.
+//!
+//! # Source
+//! excavator-dynamics, reduced moment of inertia.
+
+use crate::Error;
+use crate::units::{inertia, kg_m2, kilograms, meters};
+use uom::si::f64::{Length, Mass, MomentOfInertia};
+
+/// A moving link, or several alike.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// What it is called.
+    pub name: String,
+    /// How many alike.
+    pub count: u32,
+    /// Inertia of one about its own axis.
+    pub inertia: MomentOfInertia,
+    /// Absolute speed over that of the driving shaft, signed.
+    pub speed_ratio: f64,
+    /// The circle on which its centre of mass travels, where it does.
+    pub orbit: Option<Orbit>,
+}
+
+/// A mass carried around the main axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orbit {
+    /// Mass of one link.
+    pub mass: Mass,
+    /// Radius of the circle of its centre.
+    pub radius: Length,
+    /// Speed of the circling (of the carrier) over that of the driving shaft, signed.
+    pub speed_ratio: f64,
+}
+
+impl Link {
+    /// A link that turns about the main axis.
+    #[must_use]
+    pub fn central(name: impl Into<String>, inertia: MomentOfInertia, speed_ratio: f64) -> Self {
+        Self { name: name.into(), count: 1, inertia, speed_ratio, orbit: None }
+    }
+
+    /// Its share of the reduced inertia, all alike together.
+    ///
+    /// # Errors
+    /// [`Error::Impossible`] for a negative or non-finite mass, inertia or radius,
+    /// [`Error::NotFinite`] for a speed ratio that is not a number.
+    pub fn reduced_inertia(&self) -> Result<MomentOfInertia, Error> {
+        let body = |what, value: f64| {
+            if value >= 0.0 && value.is_finite() {
+                Ok(value)
+            } else {
+                Err(Error::Impossible { link: self.name.clone(), what, value })
+            }
+        };
+        let ratio = |what, value: f64| {
+            if value.is_finite() {
+                Ok(value)
+            } else {
+                Err(Error::NotFinite { link: self.name.clone(), what, value })
+            }
+        };
+        let own = body("inertia", kg_m2(self.inertia))? * ratio("speed ratio", self.speed_ratio)?.powi(2);
+        let carried = match &self.orbit {
+            None => 0.0,
+            Some(orbit) => {
+                body("mass", kilograms(orbit.mass))?
+                    * (body("radius", meters(orbit.radius))?
+                        * ratio("orbit's speed ratio", orbit.speed_ratio)?)
+                    .powi(2)
+            }
+        };
+        Ok(inertia(f64::from(self.count) * (own + carried)))
+    }
+}
+
+/// Inertia that all links present at the driving shaft, `J_pr`.
+///
+/// ```
+/// use epicyclic_dynamics::reduction::{Link, reduced_inertia};
+/// use uom::si::f64::MomentOfInertia;
+/// use uom::si::moment_of_inertia::kilogram_square_meter;
+/// # fn main() -> Result<(), epicyclic_dynamics::Error> {
+/// let kg_m2 = MomentOfInertia::new::<kilogram_square_meter>;
+/// let links = [Link::central("rotor", kg_m2(0.5), 1.0), Link::central("drum", kg_m2(18.0), 1.0 / 6.0)];
+/// assert_eq!(reduced_inertia(&links)?.get::<kilogram_square_meter>(), 1.0);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// As [`Link::reduced_inertia`].
+pub fn reduced_inertia(links: &[Link]) -> Result<MomentOfInertia, Error> {
+    links.iter().try_fold(inertia(0.0), |sum, link| Ok(sum + link.reduced_inertia()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{length, mass};
+
+    #[test]
+    fn a_planet_counts_with_its_orbit() {
+        let planets = Link {
+            name: "planets".into(),
+            count: 3,
+            inertia: inertia(0.5),
+            speed_ratio: -2.0,
+            orbit: Some(Orbit { mass: mass(4.0), radius: length(0.5), speed_ratio: 0.5 }),
+        };
+        // 3·(0.5·4 + 4·0.25·0.25)
+        assert!((kg_m2(planets.reduced_inertia().unwrap()) - 6.75).abs() < 1e-15);
+    }
+
+    #[test]
+    fn impossible_bodies_are_refused() {
+        let with = |j: f64, u: f64| Link::central("drum", inertia(j), u).reduced_inertia().unwrap_err();
+        assert!(matches!(with(-1.0, 1.0), Error::Impossible { what: "inertia", .. }));
+        assert!(matches!(with(1.0, f64::NAN), Error::NotFinite { what: "speed ratio", .. }));
+        let thrown = Link {
+            orbit: Some(Orbit { mass: mass(-1.0), radius: length(1.0), speed_ratio: 1.0 }),
+            ..Link::central("stone", inertia(0.0), 1.0)
+        };
+        assert!(matches!(thrown.reduced_inertia(), Err(Error::Impossible { what: "mass", .. })));
+    }
+}
