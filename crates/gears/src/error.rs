@@ -1,5 +1,7 @@
 //! Everything this crate refuses, each with the offending value and what would be allowed.
 
+use crate::geometry::Toothing;
+
 /// Why a gear set, a wheel, a shaft, a bearing or a carrier was refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -50,6 +52,28 @@ pub enum Error {
         high: f64,
         /// Unit of the three numbers.
         unit: &'static str,
+    },
+
+    /// A quantity that must exceed another dimension.
+    #[error("{quantity} is {value} {unit}; it must be above {low} {unit}")]
+    NotAbove {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// What it must exceed, in `unit`.
+        low: f64,
+        /// Unit of both numbers.
+        unit: &'static str,
+    },
+
+    /// A wheel with its teeth on the other side than the calculation is for.
+    #[error("the wheel is {given:?}; {wanted:?} toothing is wanted")]
+    WrongToothing {
+        /// Toothing of the wheel given.
+        given: Toothing,
+        /// The toothing that the calculation is for.
+        wanted: Toothing,
     },
 
     /// An external wheel so small that its root circle vanishes.

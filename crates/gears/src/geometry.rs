@@ -5,9 +5,7 @@
 
 use uom::si::f64::{Angle, Length};
 
-use crate::units::{
-    acute_angle, angle_from_degrees, degrees, length, millimetres, not_negative, positive,
-};
+use crate::units::{acute_angle, angle_from_degrees, degrees, millimetres, not_negative, positive};
 use crate::units::{positive_length, radians};
 use crate::{Error, ToothCount};
 

@@ -44,6 +44,10 @@ pub(crate) fn mass(value_kg: f64) -> Mass {
     Mass::new::<kilogram>(value_kg)
 }
 
+pub(crate) fn kilograms(value: Mass) -> f64 {
+    value.get::<kilogram>()
+}
+
 pub(crate) fn inertia(value_kg_m2: f64) -> MomentOfInertia {
     MomentOfInertia::new::<kilogram_square_meter>(value_kg_m2)
 }
@@ -125,6 +129,25 @@ pub(crate) fn length_from_to(
     })
 }
 
+/// A length above `low_m`, in metres.
+pub(crate) fn length_above(
+    quantity: &'static str,
+    value: Length,
+    low_m: f64,
+) -> Result<f64, Error> {
+    let value_m = positive_length(quantity, value)?;
+    if value_m > low_m {
+        return Ok(value_m);
+    }
+    let (value, low) = (millimetres(value), millimetres(length(low_m)));
+    Err(Error::NotAbove {
+        quantity,
+        value,
+        low,
+        unit: "mm",
+    })
+}
+
 /// A torque above 0, in N·m.
 pub(crate) fn positive_torque(value: Torque) -> Result<f64, Error> {
     positive("torque", value.get::<newton_meter>(), "N·m")
@@ -143,7 +166,7 @@ pub(crate) fn positive_density(value: MassDensity) -> Result<f64, Error> {
 
 /// A mass above 0, in kg.
 pub(crate) fn positive_mass(value: Mass) -> Result<f64, Error> {
-    positive("mass", value.get::<kilogram>(), "kg")
+    positive("mass", kilograms(value), "kg")
 }
 
 /// An angle strictly between 0 and 90°, in radians.
