@@ -1,5 +1,6 @@
 //! What this crate refuses.
 
+use crate::geometry::Toothing;
 use crate::row::{Member, Mode};
 
 /// An input that describes no gear, or a demand that no gear meets.
@@ -69,14 +70,6 @@ pub enum Error {
         /// Upper end.
         to: f64,
     },
-    /// A quantity that may not be negative.
-    #[error("{name} {value}: it is finite and not negative")]
-    Negative {
-        /// What it is.
-        name: &'static str,
-        /// The value given.
-        value: f64,
-    },
     /// A tolerance that is none.
     #[error("tolerance {tolerance}: it is finite and not negative; 0.01 means one per cent")]
     Tolerance {
@@ -106,4 +99,211 @@ pub enum Error {
         /// The nearest ratio within the bounds, where there is any tooth set.
         nearest: Option<f64>,
     },
+    /// A count below its least value.
+    #[error("{count} {what}: at least {at_least} needed")]
+    TooFew {
+        /// What is counted.
+        what: &'static str,
+        /// The count given.
+        count: u32,
+        /// The least count allowed.
+        at_least: u32,
+    },
+
+    /// A quantity that must be finite and above 0.
+    #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
+    NotPositive {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Unit of `value`; empty for a plain number.
+        unit: &'static str,
+    },
+
+    /// A quantity that must be finite and not below 0.
+    #[error("{quantity} is {value} {unit}; it must be finite and not below 0")]
+    Negative {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Unit of `value`; empty for a plain number.
+        unit: &'static str,
+    },
+
+    /// A quantity outside the range that the other dimensions leave for it.
+    #[error("{quantity} is {value} {unit}; it must lie between {low} and {high} {unit}")]
+    OutOfRange {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Lower bound, in `unit`.
+        low: f64,
+        /// Upper bound, in `unit`.
+        high: f64,
+        /// Unit of the three numbers.
+        unit: &'static str,
+    },
+
+    /// A quantity that must exceed another dimension.
+    #[error("{quantity} is {value} {unit}; it must be above {low} {unit}")]
+    NotAbove {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// What it must exceed, in `unit`.
+        low: f64,
+        /// Unit of both numbers.
+        unit: &'static str,
+    },
+
+    /// A wheel with its teeth on the other side than the calculation is for.
+    #[error("the wheel is {given:?}; {wanted:?} toothing is wanted")]
+    WrongToothing {
+        /// Toothing of the wheel given.
+        given: Toothing,
+        /// The toothing that the calculation is for.
+        wanted: Toothing,
+    },
+
+    /// An external wheel so small that its root circle vanishes.
+    #[error("{teeth} teeth leave a root diameter of {root_mm} mm; at least {at_least} teeth needed")]
+    NoRoot {
+        /// Teeth given.
+        teeth: u32,
+        /// The root diameter they would have, mm.
+        root_mm: f64,
+        /// The fewest teeth with a positive root diameter.
+        at_least: u32,
+    },
+
+    /// An internal wheel so small that its teeth meet on the axis.
+    #[error("{teeth} internal teeth leave a tip diameter of {tip_mm} mm; at least {at_least} teeth needed")]
+    NoInternalTip {
+        /// Teeth given.
+        teeth: u32,
+        /// The tip diameter they would have, mm.
+        tip_mm: f64,
+        /// The fewest teeth with a positive tip diameter.
+        at_least: u32,
+    },
+
+    /// Two wheels of different module cannot mesh.
+    #[error("modules {first_mm} and {second_mm} mm differ; wheels in mesh share one module")]
+    ModulesDiffer {
+        /// Module of the first wheel, mm.
+        first_mm: f64,
+        /// Module of the second wheel, mm.
+        second_mm: f64,
+    },
+
+    /// Two wheels of different pressure angle cannot mesh.
+    #[error("pressure angles {first_deg}° and {second_deg}° differ; wheels in mesh share one")]
+    PressureAnglesDiffer {
+        /// Pressure angle of the first wheel, degrees.
+        first_deg: f64,
+        /// Pressure angle of the second wheel, degrees.
+        second_deg: f64,
+    },
+
+    /// Two internal wheels cannot mesh.
+    #[error(
+        "both wheels are internal ({first} and {second} teeth); an internal wheel meshes with an external one"
+    )]
+    BothInternal {
+        /// Teeth of the first wheel.
+        first: u32,
+        /// Teeth of the second wheel.
+        second: u32,
+    },
+
+    /// An internal wheel must have more teeth than the wheel inside it.
+    #[error(
+        "internal wheel has {internal} teeth and the wheel inside it {external}; the internal one must have more"
+    )]
+    InternalNotLarger {
+        /// Teeth of the internal wheel.
+        internal: u32,
+        /// Teeth of the external wheel.
+        external: u32,
+    },
+
+    /// A shaft thicker than the largest diameter of the series.
+    #[error("a shaft of {needed_mm} mm is needed; the largest standard diameter listed is {largest_mm} mm")]
+    NoStandardDiameter {
+        /// Diameter that the formula asks for, mm.
+        needed_mm: f64,
+        /// The largest listed, mm.
+        largest_mm: f64,
+    },
+
+    /// A bearing designation that the table does not hold.
+    #[error("no deep-groove ball bearing {designation}; {}", offer(.same_bore))]
+    UnknownBearing {
+        /// The designation given.
+        designation: String,
+        /// What the table has for the bore that the designation names; empty when it names none.
+        same_bore: Vec<&'static str>,
+    },
+
+    /// A series without a bearing of this very bore.
+    #[error("no bearing of series {series} with a bore of {bore_mm} mm; neighbouring bores are {}", list_mm(.neighbours_mm))]
+    NoSuchBore {
+        /// Series asked for: 200, 300 or 400.
+        series: u16,
+        /// Bore asked for, mm.
+        bore_mm: f64,
+        /// The next bores of the series below and above, mm.
+        neighbours_mm: Vec<f64>,
+    },
+
+    /// A shaft thicker than every bore of a series.
+    #[error(
+        "no bearing of series {series} takes a shaft of {shaft_mm} mm; its largest bore is {largest_mm} mm"
+    )]
+    NoBearingForShaft {
+        /// Series asked for: 200, 300 or 400.
+        series: u16,
+        /// Shaft diameter, mm.
+        shaft_mm: f64,
+        /// Largest bore of the series, mm.
+        largest_mm: f64,
+    },
+}
+
+fn offer(same_bore: &[&str]) -> String {
+    if same_bore.is_empty() {
+        "listed are series 200, 300 and 400 with size codes 04 to 20, e.g. 310 (or 6310)".to_owned()
+    } else {
+        format!("for that bore there are {}", same_bore.join(", "))
+    }
+}
+
+fn list_mm(values: &[f64]) -> String {
+    values.iter().map(|value| format!("{value} mm")).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_name_the_value_and_what_is_allowed() {
+        let error =
+            Error::UnknownBearing { designation: "510".to_owned(), same_bore: vec!["210", "310", "410"] };
+        assert_eq!(
+            error.to_string(),
+            "no deep-groove ball bearing 510; for that bore there are 210, 310, 410"
+        );
+        let error = Error::NoSuchBore { series: 300, bore_mm: 51.0, neighbours_mm: vec![50.0, 55.0] };
+        assert_eq!(
+            error.to_string(),
+            "no bearing of series 300 with a bore of 51 mm; neighbouring bores are 50 mm, 55 mm"
+        );
+        let error = Error::OutOfRange { quantity: "bore", value: 9.0, low: 0.0, high: 8.0, unit: "mm" };
+        assert_eq!(error.to_string(), "bore is 9 mm; it must lie between 0 and 8 mm");
+    }
 }

@@ -10,6 +10,13 @@
 //! | [`efficiency`] | torques and efficiency of a row from the losses of its meshes |
 //! | [`synthesis`] | *every* tooth set of a simple planetary gear within bounds |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
+//! | [`geometry`] | diameters of a wheel, centre distance of a pair |
+//! | [`mass`] | volume, mass and polar inertia of rings and wheels |
+//! | [`carrier`] | the same of a planet carrier |
+//! | [`shaft`] | shaft diameter by reduced torsional stress, standard diameters |
+//! | [`bearing`] | deep-groove ball bearings by designation, bore or shaft |
+//!
+//! Quantities are `uom` quantities; nothing here prints, reads or writes.
 //!
 //! # Sign convention
 //!
@@ -31,9 +38,14 @@
 //! # }
 //! ```
 
+pub mod bearing;
+pub mod carrier;
 pub mod efficiency;
 pub mod error;
+pub mod geometry;
+pub mod mass;
 pub mod row;
+pub mod shaft;
 pub mod spacing;
 pub mod synthesis;
 pub mod teeth;
@@ -41,3 +53,4 @@ mod units;
 pub mod willis;
 
 pub use error::Error;
+pub use teeth::ToothCount;

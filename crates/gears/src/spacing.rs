@@ -15,7 +15,6 @@ use uom::si::f64::Angle;
 
 /// Slots that the planets of a simple planetary gear occupy.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanetSpacing {
     slots: u32,
     occupied: Vec<u32>,

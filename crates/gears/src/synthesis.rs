@@ -24,13 +24,12 @@ use crate::Error;
 use crate::row::{Fraction, Mode, StationaryRatio, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::teeth::ToothCount;
-use crate::units::radians;
+use crate::units::{not_negative, radians};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 /// Teeth and planet number of a simple planetary gear that goes together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ToothSet {
     /// Teeth of the sun, `z_a`.
     pub sun: ToothCount,
@@ -58,8 +57,6 @@ impl ToothSet {
 
 /// How the planets may be placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Placement {
     /// At equal angles only.
     #[default]
@@ -135,11 +132,8 @@ impl Bounds {
         if !(from > 1.0 && from <= to && to.is_finite()) {
             return Err(Error::RowParameterRange { from, to });
         }
-        for (name, value) in [("addendum coefficient", self.addendum), ("tip gap", self.tip_gap)] {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::Negative { name, value });
-            }
-        }
+        not_negative("addendum coefficient", self.addendum, "modules")?;
+        not_negative("tip gap", self.tip_gap, "modules")?;
         Ok(())
     }
 
@@ -422,7 +416,7 @@ mod tests {
             (Bounds { row_parameter: 0.9..=3.0, ..base() }, Error::RowParameterRange { from: 0.9, to: 3.0 }),
             (
                 Bounds { addendum: -1.0, ..base() },
-                Error::Negative { name: "addendum coefficient", value: -1.0 },
+                Error::Negative { quantity: "addendum coefficient", value: -1.0, unit: "modules" },
             ),
         ];
         for (bounds, expected) in cases {

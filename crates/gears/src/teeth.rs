@@ -6,11 +6,10 @@ use std::num::NonZeroU32;
 
 /// Number of teeth of a wheel, at least 1.
 ///
-/// How many teeth a wheel *should* have is for [`crate::synthesis`]; the type only keeps a zero out
+/// Internal wheels have positive counts too: what is internal is said by
+/// [`Toothing`](crate::geometry::Toothing), not by a sign. How many teeth a wheel *should* have is for [`crate::synthesis`]; the type only keeps a zero out
 /// of every denominator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ToothCount(NonZeroU32);
 
 impl ToothCount {
@@ -24,7 +23,7 @@ impl ToothCount {
 
     /// The count as an integer.
     #[must_use]
-    pub fn get(self) -> u32 {
+    pub const fn get(self) -> u32 {
         self.0.get()
     }
 
@@ -32,6 +31,14 @@ impl ToothCount {
     #[must_use]
     pub fn as_f64(self) -> f64 {
         f64::from(self.get())
+    }
+}
+
+impl TryFrom<u32> for ToothCount {
+    type Error = Error;
+
+    fn try_from(count: u32) -> Result<Self, Error> {
+        Self::new(count)
     }
 }
 

@@ -1,9 +1,23 @@
-//! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
+//! Conversions between `uom` quantities and the SI `f64` of the kernels; no other file of the crate converts.
+//!
+//! The checked readers refuse a value outside its range and report it in the unit an engineer writes.
 
-use uom::si::angle::radian;
+use std::f64::consts::FRAC_PI_2;
+
+use uom::si::angle::{degree, radian};
 use uom::si::angular_velocity::radian_per_second;
-use uom::si::f64::{Angle, AngularVelocity, Torque};
+use uom::si::f64::{
+    Angle, AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Pressure, Torque, Volume,
+};
+use uom::si::length::{meter, millimeter};
+use uom::si::mass::kilogram;
+use uom::si::mass_density::kilogram_per_cubic_meter;
+use uom::si::moment_of_inertia::kilogram_square_meter;
+use uom::si::pressure::{megapascal, pascal};
 use uom::si::torque::newton_meter;
+use uom::si::volume::cubic_meter;
+
+use crate::Error;
 
 pub(crate) fn rad_per_s(speed: AngularVelocity) -> f64 {
     speed.get::<radian_per_second>()
@@ -21,10 +35,129 @@ pub(crate) fn torque(torque_n_m: f64) -> Torque {
     Torque::new::<newton_meter>(torque_n_m)
 }
 
-pub(crate) fn radians(angle: Angle) -> f64 {
-    angle.get::<radian>()
-}
-
 pub(crate) fn angle(angle_rad: f64) -> Angle {
     Angle::new::<radian>(angle_rad)
+}
+
+pub(crate) fn length(value_m: f64) -> Length {
+    Length::new::<meter>(value_m)
+}
+
+pub(crate) fn length_from_mm(value_mm: f64) -> Length {
+    Length::new::<millimeter>(value_mm)
+}
+
+pub(crate) fn metres(value: Length) -> f64 {
+    value.get::<meter>()
+}
+
+pub(crate) fn millimetres(value: Length) -> f64 {
+    value.get::<millimeter>()
+}
+
+pub(crate) fn stress(value_pa: f64) -> Pressure {
+    Pressure::new::<pascal>(value_pa)
+}
+
+pub(crate) fn volume(value_m3: f64) -> Volume {
+    Volume::new::<cubic_meter>(value_m3)
+}
+
+pub(crate) fn mass(value_kg: f64) -> Mass {
+    Mass::new::<kilogram>(value_kg)
+}
+
+pub(crate) fn kilograms(value: Mass) -> f64 {
+    value.get::<kilogram>()
+}
+
+pub(crate) fn inertia(value_kg_m2: f64) -> MomentOfInertia {
+    MomentOfInertia::new::<kilogram_square_meter>(value_kg_m2)
+}
+
+pub(crate) fn angle_from_degrees(value_deg: f64) -> Angle {
+    Angle::new::<degree>(value_deg)
+}
+
+pub(crate) fn radians(value: Angle) -> f64 {
+    value.get::<radian>()
+}
+
+pub(crate) fn degrees(value: Angle) -> f64 {
+    value.get::<degree>()
+}
+
+/// A finite number above 0.
+pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value, unit })
+    }
+}
+
+/// A finite number of at least 0.
+pub(crate) fn not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    if value.is_finite() && value >= 0.0 { Ok(value) } else { Err(Error::Negative { quantity, value, unit }) }
+}
+
+/// A length above 0, in metres.
+pub(crate) fn positive_length(quantity: &'static str, value: Length) -> Result<f64, Error> {
+    positive(quantity, millimetres(value), "mm")?;
+    Ok(metres(value))
+}
+
+/// A length of at least `low_m` and below `high_m`, in metres.
+pub(crate) fn length_from_to(
+    quantity: &'static str,
+    value: Length,
+    low_m: f64,
+    high_m: f64,
+) -> Result<f64, Error> {
+    let value_m = metres(value);
+    if value_m >= low_m && value_m < high_m {
+        return Ok(value_m);
+    }
+    let (value, low, high) = (millimetres(value), millimetres(length(low_m)), millimetres(length(high_m)));
+    Err(Error::OutOfRange { quantity, value, low, high, unit: "mm" })
+}
+
+/// A length above `low_m`, in metres.
+pub(crate) fn length_above(quantity: &'static str, value: Length, low_m: f64) -> Result<f64, Error> {
+    let value_m = positive_length(quantity, value)?;
+    if value_m > low_m {
+        return Ok(value_m);
+    }
+    let (value, low) = (millimetres(value), millimetres(length(low_m)));
+    Err(Error::NotAbove { quantity, value, low, unit: "mm" })
+}
+
+/// A torque above 0, in N·m.
+pub(crate) fn positive_torque(value: Torque) -> Result<f64, Error> {
+    positive("torque", value.get::<newton_meter>(), "N·m")
+}
+
+/// A stress above 0, in Pa.
+pub(crate) fn positive_stress(quantity: &'static str, value: Pressure) -> Result<f64, Error> {
+    positive(quantity, value.get::<megapascal>(), "MPa")?;
+    Ok(value.get::<pascal>())
+}
+
+/// A density above 0, in kg/m³.
+pub(crate) fn positive_density(value: MassDensity) -> Result<f64, Error> {
+    positive("density", value.get::<kilogram_per_cubic_meter>(), "kg/m³")
+}
+
+/// A mass above 0, in kg.
+pub(crate) fn positive_mass(value: Mass) -> Result<f64, Error> {
+    positive("mass", kilograms(value), "kg")
+}
+
+/// An angle strictly between 0 and 90°, in radians.
+pub(crate) fn acute_angle(quantity: &'static str, value: Angle) -> Result<f64, Error> {
+    let value_rad = radians(value);
+    if value_rad > 0.0 && value_rad < FRAC_PI_2 {
+        return Ok(value_rad);
+    }
+    Err(Error::OutOfRange { quantity, value: degrees(value), low: 0.0, high: 90.0, unit: "°" })
 }

@@ -1,0 +1,393 @@
+//! Diameters of a spur wheel from its module, teeth and basic rack; centre distance of a pair.
+//!
+//! Uncorrected wheels (no profile shift). Left out: undercut, interference, tip relief, and whether the tip of an
+//! internal wheel stays outside its base circle.
+
+use uom::si::f64::{Angle, Length};
+
+use crate::units::{acute_angle, angle_from_degrees, degrees, millimetres, not_negative, positive};
+use crate::units::{positive_length, radians};
+use crate::{Error, ToothCount};
+
+/// Relative difference below which two modules or pressure angles are the same: two spellings of one number in
+/// different units differ by a few units in the last place.
+const SAME: f64 = 1e-12;
+
+/// On which side of the pitch circle the teeth stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Toothing {
+    /// Teeth point away from the axis: sun, planet.
+    External,
+    /// Teeth point to the axis: ring.
+    Internal,
+}
+
+/// Proportions of the basic rack, in modules.
+///
+/// | symbol | field | meaning | unit | default |
+/// |---|---|---|---|---|
+/// | `h_a*` | `addendum` | addendum coefficient | 1 | 1 |
+/// | `c*` | `clearance` | clearance coefficient | 1 | 0.25 |
+/// | `α` | `pressure_angle` | pressure angle | ° | 20 |
+///
+/// The defaults are those of ISO 53 and GOST 13755; excavator-dynamics (section 4) takes `c*` = 0.2.
+///
+/// ```
+/// use epicyclic_gears::geometry::BasicRack;
+///
+/// let older = BasicRack { clearance: 0.2, ..BasicRack::default() };
+/// assert_eq!(older.addendum, 1.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BasicRack {
+    /// Addendum coefficient `h_a*`.
+    pub addendum: f64,
+    /// Clearance coefficient `c*`.
+    pub clearance: f64,
+    /// Pressure angle `α`.
+    pub pressure_angle: Angle,
+}
+
+impl Default for BasicRack {
+    fn default() -> Self {
+        Self { addendum: 1.0, clearance: 0.25, pressure_angle: angle_from_degrees(20.0) }
+    }
+}
+
+/// A spur wheel without profile shift, whose circles all exist.
+///
+/// ```text
+/// d = m·z    d_b = d·cos α    external: d_a = d + 2·h_a*·m,  d_f = d − 2·(h_a* + c*)·m
+///                             internal: d_a = d − 2·h_a*·m,  d_f = d + 2·(h_a* + c*)·m
+/// ```
+///
+/// | symbol | accessor | meaning | unit |
+/// |---|---|---|---|
+/// | `m` | [`module`](Self::module) | module | mm |
+/// | `z` | [`teeth`](Self::teeth) | teeth | 1 |
+/// | `d` | [`pitch_diameter`](Self::pitch_diameter) | pitch diameter | mm |
+/// | `d_a` | [`tip_diameter`](Self::tip_diameter) | tip diameter | mm |
+/// | `d_f` | [`root_diameter`](Self::root_diameter) | root diameter | mm |
+/// | `d_b` | [`base_diameter`](Self::base_diameter) | base diameter | mm |
+///
+/// # Source
+/// excavator-dynamics, section 4.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::geometry::{BasicRack, Toothing, Wheel};
+/// use epicyclic_gears::ToothCount;
+/// use uom::si::{f64::Length, length::millimeter};
+///
+/// let rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
+/// let module = Length::new::<millimeter>(8.0);
+/// let sun = Wheel::new(Toothing::External, module, ToothCount::new(20)?, rack)?;
+/// assert!((sun.pitch_diameter().get::<millimeter>() - 160.0).abs() < 1e-9);
+/// assert!((sun.tip_diameter().get::<millimeter>() - 176.0).abs() < 1e-9);
+/// assert!((sun.root_diameter().get::<millimeter>() - 140.8).abs() < 1e-9);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wheel {
+    toothing: Toothing,
+    module: Length,
+    teeth: ToothCount,
+    rack: BasicRack,
+}
+
+impl Wheel {
+    /// A wheel whose pitch, tip, root and base circles are all positive.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the module or `h_a*`, [`Error::Negative`] for `c*`, [`Error::OutOfRange`] for a
+    /// pressure angle outside 0…90°, [`Error::NoRoot`] or [`Error::NoInternalTip`] for too few teeth.
+    pub fn new(
+        toothing: Toothing,
+        module: Length,
+        teeth: ToothCount,
+        rack: BasicRack,
+    ) -> Result<Self, Error> {
+        positive_length("module", module)?;
+        positive("addendum coefficient", rack.addendum, "")?;
+        not_negative("clearance coefficient", rack.clearance, "")?;
+        acute_angle("pressure angle", rack.pressure_angle)?;
+        let wheel = Self { toothing, module, teeth, rack };
+        let z = teeth.get();
+        match toothing {
+            Toothing::External if wheel.root_in_modules() <= 0.0 => Err(Error::NoRoot {
+                teeth: z,
+                root_mm: millimetres(wheel.root_diameter()),
+                at_least: first_above(2.0 * (rack.addendum + rack.clearance)),
+            }),
+            Toothing::Internal if wheel.tip_in_modules() <= 0.0 => Err(Error::NoInternalTip {
+                teeth: z,
+                tip_mm: millimetres(wheel.tip_diameter()),
+                at_least: first_above(2.0 * rack.addendum),
+            }),
+            Toothing::External | Toothing::Internal => Ok(wheel),
+        }
+    }
+
+    /// An external wheel on the default [`BasicRack`].
+    ///
+    /// # Errors
+    /// As [`Wheel::new`].
+    pub fn external(module: Length, teeth: ToothCount) -> Result<Self, Error> {
+        Self::new(Toothing::External, module, teeth, BasicRack::default())
+    }
+
+    /// An internal wheel on the default [`BasicRack`].
+    ///
+    /// # Errors
+    /// As [`Wheel::new`].
+    pub fn internal(module: Length, teeth: ToothCount) -> Result<Self, Error> {
+        Self::new(Toothing::Internal, module, teeth, BasicRack::default())
+    }
+
+    /// External or internal.
+    #[must_use]
+    pub const fn toothing(&self) -> Toothing {
+        self.toothing
+    }
+
+    /// Module `m`.
+    #[must_use]
+    pub const fn module(&self) -> Length {
+        self.module
+    }
+
+    /// Teeth `z`.
+    #[must_use]
+    pub const fn teeth(&self) -> ToothCount {
+        self.teeth
+    }
+
+    /// The basic rack it is cut by.
+    #[must_use]
+    pub const fn rack(&self) -> BasicRack {
+        self.rack
+    }
+
+    /// Pitch diameter `d = m·z`.
+    #[must_use]
+    pub fn pitch_diameter(&self) -> Length {
+        self.module * f64::from(self.teeth.get())
+    }
+
+    /// Tip diameter `d_a`: the largest of an external wheel, the smallest of an internal one.
+    #[must_use]
+    pub fn tip_diameter(&self) -> Length {
+        self.module * self.tip_in_modules()
+    }
+
+    /// Root diameter `d_f`: the bottom of the tooth spaces.
+    #[must_use]
+    pub fn root_diameter(&self) -> Length {
+        self.module * self.root_in_modules()
+    }
+
+    /// Base diameter `d_b = d·cos α`, from which the involute unwinds.
+    #[must_use]
+    pub fn base_diameter(&self) -> Length {
+        self.pitch_diameter() * radians(self.rack.pressure_angle).cos()
+    }
+
+    /// `+1` outwards for external, `−1` for internal teeth.
+    fn outward(&self) -> f64 {
+        match self.toothing {
+            Toothing::External => 1.0,
+            Toothing::Internal => -1.0,
+        }
+    }
+
+    fn tip_in_modules(&self) -> f64 {
+        f64::from(self.teeth.get()) + self.outward() * 2.0 * self.rack.addendum
+    }
+
+    fn root_in_modules(&self) -> f64 {
+        f64::from(self.teeth.get()) - self.outward() * 2.0 * (self.rack.addendum + self.rack.clearance)
+    }
+}
+
+/// Centre distance `a` of two wheels in mesh without profile shift.
+///
+/// ```text
+/// external pair: a = m·(z₁ + z₂)/2        internal pair: a = m·(z_internal − z_external)/2
+/// ```
+///
+/// The order of the wheels does not matter.
+///
+/// # Errors
+/// [`Error::ModulesDiffer`], [`Error::PressureAnglesDiffer`], [`Error::BothInternal`],
+/// [`Error::InternalNotLarger`].
+///
+/// # Source
+/// excavator-dynamics (1): coaxiality is this distance, taken equal for sun–planet and planet–ring.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::geometry::{centre_distance, Wheel};
+/// use epicyclic_gears::ToothCount;
+/// use uom::si::{f64::Length, length::millimeter};
+///
+/// let module = Length::new::<millimeter>(8.0);
+/// let sun = Wheel::external(module, ToothCount::new(20)?)?;
+/// let planet = Wheel::external(module, ToothCount::new(40)?)?;
+/// let ring = Wheel::internal(module, ToothCount::new(100)?)?;
+/// assert!((centre_distance(&sun, &planet)?.get::<millimeter>() - 240.0).abs() < 1e-9);
+/// assert!((centre_distance(&ring, &planet)?.get::<millimeter>() - 240.0).abs() < 1e-9);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn centre_distance(first: &Wheel, second: &Wheel) -> Result<Length, Error> {
+    let (first_mm, second_mm) = (millimetres(first.module), millimetres(second.module));
+    if !same(first_mm, second_mm) {
+        return Err(Error::ModulesDiffer { first_mm, second_mm });
+    }
+    let (first_deg, second_deg) = (degrees(first.rack.pressure_angle), degrees(second.rack.pressure_angle));
+    if !same(first_deg, second_deg) {
+        return Err(Error::PressureAnglesDiffer { first_deg, second_deg });
+    }
+    let half_module = first.module / 2.0;
+    let (z1, z2) = (first.teeth.get(), second.teeth.get());
+    let internal_pair = |internal: u32, external: u32| match internal.checked_sub(external) {
+        Some(difference) if difference > 0 => Ok(half_module * f64::from(difference)),
+        _ => Err(Error::InternalNotLarger { internal, external }),
+    };
+    match (first.toothing, second.toothing) {
+        (Toothing::External, Toothing::External) => Ok(half_module * (f64::from(z1) + f64::from(z2))),
+        (Toothing::Internal, Toothing::External) => internal_pair(z1, z2),
+        (Toothing::External, Toothing::Internal) => internal_pair(z2, z1),
+        (Toothing::Internal, Toothing::Internal) => Err(Error::BothInternal { first: z1, second: z2 }),
+    }
+}
+
+fn same(first: f64, second: f64) -> bool {
+    (first - second).abs() <= SAME * first.abs().max(second.abs())
+}
+
+/// The first whole number of teeth above `modules`.
+fn first_above(modules: f64) -> u32 {
+    // A float cast to an integer saturates, so an absurd coefficient asks for u32::MAX teeth.
+    (modules.floor() as u32).saturating_add(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::units::{length_from_mm, metres};
+
+    fn teeth(count: u32) -> ToothCount {
+        ToothCount::new(count).unwrap()
+    }
+
+    fn rack(clearance: f64) -> BasicRack {
+        BasicRack { clearance, ..BasicRack::default() }
+    }
+
+    fn wheel(toothing: Toothing, count: u32) -> Wheel {
+        Wheel::new(toothing, length_from_mm(8.0), teeth(count), rack(0.2)).unwrap()
+    }
+
+    fn assert_mm(actual: Length, expected_mm: f64) {
+        // 1 nm: rounding of millimetres to metres and back, nothing physical.
+        assert!((millimetres(actual) - expected_mm).abs() < 1e-6, "{actual:?} is not {expected_mm} mm");
+    }
+
+    #[test]
+    fn diameters_of_the_excavator_drive() {
+        for (toothing, z, pitch, tip, root) in [
+            (Toothing::External, 20, 160.0, 176.0, 140.8),
+            (Toothing::External, 40, 320.0, 336.0, 300.8),
+            (Toothing::Internal, 100, 800.0, 784.0, 819.2),
+        ] {
+            let wheel = wheel(toothing, z);
+            assert_mm(wheel.pitch_diameter(), pitch);
+            assert_mm(wheel.tip_diameter(), tip);
+            assert_mm(wheel.root_diameter(), root);
+        }
+        // 160·cos 20° by table: 160·0.9396926208.
+        assert_mm(wheel(Toothing::External, 20).base_diameter(), 150.350_819);
+    }
+
+    #[test]
+    fn default_rack_has_a_quarter_module_of_clearance() {
+        let sun = Wheel::external(length_from_mm(8.0), teeth(20)).unwrap();
+        assert_mm(sun.root_diameter(), 140.0);
+        let ring = Wheel::internal(length_from_mm(8.0), teeth(100)).unwrap();
+        assert_mm(ring.root_diameter(), 820.0);
+    }
+
+    #[test]
+    fn refused_wheels_say_why() {
+        let z = teeth(20);
+        let of = |module_mm, rack| Wheel::new(Toothing::External, length_from_mm(module_mm), z, rack);
+        for bad in [0.0, -8.0, f64::NAN, f64::INFINITY] {
+            let refused = of(bad, rack(0.2));
+            assert!(matches!(refused, Err(Error::NotPositive { quantity: "module", unit: "mm", .. })));
+            let refused = of(8.0, BasicRack { addendum: bad, ..BasicRack::default() });
+            assert!(matches!(refused, Err(Error::NotPositive { quantity: "addendum coefficient", .. })));
+        }
+        assert!(matches!(
+            of(8.0, rack(-0.1)),
+            Err(Error::Negative { quantity: "clearance coefficient", .. })
+        ));
+        for bad in [0.0, 90.0, f64::NAN] {
+            let rack = BasicRack { pressure_angle: angle_from_degrees(bad), ..BasicRack::default() };
+            assert!(matches!(of(8.0, rack), Err(Error::OutOfRange { quantity: "pressure angle", .. })));
+        }
+        let two = Wheel::external(length_from_mm(8.0), teeth(2));
+        assert!(matches!(two, Err(Error::NoRoot { teeth: 2, at_least: 3, root_mm }) if root_mm < 0.0));
+        let two = Wheel::internal(length_from_mm(8.0), teeth(2));
+        assert!(
+            matches!(two, Err(Error::NoInternalTip { teeth: 2, at_least: 3, tip_mm }) if tip_mm.abs() < 1e-9)
+        );
+    }
+
+    #[test]
+    fn refused_pairs_say_why() {
+        let (sun, ring) = (wheel(Toothing::External, 20), wheel(Toothing::Internal, 100));
+        let finer = Wheel::new(Toothing::External, length_from_mm(6.0), teeth(40), rack(0.2)).unwrap();
+        assert!(matches!(centre_distance(&sun, &finer), Err(Error::ModulesDiffer { .. })));
+        let steeper = BasicRack { pressure_angle: angle_from_degrees(25.0), ..BasicRack::default() };
+        let steeper = Wheel::new(Toothing::External, length_from_mm(8.0), teeth(40), steeper).unwrap();
+        assert!(matches!(centre_distance(&sun, &steeper), Err(Error::PressureAnglesDiffer { .. })));
+        assert_eq!(centre_distance(&ring, &ring), Err(Error::BothInternal { first: 100, second: 100 }));
+        let planet = wheel(Toothing::External, 100);
+        let refused = Err(Error::InternalNotLarger { internal: 100, external: 100 });
+        assert_eq!(centre_distance(&planet, &ring), refused);
+    }
+
+    proptest! {
+        #[test]
+        fn circles_are_in_order(z in 3_u32..400, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4, alpha in 10.0_f64..35.0) {
+            let rack = BasicRack { addendum: 1.0, clearance, pressure_angle: angle_from_degrees(alpha) };
+            let module = length_from_mm(m_mm);
+            if let Ok(wheel) = Wheel::new(Toothing::External, module, teeth(z), rack) {
+                prop_assert!(metres(wheel.root_diameter()) > 0.0);
+                prop_assert!(wheel.root_diameter() < wheel.pitch_diameter());
+                prop_assert!(wheel.pitch_diameter() < wheel.tip_diameter());
+                prop_assert!(wheel.base_diameter() < wheel.pitch_diameter());
+            }
+            let ring = Wheel::new(Toothing::Internal, module, teeth(z), rack).unwrap();
+            prop_assert!(metres(ring.tip_diameter()) > 0.0);
+            prop_assert!(ring.tip_diameter() < ring.pitch_diameter());
+            prop_assert!(ring.pitch_diameter() < ring.root_diameter());
+        }
+
+        /// At the standard centre distance tip and opposite root are `c*·m` apart, external and internal alike.
+        #[test]
+        fn clearance_is_left_between_tip_and_root(z in 5_u32..100, more in 1_u32..200, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4) {
+            let of = |toothing, z| Wheel::new(toothing, length_from_mm(m_mm), teeth(z), rack(clearance)).unwrap();
+            let (pinion, mate) = (of(Toothing::External, z), of(Toothing::External, z + more));
+            let gap = centre_distance(&pinion, &mate).unwrap() - (pinion.tip_diameter() + mate.root_diameter()) / 2.0;
+            prop_assert!(((gap / pinion.module()).value - clearance).abs() < 1e-9);
+            let ring = of(Toothing::Internal, z + more);
+            let distance = centre_distance(&pinion, &ring).unwrap();
+            prop_assert_eq!(distance, centre_distance(&ring, &pinion).unwrap());
+            let gap = (ring.root_diameter() - pinion.tip_diameter()) / 2.0 - distance;
+            prop_assert!(((gap / pinion.module()).value - clearance).abs() < 1e-9);
+        }
+    }
+}
