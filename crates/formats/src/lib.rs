@@ -1,1 +1,4 @@
 //! placeholder
+pub mod quantity;
+pub mod yaml;
+pub use quantity::{Dimension, Number, Quantity, QuantityError};
