@@ -19,7 +19,14 @@ pub(crate) fn parse_stream(text: &str) -> Result<Vec<Value>, Refusal> {
             Value::deserialize(document).map_err(|error| {
                 let message = error.to_string();
                 // The position is reported apart from the message.
-                let message = message.split(" at line ").next().unwrap_or_default().to_owned();
+                let message = message.split(" at line ").next().unwrap_or_default();
+                let message = match message {
+                    // The parser's only complaint about types: its values stop at 64 bits.
+                    _ if message.ends_with("expected any YAML value") => {
+                        "a whole number of more than 64 bits; write it with a decimal point".to_owned()
+                    }
+                    message => message.to_owned(),
+                };
                 let line_column = error.location().map(|location| (location.line(), location.column()));
                 Refusal { line_column, message }
             })

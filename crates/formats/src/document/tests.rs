@@ -296,6 +296,10 @@ fn a_file_that_is_no_document_is_named() {
             "several-documents | c.yaml:3:1: the file has 2 documents, and one is due; remove this one and those after it",
         ),
         ("a: 1\nb: [1\nc: 2\n", "syntax | c.yaml:3:2: b[0]: not YAML: illegal placement of ':' indicator"),
+        (
+            "a: 99999999999999999999\n",
+            "syntax | c.yaml:1:4: not YAML: a whole number of more than 64 bits; write it with a decimal point",
+        ),
         ("a: b: c\n", "syntax | c.yaml:1:5: not YAML: mapping values are not allowed in this context"),
         ("é: 1\nb: \u{7}\n", "control-character | c.yaml:2:4: an invisible character, U+0007; remove it"),
     ]);

@@ -256,7 +256,7 @@ pub(super) fn nearest_unit(text: &str, dimension: Option<Dimension>) -> Option<&
         dimension.map_or_else(|| all_units().collect::<Vec<_>>(), |d| d.units().iter().collect());
     // `max_by` takes the last of equals; reversed, the usual unit wins.
     let best = candidates.into_iter().rev().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
-    (likeness(best) >= 0.5).then_some(best)
+    (likeness(best) >= 0.6).then_some(best)
 }
 
 fn all_units() -> impl Iterator<Item = &'static Unit> {
