@@ -154,7 +154,7 @@ pub struct Calculation {
 }
 
 impl Calculation {
-    fn new<Given: DeserializeOwned + JsonSchema>(
+    fn new<Given: DeserializeOwned + JsonSchema + 'static>(
         name: &'static str,
         about: &'static str,
         run: fn(Given) -> Result<Results, Refusal>,
@@ -164,7 +164,9 @@ impl Calculation {
             about,
             schema: || schemars::schema_for!(Given),
             run: Box::new(move |document, given| {
-                let given = document.read_value(&given, "given").map_err(Failure::Unreadable)?;
+                let given = document
+                    .read_value(&given, &epicyclic_formats::Path::root().key("given"))
+                    .map_err(Failure::Unreadable)?;
                 run(given).map_err(Failure::Refused)
             }),
         }
