@@ -2,7 +2,7 @@
 
 use super::{Calculation, Refusal, Results};
 use epicyclic_dynamics::energy::{MovingBody, kinetic_energy};
-use epicyclic_dynamics::planetary::PlanetaryDrive;
+use epicyclic_dynamics::planetary::{PlanetaryDrive, SpeedRatios};
 use epicyclic_dynamics::{lagrange, loads};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
@@ -10,12 +10,17 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothSet;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::f64::{AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque};
+use uom::si::f64::{AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque};
 
 pub(super) fn calculations() -> Vec<Calculation> {
     vec![
         Calculation::new("dynamics.shaft_loads", "torques and powers on the shafts of a drive", shaft_loads),
         Calculation::new("dynamics.planetary", "energy, reduced inertia and motion of a drive", planetary),
+        Calculation::new(
+            "dynamics.link_accelerations",
+            "accelerations of planet and carrier for one of the sun",
+            link_accelerations,
+        ),
         Calculation::new(
             "dynamics.reduced",
             "energy and acceleration of a drive known by its reduced inertia",
@@ -103,14 +108,14 @@ struct PlanetaryGiven {
     planet_ring: Number,
 }
 
+fn tooth_set(sun: u32, planet: u32, ring: u32, planets: u32) -> Result<ToothSet, Refusal> {
+    let (sun, planet, ring) = (ToothCount::new(sun)?, ToothCount::new(planet)?, ToothCount::new(ring)?);
+    Ok(ToothSet { sun, planet, ring, planets })
+}
+
 fn planetary(given: PlanetaryGiven) -> Result<Results, Refusal> {
     let drive = PlanetaryDrive {
-        teeth: ToothSet {
-            sun: ToothCount::new(given.sun)?,
-            planet: ToothCount::new(given.planet)?,
-            ring: ToothCount::new(given.ring)?,
-            planets: given.planets,
-        },
+        teeth: tooth_set(given.sun, given.planet, given.ring, given.planets)?,
         sun_inertia: given.sun_inertia.0,
         planet_inertia: given.planet_inertia.0,
         planet_mass: given.planet_mass.0,
@@ -150,6 +155,29 @@ fn planetary(given: PlanetaryGiven) -> Result<Results, Refusal> {
     if let Ok(time) = lagrange::starting_time(given.speed.0, force, drive.reduced_inertia()?) {
         results.quantity("starting_time", time);
     }
+    Ok(results)
+}
+
+/// A tooth set and the acceleration of its sun, the ring at rest.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LinkAccelerationsGiven {
+    /// Teeth of the sun.
+    sun: u32,
+    /// Teeth of a planet.
+    planet: u32,
+    /// Teeth of the ring.
+    ring: u32,
+    /// Acceleration of the sun.
+    acceleration: Quantity<AngularAcceleration>,
+}
+
+fn link_accelerations(given: LinkAccelerationsGiven) -> Result<Results, Refusal> {
+    let ratios = SpeedRatios::of(&tooth_set(given.sun, given.planet, given.ring, 1)?);
+    let mut results = Results::default();
+    results
+        .quantity("planet", lagrange::link_acceleration(given.acceleration.0, ratios.planet))
+        .quantity("carrier", lagrange::link_acceleration(given.acceleration.0, ratios.carrier));
     Ok(results)
 }
 

@@ -165,7 +165,7 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
             .failed(format!("`computed` differs from the result {found} by more than {STATED:e}"));
     }
     if let Some(arithmetic) = &expectation.arithmetic {
-        match exmex::eval_str::<f64>(arithmetic) {
+        match exmex::eval_str::<f64>(arithmetic.replace(char::is_whitespace, " ").trim()) {
             Ok(result) if close(result, stated.value) => {}
             Ok(result) => {
                 return judgement
