@@ -7,6 +7,7 @@
 //! | [`reduction`] | one inertia at the driving shaft in place of all moving links |
 //! | [`energy`] | kinetic energy, link by link |
 //! | [`lagrange`] | generalized force and accelerations, Lagrange's equation of the second kind |
+//! | [`loads`] | torques and powers on the shafts |
 //! | [`planetary`] | a simple planetary drive: its links, its motion with and without mesh losses |
 //! | [`drive`] | the whole design of such a drive, from power and ratio to the starting time |
 //!
@@ -20,6 +21,7 @@ pub mod drive;
 pub mod energy;
 pub mod error;
 pub mod lagrange;
+pub mod loads;
 pub mod planetary;
 pub mod reduction;
 mod units;

@@ -1,1 +1,43 @@
-//! placeholder
+//! What people write: quantities with units, YAML with positions, schemas.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`quantity`] | what `106.5 kW` means, and what to write instead of `106,5 kW` |
+//! | [`document`] | what a YAML file says, and at which line and column |
+//! | [`yaml`] | values without positions |
+//!
+//! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is allowed; its
+//! [`name`](Error::name) does not change. A [`Quantity`] derives its JSON Schema like any field of a
+//! [`schemars::JsonSchema`] type.
+//!
+//! ```
+//! use epicyclic_formats::{Document, Number, Quantity};
+//! use serde::Deserialize;
+//! use uom::si::f64::Power;
+//!
+//! #[derive(Deserialize)]
+//! #[serde(deny_unknown_fields)]
+//! struct Drive {
+//!     ratio: Number,
+//!     power: Quantity<Power>,
+//! }
+//!
+//! let drive: Drive = Document::parse_one("drive.yaml", b"ratio: 3.94\npower: 75kW\n")?.read()?;
+//! assert_eq!((drive.ratio.get(), drive.power.to_string()), (3.94, "75 kW".to_owned()));
+//!
+//! let error = Document::parse_one("drive.yaml", b"ratio: 3,94\npower: 75kW\n")?.read::<Drive>().err().unwrap();
+//! assert_eq!(error.to_string(), "drive.yaml:1:8: ratio: 3,94: decimal comma; write 3.94");
+//! # Ok::<(), epicyclic_formats::Error>(())
+//! ```
+//!
+//! Not understood by the reader: `flatten`, `untagged` and tagged enums. They read through a buffer of `serde`'s in
+//! which positions, and the names of quantity errors, are lost.
+
+pub mod document;
+mod error;
+pub mod quantity;
+pub mod yaml;
+
+pub use document::{Document, Path, Position};
+pub use error::{Error, Place, Problem, nearest};
+pub use quantity::{Dimension, Measured, Number, Physical, Quantity, QuantityError};

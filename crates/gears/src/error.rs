@@ -76,8 +76,8 @@ pub enum Error {
         /// The value given.
         tolerance: f64,
     },
-    /// A ratio of speeds that is none.
-    #[error("ratio {ratio}: it is finite and not 0")]
+    /// A ratio of speeds that no row has.
+    #[error("ratio {ratio}: it is finite, not 0, and not 1 with the carrier driving or driven")]
     Ratio {
         /// The value given.
         ratio: f64,

@@ -177,6 +177,39 @@ impl StationaryRatio {
         if i0 != 0.0 && i0.is_finite() { Ok(Self(i0)) } else { Err(Error::StationaryRatio { i0 }) }
     }
 
+    /// The row that has the ratio `i = ω_in/ω_out` in a mode.
+    ///
+    /// ```text
+    /// ab^H  i₀ = i      aH^b  i₀ = 1 − i      bH^a  i₀ = 1/(1 − i)      each inverse with 1/i
+    /// ```
+    ///
+    /// ```
+    /// use epicyclic_gears::row::{Member, Mode, StationaryRatio};
+    /// # fn main() -> Result<(), epicyclic_gears::Error> {
+    /// let sun_to_carrier = Mode::new(Member::Sun, Member::Carrier)?;
+    /// assert_eq!(StationaryRatio::with_ratio(6.0, sun_to_carrier)?.get(), -5.0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Ratio`] where no row has this ratio: for 0, what is not finite, and 1 with the
+    /// carrier driving or driven.
+    pub fn with_ratio(ratio: f64, mode: Mode) -> Result<Self, Error> {
+        let i0 = match (mode.input, mode.output) {
+            (Member::Sun, Member::Ring) => ratio,
+            (Member::Ring, Member::Sun) => 1.0 / ratio,
+            (Member::Sun, _) => 1.0 - ratio,
+            (_, Member::Sun) => 1.0 - 1.0 / ratio,
+            (Member::Ring, _) => 1.0 / (1.0 - ratio),
+            _ => 1.0 / (1.0 - 1.0 / ratio),
+        };
+        if ratio == 0.0 || !ratio.is_finite() {
+            return Err(Error::Ratio { ratio });
+        }
+        Self::new(i0).map_err(|_| Error::Ratio { ratio })
+    }
+
     /// Sun, planets in one mesh with it and with the ring: `i₀ = −z_b/z_a`.
     #[must_use]
     pub fn simple(sun: ToothCount, ring: ToothCount) -> Self {
@@ -319,6 +352,18 @@ mod tests {
         assert!(RowParameter::new(f64::NAN).is_err());
         assert_eq!(StationaryRatio::new(0.0), Err(Error::StationaryRatio { i0: 0.0 }));
         assert_eq!(Mode::new(Member::Sun, Member::Sun), Err(Error::SameMember(Member::Sun)));
+    }
+
+    #[test]
+    fn a_row_is_found_by_its_ratio_in_any_mode() {
+        for mode in Mode::ALL {
+            let found = StationaryRatio::with_ratio(-2.6, mode).unwrap();
+            assert!((found.ratio(mode).unwrap() - -2.6).abs() < 1e-14, "{mode}");
+        }
+        let sun_to_carrier = Mode::new(Member::Sun, Member::Carrier).unwrap();
+        for none in [0.0, 1.0, f64::NAN] {
+            assert!(matches!(StationaryRatio::with_ratio(none, sun_to_carrier), Err(Error::Ratio { .. })));
+        }
     }
 
     #[test]

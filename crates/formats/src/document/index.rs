@@ -1,0 +1,235 @@
+//! Where every key and value of a YAML text stands, from parser events.
+//!
+//! The same pass refuses what a value tree would no longer show: repeated keys, merge keys, anchors, tags.
+
+use std::{collections::HashMap, fmt};
+
+use saphyr_parser::{Event, Marker, Parser, ScalarStyle};
+
+use super::path::{Path, Segment};
+use crate::error::Problem;
+
+/// How deep maps and sequences may nest. A case nests five levels or so; the value parser stops at 128.
+pub(super) const DEPTH_LIMIT: usize = 100;
+
+/// A line and a column, both from 1; columns count characters. Displays as `12:7`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Position {
+    /// From 1.
+    pub line: usize,
+    /// In characters, from 1.
+    pub column: usize,
+}
+
+impl Position {
+    pub(crate) const START: Self = Self { line: 1, column: 1 };
+
+    fn of(marker: Marker) -> Self {
+        Self { line: marker.line().max(1), column: marker.col() + 1 }
+    }
+}
+
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.line, self.column)
+    }
+}
+
+/// A problem, the position of it, and the path of the node it is in.
+pub(super) type Found = (Position, Path, Problem);
+
+/// A node of the text.
+#[derive(Debug)]
+pub(super) struct Node {
+    pub(super) at: Position,
+    pub(super) content: Content,
+}
+
+#[derive(Debug)]
+pub(super) enum Content {
+    /// The text of it, unescaped.
+    Scalar(String),
+    Sequence(Vec<Node>),
+    Map(Map),
+}
+
+#[derive(Debug, Default)]
+pub(super) struct Map {
+    entries: Vec<Entry>,
+    by_key: HashMap<String, usize>,
+}
+
+#[derive(Debug)]
+pub(super) struct Entry {
+    pub(super) key: String,
+    pub(super) key_at: Position,
+    pub(super) value: Node,
+}
+
+impl Map {
+    pub(super) fn get(&self, key: &str) -> Option<&Entry> {
+        self.by_key.get(key).and_then(|index| self.entries.get(*index))
+    }
+
+    /// In the order of the text.
+    pub(super) fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+}
+
+impl Node {
+    pub(super) fn step(&self, segment: &Segment) -> Option<&Self> {
+        match (&self.content, segment) {
+            (Content::Map(map), Segment::Key(key)) => map.get(key).map(|entry| &entry.value),
+            (Content::Sequence(items), Segment::Index(index)) => items.get(*index),
+            _ => None,
+        }
+    }
+}
+
+/// The root of every document in a text.
+pub(super) fn documents(text: &str) -> Result<Vec<Node>, Found> {
+    let mut builder = Builder::default();
+    let mut parser = Parser::new_from_str(text);
+    while let Some(event) = parser.next_event() {
+        match event {
+            Ok((event, span)) => builder.take(event, Position::of(span.start))?,
+            Err(error) => {
+                let message = error.info().to_owned();
+                return Err(builder.fail(Position::of(*error.marker()), Problem::Syntax { message }));
+            }
+        }
+    }
+    Ok(builder.documents)
+}
+
+/// Builds nodes with a stack of its own, so that no text can exhaust the program's.
+#[derive(Default)]
+struct Builder {
+    documents: Vec<Node>,
+    open: Vec<Open>,
+}
+
+struct Open {
+    at: Position,
+    content: Content,
+    /// In a map: the key that waits for its value.
+    key: Option<(String, Position)>,
+}
+
+impl Builder {
+    fn take(&mut self, event: Event<'_>, at: Position) -> Result<(), Found> {
+        match event {
+            Event::Alias(_) => Err(self.fail(at, Problem::Anchor)),
+            Event::Scalar(text, style, anchor, tag) => {
+                self.refuse_decoration(at, anchor, tag.as_deref())?;
+                let plain = style == ScalarStyle::Plain;
+                if self.awaits_key() {
+                    return self.key(text.into_owned(), at, plain);
+                }
+                // A value left out has no position of its own: its key has.
+                let left_out = plain && text.is_empty();
+                let at = self
+                    .open
+                    .last()
+                    .and_then(|open| open.key.as_ref())
+                    .filter(|_| left_out)
+                    .map_or(at, |key| key.1);
+                self.close(Node { at, content: Content::Scalar(text.into_owned()) });
+                Ok(())
+            }
+            Event::SequenceStart(anchor, tag) => {
+                self.refuse_decoration(at, anchor, tag.as_deref())?;
+                self.open(at, Content::Sequence(Vec::new()))
+            }
+            Event::MappingStart(anchor, tag) => {
+                self.refuse_decoration(at, anchor, tag.as_deref())?;
+                self.open(at, Content::Map(Map::default()))
+            }
+            Event::SequenceEnd | Event::MappingEnd => {
+                if let Some(Open { at, content, .. }) = self.open.pop() {
+                    self.close(Node { at, content });
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn awaits_key(&self) -> bool {
+        matches!(self.open.last(), Some(Open { content: Content::Map(_), key: None, .. }))
+    }
+
+    fn refuse_decoration(
+        &self,
+        at: Position,
+        anchor: usize,
+        tag: Option<&saphyr_parser::Tag>,
+    ) -> Result<(), Found> {
+        if anchor > 0 {
+            return Err(self.fail(at, Problem::Anchor));
+        }
+        match tag {
+            Some(tag) if tag.is_yaml_core_schema() => {
+                Err(self.fail(at, Problem::Tag { tag: format!("!!{}", tag.suffix) }))
+            }
+            Some(tag) => Err(self.fail(at, Problem::Tag { tag: format!("{}{}", tag.handle, tag.suffix) })),
+            None => Ok(()),
+        }
+    }
+
+    fn open(&mut self, at: Position, content: Content) -> Result<(), Found> {
+        if self.awaits_key() {
+            return Err(self.fail(at, Problem::ComplexKey));
+        }
+        if self.open.len() == DEPTH_LIMIT {
+            return Err(self.fail(at, Problem::TooDeep { limit: DEPTH_LIMIT }));
+        }
+        self.open.push(Open { at, content, key: None });
+        Ok(())
+    }
+
+    fn key(&mut self, key: String, at: Position, plain: bool) -> Result<(), Found> {
+        if plain && key == "<<" {
+            return Err(self.fail(at, Problem::MergeKey));
+        }
+        let first = match self.open.last() {
+            Some(Open { content: Content::Map(map), .. }) => map.get(&key).map(|entry| entry.key_at),
+            _ => None,
+        };
+        if let Some(first) = first {
+            let (at, path, problem) = self.fail(at, Problem::DuplicateKey { key: key.clone(), first });
+            return Err((at, path.key(key), problem));
+        }
+        if let Some(open) = self.open.last_mut() {
+            open.key = Some((key, at));
+        }
+        Ok(())
+    }
+
+    fn close(&mut self, node: Node) {
+        match self.open.last_mut() {
+            None => self.documents.push(node),
+            Some(Open { content: Content::Sequence(items), .. }) => items.push(node),
+            Some(Open { content: Content::Map(map), key, .. }) => {
+                if let Some((key, key_at)) = key.take() {
+                    map.by_key.insert(key.clone(), map.entries.len());
+                    map.entries.push(Entry { key, key_at, value: node });
+                }
+            }
+            Some(Open { content: Content::Scalar(_), .. }) => {}
+        }
+    }
+
+    fn fail(&self, at: Position, problem: Problem) -> Found {
+        let mut path = Path::root();
+        for open in &self.open {
+            match (&open.content, &open.key) {
+                (Content::Sequence(items), _) => path.push(Segment::Index(items.len())),
+                (_, Some((key, _))) => path.push(Segment::Key(key.clone())),
+                _ => {}
+            }
+        }
+        (at, path, problem)
+    }
+}

@@ -1,0 +1,240 @@
+//! What may be wrong with a document, and where.
+
+use std::{fmt, sync::Arc};
+
+use crate::{
+    document::{Path, Position},
+    quantity::QuantityError,
+};
+
+/// A [`Problem`] at its [`Place`]. Displays as `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Error(Box<(Place, Problem)>);
+
+impl Error {
+    pub(crate) fn new(at: Place, problem: Problem) -> Self {
+        Self(Box::new((at, problem)))
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn at(&self) -> &Place {
+        &self.0.0
+    }
+
+    /// What it is.
+    #[must_use]
+    pub fn problem(&self) -> &Problem {
+        &self.0.1
+    }
+
+    /// The name of the problem, which does not change: `unknown-key`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.problem().name()
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.at(), self.problem())
+    }
+}
+
+// No `source`: the message already says all the problem says.
+impl std::error::Error for Error {}
+
+/// A file, a position in it, and the path to the node there. Displays as `file.yaml:12:7: given.power`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// The file's name, as given by the caller.
+    pub file: Arc<str>,
+    /// Line and column.
+    pub position: Position,
+    /// From the root of the document; empty for the root itself, and for what precedes any structure.
+    pub path: Path,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.file, self.position)?;
+        if self.path.is_root() { Ok(()) } else { write!(f, ": {}", self.path) }
+    }
+}
+
+/// What may be wrong with a document.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// Bytes that are not UTF-8.
+    #[error("not UTF-8 text (byte {offset} of the file); save the file as UTF-8")]
+    NotUtf8 {
+        /// Offset of the first bad byte, from 0.
+        offset: usize,
+    },
+    /// A control character, or another that shows nothing.
+    #[error("an invisible character, U+{code:04X}; remove it")]
+    ControlCharacter {
+        /// Its code point.
+        code: u32,
+    },
+    /// No document in the file.
+    #[error("the file is empty; write a document in it")]
+    EmptyFile,
+    /// Nothing between two `---`, or a document that is `null`.
+    #[error("the document is empty; remove its `---` or write the document")]
+    EmptyDocument,
+    /// More documents than the one due.
+    #[error("the file has {count} documents, and one is due; remove this one and those after it")]
+    SeveralDocuments {
+        /// How many there are.
+        count: usize,
+    },
+    /// Not YAML.
+    #[error("not YAML: {message}")]
+    Syntax {
+        /// What the parser says.
+        message: String,
+    },
+    /// Legal YAML which two parsers read differently.
+    #[error("this can be read in two ways; put the text in quotes, or write one entry a line")]
+    ReadTwoWays,
+    /// Maps and sequences within each other beyond reason.
+    #[error("nested deeper than {limit} levels")]
+    TooDeep {
+        /// How deep is allowed.
+        limit: usize,
+    },
+    /// A key written twice in one map.
+    #[error("the key {key} is written twice, first at {first}; remove one")]
+    DuplicateKey {
+        /// The key.
+        key: String,
+        /// Line and column of the first.
+        first: Position,
+    },
+    /// A key that is a map or a sequence.
+    #[error("a key must be plain text, not a map or a sequence")]
+    ComplexKey,
+    /// `<<`.
+    #[error("merge keys (`<<`) are not understood; write the keys themselves")]
+    MergeKey,
+    /// `&anchor` or `*alias`, which would hide where a value is written.
+    #[error("anchors and aliases are not understood; write the value itself")]
+    Anchor,
+    /// `!tag`.
+    #[error("the tag {tag} is not understood; remove it, and put the value in quotes if it is to stay text")]
+    Tag {
+        /// The tag as written, or `!` and its name.
+        tag: String,
+    },
+    /// A key that is not known here.
+    #[error("unknown key {key}{}; allowed: {}", suggestion(key, allowed), list(allowed))]
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The keys known here.
+        allowed: Vec<String>,
+    },
+    /// A key that must be here.
+    #[error("the key {key} is missing")]
+    MissingKey {
+        /// The key.
+        key: String,
+    },
+    /// A name that is none of those allowed.
+    #[error("unknown name {found}{}; allowed: {}", suggestion(found, allowed), list(allowed))]
+    UnknownName {
+        /// The name.
+        found: String,
+        /// The names known here.
+        allowed: Vec<String>,
+    },
+    /// Text for a number, a number for a map, and so on.
+    #[error("{found} where {expected} is due{}", or_write(correction.as_deref()))]
+    WrongType {
+        /// What is there.
+        found: String,
+        /// What is due.
+        expected: String,
+        /// What to write, if that can be told.
+        correction: Option<String>,
+    },
+    /// A value of the right type that is out of its range.
+    #[error("{found} where {expected} is due")]
+    OutOfRange {
+        /// What is there.
+        found: String,
+        /// What is due.
+        expected: String,
+    },
+    /// A sequence or map with too few or too many entries.
+    #[error("{found} entries where {expected} are due")]
+    WrongLength {
+        /// How many there are.
+        found: usize,
+        /// What is due.
+        expected: String,
+    },
+    /// A value its type refused: the message is the type's own.
+    #[error("{message}")]
+    Refused {
+        /// Why.
+        message: String,
+    },
+    /// A fault of a number or quantity.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+}
+
+impl Problem {
+    /// The name of the variant, which does not change: `unknown-key`; for a quantity, that of its error.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NotUtf8 { .. } => "not-utf8",
+            Self::ControlCharacter { .. } => "control-character",
+            Self::EmptyFile => "empty-file",
+            Self::EmptyDocument => "empty-document",
+            Self::SeveralDocuments { .. } => "several-documents",
+            Self::Syntax { .. } => "syntax",
+            Self::ReadTwoWays => "read-two-ways",
+            Self::TooDeep { .. } => "too-deep",
+            Self::DuplicateKey { .. } => "duplicate-key",
+            Self::ComplexKey => "complex-key",
+            Self::MergeKey => "merge-key",
+            Self::Anchor => "anchor",
+            Self::Tag { .. } => "tag",
+            Self::UnknownKey { .. } => "unknown-key",
+            Self::MissingKey { .. } => "missing-key",
+            Self::UnknownName { .. } => "unknown-name",
+            Self::WrongType { .. } => "wrong-type",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::WrongLength { .. } => "wrong-length",
+            Self::Refused { .. } => "refused",
+            Self::Quantity(error) => error.name(),
+        }
+    }
+}
+
+/// The one of `allowed` most like `text`, if one is like it at all.
+#[must_use]
+pub fn nearest<'a>(text: &str, allowed: &'a [String]) -> Option<&'a str> {
+    let likeness = |candidate: &str| {
+        strsim::normalized_damerau_levenshtein(&candidate.to_lowercase(), &text.to_lowercase())
+    };
+    let best = allowed.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
+    (likeness(best) >= 0.5).then_some(best)
+}
+
+fn suggestion(text: &str, allowed: &[String]) -> String {
+    nearest(text, allowed).map(|best| format!("; write {best}?")).unwrap_or_default()
+}
+
+fn list(allowed: &[String]) -> String {
+    if allowed.is_empty() { "none".to_owned() } else { allowed.join(", ") }
+}
+
+fn or_write(correction: Option<&str>) -> String {
+    correction.map(|text| format!("; write {text}")).unwrap_or_default()
+}

@@ -1,0 +1,107 @@
+//! The kinds of quantity an engineer writes, by name.
+
+use std::fmt;
+
+/// What a quantity is a quantity of.
+///
+/// Torque and energy have the same base units but are different things here: `520 N·m` is a torque, `520 J` an energy.
+/// Temperatures are left out, since their units have offsets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Dimension {
+    /// A plain ratio: `0.977`, `97.7 %`.
+    Dimensionless,
+    /// SI unit: m.
+    Length,
+    /// SI unit: m².
+    Area,
+    /// SI unit: m³.
+    Volume,
+    /// Volume per time. SI unit: m³/s.
+    VolumeRate,
+    /// SI unit: kg.
+    Mass,
+    /// Mass per volume. SI unit: kg/m³.
+    Density,
+    /// Mass moment of inertia. SI unit: kg·m².
+    Inertia,
+    /// Speed along a line. SI unit: m/s.
+    Speed,
+    /// SI unit: rad/s.
+    AngularSpeed,
+    /// SI unit: rad/s².
+    AngularAcceleration,
+    /// SI unit: rad.
+    Angle,
+    /// Cycles per time. SI unit: Hz. Not an angular speed.
+    Frequency,
+    /// SI unit: N.
+    Force,
+    /// SI unit: N·m.
+    Torque,
+    /// SI unit: W.
+    Power,
+    /// Pressure and stress. SI unit: Pa.
+    Pressure,
+    /// SI unit: J.
+    Energy,
+    /// SI unit: s.
+    Time,
+}
+
+impl Dimension {
+    /// Every dimension, in the order of the enum.
+    pub const ALL: [Self; 19] = [
+        Self::Dimensionless,
+        Self::Length,
+        Self::Area,
+        Self::Volume,
+        Self::VolumeRate,
+        Self::Mass,
+        Self::Density,
+        Self::Inertia,
+        Self::Speed,
+        Self::AngularSpeed,
+        Self::AngularAcceleration,
+        Self::Angle,
+        Self::Frequency,
+        Self::Force,
+        Self::Torque,
+        Self::Power,
+        Self::Pressure,
+        Self::Energy,
+        Self::Time,
+    ];
+
+    /// Its name in a sentence: `torque`, `moment of inertia`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dimensionless => "plain number",
+            Self::Length => "length",
+            Self::Area => "area",
+            Self::Volume => "volume",
+            Self::VolumeRate => "volume rate",
+            Self::Mass => "mass",
+            Self::Density => "density",
+            Self::Inertia => "moment of inertia",
+            Self::Speed => "speed",
+            Self::AngularSpeed => "angular speed",
+            Self::AngularAcceleration => "angular acceleration",
+            Self::Angle => "angle",
+            Self::Frequency => "frequency",
+            Self::Force => "force",
+            Self::Torque => "torque",
+            Self::Power => "power",
+            Self::Pressure => "pressure",
+            Self::Energy => "energy",
+            Self::Time => "time",
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

@@ -1,0 +1,147 @@
+//! What may be wrong with a number or a quantity as written.
+
+use super::dimension::Dimension;
+
+/// A text that is not the number or quantity it should be. Each message shows the text, what is wrong, and what to
+/// write instead.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// Nothing but white space.
+    #[error("empty text; write a number{}", example(*expected))]
+    Empty {
+        /// The dimension due, if it is known.
+        expected: Option<Dimension>,
+    },
+    /// No number at the start.
+    #[error("{text}: this does not start with a number; write a number{}", example(*expected))]
+    NotANumber {
+        /// The text.
+        text: String,
+        /// The dimension due, if it is known.
+        expected: Option<Dimension>,
+    },
+    /// NaN, infinity, or too large for a double.
+    #[error("{text}: not a finite number; write one between -1.7e308 and 1.7e308")]
+    NotFinite {
+        /// The text.
+        text: String,
+    },
+    /// `106,5 kW`.
+    #[error("{text}: decimal comma; write {corrected}{}", or_thousands(thousands.as_deref()))]
+    DecimalComma {
+        /// The text.
+        text: String,
+        /// With a point for the comma.
+        corrected: String,
+        /// Without the comma, where it may also part thousands: `1,950 rpm`.
+        thousands: Option<String>,
+    },
+    /// `1,950,000 mm`, `1 950 rpm`, `1'950 rpm`, `1_950 rpm`.
+    #[error("{text}: separated thousands; write {corrected}")]
+    ThousandsSeparator {
+        /// The text.
+        text: String,
+        /// Without the separators.
+        corrected: String,
+    },
+    /// A bare number where a unit is due.
+    #[error("{text}: no unit; write {corrected}, or another unit of {expected} ({})", expected.unit_list())]
+    MissingUnit {
+        /// The text.
+        text: String,
+        /// The dimension due.
+        expected: Dimension,
+        /// With the usual unit.
+        corrected: String,
+    },
+    /// A unit where a plain number is due.
+    #[error("{text}: a plain number is due here, without a unit; write {corrected}")]
+    UnexpectedUnit {
+        /// The text.
+        text: String,
+        /// Without the unit.
+        corrected: String,
+    },
+    /// A unit we do not know.
+    #[error("{text}: unknown unit {unit}{}{}", did_you_mean(corrected.as_deref()), of_dimension(*expected))]
+    UnknownUnit {
+        /// The text.
+        text: String,
+        /// The unit as written.
+        unit: String,
+        /// The dimension due, if it is known.
+        expected: Option<Dimension>,
+        /// With the unit most like it, if one is like it at all.
+        corrected: Option<String>,
+    },
+    /// A unit that means different things to different engineers.
+    #[error("{text}: {unit} may be several units; write {choices}")]
+    AmbiguousUnit {
+        /// The text.
+        text: String,
+        /// The unit as written.
+        unit: String,
+        /// What it may mean, and how to say so.
+        choices: String,
+    },
+    /// A unit of another dimension.
+    #[error("{text}: {unit} is a unit of {found}, and {} is due; its units are {}", with_article(expected.name()), expected.unit_list())]
+    WrongDimension {
+        /// The text.
+        text: String,
+        /// The unit as written.
+        unit: String,
+        /// What it is a unit of.
+        found: Dimension,
+        /// The dimension due.
+        expected: Dimension,
+    },
+}
+
+impl QuantityError {
+    /// The name of the variant, which does not change: `decimal-comma`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Empty { .. } => "empty-text",
+            Self::NotANumber { .. } => "not-a-number",
+            Self::NotFinite { .. } => "not-finite",
+            Self::DecimalComma { .. } => "decimal-comma",
+            Self::ThousandsSeparator { .. } => "thousands-separator",
+            Self::MissingUnit { .. } => "missing-unit",
+            Self::UnexpectedUnit { .. } => "unexpected-unit",
+            Self::UnknownUnit { .. } => "unknown-unit",
+            Self::AmbiguousUnit { .. } => "ambiguous-unit",
+            Self::WrongDimension { .. } => "wrong-dimension",
+        }
+    }
+}
+
+pub(crate) fn with_article(noun: &str) -> String {
+    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    format!("{article} {noun}")
+}
+
+fn example(expected: Option<Dimension>) -> String {
+    match expected {
+        None | Some(Dimension::Dimensionless) => ", such as 3.94".to_owned(),
+        Some(dimension) => {
+            format!(" and a unit of {dimension}, such as 3.94 {}", dimension.usual_unit().symbol)
+        }
+    }
+}
+
+fn or_thousands(thousands: Option<&str>) -> String {
+    thousands.map(|text| format!(", or {text} if the comma parts thousands")).unwrap_or_default()
+}
+
+fn did_you_mean(corrected: Option<&str>) -> String {
+    corrected.map(|text| format!("; write {text}?")).unwrap_or_default()
+}
+
+fn of_dimension(expected: Option<Dimension>) -> String {
+    expected
+        .map(|dimension| format!(" (units of {dimension}: {})", dimension.unit_list()))
+        .unwrap_or_default()
+}

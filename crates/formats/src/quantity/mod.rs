@@ -1,0 +1,235 @@
+//! Quantities with units, as engineers write them.
+
+mod conversion;
+mod dimension;
+mod error;
+pub mod format;
+mod number;
+mod typed;
+mod unit;
+
+pub use conversion::Physical;
+pub use dimension::Dimension;
+pub use error::QuantityError;
+pub(crate) use error::with_article;
+pub use number::{Number, parse_number};
+pub use typed::Quantity;
+pub(crate) use typed::token_dimension;
+pub use unit::{Unit, find_unit};
+
+/// A quantity as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// The number exactly as printed: its digits say how far it may be trusted.
+    pub number: String,
+    /// The number, in [`Measured::unit`].
+    pub value: f64,
+    /// The unit; [`Dimension::Dimensionless`]'s `1` for a bare number.
+    pub unit: &'static Unit,
+}
+
+impl Measured {
+    /// What it is a quantity of.
+    #[must_use]
+    pub const fn dimension(&self) -> Dimension {
+        self.unit.dimension
+    }
+
+    /// Its value in SI units.
+    #[must_use]
+    pub fn si(&self) -> f64 {
+        self.value * self.unit.factor
+    }
+}
+
+/// Reads a quantity of any dimension: `106.5 kW`, `75kW`, `−5 mm`, `1950 1/min`. A bare number is dimensionless.
+///
+/// ```
+/// use epicyclic_formats::quantity::{self, Dimension};
+///
+/// let torque = quantity::parse("1.20 kN·m")?;
+/// assert_eq!(torque.dimension(), Dimension::Torque);
+/// assert_eq!((torque.number.as_str(), torque.unit.symbol, torque.si()), ("1.20", "kN·m", 1200.0));
+/// # Ok::<(), quantity::QuantityError>(())
+/// ```
+///
+/// # Errors
+/// One variant of [`QuantityError`] for each fault.
+pub fn parse(text: &str) -> Result<Measured, QuantityError> {
+    parse_in(text, None)
+}
+
+/// Reads a quantity of the dimension due.
+///
+/// # Errors
+/// Those of [`parse`], [`QuantityError::MissingUnit`] and [`QuantityError::WrongDimension`].
+pub fn parse_as(text: &str, expected: Dimension) -> Result<Measured, QuantityError> {
+    let measured = parse_in(text, Some(expected))?;
+    let text = text.trim();
+    if measured.dimension() == expected {
+        return Ok(measured);
+    }
+    if measured.unit.symbol == "1" {
+        let corrected = format!("{} {}", measured.number, expected.usual_unit().symbol);
+        return Err(QuantityError::MissingUnit { text: text.to_owned(), expected, corrected });
+    }
+    let unit = text[measured.number.len()..].trim().to_owned();
+    if expected == Dimension::Dimensionless {
+        return Err(QuantityError::UnexpectedUnit { text: text.to_owned(), corrected: measured.number });
+    }
+    Err(QuantityError::WrongDimension { text: text.to_owned(), unit, found: measured.dimension(), expected })
+}
+
+fn parse_in(text: &str, expected: Option<Dimension>) -> Result<Measured, QuantityError> {
+    let lexed = number::lex(text).map_err(|error| match error {
+        QuantityError::Empty { .. } => QuantityError::Empty { expected },
+        QuantityError::NotANumber { text, .. } => QuantityError::NotANumber { text, expected },
+        error => error,
+    })?;
+    let text = || text.trim().to_owned();
+    let unit = if lexed.unit.is_empty() { "1" } else { lexed.unit };
+    if let Some(choices) = unit::ambiguity(unit) {
+        return Err(QuantityError::AmbiguousUnit {
+            text: text(),
+            unit: unit.to_owned(),
+            choices: choices.to_owned(),
+        });
+    }
+    let Some(unit) = find_unit(unit) else {
+        let nearest = unit::nearest_unit(unit, expected);
+        return Err(QuantityError::UnknownUnit {
+            text: text(),
+            unit: unit.to_owned(),
+            expected,
+            corrected: nearest.map(|nearest| format!("{} {}", lexed.number, nearest.symbol)),
+        });
+    };
+    let measured = Measured { number: lexed.number.to_owned(), value: lexed.value, unit };
+    if measured.si().is_finite() { Ok(measured) } else { Err(QuantityError::NotFinite { text: text() }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn what_engineers_write_is_read() {
+        for (text, number, unit, si) in [
+            ("106.5 kW", "106.5", "kW", 106.5e3),
+            ("75kW", "75", "kW", 75e3),
+            ("1.2e3 N·m", "1.2e3", "N·m", 1.2e3),
+            ("520 N m", "520", "N·m", 520.0),
+            ("521.80 Nm", "521.80", "N·m", 521.8),
+            ("−5 mm", "−5", "mm", -5e-3),
+            ("1950 1/min", "1950", "rpm", 1950.0 * std::f64::consts::PI / 30.0),
+            ("100 PS", "100", "PS", 73_549.875),
+            ("97.7 %", "97.7", "%", 0.977),
+            ("3.94", "3.94", "1", 3.94),
+            ("12\u{202f}mm²", "12", "mm²", 12e-6),
+        ] {
+            let measured = parse(text).unwrap();
+            assert_eq!((measured.number.as_str(), measured.unit.symbol), (number, unit));
+            assert!((measured.si() - si).abs() <= 1e-12 * si.abs(), "{text}: {} is not {si}", measured.si());
+        }
+    }
+
+    #[test]
+    fn each_fault_of_a_quantity_has_its_message() {
+        use Dimension::{AngularSpeed, Dimensionless, Length, Power, Torque};
+        for (text, expected, name, message) in [
+            ("", Power, "empty-text", "empty text; write a number and a unit of power, such as 3.94 kW"),
+            (
+                "kW",
+                Power,
+                "not-a-number",
+                "kW: this does not start with a number; write a number and a unit of power, such as 3.94 kW",
+            ),
+            ("106,5 kW", Power, "decimal-comma", "106,5 kW: decimal comma; write 106.5 kW"),
+            (
+                "1,950 rpm",
+                AngularSpeed,
+                "decimal-comma",
+                "1,950 rpm: decimal comma; write 1.950 rpm, or 1950 rpm if the comma parts thousands",
+            ),
+            (
+                "1 950 rpm",
+                AngularSpeed,
+                "thousands-separator",
+                "1 950 rpm: separated thousands; write 1950 rpm",
+            ),
+            (
+                "12",
+                Length,
+                "missing-unit",
+                "12: no unit; write 12 mm, or another unit of length (mm, µm, cm, dm, m, km, in)",
+            ),
+            (
+                "12 KW",
+                Power,
+                "unknown-unit",
+                "12 KW: unknown unit KW; write 12 kW? (units of power: kW, mW, W, MW, PS, hp(I))",
+            ),
+            (
+                "12 furlong",
+                Power,
+                "unknown-unit",
+                "12 furlong: unknown unit furlong (units of power: kW, mW, W, MW, PS, hp(I))",
+            ),
+            (
+                "12 hp",
+                Power,
+                "ambiguous-unit",
+                "12 hp: hp may be several units; write PS (metric, 735.49875 W) or hp(I) (550 ft·lbf/s, 745.69987 W)",
+            ),
+            (
+                "520 J",
+                Torque,
+                "wrong-dimension",
+                "520 J: J is a unit of energy, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m",
+            ),
+            (
+                "nan kW",
+                Power,
+                "not-finite",
+                "nan kW: not a finite number; write one between -1.7e308 and 1.7e308",
+            ),
+            (
+                "1e308 MW",
+                Power,
+                "not-finite",
+                "1e308 MW: not a finite number; write one between -1.7e308 and 1.7e308",
+            ),
+            (
+                "5 mm",
+                Dimensionless,
+                "unexpected-unit",
+                "5 mm: a plain number is due here, without a unit; write 5",
+            ),
+        ] {
+            let error = parse_as(text, expected).unwrap_err();
+            assert_eq!((error.name(), error.to_string().as_str()), (name, message));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_makes_it_panic(text in "\\PC*", like in "[-+−]?[0-9.,'_ e]{0,12}[ a-zA-Zµ·*^²/0-9%]{0,8}") {
+            for text in [&text, &like] {
+                let _ = parse(text);
+                let _ = parse_number(text);
+                for dimension in Dimension::ALL {
+                    let _ = parse_as(text, dimension);
+                }
+            }
+        }
+
+        #[test]
+        fn a_correction_is_right(whole in 0u32..1000, decimals in "[0-9]{1,2}") {
+            let Err(QuantityError::DecimalComma { corrected, .. }) = parse_as(&format!("{whole},{decimals} kW"), Dimension::Power)
+                else { panic!("not refused") };
+            prop_assert_eq!(parse(&corrected).unwrap().number, format!("{whole}.{decimals}"));
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The calculations that a case can name, and what they return.
+//!
+//! A calculation is a function from a record of inputs to named results. It only translates: inputs
+//! into the domain crates' types, their results into [`Value`]s. One file a crate.
+
+mod dynamics;
+mod gears;
+
+use epicyclic_formats::quantity::{Dimension, Physical};
+use epicyclic_formats::yaml::Value as Yaml;
+use epicyclic_formats::{Document, Error as FormatError};
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// One result of a calculation.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Value {
+    /// A number in SI units.
+    Quantity {
+        /// In SI units.
+        si: f64,
+        /// Of what.
+        #[serde(serialize_with = "dimension_name")]
+        dimension: Dimension,
+    },
+    /// A number of things: exact.
+    Count(i64),
+    /// A word or a list of words: exact.
+    Text(String),
+}
+
+fn dimension_name<S: serde::Serializer>(dimension: &Dimension, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(dimension)
+}
+
+/// Named results, in the order in which they were computed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Results(Vec<(String, Value)>);
+
+impl Results {
+    /// Adds a physical quantity.
+    pub fn quantity<T: Physical>(&mut self, name: impl Into<String>, quantity: T) -> &mut Self {
+        self.push(name, Value::Quantity { si: quantity.si(), dimension: T::DIMENSION })
+    }
+
+    /// Adds a plain number.
+    pub fn number(&mut self, name: impl Into<String>, value: f64) -> &mut Self {
+        self.push(name, Value::Quantity { si: value, dimension: Dimension::Dimensionless })
+    }
+
+    /// Adds a number of things.
+    pub fn count(&mut self, name: impl Into<String>, count: impl Into<i64>) -> &mut Self {
+        self.push(name, Value::Count(count.into()))
+    }
+
+    /// Adds a word.
+    pub fn text(&mut self, name: impl Into<String>, text: impl ToString) -> &mut Self {
+        self.push(name, Value::Text(text.to_string()))
+    }
+
+    /// Adds an answer, `yes` or `no`.
+    pub fn answer(&mut self, name: impl Into<String>, answer: bool) -> &mut Self {
+        self.text(name, if answer { "yes" } else { "no" })
+    }
+
+    fn push(&mut self, name: impl Into<String>, value: Value) -> &mut Self {
+        let name = name.into();
+        assert!(self.get(&name).is_none(), "a calculation returns {name} twice");
+        self.0.push((name, value));
+        self
+    }
+
+    /// The result of that name.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.0.iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+
+    /// All results in order.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.0.iter().map(|(name, value)| (name.as_str(), value))
+    }
+}
+
+/// Why a calculation refused its inputs.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct Refusal {
+    /// Name of the fault, as `expect_error` has it: `no-tooth-set`.
+    pub name: String,
+    /// What is wrong and what is allowed.
+    pub message: String,
+}
+
+impl Refusal {
+    /// A refusal named after an error's variant.
+    fn of<E: std::fmt::Debug + std::fmt::Display>(error: &E) -> Self {
+        Self { name: variant_name(error), message: error.to_string() }
+    }
+}
+
+impl From<epicyclic_gears::Error> for Refusal {
+    fn from(error: epicyclic_gears::Error) -> Self {
+        Self::of(&error)
+    }
+}
+
+impl From<epicyclic_dynamics::Error> for Refusal {
+    fn from(error: epicyclic_dynamics::Error) -> Self {
+        match error {
+            epicyclic_dynamics::Error::Gear(error) => error.into(),
+            error => Self::of(&error),
+        }
+    }
+}
+
+/// Name of an enum's variant in kebab case, `NoToothSet { .. }` → `no-tooth-set`, from its derived
+/// `Debug`, which starts with it.
+fn variant_name(error: &impl std::fmt::Debug) -> String {
+    let debug = format!("{error:?}");
+    let variant = debug.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or_default();
+    let mut name = String::new();
+    for c in variant.chars() {
+        if c.is_ascii_uppercase() && !name.is_empty() {
+            name.push('-');
+        }
+        name.push(c.to_ascii_lowercase());
+    }
+    name
+}
+
+/// Why a calculation gave no results.
+#[derive(Debug)]
+pub enum Failure {
+    /// The inputs do not read.
+    Unreadable(FormatError),
+    /// The calculation refused them.
+    Refused(Refusal),
+}
+
+type Runner = Box<dyn Fn(&Document, Yaml) -> Result<Results, Failure> + Sync + Send>;
+
+/// A registered calculation.
+pub struct Calculation {
+    /// The name that cases use, `crate.what`.
+    pub name: &'static str,
+    /// One line on what it computes.
+    pub about: &'static str,
+    /// Schema of its inputs.
+    pub schema: fn() -> Schema,
+    run: Runner,
+}
+
+impl Calculation {
+    fn new<Given: DeserializeOwned + JsonSchema>(
+        name: &'static str,
+        about: &'static str,
+        run: fn(Given) -> Result<Results, Refusal>,
+    ) -> Self {
+        Self {
+            name,
+            about,
+            schema: || schemars::schema_for!(Given),
+            run: Box::new(move |document, given| {
+                let given = document.read_value(&given, "given").map_err(Failure::Unreadable)?;
+                run(given).map_err(Failure::Refused)
+            }),
+        }
+    }
+
+    /// Runs it on the `given` of a document, of which some parts may have been replaced.
+    ///
+    /// # Errors
+    /// [`Failure`], with the position in the document where its inputs do not read.
+    pub fn run(&self, document: &Document, given: Yaml) -> Result<Results, Failure> {
+        (self.run)(document, given)
+    }
+}
+
+/// Every calculation, by crate.
+#[must_use]
+pub fn all() -> Vec<Calculation> {
+    let mut all = gears::calculations();
+    all.extend(dynamics::calculations());
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_say_their_crate() {
+        let all = all();
+        for (i, calculation) in all.iter().enumerate() {
+            assert!(calculation.name.contains('.'), "{}", calculation.name);
+            assert!(all[..i].iter().all(|other| other.name != calculation.name), "{}", calculation.name);
+        }
+    }
+
+    #[test]
+    fn a_refusal_is_named_after_its_variant() {
+        assert_eq!(Refusal::from(epicyclic_gears::Error::NoTeeth).name, "no-teeth");
+        let wrapped = epicyclic_dynamics::Error::Gear(epicyclic_gears::Error::Efficiency { eta: 2.0 });
+        assert_eq!(Refusal::from(wrapped).name, "efficiency");
+    }
+}

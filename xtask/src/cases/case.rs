@@ -1,0 +1,108 @@
+//! A case as it is written.
+
+use crate::cases::tolerance::Rounding;
+use epicyclic_formats::yaml::Value as Yaml;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A case: inputs, a calculation, and what the source publishes of its results.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// Name, unique within the source.
+    pub case: String,
+    /// Places in the source, by the names of its index: `§3.3, table 3.1`.
+    pub cite: String,
+    /// Name of a registered calculation.
+    pub calculation: String,
+    /// Its inputs. A value may be taken from another case: `{ from: case/quantity, as: exact }`, or
+    /// `as: published`.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, serde_json::Value>")]
+    pub given: Yaml,
+    /// What the source publishes, by the calculation's results.
+    #[serde(default)]
+    pub expect: BTreeMap<String, Expectation>,
+    /// Name of the error that these inputs must raise, in place of `expect`.
+    #[serde(default)]
+    pub expect_error: Option<String>,
+    /// How a formula was inferred that the copy of the source lost.
+    #[serde(default)]
+    pub restored: Option<String>,
+    /// What a reader should know besides.
+    #[serde(default)]
+    pub note: Option<String>,
+}
+
+/// What becomes of a published figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// It follows from the source's inputs.
+    #[default]
+    Agrees,
+    /// It does not follow from the source's own inputs.
+    Contradicted,
+    /// The source sets it: an input, not a result.
+    Given,
+    /// The copy lost it.
+    Unrecoverable,
+}
+
+/// A published figure.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Expectation {
+    /// The figure as printed, digit for digit, with its unit: `"521.8 N·m"`.
+    #[serde(default)]
+    pub published: Option<String>,
+    /// How the source came to the digits.
+    #[serde(default)]
+    pub rounding: Rounding,
+    /// A tolerance wider than the digits': `2 %`, `0.1 mm`. Needs `because`.
+    #[serde(default)]
+    pub tolerance: Option<String>,
+    /// What becomes of the figure.
+    #[serde(default)]
+    pub verdict: Verdict,
+    /// Of a contradicted figure, the right value by an independent calculation, to 1e-6.
+    #[serde(default)]
+    pub computed: Option<String>,
+    /// That calculation as arithmetic, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`.
+    #[serde(default)]
+    pub arithmetic: Option<String>,
+    /// Why: the derivation of a contradiction, the reason for a tolerance.
+    #[serde(default)]
+    pub because: Option<String>,
+    /// The unit that the source prints, where it is not the right one of `published`.
+    #[serde(default)]
+    pub printed_unit: Option<String>,
+    /// Of an unrecoverable figure, what is legible.
+    #[serde(default)]
+    pub legible: Option<String>,
+    /// Places of this figure, where they are not those of the case.
+    #[serde(default)]
+    pub cite: Option<String>,
+}
+
+/// A value taken from another case.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct From {
+    /// The case and its result: `case/quantity`.
+    pub from: String,
+    /// Which value of it.
+    #[serde(rename = "as")]
+    pub taken: Taken,
+}
+
+/// Which value of a linked result is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Taken {
+    /// As computed, to the last bit.
+    Exact,
+    /// As the source prints it.
+    Published,
+}

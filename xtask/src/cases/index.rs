@@ -1,0 +1,46 @@
+//! The index of a source: its numbered equations, tables and worked figures, and whether a case
+//! covers each.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Name of the index file in a source's folder.
+pub const FILE: &str = "index.yaml";
+
+/// The index of a source.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Index {
+    /// The source's id: the name of the folder.
+    pub source: String,
+    /// What the source is.
+    pub title: String,
+    /// The places that cases can cite.
+    pub places: Vec<Place>,
+}
+
+/// A place in a source.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Place {
+    /// Its name, as cases cite it: `(3)`, `table 2.2`, `§3.3`. No commas.
+    pub place: String,
+    /// What stands there.
+    pub what: String,
+    /// Why no case covers it.
+    #[serde(default)]
+    pub excused: Option<String>,
+}
+
+/// The places that a citation names.
+pub fn places(cite: &str) -> impl Iterator<Item = &str> {
+    cite.split(',').map(str::trim)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_citation_lists_places_by_commas() {
+        assert!(super::places("§3.3, table 3.1").eq(["§3.3", "table 3.1"]));
+    }
+}
