@@ -56,8 +56,8 @@ pub use result::{
 pub use spec::{Bore, CarrierSpec, DriveSpec, ShaftSpec, ShaftsSpec, TeethSpec, WheelSpec, default_bounds};
 pub use warning::Warning;
 
-use crate::Error;
-use crate::units::{angular_velocity, force, kilograms, meters, n_m, power, rad_per_s, torque, watts};
+use crate::units::{angular_velocity, force, kilograms, meters, n_m, rad_per_s};
+use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_gears::geometry::{self, Toothing, centre_distance};
 use epicyclic_gears::row::{Member, Mode};
@@ -179,25 +179,26 @@ fn speeds(spec: &DriveSpec, teeth: ToothSet) -> Result<Speeds, Error> {
 }
 
 fn torques(spec: &DriveSpec, gear: &Gear, efficiency: Efficiency) -> Result<Torques, Error> {
-    let t1 = finite("torque of the sun", watts(spec.power) / rad_per_s(spec.speed))?;
+    let sun = loads::shaft_torque(spec.power, spec.speed)?;
     let planet_to_sun = gear.teeth.planet.as_f64() / gear.teeth.sun.as_f64();
-    let carrier = finite("torque of the carrier", t1 * gear.ratio * efficiency.overall)?;
+    let carrier = loads::carrier_torque(sun, gear.ratio, efficiency.overall);
+    finite("torque of the carrier", n_m(carrier))?;
     Ok(Torques {
-        sun: torque(t1),
-        planets: torque(t1 * spec.sun_planet_efficiency.get() * planet_to_sun),
-        carrier: torque(carrier),
-        ring_reaction: torque(carrier - t1),
+        sun,
+        planets: loads::planet_torque(sun, spec.sun_planet_efficiency, planet_to_sun),
+        carrier,
+        ring_reaction: carrier - sun,
     })
 }
 
 fn powers(spec: &DriveSpec, speeds: &Speeds, torques: &Torques) -> Powers {
     let eta0 = spec.sun_planet_efficiency.get() * spec.planet_ring_efficiency.get();
-    let mesh = n_m(torques.sun) * rad_per_s(speeds.sun - speeds.carrier);
+    let mesh = loads::shaft_power(torques.sun, speeds.sun - speeds.carrier);
     Powers {
         input: spec.power,
-        mesh: power(mesh),
-        lost: power(mesh * (1.0 - eta0)),
-        output: power(n_m(torques.carrier) * rad_per_s(speeds.carrier)),
+        mesh,
+        lost: mesh * (1.0 - eta0),
+        output: loads::shaft_power(torques.carrier, speeds.carrier),
     }
 }
 

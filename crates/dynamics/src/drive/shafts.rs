@@ -1,5 +1,6 @@
 //! Shafts by reduced torsional stress, and their bearings.
 
+use super::finite;
 use super::result::{Choice, Shaft, ShaftDesign, Shafts, Torques};
 use super::spec::{DriveSpec, ShaftSpec};
 use super::warning::Warning;
@@ -8,7 +9,7 @@ use epicyclic_gears::bearing::{self, Verification};
 use epicyclic_gears::shaft::{self, USUAL_ALLOWABLE_STRESS_MPA};
 use uom::si::f64::Torque;
 use uom::si::length::millimeter;
-use uom::si::pressure::megapascal;
+use uom::si::pressure::{megapascal, pascal};
 
 /// Relative shortfall up to which a diameter is thick enough: the rounding of a cube root.
 const ROUNDING: f64 = 1e-12;
@@ -43,6 +44,7 @@ fn of(
     let standard = Choice { diameter: standard, bearing: bearing::smallest_for_shaft(series, standard).ok() };
     let diameter = given.diameter.or(given.bearing.map(|bearing| bearing.bore)).unwrap_or(standard.diameter);
     let stress = shaft::torsional_stress(torque, diameter)?;
+    finite("stress of a shaft", stress.get::<pascal>())?;
     let bearing = given.bearing.or_else(|| bearing::smallest_for_shaft(series, diameter).ok());
 
     let diameter_mm = diameter.get::<millimeter>();
