@@ -15,7 +15,7 @@ pub(crate) enum Failure {
         source: io::Error,
     },
     /// An answer that cannot be written.
-    #[error("{}: cannot be written: {source}{}", file.display(), if file.exists() { "; it is unchanged" } else { "" })]
+    #[error("{}: cannot be written: {source}{}", file.display(), if file.is_file() { "; it is unchanged" } else { "" })]
     Write {
         /// The file.
         file: PathBuf,

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 
 /// Planetary gear mechanisms: tooth numbers, drives.
 #[derive(Parser)]
-#[command(version, max_term_width = 100)]
+#[command(version, max_term_width = 80)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

@@ -92,13 +92,17 @@ fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    let mut temporary = builder.tempfile_in(folder)?;
+    if !folder.is_dir() {
+        return Err(io::Error::new(ErrorKind::NotFound, format!("there is no folder {}", folder.display())));
+    }
+    // The reason alone: the error also names the temporary file, which nobody asked for.
+    let mut temporary = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     temporary.write_all(bytes)?;
     temporary.as_file().sync_all()?;
     if let Some(permissions) = existing {
         temporary.as_file().set_permissions(permissions)?;
     }
-    temporary.persist(&file).map_err(|error| error.error)?;
+    temporary.persist(&file).map_err(|error| io::Error::from(error.error.kind()))?;
     Ok(())
 }
 

@@ -29,7 +29,7 @@ pub(crate) struct Args {
     mode: Mode,
 
     /// How far the ratio may be off: 1%, or 0.01.
-    #[arg(long, default_value = "1%", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
     /// Number of planets, from 2 to 8.
