@@ -1,5 +1,7 @@
 //! The program from outside: what it prints, where, and its exit codes.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};

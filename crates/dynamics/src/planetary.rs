@@ -67,6 +67,15 @@ pub struct SpeedRatios {
     pub carrier: f64,
 }
 
+impl SpeedRatios {
+    /// Speed ratios of a tooth set with its ring at rest.
+    #[must_use]
+    pub fn of(teeth: &ToothSet) -> Self {
+        let (z1, z2, z3) = (teeth.sun.as_f64(), teeth.planet.as_f64(), teeth.ring.as_f64());
+        Self { planet: z1 * (z2 - z3) / (z2 * (z1 + z3)), carrier: z1 / (z1 + z3) }
+    }
+}
+
 /// Accelerations of the links.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accelerations {
@@ -99,8 +108,7 @@ impl PlanetaryDrive {
     /// Speed ratios of the links, from the tooth numbers.
     #[must_use]
     pub fn speed_ratios(&self) -> SpeedRatios {
-        let (z1, z2, z3) = self.tooth_numbers();
-        SpeedRatios { planet: z1 * (z2 - z3) / (z2 * (z1 + z3)), carrier: z1 / (z1 + z3) }
+        SpeedRatios::of(&self.teeth)
     }
 
     /// The moving links, to be reduced.

@@ -81,9 +81,13 @@ impl Printed {
     pub fn stands_for(&self, si: f64) -> bool {
         let value = self.in_unit(si);
         let slack = SLACK * self.measured.value.abs().max(value.abs());
-        let above = if self.open_end == OpenEnd::Low { value > self.low + slack } else { value >= self.low - slack };
-        let below =
-            if self.open_end == OpenEnd::High { value < self.high - slack } else { value <= self.high + slack };
+        let above =
+            if self.open_end == OpenEnd::Low { value > self.low + slack } else { value >= self.low - slack };
+        let below = if self.open_end == OpenEnd::High {
+            value < self.high - slack
+        } else {
+            value <= self.high + slack
+        };
         above && below
     }
 

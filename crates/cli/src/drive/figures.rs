@@ -258,12 +258,10 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
             "outcome",
             "outcome",
             "",
-            of(|motion| {
-                Figure::Text(match motion.start {
-                    Start::After(_) => "starts".to_owned(),
-                    Start::InBalance => "in balance: does not start".to_owned(),
-                    Start::Overloaded(_) => "overloaded: does not start".to_owned(),
-                })
+            of(|motion| match motion.start {
+                Start::After(_) => Figure::Answer("starts", "starts"),
+                Start::InBalance => Figure::Answer("in-balance", "in balance: does not start"),
+                Start::Overloaded(_) => Figure::Answer("overloaded", "overloaded: does not start"),
             }),
         ),
         Row::new(

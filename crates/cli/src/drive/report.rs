@@ -82,6 +82,8 @@ pub(super) enum Figure {
         dimension: Dimension,
     },
     Text(String),
+    /// One of a few answers: its name, and in words.
+    Answer(&'static str, &'static str),
 }
 
 /// A figure of a quantity.
@@ -168,19 +170,15 @@ impl Section {
     }
 
     fn json(&self) -> Value {
-        let of_column = |index: usize| {
-            let entries = self.rows.iter().filter_map(|row| Some((row.name, row.cells.get(index)?)));
-            let mut map = Map::new();
-            for (name, cell) in entries {
-                map.insert(format!("{name}{}", cell.suffix()), cell.json());
-            }
-            Value::Object(map)
+        let of_column = |index: usize| -> Value {
+            let cells = self.rows.iter().filter_map(|row| Some((row.name, row.cells.get(index)?)));
+            cells.map(|(name, cell)| (format!("{name}{}", cell.suffix()), cell.json())).collect()
         };
         if self.columns.is_empty() {
             return of_column(0);
         }
         let columns = self.columns.iter().enumerate();
-        Value::Object(columns.map(|(index, (key, _))| ((*key).to_owned(), of_column(index))).collect())
+        columns.map(|(index, (key, _))| ((*key).to_owned(), of_column(index))).collect()
     }
 }
 
@@ -198,6 +196,7 @@ impl Figure {
                 format!("{} {}", values.join(" "), unit.symbol)
             }
             Self::Text(text) => text.clone(),
+            Self::Answer(_, words) => (*words).to_owned(),
         }
     }
 
@@ -218,6 +217,7 @@ impl Figure {
                 (values.join(" "), symbol)
             }
             Self::Text(text) => (text.clone(), String::new()),
+            Self::Answer(name, _) => ((*name).to_owned(), String::new()),
         }
     }
 
@@ -228,6 +228,7 @@ impl Figure {
             Self::Number(value) | Self::Share(value) | Self::Quantity { si: value, .. } => json!(value),
             Self::List { si, .. } => json!(si),
             Self::Text(text) => json!(text),
+            Self::Answer(name, _) => json!(name),
         }
     }
 

@@ -47,7 +47,7 @@ impl Answer<'_> {
 
     fn table(&self) -> String {
         let header =
-            ["sun", "planet", "ring", "planets", "ratio", "exact", "error", "most", "undercut", "spacing"];
+            ["sun", "planet", "ring", "planets", "ratio", "exact", "error, %", "most", "undercut", "spacing"];
         let rows = self.shown.iter().map(|set| {
             let mut row = counts(set);
             row.extend([
@@ -206,10 +206,10 @@ fn counts(set: &Candidate) -> Vec<String> {
 /// `0` where the ratio is exact.
 fn percent(error: f64) -> String {
     if error.abs() <= 4.0 * f64::EPSILON {
-        return "0 %".to_owned();
+        return "0".to_owned();
     }
     let sign = if error > 0.0 { "+" } else { "" };
-    format!("{sign}{} %", significant(100.0 * error, 2))
+    format!("{sign}{}", significant(100.0 * error, 2))
 }
 
 fn undercut(set: &Candidate) -> &'static str {

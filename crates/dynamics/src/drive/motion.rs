@@ -8,7 +8,7 @@ use crate::energy::kinetic_energy;
 use crate::lagrange::starting_time;
 use crate::planetary::PlanetaryDrive;
 use crate::reduction::{Link, Orbit};
-use crate::units::{inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
+use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use uom::si::f64::{MomentOfInertia, Torque};
 
 /// Part of the driving torque below which a surplus is the rounding of the calculation.
@@ -50,8 +50,15 @@ pub(super) fn without_losses(
     finite("acceleration", rad_per_s2(accelerations.sun))?;
     let force = drive.generalized_force(driving, load);
     let inertia = drive.reduced_inertia()?;
-    let start = start(spec, driving, force, inertia)?;
-    Ok(Motion { inertia, generalized_force: force, accelerations, start })
+    Ok(settled(
+        drive,
+        Motion {
+            inertia,
+            generalized_force: force,
+            accelerations,
+            start: start(spec, driving, force, inertia)?,
+        },
+    ))
 }
 
 pub(super) fn with_losses(
@@ -63,13 +70,24 @@ pub(super) fn with_losses(
     let (eta_12, eta_23) = (spec.sun_planet_efficiency, spec.planet_ring_efficiency);
     let motion = drive.motion_with_losses(driving, load, eta_12, eta_23)?;
     finite("acceleration", rad_per_s2(motion.accelerations.sun))?;
-    let start = start(spec, driving, motion.force, motion.inertia)?;
-    Ok(Motion {
-        inertia: motion.inertia,
-        generalized_force: motion.force,
-        accelerations: motion.accelerations,
-        start,
-    })
+    Ok(settled(
+        drive,
+        Motion {
+            inertia: motion.inertia,
+            generalized_force: motion.force,
+            accelerations: motion.accelerations,
+            start: start(spec, driving, motion.force, motion.inertia)?,
+        },
+    ))
+}
+
+/// In balance nothing accelerates: what rounding left of the force is dropped.
+fn settled(drive: &PlanetaryDrive, motion: Motion) -> Motion {
+    if motion.start != Start::InBalance {
+        return motion;
+    }
+    let accelerations = drive.accelerations(angular_acceleration(0.0));
+    Motion { generalized_force: torque(0.0), accelerations, ..motion }
 }
 
 fn start(spec: &DriveSpec, driving: Torque, force: Torque, inertia: MomentOfInertia) -> Result<Start, Error> {

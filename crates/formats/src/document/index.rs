@@ -22,7 +22,8 @@ pub struct Position {
 }
 
 impl Position {
-    pub(crate) const START: Self = Self { line: 1, column: 1 };
+    /// The first character of a file.
+    pub const START: Self = Self { line: 1, column: 1 };
 
     fn of(marker: Marker) -> Self {
         Self { line: marker.line().max(1), column: marker.col() + 1 }

@@ -1,0 +1,276 @@
+//! One published figure, judged.
+
+use crate::calculations::Value;
+use crate::cases::case::{Expectation, Verdict};
+use crate::cases::tolerance::Printed;
+use epicyclic_formats::quantity::format::significant;
+use epicyclic_formats::quantity::{self, Dimension, Unit, find_unit};
+use serde::Serialize;
+
+/// How close the stated value of a contradicted figure must be to the computed one, relative.
+const STATED: f64 = 1e-6;
+
+/// What became of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Published and computed agree.
+    Agrees,
+    /// The source contradicts its own inputs, as the case says.
+    Contradicted,
+    /// Taken as input.
+    Given,
+    /// Lost in the copy.
+    Unrecoverable,
+    /// Inputs that must be refused, and are.
+    Refused,
+    /// The case does not hold.
+    Failed,
+}
+
+/// A figure with its verdict.
+#[derive(Debug, Clone, Serialize)]
+pub struct Figure {
+    /// Case and result: `drive/kinetic_energy`.
+    pub name: String,
+    /// File of the case, from the project's root.
+    pub file: String,
+    /// Line of the published figure, from 1.
+    pub line: usize,
+    /// Its column, from 1.
+    pub column: usize,
+    /// What became of it.
+    pub status: Status,
+    /// As printed.
+    pub published: Option<String>,
+    /// As computed, in the unit of the printed figure.
+    pub computed: Option<String>,
+    /// Computed less published, in that unit.
+    pub difference: Option<String>,
+    /// How far the printed digits reach, in that unit.
+    pub tolerance: Option<String>,
+    /// The unit the source prints, where it is wrong.
+    pub printed_unit: Option<String>,
+    /// The reason of the verdict, or what is legible of a lost figure.
+    pub because: Option<String>,
+    /// Why the case does not hold.
+    pub failure: Option<String>,
+}
+
+/// The judgement of one expectation, without its place.
+#[derive(Debug, Default)]
+pub struct Judgement {
+    /// As computed, in the unit of the printed figure.
+    pub computed: Option<String>,
+    /// Computed less published.
+    pub difference: Option<String>,
+    /// Reach of the printed digits.
+    pub tolerance: Option<String>,
+    /// Why it does not hold.
+    pub failure: Option<String>,
+}
+
+impl Judgement {
+    fn failed(self, why: impl Into<String>) -> Self {
+        Self { failure: Some(why.into()), ..self }
+    }
+}
+
+/// The unit of a dimension with factor 1.
+#[must_use]
+pub fn si_unit(dimension: Dimension) -> &'static Unit {
+    let is_si = |unit: &&Unit| unit.factor == 1.0;
+    dimension.units().iter().find(is_si).unwrap_or_else(|| dimension.usual_unit())
+}
+
+fn with_unit(number: String, unit: &Unit) -> String {
+    if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol) }
+}
+
+/// Judges a result against what is published of it.
+#[must_use]
+pub fn judge(expectation: &Expectation, value: &Value) -> Judgement {
+    let Some(published) = &expectation.published else {
+        return Judgement::default().failed("`published` is missing: write the figure as printed");
+    };
+    match value {
+        Value::Quantity { si, dimension } => judge_quantity(expectation, published, *si, *dimension),
+        Value::Count(count) => judge_exact(expectation, published, &count.to_string()),
+        Value::Text(text) => judge_exact(expectation, published, text),
+    }
+}
+
+fn judge_exact(expectation: &Expectation, published: &str, computed: &str) -> Judgement {
+    let judgement = Judgement { computed: Some(computed.to_owned()), ..Judgement::default() };
+    let agrees = published.trim() == computed;
+    match expectation.verdict {
+        Verdict::Contradicted if agrees => judgement.failed(starts_to_agree()),
+        Verdict::Contradicted if expectation.computed.as_deref() != Some(computed) => {
+            judgement.failed(format!("`computed` differs from the result {computed}"))
+        }
+        Verdict::Contradicted => judgement,
+        _ if agrees => judgement,
+        _ => judgement.failed(format!("published {published}, computed {computed}")),
+    }
+}
+
+fn starts_to_agree() -> String {
+    "marked contradicted, but the published figure agrees with the computed one: remove the verdict".into()
+}
+
+fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension: Dimension) -> Judgement {
+    let mut judgement = Judgement::default();
+    let printed = Printed::parse(published, expectation.rounding).and_then(|printed| {
+        let due = quantity::parse_as(published, dimension).map(|_| printed)?;
+        expectation.tolerance.as_deref().map_or(Ok(due.clone()), |text| due.with_tolerance(text))
+    });
+    let printed = match printed {
+        Ok(printed) => printed,
+        Err(error) => return judgement.failed(error.to_string()),
+    };
+    let unit = printed.measured.unit;
+    let value = printed.in_unit(si);
+    // As many digits as show the difference, and at least those of the print with some to spare.
+    judgement.computed = Some(with_unit(significant(value, 8), unit));
+    judgement.difference = Some(with_unit(significant(value - printed.measured.value, 3), unit));
+    judgement.tolerance = Some(with_unit(significant(printed.reach(), 3), unit));
+    let agrees = printed.stands_for(si);
+
+    if let Some(wrong) = &expectation.printed_unit {
+        // A printed unit is wrong when it is unknown, of another dimension, or of another size.
+        let right = find_unit(wrong).is_some_and(|u| u.dimension == dimension && u.factor == unit.factor);
+        if right {
+            return judgement.failed(format!("`printed_unit` {wrong} is the right unit: remove it"));
+        }
+    }
+    if expectation.verdict != Verdict::Contradicted {
+        if agrees {
+            return judgement;
+        }
+        return judgement.failed("the published figure does not agree with the computed one");
+    }
+    if agrees {
+        return judgement.failed(starts_to_agree());
+    }
+    let Some(stated) = &expectation.computed else {
+        return judgement.failed("`computed` is missing: state the right value");
+    };
+    let stated = match quantity::parse_as(stated, dimension) {
+        Ok(stated) => stated,
+        Err(error) => return judgement.failed(format!("`computed`: {error}")),
+    };
+    if !close(stated.si(), si) {
+        let found = with_unit(significant(si / stated.unit.factor, 10), stated.unit);
+        return judgement
+            .failed(format!("`computed` differs from the result {found} by more than {STATED:e}"));
+    }
+    if let Some(arithmetic) = &expectation.arithmetic {
+        match exmex::eval_str::<f64>(arithmetic.replace(char::is_whitespace, " ").trim()) {
+            Ok(result) if close(result, stated.value) => {}
+            Ok(result) => {
+                return judgement
+                    .failed(format!("`arithmetic` gives {}, not `computed`", significant(result, 10)));
+            }
+            Err(error) => return judgement.failed(format!("`arithmetic` does not read: {error}")),
+        }
+    }
+    judgement
+}
+
+fn close(stated: f64, found: f64) -> bool {
+    (stated - found).abs() <= STATED * found.abs().max(f64::MIN_POSITIVE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases::tolerance::Rounding;
+
+    fn expectation(published: &str) -> Expectation {
+        Expectation {
+            published: Some(published.into()),
+            rounding: Rounding::Nearest,
+            tolerance: None,
+            verdict: Verdict::Agrees,
+            computed: None,
+            arithmetic: None,
+            because: None,
+            printed_unit: None,
+            legible: None,
+            cite: None,
+        }
+    }
+
+    fn contradicted(published: &str, computed: &str) -> Expectation {
+        Expectation {
+            verdict: Verdict::Contradicted,
+            computed: Some(computed.into()),
+            because: Some("by hand".into()),
+            ..expectation(published)
+        }
+    }
+
+    fn torque(si: f64) -> Value {
+        Value::Quantity { si, dimension: Dimension::Torque }
+    }
+
+    fn failure(expectation: &Expectation, value: &Value) -> Option<String> {
+        judge(expectation, value).failure
+    }
+
+    #[test]
+    fn an_agreeing_figure_passes_and_another_says_by_how_much_it_misses() {
+        assert_eq!(failure(&expectation("521.8 N·m"), &torque(521.803)), None);
+        let missed = judge(&expectation("521.7 N·m"), &torque(521.803));
+        assert!(missed.failure.is_some());
+        assert_eq!(missed.difference.as_deref(), Some("0.103 N·m"));
+        assert_eq!(missed.tolerance.as_deref(), Some("0.0500 N·m"));
+    }
+
+    #[test]
+    fn a_contradicted_figure_must_not_agree() {
+        assert_eq!(failure(&contradicted("600 N·m", "521.803 N·m"), &torque(521.803)), None);
+        let agreeing = failure(&contradicted("521.8 N·m", "521.803 N·m"), &torque(521.803));
+        assert!(agreeing.is_some_and(|why| why.contains("remove the verdict")));
+    }
+
+    #[test]
+    fn the_stated_value_is_held_to_a_millionth() {
+        let stale = failure(&contradicted("600 N·m", "521.804 N·m"), &torque(521.803));
+        assert!(stale.is_some_and(|why| why.contains("differs from the result")));
+    }
+
+    #[test]
+    fn stated_arithmetic_is_carried_out() {
+        let with = |arithmetic: &str| Expectation {
+            arithmetic: Some(arithmetic.into()),
+            ..contradicted("600 N·m", "521.803 N·m")
+        };
+        assert_eq!(failure(&with("500 + 21.803"), &torque(521.803)), None);
+        assert!(failure(&with("500 + 22"), &torque(521.803)).is_some_and(|why| why.contains("gives 522")));
+        assert!(failure(&with("500 +"), &torque(521.803)).is_some_and(|why| why.contains("does not read")));
+    }
+
+    #[test]
+    fn a_figure_of_another_dimension_fails() {
+        assert!(failure(&expectation("521.8 kW"), &torque(521.8)).is_some());
+        assert!(failure(&expectation("521.8"), &torque(521.8)).is_some());
+        assert!(failure(&expectation("521,8 N·m"), &torque(521.8)).is_some_and(|why| why.contains("comma")));
+    }
+
+    #[test]
+    fn a_right_unit_cannot_be_called_wrong() {
+        let wrong = Expectation { printed_unit: Some("J".into()), ..expectation("26.09 N·m") };
+        assert_eq!(failure(&wrong, &torque(26.09)), None);
+        let right = Expectation { printed_unit: Some("Nm".into()), ..expectation("26.09 N·m") };
+        assert!(failure(&right, &torque(26.09)).is_some());
+    }
+
+    #[test]
+    fn counts_and_words_are_exact() {
+        assert_eq!(failure(&expectation("4"), &Value::Count(4)), None);
+        assert!(failure(&expectation("4"), &Value::Count(5)).is_some());
+        assert_eq!(failure(&contradicted("4", "5"), &Value::Count(5)), None);
+        assert_eq!(failure(&expectation("yes"), &Value::Text("yes".into())), None);
+    }
+}

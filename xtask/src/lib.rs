@@ -1,0 +1,26 @@
+//! Verification of the project against its source documents.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`cases`] | what a case is, how it is read, run and judged |
+//! | [`calculations`] | what a case can compute |
+//! | [`report`] | how an outcome is shown |
+//! | [`verify`], [`schema`], [`new_case`] | the commands, a file each |
+//!
+//! One way through: YAML → case → calculation → domain types → result → judgement → report.
+
+pub mod calculations;
+pub mod cases;
+pub mod new_case;
+pub mod report;
+pub mod schema;
+pub mod verify;
+
+use std::path::PathBuf;
+
+/// The project's root.
+#[must_use]
+pub fn project_root() -> PathBuf {
+    let manifest = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    manifest.parent().map(PathBuf::from).unwrap_or(manifest)
+}

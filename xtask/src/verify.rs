@@ -1,0 +1,99 @@
+//! `cargo xtask verify`: every published figure against what the crates compute.
+
+use crate::cases::run::{Outcome, Snapshots, run as run_source};
+use crate::cases::{index, load};
+use crate::{calculations, project_root, report};
+use clap::{Args, ValueEnum};
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Run the spec cases and hold every published figure against the computed one.
+///
+/// Exit code 0 if everything holds, 1 if something does not, 2 if there was nothing to run.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  cargo xtask verify\n  cargo xtask verify excavator-dynamics\n  \
+    cargo xtask verify shafts --format json\n  cargo xtask verify --accept")]
+pub struct Arguments {
+    /// Only sources or cases whose name contains this.
+    #[arg(default_value = "")]
+    pub filter: String,
+    /// How the outcome is written.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    pub format: Format,
+    /// Write changed snapshots and remove those without a case. Never touches what a case expects.
+    #[arg(long)]
+    pub accept: bool,
+    /// Folder of the cases, one folder a source.
+    #[arg(
+        long,
+        value_name = "FOLDER",
+        help = "Folder of the cases, one folder a source [default: spec-cases]"
+    )]
+    pub cases: Option<PathBuf>,
+}
+
+/// How an outcome is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    Human,
+    /// For programs: every figure with its place.
+    Json,
+    /// For continuous integration: a test a figure.
+    Junit,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A message where the cases cannot be read at all.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
+    let outcomes = outcomes(arguments)?;
+    let text = match arguments.format {
+        Format::Human => report::human::render(&outcomes),
+        Format::Json => report::json::render(&outcomes)?,
+        Format::Junit => report::junit::render(&outcomes)?,
+    };
+    match io::stdout().lock().write_all(text.as_bytes()) {
+        // A reader that has seen enough.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {}
+        Err(error) => return Err(format!("the report cannot be written: {error}")),
+        Ok(()) => {}
+    }
+    let holds = outcomes.iter().all(Outcome::holds);
+    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// Runs the cases that the arguments select.
+///
+/// # Errors
+/// As [`run`].
+pub fn outcomes(arguments: &Arguments) -> Result<Vec<Outcome>, String> {
+    let folder = arguments.cases.clone().unwrap_or_else(|| project_root().join("spec-cases"));
+    let calculations = calculations::all();
+    let sources = load::sources(&folder, &calculations)
+        .map_err(|error| format!("the cases in {} cannot be read: {error}", folder.display()))?;
+    if sources.is_empty() {
+        let wanted = format!("a folder a source, each with {} and its cases", index::FILE);
+        return Err(format!("no source in {}: it holds {wanted}", folder.display()));
+    }
+    let snapshots = if arguments.accept { Snapshots::Accept } else { Snapshots::Compare };
+    let filter = arguments.filter.as_str();
+    let selected = |outcome: &Outcome| {
+        filter.is_empty()
+            || outcome.cases > 0
+            || outcome.source.contains(filter)
+            || !outcome.faults.is_empty()
+    };
+    let outcomes: Vec<Outcome> = sources
+        .iter()
+        .map(|source| run_source(source, &calculations, filter, snapshots))
+        .filter(selected)
+        .collect();
+    if outcomes.iter().all(|outcome| outcome.cases == 0 && outcome.faults.is_empty()) {
+        let names: Vec<&str> = sources.iter().map(|source| source.id.as_str()).collect();
+        return Err(format!("no source or case has {filter:?} in its name; sources: {}", names.join(", ")));
+    }
+    Ok(outcomes)
+}
