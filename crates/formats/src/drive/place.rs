@@ -1,8 +1,8 @@
 //! Where in the file a refusal of the calculation belongs.
 
-use super::Wheel;
 use crate::Path;
 use epicyclic_dynamics::Error;
+use epicyclic_dynamics::drive::Wheel;
 use epicyclic_gears::Error as Gear;
 
 /// The key that an error of the design is about; the root where it is about the whole.

@@ -1,7 +1,7 @@
 //! Drive files: what they mean, and what is refused where.
 
 use super::*;
-use epicyclic_dynamics::drive::{Start, design};
+use epicyclic_dynamics::drive::{Bore, CarrierSpec, Start, TeethSpec, design};
 use uom::si::length::millimeter;
 
 const EXCAVATOR: &str = include_str!("../../../../examples/xe215cll-drive.yaml");
