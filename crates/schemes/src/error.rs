@@ -15,6 +15,8 @@ pub enum Named {
     Control,
     /// A gear.
     Gear,
+    /// A mesh that rows share.
+    SharedMesh,
 }
 
 impl fmt::Display for Named {
@@ -24,6 +26,7 @@ impl fmt::Display for Named {
             Self::Row => "row",
             Self::Control => "control",
             Self::Gear => "gear",
+            Self::SharedMesh => "shared ring mesh",
         })
     }
 }
@@ -118,7 +121,7 @@ pub enum Error {
         why: &'static str,
     },
     /// A gearbox larger than the fixed arrays of the solver.
-    #[error("{count} {what}s: at most {limit} are solved")]
+    #[error("{count} {what}{}s: at most {limit} are solved", if *what == Named::SharedMesh { "e" } else { "" })]
     TooMany {
         /// Of which kind.
         what: Named,
@@ -155,14 +158,6 @@ pub enum Error {
         given: usize,
         /// How many there are.
         expected: usize,
-    },
-    /// What one row refuses.
-    #[error("row `{row}`: {source}")]
-    Gear {
-        /// The row.
-        row: String,
-        /// The reason.
-        source: epicyclic_gears::Error,
     },
 }
 

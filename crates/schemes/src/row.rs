@@ -138,10 +138,11 @@ impl MeshLoss {
 ///
 /// ```
 /// use epicyclic_schemes::row::{RowKind, RowSpec};
-/// let by_k = RowSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
+/// let by_k = RowSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
 /// let by_teeth = RowSpec::teeth("P2", RowKind::DoublePlanet, ["s", "r", "c"], 30, 72)?;
-/// # Ok(()) }
+/// # Ok(())
+/// # }
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowSpec {

@@ -1,5 +1,7 @@
 //! Losses by mesh, overrun, self-locking, sign patterns.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 mod common;
 
 use common::machines::ravigneaux_builder;
