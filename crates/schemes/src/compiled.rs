@@ -20,8 +20,6 @@ pub(crate) const RESTING: usize = 15;
 
 /// Which way power runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Direction {
     /// From input to output: a torque of 1 enters at the input, with speed 1.
     Drive,

@@ -174,7 +174,6 @@ fn allowed_k(kind: RowKind) -> &'static str {
 
 /// A remark on a gearbox that can be built and analysed all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Warning {
     /// Teeth that break coaxiality without profile shift, `z_b ≠ z_a + 2·z_g`.

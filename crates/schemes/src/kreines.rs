@@ -30,7 +30,6 @@ use crate::topology::Topology;
 
 /// What Kreines' rule says of a gear.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Kreines {
     /// Exponent `x_j` of each row as printed, from the ideal ratio.
     pub exponents: Vec<i8>,

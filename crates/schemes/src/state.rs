@@ -24,8 +24,6 @@ use std::fmt;
 
 /// State of a gear, with the links it concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case", tag = "state"))]
 #[non_exhaustive]
 pub enum State {
     /// The input drives the output at a ratio that follows from the teeth, with torques that follow
