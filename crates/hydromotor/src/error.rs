@@ -173,14 +173,14 @@ pub enum Error {
     NoFamily,
     /// Numbers for which no cosine-law rotor closes.
     #[error(
-        "no cosine-law rotor closes with these numbers: at the relative amplitude {cusp_amplitude} where \
-         the stator gets cusps the rotor still lacks {lacking_deg}° a half-lobe; take more satellite teeth"
+        "no cosine-law rotor closes with these numbers: at the relative amplitude {cusp_amplitude:.6}, where \
+         the stator gets cusps, its half-lobe still spans {excess_deg:.6}° too much; take more satellite teeth"
     )]
     NoCosineRotor {
         /// The relative amplitude at which the stator gets cusps.
         cusp_amplitude: f64,
-        /// What the stator's half-lobe still lacks there, degrees.
-        lacking_deg: f64,
+        /// What the stator's half-lobe spans too much there, degrees.
+        excess_deg: f64,
     },
 }
 
