@@ -1,1 +1,81 @@
-//! Planetary gearboxes: rows tied by links and controls. Nothing is here yet.
+//! Planetary gearboxes: rows tied by links and controls, analysed by one solver.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`gearbox`], [`builder`] | what a gearbox is, and whether a description is one |
+//! | [`row`] | the kinds of rows, their ratios and losses |
+//! | [`state`] | what a gear does: driven, blocked, free… from rank |
+//! | [`analysis`] | everything about one gear |
+//! | [`speeds`] | links, planets, slip of open controls |
+//! | [`torques`] | members, controls and terminals, with and without losses |
+//! | [`power_flow`] | power through rows and links, circulating power |
+//! | [`kreines`] | efficiency from the ratio alone, as a check |
+//! | [`efficiency`] | sign patterns that bear themselves out |
+//! | [`operating`] | the same as quantities at a speed and load |
+//! | [`combinations`] | every set of controls |
+//! | [`compiled`] | a gear compiled once, solved often |
+//! | [`mobility`] | Chebyshev's count |
+//!
+//! Speeds and torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace.
+//! Losses are those of the meshes; bearings, churning and seals are left out.
+//!
+//! # Example
+//!
+//! ```
+//! use epicyclic_schemes::{Gearbox, row::{MeshLoss, RowSpec}};
+//! use epicyclic_gears::efficiency::MeshEfficiency;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // Scheme II-3: row 1 alone in the first gear, both rows in the second.
+//! let loss = MeshLoss::Row(MeshEfficiency::new(0.97)?);
+//! let gearbox = Gearbox::builder("II-3")
+//!     .links(["D", "B", "T1", "T2"])
+//!     .row(RowSpec::simple("1", ["T1", "D", "B"], 2.15).with_loss(loss))
+//!     .row(RowSpec::simple("2", ["T1", "B", "T2"], 2.354).with_loss(loss))
+//!     .brake("K1", "T1")
+//!     .brake("K2", "T2")
+//!     .clutch("direct", "D", "B")
+//!     .input("D")
+//!     .output("B")
+//!     .gear("1", ["K1"])
+//!     .gear("2", ["K2"])
+//!     .gear("3", ["direct"])
+//!     .build()?;
+//! let second = gearbox.analyze("2")?;
+//! assert!((second.ratio().unwrap() - 2.56).abs() < 1e-3);
+//! assert!((second.efficiency().unwrap() - 0.969).abs() < 1e-3);
+//! # Ok(())
+//! # }
+//! ```
+
+pub mod analysis;
+pub mod builder;
+pub mod combinations;
+pub mod compiled;
+pub mod efficiency;
+mod elimination;
+pub mod error;
+pub mod gearbox;
+mod groups;
+mod kernel;
+pub mod kreines;
+pub mod mobility;
+pub mod operating;
+pub mod power_flow;
+pub mod row;
+pub mod speeds;
+pub mod state;
+mod topology;
+pub mod torques;
+mod units;
+
+pub use analysis::Analysis;
+pub use builder::{GearSpec, GearboxBuilder};
+pub use compiled::{CompiledGear, Direction, RowValues, Solution};
+pub use error::{Error, Named, Warning};
+pub use gearbox::{Control, GROUND, Gear, Gearbox, LinkId};
+pub use operating::{InputLoad, Operation};
+pub use state::State;
+pub use torques::LoadCase;

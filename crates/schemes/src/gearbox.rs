@@ -1,0 +1,297 @@
+//! A gearbox: rows, the links that tie them, the controls that join links, and its gears.
+
+use crate::row::{MeshLoss, Row, RowKind};
+use crate::{Error, GearboxBuilder, Named, Warning};
+
+/// Name of the housing wherever a link is named.
+pub const GROUND: &str = "ground";
+
+/// A link of one gearbox: members that turn as one piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct LinkId(pub(crate) usize);
+
+impl LinkId {
+    /// The housing, at rest.
+    pub const GROUND: Self = Self(0);
+
+    /// Place of the link in tables of results: 0 is the housing, the others follow in the order in
+    /// which they were named.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// A brake or a clutch.
+///
+/// A brake is a control one of whose links is the housing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Control {
+    pub(crate) id: String,
+    pub(crate) links: [LinkId; 2],
+}
+
+impl Control {
+    /// Name of the control.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// The links it joins when engaged. A torque of the control acts so on the first and opposite on
+    /// the second; the housing, if it is one of them, is the second.
+    #[must_use]
+    pub fn links(&self) -> [LinkId; 2] {
+        self.links
+    }
+
+    /// Whether it holds a link to the housing.
+    #[must_use]
+    pub fn is_brake(&self) -> bool {
+        self.links[1] == LinkId::GROUND
+    }
+}
+
+/// A named set of engaged controls, with the links where power enters and leaves.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gear {
+    pub(crate) name: String,
+    pub(crate) engaged: Vec<usize>,
+    pub(crate) input: LinkId,
+    pub(crate) output: LinkId,
+}
+
+impl Gear {
+    /// Name of the gear.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Places of the engaged controls in [`Gearbox::controls`], ascending.
+    #[must_use]
+    pub fn engaged(&self) -> &[usize] {
+        &self.engaged
+    }
+
+    /// Where power enters.
+    #[must_use]
+    pub fn input(&self) -> LinkId {
+        self.input
+    }
+
+    /// Where power leaves.
+    #[must_use]
+    pub fn output(&self) -> LinkId {
+        self.output
+    }
+}
+
+/// A group of rows whose long planet meshes once with a common ring (Ravigneaux).
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SharedMesh {
+    pub(crate) rows: Vec<usize>,
+    pub(crate) eta: f64,
+}
+
+/// A planetary gearbox of any structure.
+///
+/// Built and checked once by [`Gearbox::builder`]; everything else only reads it.
+///
+/// ```
+/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// # fn main() -> Result<(), epicyclic_schemes::Error> {
+/// let gearbox = Gearbox::builder("conveyor")
+///     .links(["D", "B", "T1"])
+///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .brake("K1", "T1")
+///     .clutch("K2", "D", "B")
+///     .input("D")
+///     .output("B")
+///     .gear("slow", ["K1"])
+///     .gear("direct", ["K2"])
+///     .build()?;
+/// let slow = gearbox.analyze("slow")?;
+/// assert!((slow.ratio().unwrap() - 3.94).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gearbox {
+    pub(crate) name: String,
+    pub(crate) links: Vec<String>,
+    pub(crate) rows: Vec<Row>,
+    pub(crate) controls: Vec<Control>,
+    pub(crate) permanent: Vec<[LinkId; 2]>,
+    pub(crate) shared: Vec<SharedMesh>,
+    pub(crate) gears: Vec<Gear>,
+    pub(crate) input: LinkId,
+    pub(crate) output: LinkId,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+impl Gearbox {
+    /// A gearbox to be described.
+    #[must_use]
+    pub fn builder(name: &str) -> GearboxBuilder {
+        GearboxBuilder::new(name)
+    }
+
+    /// Name of the gearbox.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Names of the links by [`LinkId::index`]; the first is [`GROUND`].
+    #[must_use]
+    pub fn links(&self) -> &[String] {
+        &self.links
+    }
+
+    /// Name of a link.
+    ///
+    /// # Panics
+    /// With a link of another, larger gearbox.
+    #[must_use]
+    pub fn link_name(&self, link: LinkId) -> &str {
+        &self.links[link.0]
+    }
+
+    /// The link of this name.
+    #[must_use]
+    pub fn link(&self, name: &str) -> Option<LinkId> {
+        self.links.iter().position(|link| link == name).map(LinkId)
+    }
+
+    /// The rows.
+    #[must_use]
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The brakes and clutches.
+    #[must_use]
+    pub fn controls(&self) -> &[Control] {
+        &self.controls
+    }
+
+    /// Pairs of links that are joined for ever; a permanent ground is a pair with the housing.
+    #[must_use]
+    pub fn permanent(&self) -> &[[LinkId; 2]] {
+        &self.permanent
+    }
+
+    /// The gears.
+    #[must_use]
+    pub fn gears(&self) -> &[Gear] {
+        &self.gears
+    }
+
+    /// Where power enters, unless a gear says otherwise.
+    #[must_use]
+    pub fn input(&self) -> LinkId {
+        self.input
+    }
+
+    /// Where power leaves, unless a gear says otherwise.
+    #[must_use]
+    pub fn output(&self) -> LinkId {
+        self.output
+    }
+
+    /// Remarks made when it was built.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// The gear of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn gear(&self, name: &str) -> Result<&Gear, Error> {
+        self.gears.iter().find(|gear| gear.name == name).ok_or_else(|| Error::Unknown {
+            what: Named::Gear,
+            name: name.into(),
+            place: format!("gearbox `{}`", self.name),
+            suggestion: nearest(name, self.gears.iter().map(|gear| gear.name.as_str())),
+        })
+    }
+
+    /// A gear that need not be among the named ones: these controls, input and output.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a control or link that does not exist, [`Error::GroundedTerminal`]
+    /// where power would enter or leave at the housing.
+    pub fn gear_of(&self, engaged: &[&str], input: &str, output: &str) -> Result<Gear, Error> {
+        let place = || "a gear".to_owned();
+        let controls = engaged.iter().map(|id| self.control(id, place())).collect::<Result<Vec<_>, _>>()?;
+        let terminal = |name: &str, which: &str| match self.link(name) {
+            Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: which.into() }),
+            Some(link) => Ok(link),
+            None => Err(self.unknown_link(name, which.into())),
+        };
+        Ok(Gear {
+            name: engaged.join("+"),
+            engaged: ascending(controls),
+            input: terminal(input, "input")?,
+            output: terminal(output, "output")?,
+        })
+    }
+
+    pub(crate) fn control(&self, id: &str, place: String) -> Result<usize, Error> {
+        self.controls.iter().position(|control| control.id == id).ok_or_else(|| Error::Unknown {
+            what: Named::Control,
+            name: id.into(),
+            place,
+            suggestion: nearest(id, self.controls.iter().map(|control| control.id.as_str())),
+        })
+    }
+
+    pub(crate) fn unknown_link(&self, name: &str, place: String) -> Error {
+        Error::Unknown {
+            what: Named::Link,
+            name: name.into(),
+            place,
+            suggestion: nearest(name, self.links.iter().map(String::as_str)),
+        }
+    }
+
+    /// Efficiency of each row by itself: without the mesh it shares, if it shares one.
+    pub(crate) fn own_efficiency(&self, row: usize) -> f64 {
+        let shares = self.shared.iter().any(|mesh| mesh.rows.contains(&row));
+        match self.rows[row].spec.loss {
+            MeshLoss::Meshes { first, between, .. } if shares => first.get() * between.get(),
+            loss => loss.row_efficiency().get(),
+        }
+    }
+
+    /// The group of rows with a common ring mesh that a row belongs to.
+    pub(crate) fn shared_group(&self, row: usize) -> Option<usize> {
+        self.shared.iter().position(|mesh| mesh.rows.contains(&row))
+    }
+
+    /// Whether any row is an ordinary pair, whose wheels need not share the axis of the others.
+    #[must_use]
+    pub fn has_pairs(&self) -> bool {
+        self.rows.iter().any(|row| matches!(row.spec.kind, RowKind::ExternalPair | RowKind::InternalPair))
+    }
+}
+
+/// Each once, in order: a control engaged twice is engaged.
+pub(crate) fn ascending(mut places: Vec<usize>) -> Vec<usize> {
+    places.sort_unstable();
+    places.dedup();
+    places
+}
+
+/// The nearest of some names, if one is near enough to be a slip of the pen.
+pub(crate) fn nearest<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<String> {
+    among
+        .map(|other| (strsim::osa_distance(&name.to_lowercase(), &other.to_lowercase()), other))
+        .min_by_key(|(distance, _)| *distance)
+        .filter(|(distance, _)| *distance <= 1 + name.chars().count() / 3)
+        .map(|(_, other)| other.to_owned())
+}

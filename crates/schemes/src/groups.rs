@@ -1,0 +1,27 @@
+//! Links that turn as one piece: a partition under joining.
+
+/// A partition of `0..n`, each part known by its smallest element.
+#[derive(Debug, Clone)]
+pub(crate) struct Groups {
+    parent: Vec<usize>,
+}
+
+impl Groups {
+    pub(crate) fn new(count: usize) -> Self {
+        Self { parent: (0..count).collect() }
+    }
+
+    pub(crate) fn root(&self, mut element: usize) -> usize {
+        while self.parent[element] != element {
+            element = self.parent[element];
+        }
+        element
+    }
+
+    /// Joins two parts; false if they were one already.
+    pub(crate) fn join(&mut self, first: usize, second: usize) -> bool {
+        let (first, second) = (self.root(first), self.root(second));
+        self.parent[first.max(second)] = first.min(second);
+        first != second
+    }
+}

@@ -1,0 +1,4 @@
+//! What several tests and the bench share.
+
+pub(crate) mod machines;
+pub(crate) mod plain;

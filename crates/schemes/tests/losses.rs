@@ -1,0 +1,140 @@
+//! Losses by mesh, overrun, self-locking, sign patterns.
+
+mod common;
+
+use common::machines::ravigneaux_builder;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
+use epicyclic_schemes::{Direction, Gearbox, InputLoad};
+use uom::si::angular_velocity::radian_per_second;
+use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::torque::newton_meter;
+
+fn eta(value: f64) -> MeshEfficiency {
+    MeshEfficiency::new(value).unwrap()
+}
+
+fn meshes(first: f64, between: f64, second: f64) -> MeshLoss {
+    MeshLoss::Meshes { first: eta(first), between: eta(between), second: eta(second) }
+}
+
+/// Second gear of a Ravigneaux set, wheel by wheel: small sun drives, large sun held.
+///
+/// Seen from the carrier, power enters at the small sun, passes the short planets into the long
+/// ones, and leaves these at the large sun and at the ring.
+#[test]
+fn a_shared_mesh_loses_on_its_net_force() {
+    let (sun, short_long, large, ring) = (0.985, 0.98, 0.99, 0.995);
+    let losses = [meshes(sun, short_long, ring), meshes(large, 1.0, ring)];
+    let gearbox = ravigneaux_builder(losses).shared_ring_mesh(["RAVa", "RAVb"]).build().unwrap();
+    let found = gearbox.analyze("2").unwrap();
+    let i_double = 72.0 / 30.0; // and i₀ = −2 of the other row
+
+    // By hand. Speeds with ω_Ss = 1, ω_Sl = 0: from both Willis equations.
+    // ω_Ss − ω_C = 2.4·(ω_R − ω_C), −ω_C = −2·(ω_R − ω_C).
+    let rolling = 1.0 / (i_double + 2.0); // ω_R − ω_C
+    let (carrier, out) = (2.0 * rolling, 3.0 * rolling);
+    assert!((found.ratio().unwrap() - 1.0 / out).abs() < 1e-14);
+    // The large sun rests, so relative to the carrier it turns at −ω_C, and the torque that holds it
+    // there follows from the balance of the carrier, which is loose: T_C = 0.
+    // Long planet, as torque on the ring's radius: in 2.4·η·T, out to the ring and to the large sun.
+    let driven = i_double * sun * short_long; // what the small sun's torque 1 brings to the long planet
+    // Large sun: torque x, its relative power −x·ω_C; x > 0 gives power to the sun side from planets.
+    let solve = |large_factor: f64, ring_factor: f64| {
+        // T_R = −ring·(driven − 2·large·x);  1 + x + T_R = 0.
+        (ring_factor * driven - 1.0) / (1.0 + 2.0 * ring_factor * large_factor)
+    };
+    let x = solve(1.0 / large, ring); // x·(0 − ω_C) < 0: power leaves at the large sun
+    assert!(x > 0.0);
+    let output_torque = -1.0 - x;
+    let efficiency = -output_torque * out;
+    assert!(
+        (found.efficiency().unwrap() - efficiency).abs() < 1e-13,
+        "{:?} {efficiency}",
+        found.efficiency()
+    );
+    let case = found.driving().unwrap();
+    assert!((case.members[1].unwrap()[0] - x).abs() < 1e-13);
+    assert_eq!(case.shared_signs, [1]);
+    assert!((found.kreines().unwrap().efficiency - efficiency).abs() < 1e-13);
+    assert!(case.power.links[gearbox.link("C").unwrap().index()].unwrap() > carrier * 0.1);
+
+    // Unshared, each row loses in the ring mesh on its own part: the parts oppose each other, so
+    // that way counts the loss of more power than the mesh carries.
+    let apart = ravigneaux_builder(losses).build().unwrap().analyze("2").unwrap();
+    assert!(apart.efficiency().unwrap() < efficiency);
+}
+
+#[test]
+fn a_shared_mesh_without_loss_is_none() {
+    let losses = [meshes(0.98, 0.99, 1.0), meshes(0.97, 1.0, 1.0)];
+    let shared = ravigneaux_builder(losses).shared_ring_mesh(["RAVa", "RAVb"]).build().unwrap();
+    let apart = ravigneaux_builder(losses).build().unwrap();
+    for gear in shared.gears() {
+        let [a, b] =
+            [&shared, &apart].map(|gearbox| gearbox.analyze(gear.name()).unwrap().efficiency().unwrap());
+        assert!((a - b).abs() < 1e-14, "{}", gear.name());
+    }
+}
+
+/// One row of `i₀` near 1 between carrier and sun, ring at rest.
+fn slow_row(i0: f64, eta0: f64, input: &str, output: &str) -> Gearbox {
+    Gearbox::builder("near one")
+        .links(["sun", "ring", "carrier"])
+        .row(
+            RowSpec::new("1", RowKind::SteppedRings, ["sun", "ring", "carrier"], i0)
+                .with_loss(MeshLoss::Row(eta(eta0))),
+        )
+        .ground("ring")
+        .input(input)
+        .output(output)
+        .gear("1", [""; 0])
+        .build()
+        .unwrap()
+}
+
+#[test]
+fn a_row_near_one_drives_one_way_only() {
+    // Carrier to sun at i₀ = 0.99: T_H = (î₀ − 1)·T_a with power from sun to ring, î₀ = i₀·η₀.
+    let found = slow_row(0.99, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let driving = 0.01 / (1.0 - 0.99 * 0.97);
+    assert!((found.efficiency().unwrap() - driving).abs() < 1e-13);
+    // Back: î₀ = i₀/η₀, (î₀ − 1) has changed its sign.
+    let back = (1.0 - 0.99 / 0.97) / 0.01;
+    assert!((found.overrun_efficiency().unwrap() - back).abs() < 1e-11);
+    assert_eq!(found.is_self_locking(), Some(true));
+    let free = slow_row(0.5, 0.97, "carrier", "sun").analyze("1").unwrap();
+    assert_eq!(free.is_self_locking(), Some(false));
+}
+
+#[test]
+fn overrun_loads_scale_to_the_input() {
+    let found = slow_row(0.5, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let rad = AngularVelocity::new::<radian_per_second>(10.0);
+    let load = InputLoad::Torque(Torque::new::<newton_meter>(-7.0));
+    let work = found.at(rad, load).unwrap();
+    assert_eq!(work.direction, Direction::Overrun);
+    assert!((work.input.get::<newton_meter>() - -7.0).abs() < 1e-12);
+    let entering = work.entering.get::<uom::si::power::watt>();
+    assert!((70.0 / entering - found.overrun_efficiency().unwrap()).abs() < 1e-13);
+    assert!((work.loss.get::<uom::si::power::watt>() - (entering - 70.0)).abs() < 1e-10);
+    let locked = slow_row(0.99, 0.97, "carrier", "sun").analyze("1").unwrap();
+    assert!(locked.at(rad, load).is_err());
+}
+
+#[test]
+fn a_self_locking_gear_has_a_second_pattern() {
+    // Sun to carrier at i₀ = 0.99: T_H = (î₀ − 1)·T_a. With power from ring to sun (the ideal sign)
+    // î₀ = 0.99/0.97 and the output torque turns; the other sign contradicts itself.
+    let found = slow_row(0.99, 0.97, "sun", "carrier").analyze("1").unwrap();
+    assert!(found.efficiency().unwrap() < 0.0);
+    assert_eq!(found.patterns().len(), 1);
+    assert!(found.patterns()[0].chosen);
+    // Carrier to sun at 0.99 with the carrier's torque given: both signs bear themselves out when
+    // the carrier's factor î₀ − 1 changes sign between them.
+    let found = slow_row(0.99, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let efficiencies: Vec<f64> = found.patterns().iter().map(|p| p.efficiency).collect();
+    assert_eq!(efficiencies.len(), 2, "{efficiencies:?}");
+    assert!((efficiencies[0] - 0.01 / (1.0 - 0.99 * 0.97)).abs() < 1e-13);
+    assert!((efficiencies[1] - 0.01 / (1.0 - 0.99 / 0.97)).abs() < 1e-13);
+}
