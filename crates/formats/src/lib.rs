@@ -5,6 +5,7 @@
 //! | [`quantity`] | what `106.5 kW` means, and what to write instead of `106,5 kW` |
 //! | [`document`] | what a YAML file says, and at which line and column |
 //! | [`yaml`] | values without positions |
+//! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
 //! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is allowed; its
 //! [`name`](Error::name) does not change. A [`Quantity`] derives its JSON Schema like any field of a
@@ -35,6 +36,7 @@
 
 pub mod document;
 mod error;
+pub mod gearbox;
 pub mod quantity;
 pub mod yaml;
 
