@@ -5,6 +5,7 @@
 
 mod dynamics;
 mod gears;
+mod schemes;
 
 use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
@@ -185,6 +186,7 @@ impl Calculation {
 #[must_use]
 pub fn all() -> Vec<Calculation> {
     let mut all = gears::calculations();
+    all.extend(schemes::calculations());
     all.extend(dynamics::calculations());
     all
 }
