@@ -17,6 +17,7 @@
 //! [`energy`] and [`reduction`] share no code: the first sums over absolute speeds, the second over
 //! ratios of tooth numbers, so that `T = ½·J_pr·ω_1²` tests both.
 
+pub mod drive;
 pub mod energy;
 pub mod error;
 pub mod lagrange;

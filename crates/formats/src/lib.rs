@@ -4,6 +4,8 @@
 //! |---|---|
 //! | [`quantity`] | what `106.5 kW` means, and what to write instead of `106,5 kW` |
 //! | [`document`] | what a YAML file says, and at which line and column |
+//! | [`range`] | what `12..40` means |
+//! | [`drive`] | what a drive file asks for |
 //! | [`yaml`] | values without positions |
 //! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
@@ -35,11 +37,14 @@
 //! which positions, and the names of quantity errors, are lost.
 
 pub mod document;
+pub mod drive;
 mod error;
 pub mod gearbox;
 pub mod quantity;
+pub mod range;
 pub mod yaml;
 
 pub use document::{Document, Path, Position};
 pub use error::{Error, Place, Problem, nearest};
 pub use quantity::{Dimension, Measured, Number, Physical, Quantity, QuantityError};
+pub use range::{RangeError, Span};

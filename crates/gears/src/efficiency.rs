@@ -25,8 +25,6 @@ use uom::si::f64::Torque;
 
 /// Efficiency `η₀` of a row (or of one mesh) under a resting carrier, `0 < η₀ ≤ 1`.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct MeshEfficiency(f64);
 
 impl MeshEfficiency {

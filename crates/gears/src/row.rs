@@ -13,8 +13,6 @@ pub type Fraction = Ratio<i128>;
 /// In a row of two suns or two rings (stepped planets, meshing suns) and in a bevel row, `Sun` is
 /// the first central wheel and `Ring` the second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Member {
     /// Central wheel `a`, the sun.
     Sun,
@@ -51,7 +49,6 @@ impl fmt::Display for Member {
 
 /// One of the six ways to use a row with one member at rest: who drives and who is driven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mode {
     input: Member,
     output: Member,
@@ -118,8 +115,6 @@ impl fmt::Display for Mode {
 ///
 /// The ring encloses the sun and the planets between them, so `k ≤ 1` is no gear.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct RowParameter(f64);
 
 impl RowParameter {
@@ -171,8 +166,6 @@ impl From<RowParameter> for StationaryRatio {
 /// | two suns of meshing planets, external pair, bevel | [`external`](Self::external) | `−z_2/z_1` |
 /// | internal pair | [`internal`](Self::internal) | `+z_2/z_1` |
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct StationaryRatio(f64);
 
 impl StationaryRatio {

@@ -10,8 +10,6 @@ use std::num::NonZeroU32;
 /// [`Toothing`](crate::geometry::Toothing), not by a sign. How many teeth a wheel *should* have is for [`crate::synthesis`]; the type only keeps a zero out
 /// of every denominator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ToothCount(NonZeroU32);
 
 impl ToothCount {

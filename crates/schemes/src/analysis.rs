@@ -88,7 +88,7 @@ impl Gearbox {
             let known: Vec<Option<Fraction>> = self.rows.iter().map(|row| row.exact).collect();
             analysis.exact_ratio = ratio(&topology, &known).filter(|i| *i.numer() != 0);
         }
-        if verdict.state != State::Driven {
+        if !verdict.solvable {
             return Ok(analysis);
         }
         let compiled = CompiledGear::of(self, &topology, &verdict)?;
@@ -190,8 +190,9 @@ impl Analysis {
         self.overrun.as_ref()
     }
 
-    /// Efficiency driven from the input; `None` unless driven, or where no torque at the input moves
-    /// the gear against its losses.
+    /// Efficiency driven from the input; `None` unless driven (or [torques are
+    /// indeterminate](State::TorquesIndeterminate) where nothing is lost), or where no torque at the
+    /// input moves the gear against its losses.
     #[must_use]
     pub fn efficiency(&self) -> Option<f64> {
         self.driving.as_ref().map(|case| case.efficiency)
@@ -204,7 +205,7 @@ impl Analysis {
     }
 
     /// Whether a driven gear cannot be moved from its output: overrun efficiency at or below 0.
-    /// `None` unless driven.
+    /// `None` where no losses follow.
     #[must_use]
     pub fn is_self_locking(&self) -> Option<bool> {
         self.ideal.as_ref().map(|_| self.overrun_efficiency().is_none_or(|eta| eta <= 0.0))

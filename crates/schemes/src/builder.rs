@@ -4,6 +4,7 @@ use crate::gearbox::{Control, Gear, SharedMesh, ascending, nearest};
 use crate::groups::Groups;
 use crate::row::{Gearing, MeshLoss, Row, RowKind, RowSpec};
 use crate::{Error, GROUND, Gearbox, LinkId, Named, Warning};
+use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::Member;
 
 /// A gearbox being described; see [`Gearbox::builder`].
@@ -289,7 +290,7 @@ fn shared_mesh(gearbox: &Gearbox, names: &[String], groups: &Groups) -> Result<S
         }
         eta = Some(second);
     }
-    Ok(SharedMesh { rows, eta: eta.map_or(1.0, |eta| eta.get()) })
+    Ok(SharedMesh { rows, eta: eta.map_or(1.0, MeshEfficiency::get) })
 }
 
 fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {

@@ -7,7 +7,7 @@
 use crate::kernel::{NO_GROUP, Problem};
 use crate::state::{Verdict, classify};
 use crate::topology::{Topology, fractions, numbers};
-use crate::{Error, Gear, Gearbox, LinkId, Named, State};
+use crate::{Error, Gear, Gearbox, LinkId, Named};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::StationaryRatio;
 
@@ -20,8 +20,6 @@ pub(crate) const RESTING: usize = 15;
 
 /// Which way power runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Direction {
     /// From input to output: a torque of 1 enters at the input, with speed 1.
     Drive,
@@ -159,7 +157,7 @@ impl Solution {
 }
 
 impl CompiledGear {
-    /// Compiles a driven gear.
+    /// Compiles a gear that is driven, or whose torques are indeterminate only where nothing is lost.
     ///
     /// # Errors
     /// [`Error::NotDriven`] in any other state, [`Error::TooMany`] beyond [`MAX_ROWS`] rows or
@@ -167,7 +165,7 @@ impl CompiledGear {
     pub fn new(gearbox: &Gearbox, gear: &Gear) -> Result<Self, Error> {
         let topology = Topology::new(gearbox, gear);
         let verdict = verdict(gearbox, &topology);
-        if verdict.state != State::Driven {
+        if !verdict.solvable {
             return Err(Error::NotDriven { state: verdict.state.to_string() });
         }
         Self::of(gearbox, &topology, &verdict)
@@ -179,7 +177,7 @@ impl CompiledGear {
         };
         limit(Named::Row, verdict.rows.len(), MAX_ROWS)?;
         limit(Named::Row, gearbox.rows.len(), usize::from(NO_GROUP))?;
-        limit(Named::Row, gearbox.shared.len(), MAX_SHARED)?;
+        limit(Named::SharedMesh, gearbox.shared.len(), MAX_SHARED)?;
         // Speeds that nothing gives are held: an idle part carries no torque, so holding it changes
         // nothing but the number of equations.
         let mut slot = vec![RESTING as u8; topology.count];

@@ -10,7 +10,6 @@ use crate::torques::Scene;
 
 /// A self-consistent pattern of signs.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pattern {
     /// Sense of the relative power of each row: 1 from sun to ring, −1 from ring to sun, 0 none.
     pub signs: Vec<i8>,

@@ -15,6 +15,8 @@ pub enum Named {
     Control,
     /// A gear.
     Gear,
+    /// A mesh that rows share.
+    SharedMesh,
 }
 
 impl fmt::Display for Named {
@@ -24,6 +26,7 @@ impl fmt::Display for Named {
             Self::Row => "row",
             Self::Control => "control",
             Self::Gear => "gear",
+            Self::SharedMesh => "shared ring mesh",
         })
     }
 }
@@ -118,7 +121,7 @@ pub enum Error {
         why: &'static str,
     },
     /// A gearbox larger than the fixed arrays of the solver.
-    #[error("{count} {what}s: at most {limit} are solved")]
+    #[error("{count} {what}{}s: at most {limit} are solved", if *what == Named::SharedMesh { "e" } else { "" })]
     TooMany {
         /// Of which kind.
         what: Named,
@@ -156,14 +159,6 @@ pub enum Error {
         /// How many there are.
         expected: usize,
     },
-    /// What one row refuses.
-    #[error("row `{row}`: {source}")]
-    Gear {
-        /// The row.
-        row: String,
-        /// The reason.
-        source: epicyclic_gears::Error,
-    },
 }
 
 fn hint(suggestion: Option<&str>) -> String {
@@ -179,7 +174,6 @@ fn allowed_k(kind: RowKind) -> &'static str {
 
 /// A remark on a gearbox that can be built and analysed all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Warning {
     /// Teeth that break coaxiality without profile shift, `z_b ≠ z_a + 2·z_g`.

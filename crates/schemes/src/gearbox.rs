@@ -8,7 +8,6 @@ pub const GROUND: &str = "ground";
 
 /// A link of one gearbox: members that turn as one piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LinkId(pub(crate) usize);
 
 impl LinkId {

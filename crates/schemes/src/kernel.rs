@@ -85,8 +85,8 @@ impl<const N: usize> Problem<'_, N> {
         let Some((sun, other)) = self.torques(&matrix, given) else { return false };
         let ideal = self.powers(&member, self.i0, sun, other, [1.0; MAX_SHARED]);
         solution.ideal_sun[..N].copy_from_slice(&sun);
-        for j in 0..N {
-            solution.relative_speed[j] = member[j][0] - member[j][2];
+        for (relative, [a, _, h]) in solution.relative_speed.iter_mut().zip(member) {
+            *relative = a - h;
         }
         let mut signs = self.signs(&ideal);
         solution.ideal_signs[..N].copy_from_slice(&signs.row);
@@ -308,6 +308,7 @@ pub(crate) fn speeds<const N: usize>(matrix: &Matrix<N>) -> Option<[f64; N]> {
 /// Equations are not scaled: those of rows are within `1 + |i₀|` of each other, and the rank was
 /// settled, with scaling, when the gear was compiled.
 #[inline]
+#[allow(clippy::needless_range_loop, reason = "indices are those of the formulas")]
 pub(crate) fn gauss<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Option<[f64; N]> {
     const VANISHING: f64 = 1e-13;
     for k in 0..N {
@@ -321,8 +322,7 @@ pub(crate) fn gauss<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Op
             a.swap(k, pivot);
             b.swap(k, pivot);
         }
-        // Not `<`: that would let a NaN pass.
-        if !(a[k][k].abs() > VANISHING) {
+        if a[k][k].abs() <= VANISHING || a[k][k].is_nan() {
             return None;
         }
         let inverse = 1.0 / a[k][k];

@@ -9,7 +9,6 @@ use crate::torques::Scene;
 
 /// Powers of a row, as multiples of the power that enters the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RowPower {
     /// What enters the row at sun, ring and carrier, `T·ω`.
     pub members: [f64; 3],
@@ -23,7 +22,6 @@ pub struct RowPower {
 
 /// Powers of a gear, as multiples of the power that enters it.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PowerFlow {
     /// Of each row; `None` where torque or speed do not follow.
     pub rows: Vec<Option<RowPower>>,

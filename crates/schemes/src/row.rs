@@ -23,8 +23,6 @@ use std::fmt;
 /// The first central wheel is called the sun and the second the ring throughout. The carrier of a
 /// pair is the housing. Of the steps of a planet `g` meshes with wheel 1 and `f` with wheel 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum RowKind {
     /// Sun, ring, one planet in mesh with both.
     Simple,
@@ -98,8 +96,6 @@ pub enum Gearing {
 
 /// What the meshes of a row lose.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum MeshLoss {
     /// `η₀` of the whole row under a resting carrier.
     Row(MeshEfficiency),
@@ -138,10 +134,11 @@ impl MeshLoss {
 ///
 /// ```
 /// use epicyclic_schemes::row::{RowKind, RowSpec};
-/// let by_k = RowSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
+/// let by_k = RowSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
 /// let by_teeth = RowSpec::teeth("P2", RowKind::DoublePlanet, ["s", "r", "c"], 30, 72)?;
-/// # Ok(()) }
+/// # Ok(())
+/// # }
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowSpec {

@@ -7,7 +7,6 @@ use crate::{Gear, Gearbox};
 
 /// How a row moves; speeds are multiples of the input's.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RowMotion {
     /// Speeds of sun (wheel 1), ring (wheel 2) and carrier, `None` where they do not follow.
     pub members: [Option<f64>; 3],
@@ -20,7 +19,6 @@ pub struct RowMotion {
 
 /// How a planet turns, as multiples of the input's speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanetMotion {
     /// Relative to the carrier, `ω_g − ω_H`: what its bearing sees.
     pub relative: f64,

@@ -17,15 +17,13 @@
 //! idle row that spins freely, an idle link held by two brakes at once, a row locked on its own do
 //! not spoil a driven gear; they only leave their own speed or torque unnamed.
 
-use crate::elimination::{Echelon, Scalar};
+use crate::elimination::{Echelon, RANK_TOLERANCE, Scalar};
 use crate::topology::{Topology, factors};
 use crate::{Gearbox, LinkId};
 use std::fmt;
 
 /// State of a gear, with the links it concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case", tag = "state"))]
 #[non_exhaustive]
 pub enum State {
     /// The input drives the output at a ratio that follows from the teeth, with torques that follow
@@ -55,7 +53,8 @@ pub enum State {
         links: Vec<String>,
     },
     /// Speeds follow, but torques on the power path depend on how tightly redundant controls or rows
-    /// were engaged.
+    /// were engaged. Losses still follow where the unknown torques belong to controls alone, or to
+    /// rows that turn as a block.
     TorquesIndeterminate {
         /// Links of the redundant parts.
         links: Vec<String>,
@@ -110,6 +109,9 @@ impl fmt::Display for State {
     }
 }
 
+/// Which links are meant.
+type Choice<'a> = &'a dyn Fn(LinkId) -> bool;
+
 /// The state of a gear and what else the two reductions tell.
 #[derive(Debug, Clone)]
 pub(crate) struct Verdict {
@@ -123,6 +125,8 @@ pub(crate) struct Verdict {
     /// Whether the torque of each row, and of each edge, follows from the input's.
     pub(crate) row_known: Vec<bool>,
     pub(crate) edge_known: Vec<bool>,
+    /// Whether the losses follow: driven, or torques unknown only where nothing rolls.
+    pub(crate) solvable: bool,
 }
 
 /// Reads the state off; `None` where a fraction outgrows its integers.
@@ -140,7 +144,7 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
         _ => None,
     };
     let node_speeds: Vec<Option<f64>> = (0..topology.count).map(speed_of).collect();
-    let names = |wanted: &dyn Fn(LinkId) -> bool| -> Vec<String> {
+    let names = |wanted: Choice| -> Vec<String> {
         (1..gearbox.links.len()).filter(|&l| wanted(LinkId(l))).map(|l| gearbox.links[l].clone()).collect()
     };
     let node = |link: LinkId| topology.node[link.0];
@@ -166,7 +170,18 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
     let rows = speeds.pivots.iter().map(|(row, _)| *row).filter(|row| *row < gearbox.rows.len()).collect();
     let (row_known, edge_known) =
         (torques.known(0, gearbox.rows.len()), torques.known(gearbox.rows.len(), topology.edges.len()));
-    Some(Verdict { state, speeds: node_speeds, rows, chosen, row_known, edge_known })
+    // Controls that share a torque, and rows that turn as a block, lose nothing however they share it.
+    let rolls = |row: usize| {
+        let [a, _, h] = topology.rows[row].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
+        a.zip(h).is_none_or(|(a, h)| (a - h).abs() > RANK_TOLERANCE)
+    };
+    let unknown_row = |row: usize| !row_known[row] && rolls(row) && torques.on_power_path(row);
+    let solvable = match state {
+        State::Driven => true,
+        State::TorquesIndeterminate { .. } => !(0..gearbox.rows.len()).any(unknown_row),
+        _ => false,
+    };
+    Some(Verdict { state, speeds: node_speeds, rows, chosen, row_known, edge_known, solvable })
 }
 
 /// Relations between the speeds of the nodes, input and output kept back.
@@ -223,6 +238,11 @@ impl<S: Scalar> Torques<S> {
         Some(Self { relations: Echelon::new(equations, input + 1, &[output, input])?, input })
     }
 
+    fn on_power_path(&self, column: usize) -> bool {
+        let parts = self.relations.parts();
+        parts[column] == parts[self.input]
+    }
+
     fn known(&self, from: usize, count: usize) -> Vec<bool> {
         (from..from + count)
             .map(|column| self.relations.dependence(column).iter().all(|(free, _)| *free == self.input))
@@ -234,7 +254,7 @@ impl<S: Scalar> Torques<S> {
         &self,
         gearbox: &Gearbox,
         topology: &Topology,
-        names: &dyn Fn(&dyn Fn(LinkId) -> bool) -> Vec<String>,
+        names: &dyn Fn(Choice) -> Vec<String>,
         unknown_speed: &dyn Fn(LinkId) -> bool,
     ) -> State {
         let parts = self.relations.parts();

@@ -43,12 +43,12 @@ impl Topology {
         let mut of_root = vec![None; gearbox.links.len()];
         let mut count = 0;
         let mut node = vec![None; gearbox.links.len()];
-        for link in 1..gearbox.links.len() {
+        for (link, node) in node.iter_mut().enumerate() {
             let root = groups.root(link);
             if root == 0 {
                 continue;
             }
-            node[link] = Some(*of_root[root].get_or_insert_with(|| {
+            *node = Some(*of_root[root].get_or_insert_with(|| {
                 count += 1;
                 count - 1
             }));

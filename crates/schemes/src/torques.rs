@@ -13,7 +13,6 @@ use crate::{Gearbox, LinkId};
 /// carries `−η`, the load). The [sign convention](epicyclic_gears#sign-convention) is that of the
 /// workspace: torques act on the member from outside.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadCase {
     /// Which way power runs.
     pub direction: Direction,

@@ -1,12 +1,16 @@
 //! Bad descriptions, one fault each, and the answer each gets.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 mod common;
 
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::Member;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
-use epicyclic_schemes::{Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Warning};
+use epicyclic_schemes::{
+    CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Solution, Warning,
+};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 use uom::si::power::watt;
@@ -172,6 +176,29 @@ fn rows_share_a_mesh_only_where_they_can() {
     assert!(matches!(fault(apart), Error::SharedMesh { .. }));
     let unknown = with(mesh(0.99), mesh(0.99)).shared_ring_mesh(["RAVa", "RAVc"]);
     assert!(matches!(fault(unknown), Error::Unknown { what: Named::Row, .. }));
+}
+
+#[test]
+fn what_outgrows_the_solver_is_named() {
+    let links: Vec<String> = (0..15).map(|l| format!("w{l}")).collect();
+    let mut train = Gearbox::builder("train").links(&links).input("w0").output("w14");
+    for (place, pair) in links.windows(2).enumerate() {
+        train = train.row(RowSpec::pair(&place.to_string(), [&pair[0], &pair[1]], 20, 21).unwrap());
+    }
+    let train = train.gear("1", [""; 0]).build().unwrap();
+    assert_eq!(train.analyze("1"), Err(Error::TooMany { what: Named::Row, count: 14, limit: 12 }));
+    let many = (0..17).fold(sound(), |builder, c| builder.brake(&format!("B{c}"), "ring")).build().unwrap();
+    assert!(matches!(many.combinations(0..=1), Err(Error::TooMany { what: Named::Control, .. })));
+}
+
+#[test]
+fn a_compiled_gear_takes_one_entry_a_row() {
+    let gearbox = sound().gear("0", [""; 0]).build().unwrap();
+    let compiled = CompiledGear::new(&gearbox, gearbox.gear("1").unwrap()).unwrap();
+    let found = compiled.solve(&[], &[], Direction::Drive, &mut Solution::default());
+    assert_eq!(found, Err(Error::RowCount { given: 0, expected: 1 }));
+    let open = CompiledGear::new(&gearbox, gearbox.gear("0").unwrap()).unwrap_err();
+    assert_eq!(open.to_string(), "the gear is not driven: underdetermined (ring, driven)");
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Losses by mesh, overrun, self-locking, sign patterns.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 mod common;
 
 use common::machines::ravigneaux_builder;
@@ -74,6 +76,38 @@ fn a_shared_mesh_without_loss_is_none() {
         let [a, b] =
             [&shared, &apart].map(|gearbox| gearbox.analyze(gear.name()).unwrap().efficiency().unwrap());
         assert!((a - b).abs() < 1e-14, "{}", gear.name());
+    }
+}
+
+/// A row nearly idle beside two loaded ones: their losses reverse its power, and the signs that
+/// Kreines' rule takes from the ideal ratio would let it gain power.
+#[test]
+fn losses_can_reverse_a_row_that_is_nearly_idle() {
+    let row = |id: &str, kind, members, sun, ring, e| {
+        RowSpec::teeth(id, kind, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta(e)))
+    };
+    let gearbox = Gearbox::builder("nearly idle")
+        .links(["in", "x", "y", "out"])
+        .row(row("1", RowKind::Simple, ["in", "y", "x"], 30, 71, 0.9136))
+        .row(row("2", RowKind::MeshingSuns, ["out", "y", "x"], 34, 76, 0.9899))
+        .row(row("3", RowKind::DoublePlanet, ["in", "y", "ground"], 48, 101, 0.9711))
+        .input("in")
+        .output("out")
+        .gear("1", [""; 0])
+        .build()
+        .unwrap();
+    let found = gearbox.analyze("1").unwrap();
+    let kreines = found.kreines().unwrap();
+    assert_eq!(kreines.exponents, [1, -1, 1]);
+    assert_eq!(found.driving().unwrap().signs, [1, -1, -1]);
+    assert_eq!(kreines.reversed, ["3"]);
+    // Only one pattern bears itself out, and it is not the printed one.
+    assert_eq!(found.patterns().len(), 1);
+    let efficiency = found.efficiency().unwrap();
+    assert!((kreines.efficiency - efficiency).abs() > 5e-4);
+    assert!((kreines.efficiency_loaded.unwrap() - efficiency).abs() < 1e-13);
+    for row in &found.driving().unwrap().power.rows {
+        assert!(row.unwrap().loss > 0.0);
     }
 }
 

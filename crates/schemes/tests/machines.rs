@@ -1,5 +1,7 @@
 //! Five transmissions in service: every published ratio, and what else must hold in every gear.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 mod common;
 
 use common::machines::{self, Machine};

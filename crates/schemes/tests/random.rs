@@ -1,5 +1,7 @@
 //! Random gearboxes: nothing panics, nothing is NaN, and the laws hold in whatever is driven.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 mod common;
 
 use common::plain::{self, Motion};
@@ -202,7 +204,7 @@ proptest! {
             _ => Motion::Follows,
         };
         prop_assert_eq!(motion, expected, "{}", found.state());
-        if *found.state() == State::Driven && found.ideal().is_some() {
+        if found.ideal().is_some() {
             laws(&gearbox, &found)?;
         }
     }
@@ -309,4 +311,7 @@ fn random_gearboxes_meet_every_state_and_branch() {
     }
     println!("{states:?}, reversed {reversed}, without branch {locked}, several patterns {many}");
     assert_eq!(states.len(), 6, "{states:?}");
+    assert!(states["driven"] > 5000 && reversed > 0 && many > 0);
+    // Kreines' rule as printed fails rarely, and only where its own signs contradict themselves.
+    assert!(reversed * 100 < states["driven"]);
 }

@@ -2,6 +2,8 @@
 //!
 //! Source: multispeed-gearboxes, sections 2.3 and 2.4, efficiencies as restored there.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::row::{MeshLoss, RowSpec};
 use epicyclic_schemes::{Gearbox, State};
@@ -158,6 +160,8 @@ fn holds(scheme: &Scheme, gear: &str, k: f64, l: f64, eta: f64) {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn single_row_schemes_follow_their_closed_forms(k in 1.3..10.0, eta in 0.9..1.0) {
         for scheme in &SINGLE {

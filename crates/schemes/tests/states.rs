@@ -1,5 +1,7 @@
 //! The states of a gear, one by one, with the parts beside the power path.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 mod common;
 
 use common::machines;
@@ -71,6 +73,12 @@ fn two_brakes_on_one_reaction_share_it_in_an_unknown_way() {
     let expected =
         State::TorquesIndeterminate { links: names(&["b"]), controls: names(&["Kb", "Kb2"]), rows: vec![] };
     assert_eq!(found, expected);
+    // What they hold together, and so the efficiency, is known all the same.
+    let gearbox = one_row().gear("g", ["Kb", "Kb2"]).build().unwrap();
+    let found = gearbox.analyze("g").unwrap();
+    assert_eq!(found.efficiency(), Some(1.0));
+    let case = found.driving().unwrap();
+    assert_eq!((case.output, case.housing, case.controls[0]), (-4.0, 3.0, None));
 }
 
 #[test]
@@ -109,6 +117,11 @@ fn a_block_by_two_clutches_shares_the_torque_in_an_unknown_way() {
     assert_eq!(links, ["a", "b", "H"]);
     assert_eq!(controls, ["ab", "bH"]);
     assert_eq!(rows, ["1"]);
+    // A block loses nothing, however the clutches share the torque.
+    let gearbox = one_row().gear("g", ["ab", "bH"]).build().unwrap();
+    let found = gearbox.analyze("g").unwrap();
+    assert_eq!((found.ratio(), found.efficiency()), (Some(1.0), Some(1.0)));
+    assert_eq!(found.driving().unwrap().members[0], None);
 }
 
 #[test]
@@ -151,6 +164,9 @@ fn twin_rows_share_the_torque_in_an_unknown_way() {
     let State::TorquesIndeterminate { rows, controls, .. } = found else { panic!("{found}") };
     assert_eq!(rows, ["1", "2"]);
     assert!(controls.is_empty());
+    let twin = one_row().row(RowSpec::simple("2", ["a", "b", "H"], 3.0));
+    let found = twin.gear("g", ["Kb"]).build().unwrap().analyze("g").unwrap();
+    assert_eq!((found.ratio(), found.efficiency()), (Some(4.0), None));
 }
 
 #[test]

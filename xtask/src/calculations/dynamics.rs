@@ -57,7 +57,7 @@ struct ShaftLoadsGiven {
     planet_to_sun: Number,
 }
 
-fn shaft_loads(given: ShaftLoadsGiven) -> Result<Results, Refusal> {
+fn shaft_loads(given: &ShaftLoadsGiven) -> Result<Results, Refusal> {
     let sun = loads::shaft_torque(given.power.0, given.sun_speed.0)?;
     let taken = given.sun_torque.map_or(sun, |torque| torque.0);
     let mesh = MeshEfficiency::new(given.sun_planet.get())?;
@@ -113,7 +113,7 @@ fn tooth_set(sun: u32, planet: u32, ring: u32, planets: u32) -> Result<ToothSet,
     Ok(ToothSet { sun, planet, ring, planets })
 }
 
-fn planetary(given: PlanetaryGiven) -> Result<Results, Refusal> {
+fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
     let drive = PlanetaryDrive {
         teeth: tooth_set(given.sun, given.planet, given.ring, given.planets)?,
         sun_inertia: given.sun_inertia.0,
@@ -172,7 +172,7 @@ struct LinkAccelerationsGiven {
     acceleration: Quantity<AngularAcceleration>,
 }
 
-fn link_accelerations(given: LinkAccelerationsGiven) -> Result<Results, Refusal> {
+fn link_accelerations(given: &LinkAccelerationsGiven) -> Result<Results, Refusal> {
     let ratios = SpeedRatios::of(&tooth_set(given.sun, given.planet, given.ring, 1)?);
     let mut results = Results::default();
     results
@@ -193,7 +193,7 @@ struct ReducedGiven {
     force: Quantity<Torque>,
 }
 
-fn reduced(given: ReducedGiven) -> Result<Results, Refusal> {
+fn reduced(given: &ReducedGiven) -> Result<Results, Refusal> {
     let body = MovingBody::turning(given.inertia.0, given.speed.0);
     let mut results = Results::default();
     results

@@ -91,7 +91,7 @@ impl TryFrom<ModeGiven> for Mode {
 }
 
 /// A row, known in one of four ways.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RowGiven {
     /// Row parameter `k = z_b/z_a` of a simple row.
@@ -147,8 +147,8 @@ impl TryFrom<RowGiven> for StationaryRatio {
     }
 }
 
-fn row(given: RowGiven) -> Result<Results, Refusal> {
-    let row = StationaryRatio::try_from(given)?;
+fn row(given: &RowGiven) -> Result<Results, Refusal> {
+    let row = StationaryRatio::try_from(*given)?;
     let mut results = Results::default();
     results.number("stationary_ratio", row.get());
     if let Ok(k) = RowParameter::new(-row.get()) {
@@ -177,7 +177,7 @@ struct ToothConditionsGiven {
     addendum: Option<Number>,
 }
 
-fn tooth_conditions(given: ToothConditionsGiven) -> Result<Results, Refusal> {
+fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     let [sun, planet, ring] = [given.sun, given.planet, given.ring].map(ToothCount::new);
     let (sun, planet, ring) = (sun?, planet?, ring?);
     let bounds = Bounds { addendum: given.addendum.map_or(1.0, Number::get), ..Bounds::default() };
@@ -226,7 +226,7 @@ struct ToothSynthesisGiven {
     unequal_spacing: bool,
 }
 
-fn tooth_synthesis(given: ToothSynthesisGiven) -> Result<Results, Refusal> {
+fn tooth_synthesis(given: &ToothSynthesisGiven) -> Result<Results, Refusal> {
     let defaults = Bounds::default();
     let range =
         |given: Option<[u32; 2]>, default: RangeInclusive<u32>| given.map_or(default, |[from, to]| from..=to);
@@ -265,7 +265,7 @@ struct EfficiencyGiven {
     mode: ModeGiven,
 }
 
-fn row_efficiency(given: EfficiencyGiven) -> Result<Results, Refusal> {
+fn row_efficiency(given: &EfficiencyGiven) -> Result<Results, Refusal> {
     let row = StationaryRatio::try_from(given.row)?;
     let mode = Mode::try_from(given.mode)?;
     let meshes =
@@ -307,7 +307,7 @@ struct SpeedsGiven {
     pi: Option<Number>,
 }
 
-fn speeds(given: SpeedsGiven) -> Result<Results, Refusal> {
+fn speeds(given: &SpeedsGiven) -> Result<Results, Refusal> {
     let row = StationaryRatio::try_from(given.row)?;
     let known = |speed: Option<Quantity<AngularVelocity>>| speed.map(|speed| speed.0);
     let speeds = willis::speeds(row, known(given.sun), known(given.ring), known(given.carrier))?;
@@ -375,7 +375,7 @@ fn rack(addendum: Option<Number>, clearance: Option<Number>) -> BasicRack {
     }
 }
 
-fn wheel(given: WheelGiven) -> Result<Results, Refusal> {
+fn wheel(given: &WheelGiven) -> Result<Results, Refusal> {
     let rack = rack(given.addendum, given.clearance);
     let wheel = Wheel::new(given.toothing.into(), given.module.0, ToothCount::new(given.teeth)?, rack)?;
     let mut results = Results::default();
@@ -402,7 +402,7 @@ struct WheelPairGiven {
     second_toothing: ToothingGiven,
 }
 
-fn wheel_pair(given: WheelPairGiven) -> Result<Results, Refusal> {
+fn wheel_pair(given: &WheelPairGiven) -> Result<Results, Refusal> {
     let wheel = |toothing: Toothing, teeth: u32| {
         Wheel::new(toothing, given.module.0, ToothCount::new(teeth)?, BasicRack::default())
     };
@@ -426,7 +426,7 @@ struct ShaftGiven {
     given_diameter: Option<Quantity<Length>>,
 }
 
-fn shaft_diameter(given: ShaftGiven) -> Result<Results, Refusal> {
+fn shaft_diameter(given: &ShaftGiven) -> Result<Results, Refusal> {
     let needed = shaft::diameter(given.torque.0, given.allowable_stress.0)?;
     let mut results = Results::default();
     results
@@ -447,7 +447,7 @@ struct BearingGiven {
     designation: String,
 }
 
-fn bearing_of(given: BearingGiven) -> Result<Results, Refusal> {
+fn bearing_of(given: &BearingGiven) -> Result<Results, Refusal> {
     let bearing = bearing::by_designation(&given.designation)?;
     let mut results = Results::default();
     results
@@ -483,7 +483,7 @@ struct WheelMassGiven {
     pi: Option<Number>,
 }
 
-fn wheel_mass(given: WheelMassGiven) -> Result<Results, Refusal> {
+fn wheel_mass(given: &WheelMassGiven) -> Result<Results, Refusal> {
     let rack = rack(given.addendum, given.clearance);
     let wheel = Wheel::new(Toothing::External, given.module.0, ToothCount::new(given.teeth)?, rack)?;
     let body = WheelBody::external(&wheel, given.face_width.0, given.bore.0, given.density.0)?;
@@ -513,7 +513,7 @@ struct FormulaEightGiven {
     bore: Quantity<Length>,
 }
 
-fn wheel_inertia_by_formula_8(given: FormulaEightGiven) -> Result<Results, Refusal> {
+fn wheel_inertia_by_formula_8(given: &FormulaEightGiven) -> Result<Results, Refusal> {
     let by = |reading| -> Result<MomentOfInertia, Refusal> {
         let (tip, root, bore) = (given.tip_diameter.0, given.root_diameter.0, given.bore.0);
         Ok(published_wheel_inertia(reading, given.mass.0, tip, root, bore)?)
@@ -568,7 +568,7 @@ struct HubGiven {
     pi: Option<Number>,
 }
 
-fn carrier(given: CarrierGiven) -> Result<Results, Refusal> {
+fn carrier(given: &CarrierGiven) -> Result<Results, Refusal> {
     let hole = Hole { radius: given.arm.hole_radius.0, from_outer_end: given.arm.hole_from_outer_end.0 };
     let arm = Arm {
         length: given.arm.length.0,

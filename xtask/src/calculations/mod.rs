@@ -10,6 +10,7 @@ mod schemes;
 use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
 use epicyclic_formats::{Document, Error as FormatError};
+use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -57,7 +58,7 @@ impl Results {
     }
 
     /// Adds a word.
-    pub fn text(&mut self, name: impl Into<String>, text: impl ToString) -> &mut Self {
+    pub fn text(&mut self, name: impl Into<String>, text: impl std::fmt::Display) -> &mut Self {
         self.push(name, Value::Text(text.to_string()))
     }
 
@@ -141,7 +142,7 @@ pub enum Failure {
     Refused(Refusal),
 }
 
-type Runner = Box<dyn Fn(&Document, Yaml) -> Result<Results, Failure> + Sync + Send>;
+type Runner = Box<dyn Fn(&Document, &Yaml) -> Result<Results, Failure> + Sync + Send>;
 
 /// A registered calculation.
 pub struct Calculation {
@@ -158,17 +159,21 @@ impl Calculation {
     fn new<Given: DeserializeOwned + JsonSchema + 'static>(
         name: &'static str,
         about: &'static str,
-        run: fn(Given) -> Result<Results, Refusal>,
+        run: fn(&Given) -> Result<Results, Refusal>,
     ) -> Self {
         Self {
             name,
             about,
-            schema: || schemars::schema_for!(Given),
+            schema: || {
+                let settings =
+                    SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
+                settings.into_generator().into_root_schema_for::<Given>()
+            },
             run: Box::new(move |document, given| {
-                let given = document
-                    .read_value(&given, &epicyclic_formats::Path::root().key("given"))
+                let given: Given = document
+                    .read_value(given, &epicyclic_formats::Path::root().key("given"))
                     .map_err(Failure::Unreadable)?;
-                run(given).map_err(Failure::Refused)
+                run(&given).map_err(Failure::Refused)
             }),
         }
     }
@@ -177,7 +182,7 @@ impl Calculation {
     ///
     /// # Errors
     /// [`Failure`], with the position in the document where its inputs do not read.
-    pub fn run(&self, document: &Document, given: Yaml) -> Result<Results, Failure> {
+    pub fn run(&self, document: &Document, given: &Yaml) -> Result<Results, Failure> {
         (self.run)(document, given)
     }
 }

@@ -144,7 +144,7 @@ impl<'a> Run<'a> {
         let unknown = || Fault::at(document, &YamlPath::root().key("calculation"), "not-run", "not run");
         let calculation =
             self.calculations.iter().find(|known| known.name == case.calculation).ok_or_else(unknown)?;
-        match calculation.run(document, given) {
+        match calculation.run(document, &given) {
             Ok(results) => Ok(Computed::Results(results)),
             Err(Failure::Refused(refusal)) => Ok(Computed::Refused(refusal)),
             Err(Failure::Unreadable(error)) if case.expect_error.is_some() => {

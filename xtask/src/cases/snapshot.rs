@@ -3,11 +3,11 @@
 
 use crate::calculations::{Refusal, Results, Value};
 use crate::cases::figure::si_unit;
+use crate::schema::write_whole;
 use epicyclic_formats::quantity::Dimension;
 use epicyclic_formats::quantity::format::trimmed;
-use std::io::Write;
+use std::io;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// Folder of a source's snapshots.
 pub const FOLDER: &str = "snapshots";
@@ -69,17 +69,7 @@ pub fn read(path: &Path) -> Result<Option<String>, String> {
 /// # Errors
 /// As the file system has them.
 pub fn write(path: &Path, calculation: &str, text: &str) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    write!(file, "---\nsource: xtask/src/cases/snapshot.rs\nexpression: {calculation}\n---\n{text}")?;
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        file.as_file().set_permissions(fs::Permissions::from_mode(0o644))?;
-    }
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
+    write_whole(path, &format!("---\nsource: {}\nexpression: {calculation}\n---\n{text}", file!()))
 }
 
 /// The first line in which two snapshots differ beyond rounding.

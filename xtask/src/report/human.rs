@@ -121,7 +121,9 @@ fn counts(outcomes: &[Outcome]) -> String {
     let of = |status: Status| outcomes.iter().map(|outcome| outcome.count(status)).sum::<usize>();
     let cases: usize = outcomes.iter().map(|outcome| outcome.cases).sum();
     let figures: usize = outcomes.iter().map(|outcome| outcome.figures.len()).sum();
-    let mut text = format!("{figures} figures of {cases} cases: {} agree", of(Status::Agrees));
+    let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
+    let (figures, cases) = (many(figures, "figure"), many(cases, "case"));
+    let mut text = format!("{figures} of {cases}: {} agree", of(Status::Agrees));
     for (status, word) in [
         (Status::Contradicted, "contradicted"),
         (Status::Given, "given"),

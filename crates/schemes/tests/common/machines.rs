@@ -1,6 +1,7 @@
 //! Five transmissions in service: layout, teeth, engaged controls, published ratios.
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
+#![allow(clippy::unwrap_used, reason = "fixtures of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};

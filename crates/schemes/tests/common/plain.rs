@@ -1,6 +1,7 @@
 //! The plain general way: every link a speed, every row and connection an equation, nalgebra.
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
+#![allow(clippy::unwrap_used, reason = "fixtures of tests")]
 
 use epicyclic_schemes::{Gear, Gearbox, LinkId};
 use nalgebra::{DMatrix, DVector};
