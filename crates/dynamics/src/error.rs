@@ -75,6 +75,25 @@ pub enum Error {
         /// Its value in SI units.
         value: f64,
     },
+    /// A link, row or planet that the gearbox has not.
+    #[error("the gearbox {gearbox} has no {part}")]
+    UnknownPart {
+        /// What was asked for.
+        part: String,
+        /// The gearbox.
+        gearbox: String,
+    },
+    /// A link whose speed does not follow from the input's.
+    #[error("the speed of {part} does not follow from the input's: the gear is {state}")]
+    NoSpeed {
+        /// The link, or the row of the planet.
+        part: String,
+        /// State of the gear.
+        state: String,
+    },
+    /// A gearbox that is none.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_schemes::Error),
     /// A gear set that is none.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),

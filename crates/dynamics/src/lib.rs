@@ -5,6 +5,7 @@
 //! | module | answers |
 //! |---|---|
 //! | [`reduction`] | one inertia at the driving shaft in place of all moving links |
+//! | [`gearbox`] | the moving links of any planetary gearbox in a gear |
 //! | [`energy`] | kinetic energy, link by link |
 //! | [`lagrange`] | generalized force and accelerations, Lagrange's equation of the second kind |
 //! | [`loads`] | torques and powers on the shafts |
@@ -20,6 +21,7 @@
 pub mod drive;
 pub mod energy;
 pub mod error;
+pub mod gearbox;
 pub mod lagrange;
 pub mod loads;
 pub mod planetary;

@@ -109,10 +109,17 @@ impl From<epicyclic_gears::Error> for Refusal {
     }
 }
 
+impl From<epicyclic_schemes::Error> for Refusal {
+    fn from(error: epicyclic_schemes::Error) -> Self {
+        Self::of(&error)
+    }
+}
+
 impl From<epicyclic_dynamics::Error> for Refusal {
     fn from(error: epicyclic_dynamics::Error) -> Self {
         match error {
             epicyclic_dynamics::Error::Gear(error) => error.into(),
+            epicyclic_dynamics::Error::Gearbox(error) => error.into(),
             error => Self::of(&error),
         }
     }

@@ -6,7 +6,7 @@ use super::spec::DriveSpec;
 use crate::Error;
 use crate::energy::kinetic_energy;
 use crate::lagrange::starting_time;
-use crate::planetary::PlanetaryDrive;
+use crate::planetary::{Accelerations, PlanetaryDrive};
 use crate::reduction::{Link, Orbit};
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use uom::si::f64::{MomentOfInertia, Torque};
@@ -20,7 +20,7 @@ pub(super) fn reduction(
     drive: &PlanetaryDrive,
     masses: &Masses,
 ) -> Result<Reduction, Error> {
-    let ratios = drive.speed_ratios();
+    let ratios = drive.speed_ratios()?;
     let central = |name: &str, j: MomentOfInertia, ratio| Link::central(name, j, ratio).reduced_inertia();
     let orbit = Orbit { mass: drive.planet_mass, radius: drive.planet_radius, speed_ratio: ratios.carrier };
     let planets =
@@ -48,17 +48,14 @@ pub(super) fn without_losses(
 ) -> Result<Motion, Error> {
     let accelerations = drive.motion(driving, load)?;
     finite("acceleration", rad_per_s2(accelerations.sun))?;
-    let force = drive.generalized_force(driving, load);
+    let force = drive.generalized_force(driving, load)?;
     let inertia = drive.reduced_inertia()?;
-    Ok(settled(
-        drive,
-        Motion {
-            inertia,
-            generalized_force: force,
-            accelerations,
-            start: start(spec, driving, force, inertia)?,
-        },
-    ))
+    Ok(settled(Motion {
+        inertia,
+        generalized_force: force,
+        accelerations,
+        start: start(spec, driving, force, inertia)?,
+    }))
 }
 
 pub(super) fn with_losses(
@@ -70,23 +67,21 @@ pub(super) fn with_losses(
     let (eta_12, eta_23) = (spec.sun_planet_efficiency, spec.planet_ring_efficiency);
     let motion = drive.motion_with_losses(driving, load, eta_12, eta_23)?;
     finite("acceleration", rad_per_s2(motion.accelerations.sun))?;
-    Ok(settled(
-        drive,
-        Motion {
-            inertia: motion.inertia,
-            generalized_force: motion.force,
-            accelerations: motion.accelerations,
-            start: start(spec, driving, motion.force, motion.inertia)?,
-        },
-    ))
+    Ok(settled(Motion {
+        inertia: motion.inertia,
+        generalized_force: motion.force,
+        accelerations: motion.accelerations,
+        start: start(spec, driving, motion.force, motion.inertia)?,
+    }))
 }
 
 /// In balance nothing accelerates: what rounding left of the force is dropped.
-fn settled(drive: &PlanetaryDrive, motion: Motion) -> Motion {
+fn settled(motion: Motion) -> Motion {
     if motion.start != Start::InBalance {
         return motion;
     }
-    let accelerations = drive.accelerations(angular_acceleration(0.0));
+    let rest = angular_acceleration(0.0);
+    let accelerations = Accelerations { sun: rest, planet: rest, carrier: rest };
     Motion { generalized_force: torque(0.0), accelerations, ..motion }
 }
 
