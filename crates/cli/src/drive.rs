@@ -1,7 +1,6 @@
 //! The command `drive`: a planetary drive from its file to its starting time.
 
 mod figures;
-mod report;
 
 use crate::failure::Failure;
 use crate::output::{OutputArgs, complain};
