@@ -5,6 +5,7 @@
 //! | [`teeth`] | the command `teeth`: tooth numbers for a ratio |
 //! | [`drive`] | the command `drive`: a whole planetary drive from a file |
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
+//! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
 //! | [`failure`] | what ends the program, and with which exit code |
@@ -17,6 +18,7 @@ mod failure;
 mod figure;
 mod output;
 mod report;
+mod schemes;
 mod teeth;
 
 use clap::{Parser, Subcommand};
@@ -35,6 +37,7 @@ enum Command {
     Teeth(teeth::Args),
     Drive(drive::Args),
     Analyze(analyze::Args),
+    Schemes(schemes::Args),
 }
 
 fn main() -> ExitCode {
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         Command::Teeth(args) => teeth::run(&args),
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
+        Command::Schemes(args) => schemes::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
