@@ -6,6 +6,8 @@
 //! | [`drive`] | the command `drive`: a whole planetary drive from a file |
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
+//! | [`machine`] | the command `machine`: speeds of mining machines |
+//! | [`lists`] | options that take several values |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
 //! | [`failure`] | what ends the program, and with which exit code |
@@ -16,6 +18,8 @@ mod analyze;
 mod drive;
 mod failure;
 mod figure;
+mod lists;
+mod machine;
 mod output;
 mod report;
 mod schemes;
@@ -38,6 +42,7 @@ enum Command {
     Drive(drive::Args),
     Analyze(analyze::Args),
     Schemes(schemes::Args),
+    Machine(machine::Args),
 }
 
 fn main() -> ExitCode {
@@ -46,6 +51,7 @@ fn main() -> ExitCode {
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
         Command::Schemes(args) => schemes::run(&args),
+        Command::Machine(args) => machine::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
