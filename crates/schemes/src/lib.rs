@@ -67,6 +67,8 @@ pub mod operating;
 mod pair;
 pub mod power_flow;
 pub mod row;
+pub mod search;
+pub mod selection;
 pub mod speeds;
 pub mod standing;
 pub mod state;
