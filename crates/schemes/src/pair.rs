@@ -25,7 +25,7 @@
 //! and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also **each ratio is
 //! monotonous in each parameter** between its zeros and poles, always in the same direction.
 
-use crate::structures::{Role, RowRoles, Structure};
+use crate::structures::{Role, RowRoles};
 
 /// Coefficients of a row by role.
 pub(crate) type Coefficients = [f64; 4];
@@ -110,6 +110,7 @@ pub(crate) fn effective(k: f64, eta0: f64, exponent: i8) -> f64 {
 mod tests {
     use super::*;
     use crate::locking::LOCKING_PAIRS;
+    use crate::structures::Structure;
     use epicyclic_gears::efficiency::MeshEfficiency;
     use proptest::prelude::*;
 

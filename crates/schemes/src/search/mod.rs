@@ -39,17 +39,19 @@
 //! # }
 //! ```
 
+mod gather;
 mod levels;
 mod patch;
 mod window;
 
 use crate::selection::demand::Demand;
 use crate::selection::front::{Entry, front};
-use crate::selection::objectives::{Costs, Objectives, Order, nowhere_worse};
+use crate::selection::objectives::{Objectives, Order};
 use crate::selection::{Drawing, Mechanism, SelectionError};
 use crate::structures::Structure;
 use crate::units::in_metres;
 use epicyclic_gears::synthesis::{Bounds, ToothSet};
+use gather::{Contenders, Gather, Leaders};
 use levels::{Level, levels};
 use patch::{Allowed, Measured, Patch};
 use rayon::prelude::*;
@@ -116,7 +118,7 @@ pub struct Counts {
     /// Pairs of row parameters tried in full.
     pub tried: u64,
     /// Of these, pairs that meet every required criterion.
-    pub feasible: usize,
+    pub feasible: u64,
 }
 
 /// Designs of one structure that share objectives: any of these sets in row 1 with any in row 2, except
@@ -133,7 +135,7 @@ pub struct ToothDesign {
     pub pairs: Vec<[ToothSet; 2]>,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Point {
     patch: u32,
     levels: [u32; 2],
@@ -184,15 +186,19 @@ impl ToothSearch {
     /// # Errors
     /// As [`front`](Self::front), and [`SelectionError::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, SelectionError> {
-        let (mut found, costs) = self.feasible(watch)?;
+        let (mut found, gathered) = self.each(watch, Contenders::default)?;
+        let mut costs = vec![];
+        for contenders in gathered {
+            costs.extend(contenders.costs);
+            found.points.extend(contenders.points);
+        }
         found.entries = front(&costs, self.order);
         Ok(found)
     }
 
     /// The first entries of the front, without the rest of it.
     ///
-    /// In the order of objectives no design dominates an earlier one. So the designs are taken in this
-    /// order, and each is on the front unless an entry before it dominates it.
+    /// How it knows them without the others: see [`gather`].
     ///
     /// # Errors
     /// As [`front`](Self::front).
@@ -205,13 +211,29 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, SelectionError> {
-        let (mut found, costs) = self.feasible(watch)?;
-        found.entries = first_of_front(&costs, self.order, count);
-        Ok(found)
+        let mut room = (8 * count).max(64);
+        loop {
+            let (mut found, gathered) = self.each(watch, || Leaders::new(self.order, room))?;
+            if let Some(leading) = Leaders::merge(gathered, self.order, count) {
+                for (costs, points) in leading {
+                    let from = found.points.len();
+                    found.points.extend(points);
+                    let members = (from..found.points.len()).collect();
+                    found.entries.push(Entry { objectives: Objectives::of_costs(costs), members });
+                }
+                return Ok(found);
+            }
+            room *= 8;
+        }
     }
 
-    /// Every pair of levels that meets the criteria, with its costs.
-    fn feasible(&self, watch: &Watch) -> Result<(Found, Vec<Costs>), SelectionError> {
+    /// Offers every pair of levels that meets the criteria to a gatherer of its piece of work; gatherers
+    /// come back in the order of the pieces.
+    fn each<G: Gather + Send>(
+        &self,
+        watch: &Watch,
+        gatherer: impl Fn() -> G + Sync,
+    ) -> Result<(Found, Vec<G>), SelectionError> {
         self.demand.check()?;
         let size = self.size_limits()?;
         let all_sets = self.bounds.tooth_sets()?;
@@ -232,29 +254,29 @@ impl ToothSearch {
             .flat_map(|(place, patch)| patch.strips.chunks(PIECE).map(move |strips| (place as u32, strips)))
             .collect();
         let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
-        let allowed = Allowed::new(&self.demand);
+        let trial = Trial {
+            patches: &patches,
+            levels: &levels,
+            sets: &sets,
+            allowed: Allowed::new(&self.demand),
+            size,
+        };
         let try_piece = |&(patch, strips): &(u32, &[[u32; 3]])| {
+            let mut gathered = gatherer();
             if cancelled.load(Ordering::Relaxed) {
-                return (vec![], vec![], 0);
+                return (gathered, [0, 0]);
             }
-            let found = self.try_strips(&patches, patch, strips, &levels, &sets, &allowed, size);
+            let counts = self.try_strips(&trial, patch, strips, &mut gathered);
             let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of: pieces.len() };
             if watch(progress).is_break() {
                 cancelled.store(true, Ordering::Relaxed);
             }
-            found
+            (gathered, counts)
         };
-        let tried: Vec<_> = pieces.par_iter().map(try_piece).collect();
+        let (gathered, tried): (Vec<G>, Vec<[u64; 2]>) =
+            pieces.par_iter().map(try_piece).collect::<Vec<_>>().into_iter().unzip();
         if cancelled.into_inner() {
             return Err(SelectionError::Cancelled);
-        }
-        let feasible = tried.iter().map(|(points, ..)| points.len()).sum();
-        let (mut points, mut costs) = (Vec::with_capacity(feasible), Vec::with_capacity(feasible));
-        let mut count = 0;
-        for (some, their, tried) in tried {
-            points.extend(some);
-            costs.extend(their);
-            count += tried;
         }
         let counts = Counts {
             tooth_sets,
@@ -262,12 +284,13 @@ impl ToothSearch {
             patches: of,
             patches_tried: patches.len(),
             designs: tooth_sets as u128 * tooth_sets as u128 * of as u128,
-            tried: count,
-            feasible,
+            tried: tried.iter().map(|[tried, _]| tried).sum(),
+            feasible: tried.iter().map(|[_, feasible]| feasible).sum(),
         };
+        let allowed = trial.allowed;
         let rating = self.demand.rating.clone();
-        let entries = vec![];
-        Ok((Found { entries, points, patches, levels, sets, counts, size, allowed, rating }, costs))
+        let (entries, points) = (vec![], vec![]);
+        Ok((Found { entries, points, patches, levels, sets, counts, size, allowed, rating }, gathered))
     }
 
     /// Structures with the ratios of their gears, each design once.
@@ -310,21 +333,13 @@ impl ToothSearch {
         Ok(SizeLimits { module, ring })
     }
 
-    #[allow(clippy::too_many_arguments, reason = "one loop body, kept apart for its length")]
-    fn try_strips(
-        &self,
-        patches: &[Patch],
-        place: u32,
-        strips: &[[u32; 3]],
-        levels: &[Level],
-        sets: &[ToothSet],
-        allowed: &Allowed,
-        size: SizeLimits,
-    ) -> (Vec<Point>, Vec<Costs>, u64) {
+    /// Tries all pairs of some strips; how many there are, and how many meet the criteria.
+    fn try_strips(&self, trial: &Trial, place: u32, strips: &[[u32; 3]], into: &mut impl Gather) -> [u64; 2] {
+        let Trial { patches, levels, sets, ref allowed, size } = *trial;
         let patch = &patches[place as usize];
-        let room = strips.iter().map(|[_, from, to]| (to - from) as usize).sum();
-        let (mut points, mut costs) = (Vec::with_capacity(room), Vec::with_capacity(room));
+        let [mut tried, mut feasible] = [0, 0];
         for &[one, from, to] in strips {
+            tried += u64::from(to - from);
             for two in from..to {
                 let pair = [one as usize, two as usize];
                 let Some(measured) = patch.measure(levels, pair, allowed) else { continue };
@@ -332,24 +347,31 @@ impl ToothSearch {
                 let mut shares = at.map(|level| level.share);
                 if size.module.is_some() || size.ring.is_finite() {
                     let rating = &self.demand.rating;
-                    let least = [0, 1].map(|row| {
-                        let fits = |set: &&ToothSet| {
-                            size.fits(&measured, row, at[row], set, rating.share(set.planets))
-                        };
-                        let of = at[row].of(sets).iter().filter(fits);
-                        of.map(|set| rating.share(set.planets)).fold(f64::INFINITY, f64::min)
+                    shares = [0, 1].map(|row| {
+                        let share = |set: &ToothSet| rating.share(set.planets);
+                        let fits = |set: &&ToothSet| size.fits(&measured, row, at[row], set, share(set));
+                        at[row].of(sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
                     });
-                    if least.iter().any(|share| share.is_infinite()) {
+                    if shares.iter().any(|share| share.is_infinite()) {
                         continue;
                     }
-                    shares = least;
                 }
-                points.push(Point { patch: place, levels: [one, two] });
-                costs.push(measured.costs(at, shares));
+                feasible += 1;
+                into.gather(measured.costs(at, shares), Point { patch: place, levels: [one, two] });
             }
         }
-        (points, costs, room as u64)
+        [tried, feasible]
     }
+}
+
+/// What a trial of pairs needs.
+#[derive(Clone, Copy)]
+struct Trial<'a> {
+    patches: &'a [Patch],
+    levels: &'a [Level],
+    sets: &'a [ToothSet],
+    allowed: Allowed,
+    size: SizeLimits,
 }
 
 impl SizeLimits {
@@ -405,39 +427,5 @@ impl Found {
         }
         let k = levels.map(|level| level.k);
         Some(ToothDesign { structure: patch.structure, wanted: patch.wanted, k, pairs })
-    }
-}
-
-/// The first entries of the front of some designs.
-fn first_of_front(costs: &[Costs], order: Order, count: usize) -> Vec<Entry> {
-    let compare = |a: &u32, b: &u32| order.compare(&costs[*a as usize], &costs[*b as usize]).then(a.cmp(b));
-    let mut taken = (4 * count).max(256);
-    loop {
-        let mut places: Vec<u32> = (0..costs.len() as u32).collect();
-        if taken < places.len() {
-            places.select_nth_unstable_by(taken, compare);
-            places.truncate(taken);
-        }
-        places.sort_unstable_by(compare);
-        let mut entries: Vec<Entry> = vec![];
-        let mut kept: Vec<Costs> = vec![];
-        for &place in &places {
-            let cost = costs[place as usize];
-            if kept.last() == Some(&cost) {
-                if let Some(entry) = entries.last_mut() {
-                    entry.members.push(place as usize);
-                }
-            } else if !kept.iter().any(|earlier| nowhere_worse(earlier, &cost)) {
-                if entries.len() == count {
-                    return entries;
-                }
-                kept.push(cost);
-                entries.push(Entry { objectives: Objectives::of_costs(cost), members: vec![place as usize] });
-            }
-        }
-        if taken >= costs.len() {
-            return entries;
-        }
-        taken *= 8;
     }
 }

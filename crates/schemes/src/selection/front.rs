@@ -34,7 +34,7 @@ pub(crate) fn front(costs: &[Costs], order: Order) -> Vec<Entry> {
 
 /// Places of the designs that no other dominates, ascending.
 pub(crate) fn non_dominated(costs: &[Costs]) -> Vec<u32> {
-    let mut left = preselected(costs);
+    let mut left: Vec<u32> = (0..costs.len() as u32).collect();
     let tree = Tree::new(costs, &left);
     let dominated: Vec<bool> = left
         .par_iter()
@@ -44,31 +44,6 @@ pub(crate) fn non_dominated(costs: &[Costs]) -> Vec<u32> {
     let mut verdict = dominated.into_iter();
     left.retain(|_| !verdict.next().unwrap_or(false));
     left
-}
-
-/// How many designs of a chunk are held against its others first.
-const RIVALS: usize = 24;
-const CHUNK: usize = 8192;
-
-/// Leaves out what a few designs of its own neighbourhood dominate: cheap, and it never errs, since
-/// each design left out is dominated.
-fn preselected(costs: &[Costs]) -> Vec<u32> {
-    let chunk = |(chunk, costs): (usize, &[Costs])| {
-        let mut rivals: Vec<Costs> = Vec::with_capacity(RIVALS);
-        let mut left = Vec::new();
-        for (place, cost) in costs.iter().enumerate() {
-            if let Some(rival) = rivals.iter().position(|rival| dominates(rival, cost)) {
-                // What dominated one is likely to dominate the next.
-                rivals[..=rival].rotate_right(1);
-                continue;
-            }
-            rivals.truncate(RIVALS - 1);
-            rivals.insert(rivals.len() / 2, *cost);
-            left.push((chunk * CHUNK + place) as u32);
-        }
-        left
-    };
-    costs.par_chunks(CHUNK).enumerate().map(chunk).collect::<Vec<_>>().concat()
 }
 
 const LEAF: usize = 16;
