@@ -7,13 +7,17 @@
 //! found has crossing chords, one of the rows is settled by trying on which side of it everything
 //! else of the carrier lies; each trial is again a question of planarity, and a trial that is not
 //! planar with all other chords free is cut off.
+//!
+//! The trials are exponential in the number of connections of a carrier with two or more planets, and
+//! only there. Connections of equal ends are exchanged first, which settles nearly every case.
 
 use super::planar::{self, HOUSING, far};
 use super::scheme::{Graph, Kind, Planet};
 
 /// Edges around each vertex, clockwise, of an embedding in which no two chords of a carrier cross.
-pub(super) fn arrange(graph: &Graph) -> Option<Vec<Vec<usize>>> {
-    let rotation = planar::embed(graph.vertices, &graph.ends)?;
+pub(super) fn arrange(graph: &Graph, variant: usize) -> Option<Vec<Vec<usize>>> {
+    let mut rotation = planar::embed(graph.vertices, &graph.ends, variant)?;
+    exchange(graph, &mut rotation);
     let Some(planet) = most_crossed(graph, &rotation) else { return Some(rotation) };
     let units = units(graph, planet);
     let free = units.len().saturating_sub(usize::from(graph.planets[planet].carrier != HOUSING));
@@ -21,7 +25,7 @@ pub(super) fn arrange(graph: &Graph) -> Option<Vec<Vec<usize>>> {
         let beyond: Vec<usize> =
             (0..units.len()).filter(|&unit| unit < free && beyond >> unit & 1 == 1).collect();
         let split = split(graph, planet, beyond.iter().flat_map(|&unit| &units[unit]));
-        let mut rotation = arrange(&split)?;
+        let mut rotation = arrange(&split, variant)?;
         for arm in (graph.ends.len()..split.ends.len()).rev() {
             contract(&mut rotation, split.ends[arm], arm);
         }
@@ -30,30 +34,60 @@ pub(super) fn arrange(graph: &Graph) -> Option<Vec<Vec<usize>>> {
     })
 }
 
-/// The planet whose chord crosses the most others.
-fn most_crossed(graph: &Graph, rotation: &[Vec<usize>]) -> Option<usize> {
-    let chord = |planet: &Planet| {
-        let around = &rotation[planet.carrier];
-        let place = |edge| around.iter().position(|&other| other == edge).unwrap_or(0);
-        let (sun, ring) = (place(planet.sun), place(planet.ring));
-        [sun.min(ring), sun.max(ring)]
-    };
-    let crossings = |planet: &Planet| {
-        let [low, high] = chord(planet);
-        let others = graph.planets.iter().filter(|other| other.carrier == planet.carrier);
-        others.map(chord).filter(|ends| {
-            let inside = ends.map(|place| low < place && place < high);
-            !ends.contains(&low) && inside[0] != inside[1]
-        }).count()
-    };
-    let (planet, count) = graph
+/// How many other chords each planet's chord crosses.
+fn crossings(graph: &Graph, rotation: &[Vec<usize>]) -> Vec<usize> {
+    let chords: Vec<[usize; 2]> = graph
         .planets
         .iter()
-        .enumerate()
-        .filter(|(_, planet)| graph.planets.iter().filter(|p| p.carrier == planet.carrier).count() > 1)
-        .map(|(place, planet)| (place, crossings(planet)))
-        .max_by_key(|&(place, count)| (count, std::cmp::Reverse(place)))?;
-    (count > 0).then_some(planet)
+        .map(|planet| {
+            let around = &rotation[planet.carrier];
+            let place = |edge| around.iter().position(|&other| other == edge).unwrap_or(0);
+            let (sun, ring) = (place(planet.sun), place(planet.ring));
+            [sun.min(ring), sun.max(ring)]
+        })
+        .collect();
+    let crosses = |a: usize, b: usize| {
+        let [low, high] = chords[a];
+        let inside = chords[b].map(|place| low < place && place < high);
+        a != b && graph.planets[a].carrier == graph.planets[b].carrier && inside[0] != inside[1]
+    };
+    let all = 0..chords.len();
+    all.clone().map(|a| all.clone().filter(|&b| crosses(a, b)).count()).collect()
+}
+
+/// The planet whose chord crosses the most others.
+fn most_crossed(graph: &Graph, rotation: &[Vec<usize>]) -> Option<usize> {
+    let crossings = crossings(graph, rotation);
+    let most = *crossings.iter().max()?;
+    crossings.iter().position(|&count| count == most && count > 0)
+}
+
+/// Exchanges meshes of planets that join the same two vertices while that leaves fewer crossings.
+fn exchange(graph: &Graph, rotation: &mut [Vec<usize>]) {
+    let total = |rotation: &[Vec<usize>]| crossings(graph, rotation).iter().sum::<usize>();
+    let mut left = total(rotation);
+    let meshes: Vec<usize> = graph.planets.iter().flat_map(|planet| [planet.sun, planet.ring]).collect();
+    let mut better = true;
+    while left > 0 && std::mem::take(&mut better) {
+        for (place, &a) in meshes.iter().enumerate() {
+            for &b in meshes[place + 1..].iter().filter(|&&b| graph.ends[a] == graph.ends[b]) {
+                let swap = |rotation: &mut [Vec<usize>]| {
+                    for end in graph.ends[a] {
+                        for edge in &mut rotation[end] {
+                            *edge = if *edge == a { b } else if *edge == b { a } else { *edge };
+                        }
+                    }
+                };
+                swap(rotation);
+                let now = total(rotation);
+                if now < left {
+                    (left, better) = (now, true);
+                } else {
+                    swap(rotation);
+                }
+            }
+        }
+    }
 }
 
 /// The rest of a planet's carrier as units that lie on one side of the planet: the two meshes of

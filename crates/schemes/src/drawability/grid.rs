@@ -17,11 +17,11 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    pub(super) fn new(map: &Upward) -> Self {
+    pub(super) fn new(map: &Upward, same_side: bool) -> Self {
         let used = used(map);
         let rises = used.iter().map(|&edge| {
             let [low, high] = map.ends[edge];
-            (low, high, u32::from(!map.may_vanish(edge)))
+            (low, high, map.rise(edge, same_side))
         });
         let height = longest(map.parts.len(), rises.collect());
 
@@ -41,14 +41,10 @@ impl Grid {
                 faces.join(side(below_last, true), side(above_last, true));
             }
         }
-        let stack = |edge: usize| match map.kinds[edge] {
-            Kind::Sun(row) | Kind::Ring(row) if map.mesh[edge] || map.may_vanish(edge) => Some(row),
-            _ => None,
-        };
         // Nodes: faces by their root, then one for each edge or stack.
         let mut first_of: Vec<Option<usize>> = vec![];
         let column = |edge: usize, first_of: &mut Vec<Option<usize>>| {
-            let Some(row) = stack(edge) else { return edge };
+            let Some(row) = map.in_stack(edge) else { return edge };
             if first_of.len() <= row {
                 first_of.resize(row + 1, None);
             }

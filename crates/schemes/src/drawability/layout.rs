@@ -4,7 +4,7 @@ use super::grid::Grid;
 use super::map::Map;
 use super::order::{self, Dice};
 use super::planar::{AXIS, HOUSING, INPUT, OUTPUT};
-use super::scheme::{Graph, Kind, Scheme};
+use super::scheme::{Kind, Scheme};
 use super::stacks::{Part, Upward};
 use crate::{Gearbox, LinkId};
 
@@ -126,38 +126,38 @@ struct Candidate {
     layout: Layout,
 }
 
-/// The most pleasing of some drawings of one embedding.
-pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, graph: &Graph, map: &Map, options: super::Options) -> Layout {
-    let candidate = |seed: u32| {
-        let ranks = order::ranks(map, &mut Dice::new(u64::from(seed)));
-        let [below, above] = order::sides(map, &ranks);
-        let upward = Upward::new(map, &ranks, below, above);
-        let grid = Grid::new(&upward);
-        let layout = Drawing { scheme, gearbox, graph, map: &upward, grid: &grid }.layout(options.same_side);
-        let length: f64 = layout
-            .links
-            .iter()
-            .flat_map(|shape| &shape.segments)
-            .map(|s| 1.0 + 0.5 * ((s.to.x - s.from.x) + (s.to.y - s.from.y)))
-            .sum();
-        let area = (layout.axis.to.x - layout.axis.from.x) * layout.housing.from.y;
-        let (turns, detours) = (upward.turns as f64, upward.detours as f64);
-        Candidate { cost: length + 0.2 * area + 3.0 * turns + 10.0 * detours, layout }
-    };
-    let mut best = candidate(0);
-    for seed in 1..options.attempts {
-        let next = candidate(seed);
-        if next.cost < best.cost {
-            best = next;
-        }
-    }
-    best.layout
+/// Embeddings that are tried.
+const VARIANTS: usize = 4;
+
+/// The most pleasing of some drawings; `None` where there is none at all.
+pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, options: super::Options) -> Option<Layout> {
+    let graph = scheme.graph(&[]);
+    let maps = (0..VARIANTS).map(|variant| Map::new(&graph, variant)).collect::<Option<Vec<_>>>()?;
+    let candidates = (0..options.attempts.max(1)).zip(maps.iter().cycle());
+    let candidates = candidates.map(|(seed, map)| candidate(scheme, gearbox, map, seed, options.same_side));
+    candidates.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.layout)
+}
+
+fn candidate(scheme: &Scheme<'_>, gearbox: &Gearbox, map: &Map, seed: u32, same_side: bool) -> Candidate {
+    let ranks = order::ranks(map, &mut Dice::new(u64::from(seed)));
+    let [below, above] = order::sides(map, &ranks);
+    let upward = Upward::new(map, &ranks, below, above);
+    let grid = Grid::new(&upward, same_side);
+    let layout = Drawing { scheme, gearbox, map: &upward, grid: &grid }.layout(same_side);
+    let length: f64 = layout
+        .links
+        .iter()
+        .flat_map(|shape| &shape.segments)
+        .map(|s| 1.0 + 0.5 * ((s.to.x - s.from.x) + (s.to.y - s.from.y)))
+        .sum();
+    let area = (layout.axis.to.x - layout.axis.from.x) * layout.housing.from.y;
+    let (turns, detours) = (upward.turns as f64, upward.detours as f64);
+    Candidate { cost: length + 0.2 * area + 3.0 * turns + 10.0 * detours, layout }
 }
 
 struct Drawing<'a> {
     scheme: &'a Scheme<'a>,
     gearbox: &'a Gearbox,
-    graph: &'a Graph,
     map: &'a Upward,
     grid: &'a Grid,
 }
@@ -188,7 +188,6 @@ impl Drawing<'_> {
     }
 
     fn layout(&self, same_side: bool) -> Layout {
-        debug_assert!(self.graph.vertices <= self.map.parts.len());
         let map = self.map;
         let seen: Vec<usize> = map.above.iter().flatten().copied().filter(|&edge| map.seen(edge)).collect();
         let border = |low: usize, high: usize| {
@@ -277,7 +276,7 @@ impl Drawing<'_> {
         brakes.sort_by_key(|mark| mark.control);
         Layout {
             rows: self.stacks(),
-            links: shapes(pieces),
+            links: shapes(pieces.into_iter().filter(|(_, s)| s.from != s.to).collect()),
             clutches,
             brakes,
             take_offs,

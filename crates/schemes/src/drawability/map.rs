@@ -22,8 +22,8 @@ pub(super) struct Map {
 
 impl Map {
     /// An embedding of the graph; `None` where there is none.
-    pub(super) fn new(graph: &Graph) -> Option<Self> {
-        let around = carriers::arrange(graph)?;
+    pub(super) fn new(graph: &Graph, variant: usize) -> Option<Self> {
+        let around = carriers::arrange(graph, variant)?;
         let mut map = Self {
             ends: graph.ends.clone(),
             kinds: graph.kinds.clone(),

@@ -31,7 +31,10 @@ struct Fragment {
 ///
 /// The first four edges must be [`BORDER`]; nothing is drawn outside it. `None`: there is none.
 /// The graph must be connected; parallel edges are welcome, loops are not.
-pub(super) fn embed(vertices: usize, ends: &[[usize; 2]]) -> Option<Vec<Vec<usize>>> {
+///
+/// Where a fragment fits several faces, `variant` says which it gets. It changes the embedding, never
+/// whether there is one.
+pub(super) fn embed(vertices: usize, ends: &[[usize; 2]], variant: usize) -> Option<Vec<Vec<usize>>> {
     debug_assert_eq!(ends.get(..4), Some(&BORDER[..]));
     let mut incident = vec![vec![]; vertices];
     for (edge, &[a, b]) in ends.iter().enumerate() {
@@ -50,7 +53,7 @@ pub(super) fn embed(vertices: usize, ends: &[[usize; 2]]) -> Option<Vec<Vec<usiz
         drawing.edge[edge] = true;
         drawing.vertex[BORDER[edge][0]] = true;
     }
-    drawing.grow()?;
+    drawing.grow(variant)?;
     Some(drawing.rotation())
 }
 
@@ -70,17 +73,18 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    fn grow(&mut self) -> Option<()> {
+    fn grow(&mut self, variant: usize) -> Option<()> {
         loop {
             let mut best: Option<(usize, usize, Fragment)> = None;
             for fragment in self.fragments() {
-                let mut fitting = (0..self.faces.len()).filter(|&face| self.fits(&fragment, face));
-                let first = fitting.next()?;
+                let fitting: Vec<usize> =
+                    (0..self.faces.len()).filter(|&face| self.fits(&fragment, face)).collect();
+                let face = *fitting.get(variant % fitting.len().max(1))?;
                 // A fragment that hangs at one vertex fits anywhere there; it waits for the others,
                 // so that at any time only one block is half drawn.
-                let choices = if fragment.attachments.len() < 2 { usize::MAX } else { 1 + fitting.count() };
+                let choices = if fragment.attachments.len() < 2 { usize::MAX } else { fitting.len() };
                 if best.as_ref().is_none_or(|(fewest, ..)| choices < *fewest) {
-                    best = Some((choices, first, fragment));
+                    best = Some((choices, face, fragment));
                 }
             }
             let Some((_, face, fragment)) = best else { return Some(()) };

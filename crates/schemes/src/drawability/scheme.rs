@@ -127,7 +127,7 @@ impl<'a> Scheme<'a> {
     /// Everything a witness may name, in the order in which it is tried to do without.
     pub(super) fn elements(&self) -> Vec<Element> {
         let rows = (0..self.gearbox.rows().len()).map(Element::Row);
-        let controls = (0..self.gearbox.controls().len()).map(Element::Control);
+        let controls = (0..self.gearbox.controls().len() + self.locks.len()).map(Element::Control);
         let take_offs = self.take_offs().into_iter().map(Element::TakeOff);
         let links = (1..self.piece.len()).filter(|&link| self.piece[link] == link).map(|link| {
             Element::Link(LinkId(link))

@@ -8,7 +8,7 @@
 //! it. So every order of edges can be drawn.
 
 use super::map::Map;
-use super::planar::HOUSING;
+use super::planar::{AXIS, INPUT, OUTPUT};
 use super::scheme::Kind;
 
 /// What a vertex is drawn as.
@@ -295,15 +295,29 @@ impl Upward {
         !matches!(self.kinds[edge], Kind::Helper | Kind::Border)
     }
 
-    /// Whether an edge from a wheel to its link may have no length: the wheel then sits on the shaft
-    /// or in the drum itself.
-    pub(super) fn may_vanish(&self, edge: usize) -> bool {
+    /// Least height of an edge.
+    ///
+    /// A wheel may sit on its shaft or in its drum itself, and the input's and output's shafts may lie
+    /// on the axis; of two on one side the input's lies around the output's.
+    pub(super) fn rise(&self, edge: usize, same_side: bool) -> u32 {
         let [low, high] = self.ends[edge];
-        !self.mesh[edge]
-            && match self.kinds[edge] {
-                Kind::Sun(row) => self.parts[high] == Part::Sun(row),
-                Kind::Ring(row) => self.parts[low] == Part::Ring(row) && high != HOUSING,
-                _ => false,
-            }
+        let none = match self.kinds[edge] {
+            Kind::Sun(_) | Kind::Ring(_) => self.in_stack(edge).is_some() && !self.mesh[edge],
+            Kind::Input | Kind::Output => low == INPUT || low == OUTPUT,
+            Kind::Border => low == AXIS && (high == OUTPUT || !same_side),
+            _ => false,
+        };
+        u32::from(!none)
+    }
+
+    /// The row in whose stack an edge stands: the two contacts, and the connections of its wheels
+    /// where they go straight on.
+    pub(super) fn in_stack(&self, edge: usize) -> Option<usize> {
+        let [low, high] = self.ends[edge];
+        match self.kinds[edge] {
+            Kind::Sun(row) if self.mesh[edge] || self.parts[high] == Part::Sun(row) => Some(row),
+            Kind::Ring(row) if self.mesh[edge] || self.parts[low] == Part::Ring(row) => Some(row),
+            _ => None,
+        }
     }
 }
