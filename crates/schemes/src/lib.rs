@@ -54,6 +54,7 @@ pub mod analysis;
 pub mod builder;
 pub mod combinations;
 pub mod compiled;
+pub mod drawability;
 pub mod efficiency;
 mod elimination;
 pub mod error;
