@@ -274,12 +274,22 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
 struct SchemeRangeGiven {
     /// `I`, `II`, `III`, `I-1` … `III-3`.
     scheme: String,
-    /// Lower and upper end of every `k`.
-    k: [Number; 2],
+    /// What every `k` runs over.
+    k: RangeGiven,
 }
 
-fn parameter_range([low, high]: [Number; 2]) -> Result<ParameterRange, Refusal> {
-    Ok(ParameterRange::new(low.get(), high.get())?)
+/// A range of row parameters.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct RangeGiven {
+    /// The least `k`.
+    low: Number,
+    /// The greatest.
+    high: Number,
+}
+
+fn parameter_range(given: RangeGiven) -> Result<ParameterRange, Refusal> {
+    Ok(ParameterRange::new(given.low.get(), given.high.get())?)
 }
 
 fn scheme_range(given: &SchemeRangeGiven) -> Result<Results, Refusal> {
@@ -370,8 +380,8 @@ fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RowRangeGiven {
-    /// Lower and upper end of `k`.
-    k: [Number; 2],
+    /// What `k` runs over.
+    k: RangeGiven,
 }
 
 fn row_range(given: &RowRangeGiven) -> Result<Results, Refusal> {
