@@ -67,7 +67,11 @@ impl Layout {
             shape.segments.iter().map(|segment| (Line::Link(shape.link), shape.link, *segment))
         });
         let wheels = self.rows.iter().flat_map(|stack| {
-            let spans = [(stack.sun, stack.sun_mesh), (stack.ring_mesh, stack.ring), (stack.sun_mesh, stack.ring_mesh)];
+            let spans = [
+                (stack.sun, stack.sun_mesh),
+                (stack.ring_mesh, stack.ring),
+                (stack.sun_mesh, stack.ring_mesh),
+            ];
             [0, 1, 2].map(|member| {
                 let (from, to) = spans[member];
                 let at = |y| Point { x: stack.x, y };
