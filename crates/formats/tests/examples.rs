@@ -6,7 +6,8 @@ use std::path::Path;
 
 fn example<T: serde::de::DeserializeOwned>(name: &str) -> T {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
-    Document::parse_one(name, &std::fs::read(path).unwrap()).unwrap().read().unwrap()
+    let bytes = std::fs::read(path).expect("the example is part of the project");
+    Document::parse_one(name, &bytes).and_then(|document| document.read()).expect("the example reads")
 }
 
 #[test]

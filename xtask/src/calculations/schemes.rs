@@ -5,7 +5,7 @@ use epicyclic_formats::gearbox::{DescriptionError, GearboxFile};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::{Fraction, Mode, RowParameter};
-use epicyclic_schemes::catalogue::{ParameterRange, ThreeSpeed, TwoSpeed, row};
+use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, row};
 use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
 use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::regimes::{PrintedSeries, RatioSeries};
@@ -62,15 +62,6 @@ pub(super) fn calculations() -> Vec<Calculation> {
     ]
 }
 
-impl From<epicyclic_schemes::Error> for Refusal {
-    fn from(error: epicyclic_schemes::Error) -> Self {
-        match error {
-            epicyclic_schemes::Error::Gear { source, .. } => source.into(),
-            error => Self::of(&error),
-        }
-    }
-}
-
 impl From<DesignError> for Refusal {
     fn from(error: DesignError) -> Self {
         match error {
@@ -101,7 +92,7 @@ struct GearGiven {
     gear: String,
 }
 
-fn gear(given: GearGiven) -> Result<Results, Refusal> {
+fn gear(given: &GearGiven) -> Result<Results, Refusal> {
     let gearbox = given.gearbox.gearbox()?;
     let found = gearbox.analyze(&given.gear)?;
     let mut results = Results::default();
@@ -149,7 +140,7 @@ struct GearRatiosGiven {
     gearbox: GearboxFile,
 }
 
-fn gear_ratios(given: GearRatiosGiven) -> Result<Results, Refusal> {
+fn gear_ratios(given: &GearRatiosGiven) -> Result<Results, Refusal> {
     let gearbox = given.gearbox.gearbox()?;
     let mut results = Results::default();
     for gear in gearbox.gears() {
@@ -208,7 +199,7 @@ struct SchemeGiven {
     efficiency: Number,
 }
 
-fn scheme(given: SchemeGiven) -> Result<Results, Refusal> {
+fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
     let one_way = |what: &str| Refusal {
         name: "row-known-in-one-way".into(),
         message: format!("row {what}: give exactly one of k{what} and ratio{what}"),
@@ -283,15 +274,25 @@ fn scheme(given: SchemeGiven) -> Result<Results, Refusal> {
 struct SchemeRangeGiven {
     /// `I`, `II`, `III`, `I-1` … `III-3`.
     scheme: String,
-    /// Lower and upper end of every `k`.
-    k: [Number; 2],
+    /// What every `k` runs over.
+    k: RangeGiven,
 }
 
-fn parameter_range([low, high]: [Number; 2]) -> Result<ParameterRange, Refusal> {
-    Ok(ParameterRange::new(low.get(), high.get())?)
+/// A range of row parameters.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct RangeGiven {
+    /// The least `k`.
+    low: Number,
+    /// The greatest.
+    high: Number,
 }
 
-fn scheme_range(given: SchemeRangeGiven) -> Result<Results, Refusal> {
+fn parameter_range(given: RangeGiven) -> Result<ParameterRange, Refusal> {
+    Ok(ParameterRange::new(given.low.get(), given.high.get())?)
+}
+
+fn scheme_range(given: &SchemeRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
     let (ends, rows) = match named(&given.scheme)? {
         Named::Two(scheme) => (scheme.ratio_range(range), vec![scheme.row()]),
@@ -300,7 +301,7 @@ fn scheme_range(given: SchemeRangeGiven) -> Result<Results, Refusal> {
     let [smallest, largest] = [ends[0].abs().min(ends[1].abs()), ends[0].abs().max(ends[1].abs())];
     let mut results = Results::default();
     for (place, links) in rows.into_iter().enumerate() {
-        results.text(format!("row.{}", place + 1), links.map(|link| link.symbol()).join(" "));
+        results.text(format!("row.{}", place + 1), links.map(Role::symbol).join(" "));
     }
     results.number("smallest", smallest).number("largest", largest);
     results.text("sense", if ends[0] > 0.0 { "same" } else { "opposite" });
@@ -345,7 +346,7 @@ fn evaluate(formula: &str, names: &[(&str, f64)]) -> Result<f64, Refusal> {
 /// Parameters at which a printed formula is held against the solver.
 const GRID: [f64; 6] = [1.3, 1.7, 2.5, 4.0, 7.0, 10.0];
 
-fn printed_formula(given: PrintedFormulaGiven) -> Result<Results, Refusal> {
+fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
     let scheme = named(&given.scheme)?;
     let mut largest: f64 = 0.0;
     for k1 in GRID {
@@ -379,11 +380,11 @@ fn printed_formula(given: PrintedFormulaGiven) -> Result<Results, Refusal> {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RowRangeGiven {
-    /// Lower and upper end of `k`.
-    k: [Number; 2],
+    /// What `k` runs over.
+    k: RangeGiven,
 }
 
-fn row_range(given: RowRangeGiven) -> Result<Results, Refusal> {
+fn row_range(given: &RowRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
     let mut results = Results::default();
     for mode in Mode::ALL {
@@ -411,12 +412,12 @@ struct PrintedRelationGiven {
     planet: Option<String>,
 }
 
-fn printed_relation(given: PrintedRelationGiven) -> Result<Results, Refusal> {
-    let formulas = [given.a, given.b, given.carrier, given.planet];
+fn printed_relation(given: &PrintedRelationGiven) -> Result<Results, Refusal> {
+    let formulas = [&given.a, &given.b, &given.carrier, &given.planet];
     let (mut sum, mut is_listed): (f64, bool) = (0.0, true);
     for k in GRID {
         let mut factors = [0.0; 4];
-        for (factor, formula) in factors.iter_mut().zip(&formulas) {
+        for (factor, formula) in factors.iter_mut().zip(formulas) {
             if let Some(formula) = formula {
                 *factor = evaluate(formula, &[("k", k)])?;
             }
@@ -460,7 +461,7 @@ struct ClosingGiven {
     ratio2: Number,
 }
 
-fn closing_of(given: ClosingGiven) -> Result<Results, Refusal> {
+fn closing_of(given: &ClosingGiven) -> Result<Results, Refusal> {
     let (shaft, first, second) = (given.onto.into(), given.ratio1.get(), given.ratio2.get());
     let closing = closing::closing_ratio(shaft, first, second)?;
     let mut results = Results::default();
@@ -488,7 +489,7 @@ struct SuperpositionGiven {
     b_tie: Number,
 }
 
-fn superposition(given: SuperpositionGiven) -> Result<Results, Refusal> {
+fn superposition(given: &SuperpositionGiven) -> Result<Results, Refusal> {
     let (from_a, a, b) = (given.from_a.get(), given.a_tie.get(), given.b_tie.get());
     let mut results = Results::default();
     results
@@ -498,7 +499,7 @@ fn superposition(given: SuperpositionGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
-fn candidates(given: RowRangeGiven) -> Result<Results, Refusal> {
+fn candidates(given: &RowRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
     let all = Candidate::all();
     let count = |wanted: &dyn Fn(&Candidate) -> bool| all.iter().filter(|c| wanted(c)).count() as i64;
@@ -513,7 +514,6 @@ fn candidates(given: RowRangeGiven) -> Result<Results, Refusal> {
         )
         .count("missed", count(&|c| c.standing(range) == Standing::Circulates(Use::Slows)));
     for candidate in all {
-        use epicyclic_schemes::catalogue::Reach;
         let ratios = match candidate.reach(range) {
             Reach::Between { least, greatest } => format!("{least:.3} to {greatest:.3}"),
             Reach::ThroughZero => "through 0".into(),
@@ -534,7 +534,7 @@ struct RatioSeriesGiven {
     series: String,
 }
 
-fn ratio_series(given: RatioSeriesGiven) -> Result<Results, Refusal> {
+fn ratio_series(given: &RatioSeriesGiven) -> Result<Results, Refusal> {
     let speeds: Vec<Velocity> = given.speeds.iter().map(|speed| speed.0).collect();
     let printed = PrintedSeries::numbered(&given.series).ok_or_else(|| Refusal {
         name: "unknown-series".into(),
@@ -567,7 +567,7 @@ struct MobilityGiven {
     higher_pairs: u32,
 }
 
-fn mobility_of(given: MobilityGiven) -> Result<Results, Refusal> {
+fn mobility_of(given: &MobilityGiven) -> Result<Results, Refusal> {
     let mut results = Results::default();
     results.count("mobility", mobility::mobility(given.moving_links, given.lower_pairs, given.higher_pairs));
     Ok(results)
@@ -581,7 +581,7 @@ struct MachinesGiven {
     table: String,
 }
 
-fn machine_table(given: MachinesGiven) -> Result<Results, Refusal> {
+fn machine_table(given: &MachinesGiven) -> Result<Results, Refusal> {
     let table = Table::numbered(&given.table).ok_or_else(|| Refusal {
         name: "unknown-table".into(),
         message: format!("no table {}: 1.1 or 1.2", given.table),
@@ -616,7 +616,7 @@ struct RecommendedGiven {
     range: Number,
 }
 
-fn recommended(given: RecommendedGiven) -> Result<Results, Refusal> {
+fn recommended(given: &RecommendedGiven) -> Result<Results, Refusal> {
     let recommendation = machines::recommended_speeds(given.range.get())?;
     let mut results = Results::default();
     results.count("speeds", recommendation.speeds).answer("printed", recommendation.printed);
@@ -635,7 +635,7 @@ struct CuttingChainGiven {
     mean_chip: Quantity<Length>,
 }
 
-fn cutting_chain(given: CuttingChainGiven) -> Result<Results, Refusal> {
+fn cutting_chain(given: &CuttingChainGiven) -> Result<Results, Refusal> {
     let speed = cutting::chain_speed(given.pick_spacing.0, given.feed.0, given.mean_chip.0)?;
     let mut results = Results::default();
     // The source's own factor, with m, m/min and cm.
@@ -658,7 +658,7 @@ struct CuttingDrumGiven {
     picks_per_line: u32,
 }
 
-fn cutting_drum(given: CuttingDrumGiven) -> Result<Results, Refusal> {
+fn cutting_drum(given: &CuttingDrumGiven) -> Result<Results, Refusal> {
     let (diameter, feed, chip) = (given.diameter.0, given.feed.0, given.greatest_chip.0);
     let speed = cutting::drum_speed(diameter, feed, chip, given.picks_per_line)?;
     let factor = speed * chip * 100.0 * f64::from(given.picks_per_line) / (diameter * feed * 60.0);
@@ -684,7 +684,7 @@ struct CuttingAdjustedGiven {
     other_force: Quantity<Force>,
 }
 
-fn cutting_adjusted(given: CuttingAdjustedGiven) -> Result<Results, Refusal> {
+fn cutting_adjusted(given: &CuttingAdjustedGiven) -> Result<Results, Refusal> {
     let speed = cutting::speed_at_force(given.speed.0, given.force.0, given.other_force.0)?;
     let feed = cutting::matching_feed(given.feed.0, given.speed.0, speed)?;
     let mut results = Results::default();
@@ -716,7 +716,7 @@ struct RotorGiven {
     discharge: Number,
 }
 
-fn rotor_speeds(given: RotorGiven) -> Result<Results, Refusal> {
+fn rotor_speeds(given: &RotorGiven) -> Result<Results, Refusal> {
     let optimal = rotor::optimal_speed(
         given.boom_radius.0,
         given.slewing.0,
@@ -759,7 +759,7 @@ struct DischargeGiven {
     radius_ratio: Number,
 }
 
-fn discharge(given: DischargeGiven) -> Result<Results, Refusal> {
+fn discharge(given: &DischargeGiven) -> Result<Results, Refusal> {
     let chute = given.elevation.map_or(given.chute.0, |elevation| given.chute.0 + elevation.0);
     let (release, epsilon) = (given.release.0, given.radius_ratio.get());
     let omega = rotor::discharge(release, chute, epsilon)?;
