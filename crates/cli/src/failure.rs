@@ -37,6 +37,9 @@ pub(crate) enum Failure {
     /// A demand on the catalogue or of a machine that nothing meets.
     #[error(transparent)]
     Design(#[from] epicyclic_schemes::DesignError),
+    /// A selection that cannot be made.
+    #[error(transparent)]
+    Selection(epicyclic_schemes::selection::SelectionError),
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {

@@ -51,6 +51,8 @@ pub(crate) enum Figure {
     Answer(&'static str, &'static str),
     /// A question answered.
     YesNo(bool),
+    /// The same in a table of marks.
+    Mark(bool),
 }
 
 /// A figure of a quantity.
@@ -97,6 +99,7 @@ impl Figure {
             Self::Texts(texts) => texts.join(" "),
             Self::Answer(_, words) => (*words).to_owned(),
             Self::YesNo(yes) => if *yes { "yes" } else { "no" }.to_owned(),
+            Self::Mark(yes) => if *yes { "x" } else { "." }.to_owned(),
         }
     }
 
@@ -135,7 +138,7 @@ impl Figure {
             Self::Text(text) => plain(text.clone()),
             Self::Texts(texts) => plain(texts.join(" ")),
             Self::Answer(name, _) => plain((*name).to_owned()),
-            Self::YesNo(yes) => plain(yes.to_string()),
+            Self::YesNo(yes) | Self::Mark(yes) => plain(yes.to_string()),
         }
     }
 
@@ -154,7 +157,7 @@ impl Figure {
             Self::Text(text) => json!(text),
             Self::Texts(texts) => json!(texts),
             Self::Answer(name, _) => json!(name),
-            Self::YesNo(yes) => json!(yes),
+            Self::YesNo(yes) | Self::Mark(yes) => json!(yes),
         }
     }
 

@@ -5,6 +5,7 @@
 //! | [`teeth`] | the command `teeth`: tooth numbers for a ratio |
 //! | [`drive`] | the command `drive`: a whole planetary drive from a file |
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
+//! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`lists`] | options that take several values |
@@ -23,6 +24,7 @@ mod machine;
 mod output;
 mod report;
 mod schemes;
+mod select;
 mod teeth;
 
 use clap::{Parser, Subcommand};
@@ -41,6 +43,7 @@ enum Command {
     Teeth(teeth::Args),
     Drive(drive::Args),
     Analyze(analyze::Args),
+    Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
 }
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Command::Teeth(args) => teeth::run(&args),
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
+        Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
     };
