@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::output::{OutputArgs, complain};
 use crate::report::Report;
 use epicyclic_formats::{Number, Quantity};
-use epicyclic_schemes::{Analysis, Gearbox, InputLoad};
+use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
 use std::path::PathBuf;
 use subject::{Content, Subject};
 use uom::si::f64::{AngularVelocity, Power, Torque};
@@ -24,12 +24,14 @@ use uom::si::f64::{AngularVelocity, Power, Torque};
 #[command(after_help = "\
 Example:
   printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nrows:\\n' > box.yaml
-  printf '  - { id: P, sun: D, ring: T1, carrier: B, k: 2.94, efficiency: 0.97 }\\n' >> box.yaml
+  printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> box.yaml
+  printf '    k: 2.94\\n    efficiency: 0.97\\n' >> box.yaml
   printf 'brakes: [{ id: K1, link: T1 }]\\n' >> box.yaml
-  printf 'clutches: [{ id: K2, links: [D, B] }]\\n' >> box.yaml
-  printf 'gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }]\\n' >> box.yaml
+  printf 'clutches: [{ id: K2, links: [D, B] }]\\ngears:\\n' >> box.yaml
+  printf '  - { name: slow, engaged: [K1] }\\n' >> box.yaml
+  printf '  - { name: fast, engaged: [K2] }\\n' >> box.yaml
   epicyclic analyze box.yaml
-  epicyclic analyze box.yaml --gear slow --torque '500 N·m' --speed '1475 rpm'
+  epicyclic analyze box.yaml --gear slow --torque '500 N·m'
 
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
@@ -118,12 +120,24 @@ struct Worked {
 }
 
 fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
-    let analysis = gearbox.analyze(gear)?;
+    let analysis = match gearbox.analyze(gear) {
+        // With few short names, the nearest says less than all.
+        Err(Error::Unknown { .. }) => {
+            let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_schemes::Gear::name).collect();
+            let message = format!("no gear is called `{gear}`: there are {}", all.join(", "));
+            return Err(Failure::Option { option: "--gear", message });
+        }
+        analysis => analysis?,
+    };
     // At a torque alone, powers hang on a speed that nobody gave: none is shown.
     let speed =
         input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));
     let operation = match input.load.map(|load| analysis.at(speed, load)) {
-        None | Some(Err(epicyclic_schemes::Error::NotDriven { .. })) => None,
+        None | Some(Err(Error::NotDriven { .. })) => None,
+        Some(Err(Error::OperatingPoint { why })) => {
+            let option = if matches!(input.load, Some(InputLoad::Power(_))) { "--power" } else { "--torque" };
+            return Err(Failure::Option { option, message: format!("{why} (gear {gear})") });
+        }
         Some(operation) => Some(operation?),
     };
     Ok(Worked { analysis, operation })

@@ -8,8 +8,8 @@ mod wheel;
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::OutputArgs;
-use crate::report::Report;
 use epicyclic_formats::{Number, Quantity};
+use epicyclic_schemes::DesignError;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
 /// Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
@@ -20,7 +20,8 @@ Example:
   epicyclic machine speeds '0.76 m/s, 1.33 m/s, 1.95 m/s'
   epicyclic machine chain-cutter --pick-spacing '40 cm' --feed '5 m/min' \\
       --chip '2.5 cm' --force '4 kN' --other-forces '5 kN, 6.5 kN'
-  epicyclic machine drum --diameter '1.4 m' --feed '4 m/min' --chip '5 cm' --picks 2
+  epicyclic machine drum --diameter '1.4 m' --feed '4 m/min' \\
+      --chip '5 cm' --picks 2
   epicyclic machine rotor --boom-radius '20 m' --slewing '0.02 rad/s' \\
       --chip-width '0.3 m' --buckets 8 --boom-angle '60 deg' \\
       --wheel-radius '3 m' --discharge 0.3")]
@@ -183,12 +184,37 @@ struct Rotor {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let (report, output) = match &args.command {
-        Command::List(list) => (list::report(list.name.as_deref())?, &list.output),
-        Command::Speeds(speeds) => (series::report(&speeds.speeds.values())?, &speeds.output),
-        Command::ChainCutter(chain) => (cutters::chain(chain)?, &chain.output),
-        Command::Drum(drum) => (cutters::drum(drum)?, &drum.output),
-        Command::Rotor(rotor) => (wheel::report(rotor)?, &rotor.output),
+        Command::List(list) => (list::report(list.name.as_deref()), &list.output),
+        Command::Speeds(speeds) => (series::report(&speeds.speeds.values()), &speeds.output),
+        Command::ChainCutter(chain) => (cutters::chain(chain), &chain.output),
+        Command::Drum(drum) => (cutters::drum(drum), &drum.output),
+        Command::Rotor(rotor) => (wheel::report(rotor), &rotor.output),
     };
-    let report: Report = report;
-    output.write(&report.text(output.format)?)
+    output.write(&report.map_err(refuse)?.text(output.format)?)
+}
+
+/// The option that a refusal speaks of.
+fn refuse(error: DesignError) -> Failure {
+    let option = match &error {
+        DesignError::NotPositive { quantity, .. } => match *quantity {
+            "pick spacing" => "--pick-spacing",
+            "feed" => "--feed",
+            "mean chip thickness" | "greatest chip thickness" => "--chip",
+            "drum diameter" => "--diameter",
+            "picks per line" => "--picks",
+            "cutting force" => "--force",
+            "other cutting force" => "--other-forces",
+            "boom radius" => "--boom-radius",
+            "slewing speed" => "--slewing",
+            "chip width" => "--chip-width",
+            "number of buckets" => "--buckets",
+            "cosine of the boom angle" => "--boom-angle",
+            "wheel radius" => "--wheel-radius",
+            "Ω" => "--discharge",
+            _ => return error.into(),
+        },
+        DesignError::NoFlight { .. } => "--release, --chute",
+        _ => return error.into(),
+    };
+    Failure::Option { option, message: error.to_string() }
 }

@@ -201,7 +201,7 @@ pub(super) fn in_words(state: &State) -> String {
 
 fn shift_table(gearbox: &Gearbox) -> String {
     let mut header = vec!["gear"];
-    header.extend(gearbox.controls().iter().map(|control| control.id()));
+    header.extend(gearbox.controls().iter().map(epicyclic_schemes::Control::id));
     let rows = gearbox.gears().iter().map(|gear| {
         let mark = |place| if gear.engaged().contains(&place) { "x" } else { "." }.to_owned();
         let marks = (0..gearbox.controls().len()).map(mark);

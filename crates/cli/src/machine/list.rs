@@ -1,12 +1,12 @@
 //! Machines in service beside the number of speeds recommended for them.
 
-use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
+use epicyclic_schemes::DesignError;
 use epicyclic_schemes::machines::{Machine, Recommendation, machine, machines};
 
 /// All machines, or one.
-pub(super) fn report(name: Option<&str>) -> Result<Report, Failure> {
+pub(super) fn report(name: Option<&str>) -> Result<Report, DesignError> {
     let shown: Vec<&Machine> = match name {
         Some(name) => vec![machine(name)?],
         None => machines().iter().collect(),

@@ -2,19 +2,19 @@
 
 use super::Rotor;
 use super::list::in_words;
-use crate::failure::Failure;
-use crate::figure::{Figure, quantity};
-use crate::report::{Part, Report, Row, Section};
+use crate::figure::{Figure, column, quantity};
+use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_formats::{Physical, Quantity};
+use epicyclic_formats::{Dimension, Physical, Quantity};
+use epicyclic_schemes::DesignError;
 use epicyclic_schemes::machines::recommended_speeds;
 use epicyclic_schemes::rotor::{
     discharge, greatest_speed, least_speed, optimal_speed, speed_range, standard_gravity,
 };
-use uom::si::f64::AngularVelocity;
+use uom::si::f64::{Angle, AngularVelocity};
 
 /// The whole answer.
-pub(super) fn report(args: &Rotor) -> Result<Report, Failure> {
+pub(super) fn report(args: &Rotor) -> Result<Report, DesignError> {
     let optimal = optimal_speed(
         args.boom_radius.0,
         args.slewing.0,
@@ -31,19 +31,23 @@ pub(super) fn report(args: &Rotor) -> Result<Report, Failure> {
         remark: format!("{} rad/s", trimmed(speed.si(), 5)),
         ..Row::new(name, label, symbol, [quantity(speed)])
     };
-    let mut rows = vec![
+    let rows = vec![
         row("optimal", "a bucket a chip", "ω_po", optimal),
         row("greatest", "greatest", "ω_max", greatest),
         row("least", "least", "ω_min", least),
     ];
-    for (value, chute) in &found {
-        if let Some(chute) = chute {
-            let remark = format!("chute at {chute}{}", if *value == discharge { ", counts" } else { "" });
-            rows.push(Row { remark, ..Row::new("discharge", "discharge", "Ω", [Figure::Multiple(*value)]) });
-        }
-    }
     let mut facts =
         vec![Part::Facts(Section { name: "wheel", title: "Bucket wheel", columns: &[], rows, note: "" })];
+    let computed: Vec<Vec<Figure>> = found
+        .iter()
+        .filter_map(|(value, chute)| {
+            let counts = Figure::YesNo(*value == discharge);
+            Some(vec![column(Some((*chute)?.0)), Figure::Multiple(*value), counts])
+        })
+        .collect();
+    if !computed.is_empty() {
+        facts.push(Part::Records(discharge_table(computed)));
+    }
     let mut range = vec![Row::new("range", "greatest over least", "d", [Figure::Multiple(d)])];
     if let Ok(recommended) = recommended_speeds(d) {
         range.push(Row {
@@ -60,8 +64,24 @@ pub(super) fn report(args: &Rotor) -> Result<Report, Failure> {
     Ok(Report { title: None, parts: facts, warnings: None })
 }
 
+fn discharge_table(rows: Vec<Vec<Figure>>) -> Records {
+    Records {
+        name: "discharges",
+        columns: vec![
+            Column { heading: "chute at, deg".to_owned(), ..Column::quantity("chute", Dimension::Angle) },
+            Column::number("discharge", "Ω"),
+            Column::words("counts", "counts"),
+        ],
+        rows,
+        views: vec![View::new("Discharge parameter: the smaller counts", &["chute", "discharge", "counts"])],
+        is_answer: false,
+    }
+}
+
 /// Ω, with the chute's angle where it was computed from one.
-fn discharges(args: &Rotor) -> Result<Vec<(f64, Option<Quantity<uom::si::f64::Angle>>)>, Failure> {
+type Discharge = (f64, Option<Quantity<Angle>>);
+
+fn discharges(args: &Rotor) -> Result<Vec<Discharge>, DesignError> {
     if let Some(given) = args.discharge {
         return Ok(vec![(given.get(), None)]);
     }
