@@ -162,7 +162,7 @@ struct Rotor {
     wheel_radius: Quantity<Length>,
 
     /// Discharge parameter Ω = ω²R/g, where it is known; otherwise --release, --chute and --radius-ratio.
-    #[arg(long, value_name = "NUMBER", required_unless_present = "release", conflicts_with_all = ["release", "chute", "radius_ratio"])]
+    #[arg(long, value_name = "NUMBER", required_unless_present = "release", conflicts_with_all = ["release", "chute", "radius_ratio"], allow_negative_numbers = true)]
     discharge: Option<Number>,
 
     /// Angle at which a particle leaves its bucket.

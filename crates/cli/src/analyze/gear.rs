@@ -76,11 +76,7 @@ impl Scene<'_> {
         let (analysis, gearbox) = (self.analysis(), self.gearbox);
         let gear = analysis.gear();
         let exact = analysis.exact_ratio().map(|ratio| ratio.to_string());
-        let locks = match analysis.is_self_locking() {
-            Some(true) => Figure::Answer("true", "cannot be driven from the output"),
-            Some(false) => Figure::Answer("false", "can be driven from the output"),
-            None => Figure::None,
-        };
+        let locks = analysis.is_self_locking().map_or(Figure::None, Figure::YesNo);
         let mut rows = vec![
             Row::new("gear", "gear", "", [text(gear.name())]),
             Row::new("engaged", "engaged", "", [Figure::Texts(engaged(gearbox, gear))]),
@@ -128,7 +124,7 @@ impl Scene<'_> {
                 "",
                 [multiple(analysis.overrun_efficiency())],
             ),
-            Row::new("self_locking", "self-locking", "", [locks]),
+            Row::new("self_locking", "locks itself when overrun", "", [locks]),
         ]);
         Section { name: "gear", title: "Gear", columns: &[], rows, note: "" }
     }
@@ -252,6 +248,12 @@ impl Scene<'_> {
             shown.extend(["ideal_torque_of_input", "torque_of_input"]);
         }
         shown.extend(self.operation().map(|_| "torque"));
+        let note = if analysis.ideal().is_some() {
+            "Slip: first link less second. T: torque on the first link over the input's torque, without losses and \
+             with."
+        } else {
+            "Slip: first link less second."
+        };
         Records {
             name: "controls",
             columns: vec![
@@ -265,12 +267,7 @@ impl Scene<'_> {
                 Column::quantity("torque", Dimension::Torque),
             ],
             rows: rows.collect(),
-            views: vec![View {
-                note: "Slip: first link less second. T: torque on the first link over the input's torque, \
-                       without losses and with."
-                    .to_owned(),
-                ..View::new("Controls", &shown)
-            }],
+            views: vec![View { note: note.to_owned(), ..View::new("Controls", &shown) }],
             is_answer: false,
         }
     }
@@ -413,11 +410,7 @@ impl Scene<'_> {
             vec![
                 text(arrows(&pattern.signs)),
                 Figure::Multiple(pattern.efficiency),
-                if pattern.chosen {
-                    Figure::Answer("true", "the answer: continuous with no losses")
-                } else {
-                    Figure::Answer("false", "consistent with itself, but not reached from there")
-                },
+                Figure::YesNo(pattern.chosen),
             ]
         });
         Records {
@@ -425,7 +418,7 @@ impl Scene<'_> {
             columns: vec![
                 Column::words("signs", "rows"),
                 Column::number("efficiency", "η"),
-                Column::words("chosen", ""),
+                Column::words("chosen", "chosen"),
             ],
             rows: rows.collect(),
             views: vec![View::new(

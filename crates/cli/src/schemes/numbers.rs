@@ -160,8 +160,8 @@ fn warnings(dimensioned: &Dimensioned, gears: &[Analysis]) -> Vec<(&'static str,
         .map(|gear| gear.gear().name())
         .collect();
     if !negative.is_empty() {
-        let gears = negative.join(" and ");
-        all.push(("mixed-signs", format!("the output reverses between direct drive and gear {gears}")));
+        let gears = format!("gear{} {}", if negative.len() > 1 { "s" } else { "" }, negative.join(" and "));
+        all.push(("mixed-signs", format!("the output reverses between direct drive and {gears}")));
     }
     all
 }

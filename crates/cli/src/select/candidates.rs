@@ -2,10 +2,11 @@
 
 use super::{Args, why, winner};
 use crate::failure::Failure;
-use crate::figure::{Figure, multiple, text};
+use crate::figure::{Figure, column, multiple, text};
 use crate::output::Format;
 use crate::report::{Column, Part, Records, Report, View, wrapped};
-use epicyclic_formats::quantity::format::{quantity, trimmed};
+use epicyclic_formats::Dimension;
+use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_schemes::locking::Lock;
 use epicyclic_schemes::selection::{
     Candidate, Criterion, Demand, Mechanism, Objective, Order, Selection, Unreachable,
@@ -98,7 +99,7 @@ fn lists(demand: &Demand, ranked: &Ranked, accepted: usize, rejected: usize) -> 
             View { note: note(demand, ranked), ..View::new(heading, main) },
             View {
                 note: objectives_note(demand),
-                ..View::new("Objectives", &["no", "efficiency", "speed", "parameter", "error", "size", "front"])
+                ..View::new("Objectives", &["no", "efficiency", "speed", "parameter", "error", size_column(demand), "front"])
             },
             View {
                 note: "Slip: of the open locking clutch. Torques: on the brakes, with losses, and on the clutch that \
@@ -146,14 +147,24 @@ fn note(demand: &Demand, ranked: &Ranked) -> String {
 
 fn objectives_note(demand: &Demand) -> String {
     let (low, high) = (demand.limits.preferred.start(), demand.limits.preferred.end());
-    let size = match demand.rating.unit() {
-        Some(unit) => format!("Size: the largest ring over {}.", quantity(unit, 4)),
-        None => "Size: the largest ring, relative.".to_owned(),
-    };
     format!(
         "Efficiency: the least of the gears. Speed: the largest of links and of planets on their carriers. Parameter: \
-         distance of ln k from {low} to {high}. {size} Front: no other is better in one and worse in none."
+         distance of ln k from {low} to {high}. {} Front: no other is better in one and worse in none.",
+        size_note(demand)
     )
+}
+
+/// What a size is.
+pub(super) fn size_note(demand: &Demand) -> &'static str {
+    match demand.rating.load {
+        Some(_) => "Ring: the largest one's pitch diameter at the load factor.",
+        None => "Size: the largest ring, relative.",
+    }
+}
+
+/// The column of sizes: lengths where the load is given.
+pub(super) fn size_column(demand: &Demand) -> &'static str {
+    if demand.rating.load.is_some() { "ring_diameter" } else { "size" }
 }
 
 fn candidates(demand: &Demand, ranked: &Ranked, shown: &[usize], views: Vec<View>) -> Records {
@@ -178,6 +189,7 @@ fn candidates(demand: &Demand, ranked: &Ranked, shown: &[usize], views: Vec<View
             Column::number("parameter", "parameter"),
             Column::number("error", "error"),
             Column::number("size", "size"),
+            Column { heading: "ring, mm".to_owned(), ..Column::quantity("ring_diameter", Dimension::Length) },
             Column::words("front", "front"),
             Column::number("largest_link", "link"),
             Column::number("largest_planet", "planet"),
@@ -234,6 +246,7 @@ fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
         Figure::Multiple(objectives.parameter),
         Figure::Multiple(objectives.ratio_error),
         Figure::Multiple(objectives.size),
+        column(demand.rating.unit().map(|unit| unit * objectives.size)),
         Figure::YesNo(ranked.front.contains(&place)),
         multiple(value(Criterion::LinkSpeed)),
         multiple(value(Criterion::PlanetSpeed)),

@@ -2,11 +2,10 @@
 
 use super::{Args, candidates, drawing, refuse, structures, winner};
 use crate::failure::Failure;
-use crate::figure::{Figure, multiple, text};
+use crate::figure::{Figure, column, multiple, text};
 use crate::output::{Format, complain};
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_formats::Span;
-use epicyclic_formats::quantity::format::quantity;
+use epicyclic_formats::{Dimension, Span};
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
 use epicyclic_schemes::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
 use epicyclic_schemes::selection::{
@@ -191,10 +190,6 @@ fn counts(counts: Counts, shown: usize) -> String {
 }
 
 fn designs(demand: &Demand, all: &[Measured]) -> Records {
-    let size = match demand.rating.unit() {
-        Some(unit) => format!(" Size: the largest ring over {}.", quantity(unit, 4)),
-        None => " Size: the largest ring, relative.".to_owned(),
-    };
     let views = vec![
         View {
             note: "Rows: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
@@ -206,8 +201,14 @@ fn designs(demand: &Demand, all: &[Measured]) -> Records {
             &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
         ),
         View {
-            note: format!("On the front: no other design is better in one and worse in none.{size}"),
-            ..View::new("Objectives", &["no", "efficiency", "speed", "parameter", "error", "size"])
+            note: format!(
+                "On the front: no other design is better in one and worse in none. {}",
+                candidates::size_note(demand)
+            ),
+            ..View::new(
+                "Objectives",
+                &["no", "efficiency", "speed", "parameter", "error", candidates::size_column(demand)],
+            )
         },
     ];
     Records {
@@ -230,15 +231,16 @@ fn designs(demand: &Demand, all: &[Measured]) -> Records {
             Column::number("parameter", "parameter"),
             Column::number("error", "error"),
             Column::number("size", "size"),
+            Column { heading: "ring, mm".to_owned(), ..Column::quantity("ring_diameter", Dimension::Length) },
             Column::words("mixes_senses", "mixed signs"),
         ],
-        rows: all.iter().enumerate().map(|(place, one)| row(place, one)).collect(),
+        rows: all.iter().enumerate().map(|(place, one)| row(demand, place, one)).collect(),
         views,
         is_answer: true,
     }
 }
 
-fn row(place: usize, one: &Measured) -> Vec<Figure> {
+fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
     let first = &one.designs[0];
     let teeth = |row: usize| first.pairs.first().map_or_else(String::new, |pair| shown(&pair[row]));
     let all: usize = one.designs.iter().map(|design| design.pairs.len()).sum();
@@ -262,6 +264,7 @@ fn row(place: usize, one: &Measured) -> Vec<Figure> {
         Figure::Multiple(objectives.parameter),
         Figure::Multiple(objectives.ratio_error),
         Figure::Multiple(objectives.size),
+        column(demand.rating.unit().map(|unit| unit * objectives.size)),
         Figure::YesNo(one.candidate.mixes_senses()),
     ]
 }
