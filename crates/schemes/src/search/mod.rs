@@ -12,7 +12,9 @@
 //!    within tolerance: a quotient of bilinear functions, monotonous in each between zeros and poles.
 //! 3. **Windows.** Beside each `k₁` only the interval of `k₂` is tried outside which a ratio, a link speed
 //!    or a planet speed breaks its limit: quotients of linear functions of `k₂`.
-//! 4. **Symmetry.** Of the six structures that are their own mirror image under exchange of rows and
+//! 4. **Drawing.** Unless the limits lift that criterion, structures that cannot be drawn without
+//!    self-crossing are left out, and of the ways to lock those that cannot be drawn with the rest.
+//! 5. **Symmetry.** Of the six structures that are their own mirror image under exchange of rows and
 //!    brakes only one order of the ratios is tried: the other is the same design.
 //!
 //! All that remains is measured and judged in full; the front is found by asking of each design whether
@@ -44,10 +46,10 @@ mod levels;
 mod patch;
 mod window;
 
+use crate::selection::SelectionError;
 use crate::selection::demand::Demand;
 use crate::selection::front::{Entry, front};
 use crate::selection::objectives::{Objectives, Order};
-use crate::selection::{Drawing, Mechanism, SelectionError};
 use crate::structures::Structure;
 use crate::units::in_metres;
 use epicyclic_gears::synthesis::{Bounds, ToothSet};
@@ -162,13 +164,6 @@ impl ToothSearch {
             order: Order::default(),
             module: None,
             ring_diameter: None,
-        }
-    }
-
-    /// Leaves out structures that cannot be drawn, unless the demand's limits lift that criterion.
-    pub fn retain_drawable(&mut self, drawing: &Drawing) {
-        if self.demand.limits.drawable {
-            self.structures.retain(|structure| drawing(Mechanism::Rows(*structure)).is_ok());
         }
     }
 
