@@ -7,7 +7,9 @@
 //!
 //! - A design that one kept dominates is not on the front.
 //! - A design kept that a newcomer dominates is not on the front.
-//! - A design with no room left is *lost*, and the earliest of the lost is remembered: before it nothing
+//! - A design that a *rival* dominates, a design of a sample tried before, is not on the front.
+//! - A design after the last of as many rivals as there is room for is *lost* at once, without a look.
+//! - A design with no room left is lost too, and the earliest of the lost is remembered: before it nothing
 //!   is missing. If in the end enough leaders come before all lost, they are the first of the front.
 //!   Otherwise the search runs again with more room; when all fits nothing is lost, so that ends.
 //!
@@ -16,7 +18,7 @@
 //! compared in full afterwards.
 
 use super::Point;
-use crate::selection::objectives::{Costs, Order, dominates, nowhere_worse};
+use crate::selection::objectives::{Costs, Order, dominates};
 use std::cmp::Ordering;
 
 /// Takes designs one by one.
@@ -51,16 +53,35 @@ impl Gather for Contenders {
 
 /// The first designs by an order that none of them dominates.
 #[derive(Debug)]
-pub(super) struct Leaders {
+pub(super) struct Leaders<'a> {
     order: Order,
+    /// By the order; none dominates another.
+    rivals: &'a [Costs],
+    /// What comes after this is lost.
+    cut: Option<Costs>,
     room: usize,
     kept: Vec<(Costs, Vec<Point>)>,
     lost: Option<Costs>,
 }
 
-impl Leaders {
-    pub(super) fn new(order: Order, room: usize) -> Self {
-        Self { order, room, kept: Vec::with_capacity(room.min(1024) + 1), lost: None }
+impl<'a> Leaders<'a> {
+    pub(super) fn new(order: Order, room: usize, rivals: &'a [Costs]) -> Self {
+        let cut = if rivals.len() < room { None } else { rivals.last().copied() };
+        Self { order, rivals, cut, room, kept: Vec::with_capacity(room.min(1024) + 1), lost: None }
+    }
+
+    /// The first rivals from the leaders of a sample.
+    pub(super) fn rivals(sample: Vec<Self>, order: Order, room: usize) -> Vec<Costs> {
+        let mut together = Leaders::new(order, usize::MAX - 1, &[]);
+        for (costs, points) in sample.into_iter().flat_map(|leaders| leaders.kept) {
+            together.take(costs, points);
+        }
+        together.kept.into_iter().map(|(costs, _)| costs).take(room).collect()
+    }
+
+    fn is_dominated(&self, costs: &Costs) -> bool {
+        self.kept.iter().any(|(kept, _)| dominates(kept, costs))
+            || self.rivals.iter().any(|rival| dominates(rival, costs))
     }
 
     fn lose(&mut self, costs: Costs) {
@@ -70,7 +91,7 @@ impl Leaders {
     }
 
     fn take(&mut self, costs: Costs, points: Vec<Point>) {
-        if self.kept.iter().any(|(kept, _)| dominates(kept, &costs)) {
+        if self.is_dominated(&costs) {
             return;
         }
         let place = self.kept.partition_point(|(kept, _)| self.order.compare(kept, &costs).is_lt());
@@ -93,7 +114,7 @@ impl Leaders {
     /// The first so many of the front from the leaders of all pieces; `None` where what was lost might
     /// be among them.
     pub(super) fn merge(all: Vec<Self>, order: Order, count: usize) -> Option<Vec<(Costs, Vec<Point>)>> {
-        let mut together = Self::new(order, usize::MAX - 1);
+        let mut together = Leaders::new(order, usize::MAX - 1, &[]);
         for leaders in all {
             if let Some(lost) = leaders.lost {
                 together.lose(lost);
@@ -118,16 +139,25 @@ impl Leaders {
     }
 }
 
-impl Gather for Leaders {
+impl Gather for Leaders<'_> {
     #[inline]
     fn gather(&mut self, costs: Costs, point: Point) {
+        if let Some(cut) = &self.cut
+            && self.order.compare(&costs, cut) == Ordering::Greater
+        {
+            // Lost once is lost: the cut itself stands for all behind it.
+            if self.lost.is_none() {
+                self.lost = self.cut;
+            }
+            return;
+        }
         if self.kept.len() == self.room
             && let Some((last, _)) = self.kept.last()
             && self.order.compare(&costs, last) == Ordering::Greater
         {
             // Dominated or not, it cannot be told from the lost: that only errs towards more room.
             if self.lost.as_ref().is_none_or(|lost| self.order.compare(&costs, lost).is_lt())
-                && !self.kept.iter().any(|(kept, _)| nowhere_worse(kept, &costs))
+                && !self.is_dominated(&costs)
             {
                 self.lost = Some(costs);
             }
@@ -154,8 +184,13 @@ mod tests {
         ) {
             let costs: Vec<Costs> = raw.into_iter().map(|cost| cost.map(f64::from)).collect();
             let order = Order::default();
+            let mut sample = Leaders::new(order, room, &[]);
+            for &cost in costs.iter().step_by(3) {
+                sample.gather(cost, Point { patch: 0, levels: [0, 0] });
+            }
+            let rivals = Leaders::rivals(vec![sample], order, room);
             let leaders = costs.chunks(costs.len().div_ceil(pieces)).map(|chunk| {
-                let mut leaders = Leaders::new(order, room);
+                let mut leaders = Leaders::new(order, room, &rivals);
                 for &cost in chunk {
                     leaders.gather(cost, Point { patch: 0, levels: [0, 0] });
                 }

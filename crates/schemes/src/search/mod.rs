@@ -152,6 +152,8 @@ struct SizeLimits {
 
 /// Strips of `k₂` in one piece of work.
 const PIECE: usize = 128;
+/// Of so many strips one is in the sample.
+const SAMPLE: usize = 16;
 
 impl ToothSearch {
     /// All structures, default tooth bounds and order, no limits of size.
@@ -181,7 +183,9 @@ impl ToothSearch {
     /// # Errors
     /// As [`front`](Self::front), and [`SelectionError::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, SelectionError> {
-        let (mut found, gathered) = self.each(watch, Contenders::default)?;
+        let mut found = self.prepared()?;
+        let (gathered, [tried, feasible]) = self.each(&found, 1, watch, Contenders::default)?;
+        (found.counts.tried, found.counts.feasible) = (tried, feasible);
         let mut costs = vec![];
         for contenders in gathered {
             costs.extend(contenders.costs);
@@ -206,10 +210,18 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, SelectionError> {
+        let mut found = self.prepared()?;
         let mut room = (8 * count).max(64);
         loop {
-            let (mut found, gathered) = self.each(watch, || Leaders::new(self.order, room))?;
+            // A sample first: what it dominates need not be kept.
+            let unwatched = |_| ControlFlow::Continue(());
+            let (sample, _) =
+                self.each(&found, SAMPLE, &unwatched, || Leaders::new(self.order, room, &[]))?;
+            let rivals = Leaders::rivals(sample, self.order, room);
+            let (gathered, [tried, feasible]) =
+                self.each(&found, 1, watch, || Leaders::new(self.order, room, &rivals))?;
             if let Some(leading) = Leaders::merge(gathered, self.order, count) {
+                (found.counts.tried, found.counts.feasible) = (tried, feasible);
                 for (costs, points) in leading {
                     let from = found.points.len();
                     found.points.extend(points);
@@ -222,13 +234,8 @@ impl ToothSearch {
         }
     }
 
-    /// Offers every pair of levels that meets the criteria to a gatherer of its piece of work; gatherers
-    /// come back in the order of the pieces.
-    fn each<G: Gather + Send>(
-        &self,
-        watch: &Watch,
-        gatherer: impl Fn() -> G + Sync,
-    ) -> Result<(Found, Vec<G>), SelectionError> {
+    /// Levels, patches and windows: all that comes before trying.
+    fn prepared(&self) -> Result<Found, SelectionError> {
         self.demand.check()?;
         let size = self.size_limits()?;
         let all_sets = self.bounds.tooth_sets()?;
@@ -243,49 +250,55 @@ impl ToothSearch {
             .into_iter()
             .flatten()
             .collect();
-        let pieces: Vec<(u32, &[[u32; 3]])> = patches
-            .iter()
-            .enumerate()
-            .flat_map(|(place, patch)| patch.strips.chunks(PIECE).map(move |strips| (place as u32, strips)))
-            .collect();
-        let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
-        let trial = Trial {
-            patches: &patches,
-            levels: &levels,
-            sets: &sets,
-            allowed: Allowed::new(&self.demand),
-            size,
-        };
-        let try_piece = |&(patch, strips): &(u32, &[[u32; 3]])| {
-            let mut gathered = gatherer();
-            if cancelled.load(Ordering::Relaxed) {
-                return (gathered, [0, 0]);
-            }
-            let counts = self.try_strips(&trial, patch, strips, &mut gathered);
-            let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of: pieces.len() };
-            if watch(progress).is_break() {
-                cancelled.store(true, Ordering::Relaxed);
-            }
-            (gathered, counts)
-        };
-        let (gathered, tried): (Vec<G>, Vec<[u64; 2]>) =
-            pieces.par_iter().map(try_piece).collect::<Vec<_>>().into_iter().unzip();
-        if cancelled.into_inner() {
-            return Err(SelectionError::Cancelled);
-        }
         let counts = Counts {
             tooth_sets,
             levels: levels.len(),
             patches: of,
             patches_tried: patches.len(),
             designs: tooth_sets as u128 * tooth_sets as u128 * of as u128,
-            tried: tried.iter().map(|[tried, _]| tried).sum(),
-            feasible: tried.iter().map(|[_, feasible]| feasible).sum(),
+            tried: 0,
+            feasible: 0,
         };
-        let allowed = trial.allowed;
+        let allowed = Allowed::new(&self.demand);
         let rating = self.demand.rating.clone();
         let (entries, points) = (vec![], vec![]);
-        Ok((Found { entries, points, patches, levels, sets, counts, size, allowed, rating }, gathered))
+        Ok(Found { entries, points, patches, levels, sets, counts, size, allowed, rating })
+    }
+
+    /// Offers pairs of levels that meet the criteria to a gatherer of their piece of work, those of every
+    /// so manieth strip; gatherers come back in the order of the pieces, with the numbers tried and met.
+    fn each<G: Gather + Send>(
+        &self,
+        found: &Found,
+        stride: usize,
+        watch: &Watch,
+        gatherer: impl Fn() -> G + Sync,
+    ) -> Result<(Vec<G>, [u64; 2]), SelectionError> {
+        let of_patch = |(place, patch): (usize, &'_ Patch)| {
+            let pieces = patch.strips.len().div_ceil(PIECE);
+            (0..pieces).map(move |piece| (place as u32, piece)).collect::<Vec<_>>()
+        };
+        let pieces: Vec<(u32, usize)> = found.patches.iter().enumerate().flat_map(of_patch).collect();
+        let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let try_piece = |&(patch, piece): &(u32, usize)| {
+            let mut gathered = gatherer();
+            if cancelled.load(Ordering::Relaxed) {
+                return (gathered, [0, 0]);
+            }
+            let strips = found.patches[patch as usize].strips.iter().skip(PIECE * piece).take(PIECE);
+            let counts = self.try_strips(found, patch, strips.step_by(stride), &mut gathered);
+            let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of: pieces.len() };
+            if watch(progress).is_break() {
+                cancelled.store(true, Ordering::Relaxed);
+            }
+            (gathered, counts)
+        };
+        let (gathered, counts): (Vec<G>, Vec<[u64; 2]>) =
+            pieces.par_iter().map(try_piece).collect::<Vec<_>>().into_iter().unzip();
+        if cancelled.into_inner() {
+            return Err(SelectionError::Cancelled);
+        }
+        Ok((gathered, [0, 1].map(|place| counts.iter().map(|counts| counts[place]).sum())))
     }
 
     /// Structures with the ratios of their gears, each design once.
@@ -329,8 +342,14 @@ impl ToothSearch {
     }
 
     /// Tries all pairs of some strips; how many there are, and how many meet the criteria.
-    fn try_strips(&self, trial: &Trial, place: u32, strips: &[[u32; 3]], into: &mut impl Gather) -> [u64; 2] {
-        let Trial { patches, levels, sets, ref allowed, size } = *trial;
+    fn try_strips<'a>(
+        &self,
+        found: &Found,
+        place: u32,
+        strips: impl Iterator<Item = &'a [u32; 3]>,
+        into: &mut impl Gather,
+    ) -> [u64; 2] {
+        let Found { patches, levels, sets, allowed, size, .. } = found;
         let patch = &patches[place as usize];
         let [mut tried, mut feasible] = [0, 0];
         for &[one, from, to] in strips {
@@ -357,16 +376,6 @@ impl ToothSearch {
         }
         [tried, feasible]
     }
-}
-
-/// What a trial of pairs needs.
-#[derive(Clone, Copy)]
-struct Trial<'a> {
-    patches: &'a [Patch],
-    levels: &'a [Level],
-    sets: &'a [ToothSet],
-    allowed: Allowed,
-    size: SizeLimits,
 }
 
 impl SizeLimits {
