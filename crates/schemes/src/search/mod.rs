@@ -41,7 +41,7 @@
 //! # }
 //! ```
 
-mod gather;
+mod contenders;
 mod levels;
 mod patch;
 mod window;
@@ -49,11 +49,11 @@ mod window;
 use crate::selection::SelectionError;
 use crate::selection::demand::Demand;
 use crate::selection::front::{Entry, front};
-use crate::selection::objectives::{Objectives, Order};
+use crate::selection::objectives::{Costs, Objectives, Order, nowhere_worse};
 use crate::structures::Structure;
 use crate::units::in_metres;
+use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothSet};
-use gather::{Contenders, Gather, Leaders};
 use levels::{Level, levels};
 use patch::{Allowed, Measured, Patch};
 use rayon::prelude::*;
@@ -152,8 +152,6 @@ struct SizeLimits {
 
 /// Strips of `k₂` in one piece of work.
 const PIECE: usize = 128;
-/// Of so many strips one is in the sample.
-const SAMPLE: usize = 16;
 
 impl ToothSearch {
     /// All structures, default tooth bounds and order, no limits of size.
@@ -183,21 +181,15 @@ impl ToothSearch {
     /// # Errors
     /// As [`front`](Self::front), and [`SelectionError::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, SelectionError> {
-        let mut found = self.prepared()?;
-        let (gathered, [tried, feasible]) = self.each(&found, 1, watch, Contenders::default)?;
-        (found.counts.tried, found.counts.feasible) = (tried, feasible);
-        let mut costs = vec![];
-        for contenders in gathered {
-            costs.extend(contenders.costs);
-            found.points.extend(contenders.points);
-        }
+        let (mut found, costs) = self.contenders(watch)?;
         found.entries = front(&costs, self.order);
         Ok(found)
     }
 
     /// The first entries of the front, without the rest of it.
     ///
-    /// How it knows them without the others: see [`gather`].
+    /// In the order of objectives no design dominates an earlier one. So the designs are taken in this
+    /// order, and each is on the front unless an entry before it dominates it.
     ///
     /// # Errors
     /// As [`front`](Self::front).
@@ -210,28 +202,22 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, SelectionError> {
+        let (mut found, costs) = self.contenders(watch)?;
+        found.entries = first_of_front(&costs, self.order, count);
+        Ok(found)
+    }
+
+    /// What a few designs met before do not dominate, with its costs.
+    fn contenders(&self, watch: &Watch) -> Result<(Found, Vec<Costs>), SelectionError> {
         let mut found = self.prepared()?;
-        let mut room = (8 * count).max(64);
-        loop {
-            // A sample first: what it dominates need not be kept.
-            let unwatched = |_| ControlFlow::Continue(());
-            let (sample, _) =
-                self.each(&found, SAMPLE, &unwatched, || Leaders::new(self.order, room, &[]))?;
-            let rivals = Leaders::rivals(sample, self.order, room);
-            let (gathered, [tried, feasible]) =
-                self.each(&found, 1, watch, || Leaders::new(self.order, room, &rivals))?;
-            if let Some(leading) = Leaders::merge(gathered, self.order, count) {
-                (found.counts.tried, found.counts.feasible) = (tried, feasible);
-                for (costs, points) in leading {
-                    let from = found.points.len();
-                    found.points.extend(points);
-                    let members = (from..found.points.len()).collect();
-                    found.entries.push(Entry { objectives: Objectives::of_costs(costs), members });
-                }
-                return Ok(found);
-            }
-            room *= 8;
+        let (gathered, [tried, feasible]) = self.each(&found, watch)?;
+        (found.counts.tried, found.counts.feasible) = (tried, feasible);
+        let mut costs = vec![];
+        for contenders in gathered {
+            costs.extend(contenders.costs);
+            found.points.extend(contenders.points);
         }
+        Ok((found, costs))
     }
 
     /// Levels, patches and windows: all that comes before trying.
@@ -265,15 +251,9 @@ impl ToothSearch {
         Ok(Found { entries, points, patches, levels, sets, counts, size, allowed, rating })
     }
 
-    /// Offers pairs of levels that meet the criteria to a gatherer of their piece of work, those of every
-    /// so manieth strip; gatherers come back in the order of the pieces, with the numbers tried and met.
-    fn each<G: Gather + Send>(
-        &self,
-        found: &Found,
-        stride: usize,
-        watch: &Watch,
-        gatherer: impl Fn() -> G + Sync,
-    ) -> Result<(Vec<G>, [u64; 2]), SelectionError> {
+    /// Offers every pair of levels that meets the criteria to the contenders of its piece of work; they
+    /// come back in the order of the pieces, with the numbers tried and met.
+    fn each(&self, found: &Found, watch: &Watch) -> Result<(Vec<Contenders>, [u64; 2]), SelectionError> {
         let of_patch = |(place, patch): (usize, &'_ Patch)| {
             let pieces = patch.strips.len().div_ceil(PIECE);
             (0..pieces).map(move |piece| (place as u32, piece)).collect::<Vec<_>>()
@@ -281,19 +261,19 @@ impl ToothSearch {
         let pieces: Vec<(u32, usize)> = found.patches.iter().enumerate().flat_map(of_patch).collect();
         let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
         let try_piece = |&(patch, piece): &(u32, usize)| {
-            let mut gathered = gatherer();
+            let mut gathered = Contenders::default();
             if cancelled.load(Ordering::Relaxed) {
                 return (gathered, [0, 0]);
             }
             let strips = found.patches[patch as usize].strips.iter().skip(PIECE * piece).take(PIECE);
-            let counts = self.try_strips(found, patch, strips.step_by(stride), &mut gathered);
+            let counts = self.try_strips(found, patch, strips, &mut gathered);
             let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of: pieces.len() };
             if watch(progress).is_break() {
                 cancelled.store(true, Ordering::Relaxed);
             }
             (gathered, counts)
         };
-        let (gathered, counts): (Vec<G>, Vec<[u64; 2]>) =
+        let (gathered, counts): (Vec<Contenders>, Vec<[u64; 2]>) =
             pieces.par_iter().map(try_piece).collect::<Vec<_>>().into_iter().unzip();
         if cancelled.into_inner() {
             return Err(SelectionError::Cancelled);
@@ -347,7 +327,7 @@ impl ToothSearch {
         found: &Found,
         place: u32,
         strips: impl Iterator<Item = &'a [u32; 3]>,
-        into: &mut impl Gather,
+        into: &mut Contenders,
     ) -> [u64; 2] {
         let Found { patches, levels, sets, allowed, size, .. } = found;
         let patch = &patches[place as usize];
@@ -431,5 +411,39 @@ impl Found {
         }
         let k = levels.map(|level| level.k);
         Some(ToothDesign { structure: patch.structure, wanted: patch.wanted, k, pairs })
+    }
+}
+
+/// The first entries of the front of some designs.
+fn first_of_front(costs: &[Costs], order: Order, count: usize) -> Vec<Entry> {
+    let compare = |a: &u32, b: &u32| order.compare(&costs[*a as usize], &costs[*b as usize]).then(a.cmp(b));
+    let mut taken = count.saturating_mul(64).max(1024);
+    loop {
+        let mut places: Vec<u32> = (0..costs.len() as u32).collect();
+        if taken < places.len() {
+            places.select_nth_unstable_by(taken, compare);
+            places.truncate(taken);
+        }
+        places.sort_unstable_by(compare);
+        let mut entries: Vec<Entry> = vec![];
+        let mut kept: Vec<Costs> = vec![];
+        for &place in &places {
+            let cost = costs[place as usize];
+            if kept.last() == Some(&cost) {
+                if let Some(entry) = entries.last_mut() {
+                    entry.members.push(place as usize);
+                }
+            } else if !kept.iter().any(|earlier| nowhere_worse(earlier, &cost)) {
+                if entries.len() == count {
+                    return entries;
+                }
+                kept.push(cost);
+                entries.push(Entry { objectives: Objectives::of_costs(cost), members: vec![place as usize] });
+            }
+        }
+        if taken >= costs.len() {
+            return entries;
+        }
+        taken = taken.saturating_mul(8);
     }
 }
