@@ -21,6 +21,12 @@
 //! any other dominates it ([`front`](crate::selection::front)). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
+//! # What it costs
+//! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to try
+//! and 1.5·10⁶ pairs of parameters are tried; 1.2·10⁶ meet the criteria, and of these 215 089 entries are on
+//! the front: five objectives over two parameters leave much that nothing dominates. Trying takes some
+//! 45 ms on one core, the front of all the rest; the first of it ([`ToothSearch::best`]) needs a sort.
+//!
 //! Results do not depend on the number of threads: work is cut into pieces by content and put together in
 //! their order. Run it within a `rayon::ThreadPool` of your own to choose their number.
 //!

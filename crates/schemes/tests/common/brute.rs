@@ -14,16 +14,16 @@ use epicyclic_schemes::{CompiledGear, Direction, Gearbox, LinkId, RowValues, Sol
 
 /// A design that meets the criteria.
 #[derive(Debug, Clone, Copy)]
-pub struct Design {
-    pub structure: Structure,
-    pub wanted: [f64; 2],
-    pub teeth: [ToothSet; 2],
+pub(crate) struct Design {
+    pub(crate) structure: Structure,
+    pub(crate) wanted: [f64; 2],
+    pub(crate) teeth: [ToothSet; 2],
     /// Efficiency, speed, parameter, ratio error, size, as costs.
-    pub costs: [f64; 5],
+    pub(crate) costs: [f64; 5],
 }
 
 /// Every design of these structures that meets the criteria, and how many were tried.
-pub fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (Vec<Design>, u64) {
+pub(crate) fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (Vec<Design>, u64) {
     let sets = tooth_sets_by_trial(bounds).expect("the bounds are bounds");
     let (mut found, mut tried) = (vec![], 0);
     for &structure in structures {
@@ -48,7 +48,7 @@ pub fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (V
 }
 
 /// Designs that no other dominates, each compared with each.
-pub fn front(designs: &[Design]) -> Vec<Design> {
+pub(crate) fn front(designs: &[Design]) -> Vec<Design> {
     let dominates = |one: &[f64; 5], other: &[f64; 5]| {
         one.iter().zip(other).all(|(a, b)| *a <= b + 1e-12)
             && one.iter().zip(other).any(|(a, b)| *a < b - 1e-12)
@@ -136,7 +136,7 @@ impl Model {
 
 /// For each structure and assignment of ratios the point of a grid of row parameters, so many a side,
 /// whose ratios come nearest.
-pub fn nearest_on_a_grid(
+pub(crate) fn nearest_on_a_grid(
     demand: &Demand,
     structures: &[Structure],
     side: u32,
