@@ -17,9 +17,7 @@ const QUICK: Options = Options { same_side: false, attempts: 6 };
 /// The first of all links joined with this one for ever.
 fn piece(gearbox: &Gearbox, link: LinkId) -> LinkId {
     let mut same = vec![link];
-    while let Some(&[a, b]) =
-        gearbox.permanent().iter().find(|[a, b]| same.contains(a) != same.contains(b))
-    {
+    while let Some(&[a, b]) = gearbox.permanent().iter().find(|[a, b]| same.contains(a) != same.contains(b)) {
         same.push(if same.contains(&a) { b } else { a });
     }
     same.into_iter().min().unwrap()
@@ -95,7 +93,9 @@ fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
         reached[start] = true;
         while let Some(line) = stack.pop() {
             for other in 0..lines.len() {
-                if !reached[other] && lines[other].0 == lines[line].0 && touch(&lines[other].1, &lines[line].1)
+                if !reached[other]
+                    && lines[other].0 == lines[line].0
+                    && touch(&lines[other].1, &lines[line].1)
                 {
                     reached[other] = true;
                     stack.push(other);
@@ -430,7 +430,11 @@ fn any_order(
             found
         })
     }
-    if vertex == ranges.len() { holds(around) } else { permute(around, ranges, vertex, ranges[vertex].start, holds) }
+    if vertex == ranges.len() {
+        holds(around)
+    } else {
+        permute(around, ranges, vertex, ranges[vertex].start, holds)
+    }
 }
 
 proptest! {
