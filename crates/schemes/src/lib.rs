@@ -17,6 +17,7 @@
 //! | [`combinations`] | every set of controls |
 //! | [`compiled`] | a gear compiled once, solved often |
 //! | [`mobility`] | Chebyshev's count |
+//! | [`drawability`] | whether the scheme can be drawn without a crossing, and the drawing |
 //!
 //! Speeds and torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace.
 //! Losses are those of the meshes; bearings, churning and seals are left out.

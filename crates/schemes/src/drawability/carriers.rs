@@ -74,7 +74,13 @@ fn exchange(graph: &Graph, rotation: &mut [Vec<usize>]) {
                 let swap = |rotation: &mut [Vec<usize>]| {
                     for end in graph.ends[a] {
                         for edge in &mut rotation[end] {
-                            *edge = if *edge == a { b } else if *edge == b { a } else { *edge };
+                            *edge = if *edge == a {
+                                b
+                            } else if *edge == b {
+                                a
+                            } else {
+                                *edge
+                            };
                         }
                     }
                 };

@@ -68,7 +68,8 @@ impl Map {
                 webs[web].1.push(edge);
                 continue;
             };
-            if let Some(&(hub, outer)) = open.last().filter(|(hub, _)| self.planet[*hub] == Some(planet.row)) {
+            if let Some(&(hub, outer)) = open.last().filter(|(hub, _)| self.planet[*hub] == Some(planet.row))
+            {
                 open.pop();
                 self.attach(edge, vertex, hub);
                 let inner = self.arm(planet.row, hub, webs[web].0);
@@ -132,7 +133,8 @@ impl Map {
                 self.ends.push([from, to]);
                 self.kinds.push(Kind::Helper);
                 block.push(block[edge]);
-                let place = |around: &[usize], edge| around.iter().position(|&other| other == edge).unwrap_or(0);
+                let place =
+                    |around: &[usize], edge| around.iter().position(|&other| other == edge).unwrap_or(0);
                 let before = place(&self.around[from], edge);
                 self.around[from].insert(before, helper);
                 let behind = place(&self.around[to], next) + 1;

@@ -129,9 +129,9 @@ impl<'a> Scheme<'a> {
         let rows = (0..self.gearbox.rows().len()).map(Element::Row);
         let controls = (0..self.gearbox.controls().len() + self.locks.len()).map(Element::Control);
         let take_offs = self.take_offs().into_iter().map(Element::TakeOff);
-        let links = (1..self.piece.len()).filter(|&link| self.piece[link] == link).map(|link| {
-            Element::Link(LinkId(link))
-        });
+        let links = (1..self.piece.len())
+            .filter(|&link| self.piece[link] == link)
+            .map(|link| Element::Link(LinkId(link)));
         rows.chain(controls).chain(take_offs).chain([Element::Input, Element::Output]).chain(links).collect()
     }
 
