@@ -159,7 +159,11 @@ fn sample(root: &Value, schema: &Value) -> String {
         "number" => "1.0".into(),
         "boolean" => "true".into(),
         "string" => "\"…\"".into(),
-        "array" => format!("[{}]", sample(root, &schema["items"])),
+        "array" => {
+            // As many as there must be, of a pair two.
+            let least = schema["minItems"].as_u64().unwrap_or(1).max(1) as usize;
+            format!("[{}]", vec![sample(root, &schema["items"]); least].join(", "))
+        }
         _ => {
             let inner: Vec<String> = schema["properties"]
                 .as_object()

@@ -1,5 +1,7 @@
 //! `verify` itself: what it accepts, what it refuses, and what it says then.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,5 +1,7 @@
 //! What this crate refuses.
 
+use crate::drive::Wheel;
+
 /// A mechanism that cannot move as described.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -39,6 +41,59 @@ pub enum Error {
     /// The sense of the power through the meshes contradicts itself in every combination.
     #[error("no sense of the mesh powers is consistent with the torques: the drive locks itself")]
     Locked,
+    /// Given tooth numbers that do not share one centre distance.
+    #[error(
+        "{sun}, {planet} and {ring} teeth are not coaxial: without profile shift \
+         z_b = z_a + 2·z_g = {}", u64::from(*sun) + 2 * u64::from(*planet)
+    )]
+    NotCoaxial {
+        /// Teeth of the sun.
+        sun: u32,
+        /// Teeth of a planet.
+        planet: u32,
+        /// Teeth of the ring.
+        ring: u32,
+    },
+    /// A bore that leaves no rim under the teeth.
+    #[error(
+        "the {wheel}'s bore of {bore_mm:.1} mm does not fit inside its root circle of {root_mm:.1} mm: give it \
+         a smaller bore or bearing, a larger module or more teeth"
+    )]
+    BoreTooLarge {
+        /// The wheel concerned.
+        wheel: Wheel,
+        /// The bore, mm.
+        bore_mm: f64,
+        /// The root diameter, mm.
+        root_mm: f64,
+    },
+    /// A result beyond what a number holds.
+    #[error("{what} is {value}: the given quantities are too large or too small to calculate with")]
+    Overflow {
+        /// Which result.
+        what: &'static str,
+        /// Its value in SI units.
+        value: f64,
+    },
+    /// A link, row or planet that the gearbox has not.
+    #[error("the gearbox {gearbox} has no {part}")]
+    UnknownPart {
+        /// What was asked for.
+        part: String,
+        /// The gearbox.
+        gearbox: String,
+    },
+    /// A link whose speed does not follow from the input's.
+    #[error("the speed of {part} does not follow from the input's: the gear is {state}")]
+    NoSpeed {
+        /// The link, or the row of the planet.
+        part: String,
+        /// State of the gear.
+        state: String,
+    },
+    /// A gearbox that is none.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_schemes::Error),
     /// A gear set that is none.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),

@@ -5,6 +5,7 @@
 //! | module | answers |
 //! |---|---|
 //! | [`reduction`] | one inertia at the driving shaft in place of all moving links |
+//! | [`gearbox`] | the moving links of any planetary gearbox in a gear |
 //! | [`energy`] | kinetic energy, link by link |
 //! | [`lagrange`] | generalized force and accelerations, Lagrange's equation of the second kind |
 //! | [`loads`] | torques and powers on the shafts |
@@ -17,8 +18,10 @@
 //! [`energy`] and [`reduction`] share no code: the first sums over absolute speeds, the second over
 //! ratios of tooth numbers, so that `T = ½·J_pr·ω_1²` tests both.
 
+pub mod drive;
 pub mod energy;
 pub mod error;
+pub mod gearbox;
 pub mod lagrange;
 pub mod loads;
 pub mod planetary;

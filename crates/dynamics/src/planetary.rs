@@ -27,8 +27,9 @@
 
 use crate::Error;
 use crate::energy::MovingBody;
-use crate::lagrange::{AppliedTorque, acceleration, generalized_force};
-use crate::reduction::{Link, Orbit, reduced_inertia};
+use crate::gearbox::{Masses, PlanetMass, PlanetMasses, moving_links};
+use crate::lagrange::{AppliedTorque, acceleration, generalized_force, link_acceleration};
+use crate::reduction::{Link, reduced_inertia};
 use crate::units::{
     angular_acceleration, angular_velocity, inertia, kg_m2, kilograms, meters, n_m, power, rad_per_s,
     rad_per_s2, torque,
@@ -36,6 +37,8 @@ use crate::units::{
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothSet;
 use epicyclic_gears::willis;
+use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::{GROUND, Gearbox};
 use uom::si::f64::{
     AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
 };
@@ -68,12 +71,36 @@ pub struct SpeedRatios {
 }
 
 impl SpeedRatios {
-    /// Speed ratios of a tooth set with its ring at rest.
-    #[must_use]
-    pub fn of(teeth: &ToothSet) -> Self {
-        let (z1, z2, z3) = (teeth.sun.as_f64(), teeth.planet.as_f64(), teeth.ring.as_f64());
-        Self { planet: z1 * (z2 - z3) / (z2 * (z1 + z3)), carrier: z1 / (z1 + z3) }
+    /// Speed ratios of a tooth set with its ring at rest, from the solver of gearboxes.
+    ///
+    /// # Errors
+    /// [`Error::Gearbox`] for teeth that make no planetary gear.
+    pub fn of(teeth: &ToothSet) -> Result<Self, Error> {
+        let gearbox = gearbox(teeth)?;
+        let analysis = gearbox.analyze(GEAR)?;
+        let carrier = gearbox.link("carrier").and_then(|link| analysis.speed(link));
+        let planet = analysis.rows()[0].planets[0].absolute;
+        let no_speed = || Error::NoSpeed { part: "the planet".into(), state: analysis.state().to_string() };
+        planet.zip(carrier).map(|(planet, carrier)| Self { planet, carrier }).ok_or_else(no_speed)
     }
+}
+
+/// Name of the only gear of a drive.
+const GEAR: &str = "drive";
+
+/// The drive as a gearbox: one row, ring in the housing.
+fn gearbox(teeth: &ToothSet) -> Result<Gearbox, Error> {
+    let members = ["sun", GROUND, "carrier"];
+    let row = RowSpec::teeth("row", RowKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
+        .planet_teeth(teeth.planet, None)
+        .planet_count(teeth.planets);
+    let gearbox = Gearbox::builder("drive")
+        .links(["sun", "carrier"])
+        .row(row)
+        .input("sun")
+        .output("carrier")
+        .gear(GEAR, [""; 0]);
+    Ok(gearbox.build()?)
 }
 
 /// Accelerations of the links.
@@ -105,31 +132,32 @@ pub struct LossyMotion {
 }
 
 impl PlanetaryDrive {
-    /// Speed ratios of the links, from the tooth numbers.
-    #[must_use]
-    pub fn speed_ratios(&self) -> SpeedRatios {
+    /// Speed ratios of the links.
+    ///
+    /// # Errors
+    /// As [`SpeedRatios::of`].
+    pub fn speed_ratios(&self) -> Result<SpeedRatios, Error> {
         SpeedRatios::of(&self.teeth)
     }
 
     /// The moving links, to be reduced.
-    #[must_use]
-    pub fn links(&self) -> [Link; 3] {
-        let ratios = self.speed_ratios();
-        [
-            Link::central("sun", self.sun_inertia, 1.0),
-            Link {
-                name: "planets".into(),
-                count: self.teeth.planets,
-                inertia: self.planet_inertia,
-                speed_ratio: ratios.planet,
-                orbit: Some(Orbit {
-                    mass: self.planet_mass,
-                    radius: self.planet_radius,
-                    speed_ratio: ratios.carrier,
-                }),
-            },
-            Link::central("carrier", self.carrier_inertia, ratios.carrier),
-        ]
+    ///
+    /// # Errors
+    /// As [`SpeedRatios::of`].
+    pub fn links(&self) -> Result<Vec<Link>, Error> {
+        let planet =
+            PlanetMass { mass: self.planet_mass, inertia: self.planet_inertia, radius: self.planet_radius };
+        let masses = Masses {
+            links: vec![("sun".into(), self.sun_inertia), ("carrier".into(), self.carrier_inertia)],
+            planets: vec![("row".into(), PlanetMasses { count: self.teeth.planets, each: vec![planet] })],
+        };
+        let mut links = moving_links(&gearbox(&self.teeth)?, GEAR, &masses)?;
+        if let Some(planets) = links.last_mut() {
+            planets.name = "planets".into();
+        }
+        // In the order of the power: sun, planets, carrier.
+        links.swap(1, 2);
+        Ok(links)
     }
 
     /// Reduced inertia `J_pr`.
@@ -145,7 +173,7 @@ impl PlanetaryDrive {
     /// excavator-dynamics, where the planets' mass term is printed with `(z_1 + z_2)²`, against its
     /// own equation of motion.
     pub fn reduced_inertia(&self) -> Result<MomentOfInertia, Error> {
-        reduced_inertia(&self.links())
+        reduced_inertia(&self.links()?)
     }
 
     /// The bodies as they move at `speed` of the sun, their speeds from Willis' equation.
@@ -174,19 +202,24 @@ impl PlanetaryDrive {
     }
 
     /// Generalized force without losses, `Q = M_1 − M_H·z_1/(z_1 + z_3)`.
-    #[must_use]
-    pub fn generalized_force(&self, driving: Torque, load: Torque) -> Torque {
-        generalized_force(&[
+    ///
+    /// # Errors
+    /// As [`SpeedRatios::of`].
+    pub fn generalized_force(&self, driving: Torque, load: Torque) -> Result<Torque, Error> {
+        Ok(generalized_force(&[
             AppliedTorque { torque: driving, speed_ratio: 1.0 },
-            AppliedTorque { torque: -load, speed_ratio: self.speed_ratios().carrier },
-        ])
+            AppliedTorque { torque: -load, speed_ratio: self.speed_ratios()?.carrier },
+        ]))
     }
 
     /// Accelerations of the links for one of the sun.
-    #[must_use]
-    pub fn accelerations(&self, sun: AngularAcceleration) -> Accelerations {
-        let ratios = self.speed_ratios();
-        Accelerations { sun, planet: sun * ratios.planet, carrier: sun * ratios.carrier }
+    ///
+    /// # Errors
+    /// As [`SpeedRatios::of`].
+    pub fn accelerations(&self, sun: AngularAcceleration) -> Result<Accelerations, Error> {
+        let ratios = self.speed_ratios()?;
+        let of = |ratio| link_acceleration(sun, ratio);
+        Ok(Accelerations { sun, planet: of(ratios.planet), carrier: of(ratios.carrier) })
     }
 
     /// Accelerations under a driving torque on the sun and a load on the carrier, without losses.
@@ -194,8 +227,8 @@ impl PlanetaryDrive {
     /// # Errors
     /// [`Error::NoInertia`], and as [`Link::reduced_inertia`].
     pub fn motion(&self, driving: Torque, load: Torque) -> Result<Accelerations, Error> {
-        let force = self.generalized_force(driving, load);
-        Ok(self.accelerations(acceleration(force, self.reduced_inertia()?)?))
+        let force = self.generalized_force(driving, load)?;
+        self.accelerations(acceleration(force, self.reduced_inertia()?)?)
     }
 
     /// The same with the losses of the meshes, for a drive that turns forward.
@@ -212,7 +245,7 @@ impl PlanetaryDrive {
         // Refuses impossible masses before any of them is used.
         self.reduced_inertia()?;
         let (z1, z2, z3) = self.tooth_numbers();
-        let ratios = self.speed_ratios();
+        let ratios = self.speed_ratios()?;
         let planets = f64::from(self.teeth.planets);
         let (j1, j2) = (kg_m2(self.sun_inertia), planets * kg_m2(self.planet_inertia));
         let orbital = planets * kilograms(self.planet_mass) * meters(self.planet_radius).powi(2);
@@ -238,7 +271,7 @@ impl PlanetaryDrive {
                 return Ok(LossyMotion {
                     inertia: inertia(j),
                     force: torque(force),
-                    accelerations: self.accelerations(angular_acceleration(epsilon)),
+                    accelerations: self.accelerations(angular_acceleration(epsilon))?,
                     ring_torque: torque(e_23 * t2 * z3 / z2),
                     sun_mesh_torque: torque(t1),
                     planet_ring_torque: torque(t2),
@@ -251,16 +284,18 @@ impl PlanetaryDrive {
     /// Power that the meshes take at `speed` of the sun.
     ///
     /// Summed mesh by mesh, so that the balance of powers tests the motion.
-    #[must_use]
+    ///
+    /// # Errors
+    /// As [`SpeedRatios::of`].
     pub fn mesh_loss(
         &self,
         motion: &LossyMotion,
         speed: AngularVelocity,
         sun_planet: MeshEfficiency,
         planet_ring: MeshEfficiency,
-    ) -> Power {
+    ) -> Result<Power, Error> {
         let (z1, z2, _) = self.tooth_numbers();
-        let relative = rad_per_s(speed) * (1.0 - self.speed_ratios().carrier);
+        let relative = rad_per_s(speed) * (1.0 - self.speed_ratios()?.carrier);
         let lost = |into_mesh: f64, eta: MeshEfficiency| {
             // A driven mesh loses of what enters here; in an overrun one this is what is left.
             let eta = eta.get();
@@ -268,7 +303,7 @@ impl PlanetaryDrive {
         };
         let from_sun = n_m(motion.sun_mesh_torque) * relative;
         let from_planets = n_m(motion.planet_ring_torque) * relative * z1 / z2;
-        power(lost(from_sun, sun_planet) + lost(from_planets, planet_ring))
+        Ok(power(lost(from_sun, sun_planet) + lost(from_planets, planet_ring)))
     }
 
     fn tooth_numbers(&self) -> (f64, f64, f64) {
@@ -349,6 +384,15 @@ mod tests {
 
     proptest! {
         #[test]
+        fn speed_ratios_follow_from_the_teeth(drive in any_drive()) {
+            let (z1, z2, z3) = drive.tooth_numbers();
+            let ratios = drive.speed_ratios().unwrap();
+            prop_assert!((ratios.carrier - z1 / (z1 + z3)).abs() < 1e-14);
+            let planet = z1 * (z2 - z3) / (z2 * (z1 + z3));
+            prop_assert!((ratios.planet - planet).abs() < 1e-13 * planet.abs().max(1.0));
+        }
+
+        #[test]
         fn energy_of_all_links_is_that_of_the_reduced_inertia(drive in any_drive(), omega in -300.0..300.0) {
             let bodies = drive.bodies(angular_velocity(omega)).unwrap();
             let summed = joules(kinetic_energy(&bodies));
@@ -376,11 +420,11 @@ mod tests {
         ) {
             let (e12, e23) = (eta(e12), eta(e23));
             let found = drive.motion_with_losses(torque(driving), torque(load), e12, e23).unwrap();
-            let ratios = drive.speed_ratios();
+            let ratios = drive.speed_ratios().unwrap();
             let epsilon = rad_per_s2(found.accelerations.sun);
             let stored = kg_m2(drive.reduced_inertia().unwrap()) * epsilon * omega;
             let supplied = driving * omega - load * omega * ratios.carrier;
-            let lost = watts(drive.mesh_loss(&found, angular_velocity(omega), e12, e23));
+            let lost = watts(drive.mesh_loss(&found, angular_velocity(omega), e12, e23).unwrap());
             prop_assert!(lost >= 0.0);
             let scale = (driving.abs() + load.abs()) * omega;
             prop_assert!((supplied - stored - lost).abs() <= 1e-11 * scale, "{} {} {}", supplied, stored, lost);

@@ -111,7 +111,11 @@ pub fn reduced_inertia(links: &[Link]) -> Result<MomentOfInertia, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{length, mass};
+    use crate::energy::{MovingBody, kinetic_energy};
+    use crate::units::{angular_velocity, joules, length, mass};
+    use proptest::prelude::*;
+    use uom::si::f64::Velocity;
+    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn a_planet_counts_with_its_orbit() {
@@ -136,5 +140,45 @@ mod tests {
             ..Link::central("stone", inertia(0.0), 1.0)
         };
         assert!(matches!(thrown.reduced_inertia(), Err(Error::Impossible { what: "mass", .. })));
+    }
+
+    prop_compose! {
+        fn any_link()(
+            count in 1..6_u32, j in 0.0..5.0, u in -8.0..8.0,
+            orbit in proptest::option::of((0.0..50.0, 0.0..0.8, -3.0..3.0)),
+        ) -> Link {
+            let orbit = orbit.map(|(m, r, u)| Orbit { mass: mass(m), radius: length(r), speed_ratio: u });
+            Link { name: "link".into(), count, inertia: inertia(j), speed_ratio: u, orbit }
+        }
+    }
+
+    /// The bodies of a link as they move, by absolute speeds.
+    fn bodies(link: &Link, omega: f64) -> impl Iterator<Item = MovingBody> {
+        let speed = angular_velocity(link.speed_ratio * omega);
+        let body = match link.orbit {
+            None => MovingBody::turning(link.inertia, speed),
+            Some(orbit) => MovingBody {
+                inertia: link.inertia,
+                speed,
+                mass: orbit.mass,
+                centre_speed: Velocity::new::<meter_per_second>(
+                    omega * orbit.speed_ratio * meters(orbit.radius),
+                ),
+            },
+        };
+        std::iter::repeat_n(body, link.count as usize)
+    }
+
+    proptest! {
+        #[test]
+        fn any_mechanism_has_the_energy_of_its_reduced_inertia(
+            links in proptest::collection::vec(any_link(), 1..12),
+            omega in -400.0..400.0,
+        ) {
+            let bodies: Vec<MovingBody> = links.iter().flat_map(|link| bodies(link, omega)).collect();
+            let summed = joules(kinetic_energy(&bodies));
+            let reduced = 0.5 * kg_m2(reduced_inertia(&links).unwrap()) * omega * omega;
+            prop_assert!((summed - reduced).abs() <= 1e-12 * reduced);
+        }
     }
 }

@@ -4,7 +4,10 @@
 //! |---|---|
 //! | [`quantity`] | what `106.5 kW` means, and what to write instead of `106,5 kW` |
 //! | [`document`] | what a YAML file says, and at which line and column |
+//! | [`range`] | what `12..40` means |
+//! | [`drive`] | what a drive file asks for |
 //! | [`yaml`] | values without positions |
+//! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
 //! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is allowed; its
 //! [`name`](Error::name) does not change. A [`Quantity`] derives its JSON Schema like any field of a
@@ -34,10 +37,14 @@
 //! which positions, and the names of quantity errors, are lost.
 
 pub mod document;
+pub mod drive;
 mod error;
+pub mod gearbox;
 pub mod quantity;
+pub mod range;
 pub mod yaml;
 
 pub use document::{Document, Path, Position};
 pub use error::{Error, Place, Problem, nearest};
 pub use quantity::{Dimension, Measured, Number, Physical, Quantity, QuantityError};
+pub use range::{RangeError, Span};

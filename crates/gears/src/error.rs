@@ -85,7 +85,7 @@ pub enum Error {
     /// A ratio that no tooth set within the bounds reaches.
     #[error(
         "no tooth set within the bounds has the ratio {wanted} ({mode}) within {}%{}",
-        tolerance * 100.0,
+        (tolerance * 1e8).round() / 1e6,
         nearest.map_or(String::from("; none assembles at all: widen the bounds"),
             |ratio| format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance"))
     )]

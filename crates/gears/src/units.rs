@@ -87,6 +87,13 @@ pub(crate) fn degrees(value: Angle) -> f64 {
     value.get::<degree>()
 }
 
+/// Millimetres for a message: without the rounding of binary fractions, 210 for 209.99999999999997.
+fn shown_mm(value: Length) -> f64 {
+    let (value_mm, picometres) = (millimetres(value), 1e9);
+    let rounded = (value_mm * picometres).round() / picometres;
+    if rounded.is_finite() { rounded } else { value_mm }
+}
+
 /// A finite number above 0.
 pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 {
@@ -118,7 +125,7 @@ pub(crate) fn length_from_to(
     if value_m >= low_m && value_m < high_m {
         return Ok(value_m);
     }
-    let (value, low, high) = (millimetres(value), millimetres(length(low_m)), millimetres(length(high_m)));
+    let [value, low, high] = [value, length(low_m), length(high_m)].map(shown_mm);
     Err(Error::OutOfRange { quantity, value, low, high, unit: "mm" })
 }
 
@@ -128,7 +135,7 @@ pub(crate) fn length_above(quantity: &'static str, value: Length, low_m: f64) ->
     if value_m > low_m {
         return Ok(value_m);
     }
-    let (value, low) = (millimetres(value), millimetres(length(low_m)));
+    let [value, low] = [value, length(low_m)].map(shown_mm);
     Err(Error::NotAbove { quantity, value, low, unit: "mm" })
 }
 

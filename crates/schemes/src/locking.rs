@@ -50,15 +50,31 @@ pub struct Lock {
 pub fn locks(ratios: [f64; 2]) -> Vec<Lock> {
     let u = motion(ratios);
     let speeds = link_speeds(ratios);
-    let mut found: Vec<Lock> = LOCKING_PAIRS
-        .into_iter()
-        .map(|pair| {
-            let [x, y] = pair.map(Role::index);
-            let torque = -(u[0] - u[1]) / (u[x] - u[y]);
-            Lock { pair, torque, slip: speeds.map(|speed| speed[x] - speed[y]) }
-        })
-        .filter(|lock| lock.torque.is_finite())
-        .collect();
+    ascending(LOCKING_PAIRS.into_iter().map(|pair| {
+        let [x, y] = pair.map(Role::index);
+        let torque = -(u[0] - u[1]) / (u[x] - u[y]);
+        Lock { pair, torque, slip: speeds.map(|speed| speed[x] - speed[y]) }
+    }))
+}
+
+/// Every way to lock a single row whose braked gear has this ratio, as [`locks`]; its slip in gear 2,
+/// which there is none, is 0.
+#[must_use]
+pub fn locks_of_row(ratio: f64) -> Vec<Lock> {
+    let speed = [1.0, 1.0 / ratio, 0.0, 0.0];
+    let lock = |pair: [Role; 2]| {
+        let [x, y] = pair.map(Role::index);
+        Lock {
+            pair,
+            torque: -(speed[0] - speed[1]) / (speed[x] - speed[y]),
+            slip: [speed[x] - speed[y], 0.0],
+        }
+    };
+    ascending([LOCKING_PAIRS[0], LOCKING_PAIRS[1], LOCKING_PAIRS[3]].into_iter().map(lock))
+}
+
+fn ascending(locks: impl Iterator<Item = Lock>) -> Vec<Lock> {
+    let mut found: Vec<Lock> = locks.filter(|lock| lock.torque.is_finite()).collect();
     // To 12 digits: rounding is no reason to prefer a way to lock.
     let size = |lock: &Lock| (lock.torque.abs() * 1e12).round();
     found.sort_by(|one, other| size(one).total_cmp(&size(other)));

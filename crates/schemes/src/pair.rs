@@ -25,7 +25,7 @@
 //! and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also **each ratio is
 //! monotonous in each parameter** between its zeros and poles, always in the same direction.
 
-use crate::structures::{Role, RowRoles, Structure};
+use crate::structures::{Role, RowRoles};
 
 /// Coefficients of a row by role.
 pub(crate) type Coefficients = [f64; 4];
@@ -44,7 +44,7 @@ const B: usize = Role::B.index();
 const FREE: [usize; 2] = [Role::T2.index(), Role::T1.index()];
 
 #[inline]
-fn minor(first: &Coefficients, second: &Coefficients, x: usize, y: usize) -> f64 {
+pub(crate) fn minor(first: &Coefficients, second: &Coefficients, x: usize, y: usize) -> f64 {
     first[x] * second[y] - first[y] * second[x]
 }
 
@@ -106,23 +106,24 @@ pub(crate) fn effective(k: f64, eta0: f64, exponent: i8) -> f64 {
     }
 }
 
-/// Efficiency of a gear.
-pub(crate) fn efficiency(structure: Structure, k: [f64; 2], eta0: f64, gear: usize) -> f64 {
-    let rows = structure.rows();
-    let exponents = exponents(rows, k, gear);
-    let at = |k: [f64; 2]| {
-        let [n, d] = fraction(&coefficients(rows[0], k[0]), &coefficients(rows[1], k[1]), gear);
-        n / d
-    };
-    at([0, 1].map(|row| effective(k[row], eta0, exponents[row]))) / at(k)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::locking::LOCKING_PAIRS;
+    use crate::structures::Structure;
     use epicyclic_gears::efficiency::MeshEfficiency;
     use proptest::prelude::*;
+
+    /// Efficiency of a gear.
+    fn efficiency(structure: Structure, k: [f64; 2], eta0: f64, gear: usize) -> f64 {
+        let rows = structure.rows();
+        let exponents = exponents(rows, k, gear);
+        let at = |k: [f64; 2]| {
+            let [n, d] = fraction(&coefficients(rows[0], k[0]), &coefficients(rows[1], k[1]), gear);
+            n / d
+        };
+        at([0, 1].map(|row| effective(k[row], eta0, exponents[row]))) / at(k)
+    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]

@@ -43,47 +43,33 @@
 //! # Source
 //! multispeed-gearboxes, section 2.4, whose eleven are among these.
 
+pub use crate::catalogue::Role;
+
 use crate::row::{MeshLoss, RowSpec};
 use crate::{Error, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use std::cmp::Ordering;
 use std::fmt;
-
-/// What a link is in a structure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Role {
-    /// `D`, the driving shaft.
-    D,
-    /// `B`, the driven shaft.
-    B,
-    /// `T₁`, braked in gear 1.
-    T1,
-    /// `T₂`, braked in gear 2.
-    T2,
-}
 
 impl Role {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::D, Self::B, Self::T1, Self::T2];
-
-    /// The source's letter, and the link's name in a structure's [`Gearbox`].
-    #[must_use]
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::D => "D",
-            Self::B => "B",
-            Self::T1 => "T1",
-            Self::T2 => "T2",
-        }
-    }
 
     pub(crate) const fn index(self) -> usize {
         self as usize
     }
 }
 
-impl fmt::Display for Role {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.symbol())
+impl PartialOrd for Role {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Role {
+    /// D, B, T₁, T₂.
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.index().cmp(&other.index())
     }
 }
 

@@ -123,8 +123,8 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         carrier_inertia: given.carrier_inertia.0,
     };
     let (driving, load) = (given.driving_torque.0, given.load_torque.0);
-    let ratios = drive.speed_ratios();
-    let force = drive.generalized_force(driving, load);
+    let ratios = drive.speed_ratios()?;
+    let force = drive.generalized_force(driving, load)?;
     let motion = drive.motion(driving, load)?;
     let sun_planet = MeshEfficiency::new(given.sun_planet.get())?;
     let planet_ring = MeshEfficiency::new(given.planet_ring.get())?;
@@ -136,7 +136,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .number("carrier_speed_ratio", ratios.carrier)
         .quantity("kinetic_energy", kinetic_energy(&drive.bodies(given.speed.0)?))
         .quantity("reduced_inertia", drive.reduced_inertia()?);
-    for link in drive.links() {
+    for link in drive.links()? {
         results.quantity(format!("share.{}", link.name), link.reduced_inertia()?);
     }
     results
@@ -151,7 +151,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .quantity("with_losses.acceleration.sun", lossy.accelerations.sun)
         .quantity("with_losses.acceleration.planet", lossy.accelerations.planet)
         .quantity("with_losses.acceleration.carrier", lossy.accelerations.carrier)
-        .quantity("with_losses.mesh_loss", drive.mesh_loss(&lossy, given.speed.0, sun_planet, planet_ring));
+        .quantity("with_losses.mesh_loss", drive.mesh_loss(&lossy, given.speed.0, sun_planet, planet_ring)?);
     if let Ok(time) = lagrange::starting_time(given.speed.0, force, drive.reduced_inertia()?) {
         results.quantity("starting_time", time);
     }
@@ -173,7 +173,7 @@ struct LinkAccelerationsGiven {
 }
 
 fn link_accelerations(given: &LinkAccelerationsGiven) -> Result<Results, Refusal> {
-    let ratios = SpeedRatios::of(&tooth_set(given.sun, given.planet, given.ring, 1)?);
+    let ratios = SpeedRatios::of(&tooth_set(given.sun, given.planet, given.ring, 1)?)?;
     let mut results = Results::default();
     results
         .quantity("planet", lagrange::link_acceleration(given.acceleration.0, ratios.planet))

@@ -5,6 +5,7 @@
 
 mod dynamics;
 mod gears;
+mod schemes;
 
 use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
@@ -108,10 +109,17 @@ impl From<epicyclic_gears::Error> for Refusal {
     }
 }
 
+impl From<epicyclic_schemes::Error> for Refusal {
+    fn from(error: epicyclic_schemes::Error) -> Self {
+        Self::of(&error)
+    }
+}
+
 impl From<epicyclic_dynamics::Error> for Refusal {
     fn from(error: epicyclic_dynamics::Error) -> Self {
         match error {
             epicyclic_dynamics::Error::Gear(error) => error.into(),
+            epicyclic_dynamics::Error::Gearbox(error) => error.into(),
             error => Self::of(&error),
         }
     }
@@ -190,6 +198,7 @@ impl Calculation {
 #[must_use]
 pub fn all() -> Vec<Calculation> {
     let mut all = gears::calculations();
+    all.extend(schemes::calculations());
     all.extend(dynamics::calculations());
     all
 }

@@ -1,0 +1,277 @@
+//! The figures of a drive, by the names that the library gives them.
+
+use super::report::{Figure, Report, Row, Section, quantity};
+use epicyclic_dynamics::drive::{Choice, DriveDesign, Motion, ShaftDesign, Start, WheelMass};
+use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::{Dimension, Physical};
+use uom::si::f64::{AngularVelocity, MomentOfInertia};
+
+const WHEELS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
+const SHAFTS: &[(&str, &str)] =
+    &[("sun", "sun's shaft"), ("planet", "planet's pin"), ("carrier", "carrier's shaft")];
+const PARTS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("carrier", "carrier")];
+const MOTIONS: &[(&str, &str)] = &[("without_losses", "without losses"), ("with_losses", "with mesh losses")];
+
+const PIN: &str = "A planet's pin carries no torque. The method sizes it by the torque on the planets all the same; \
+                   check its bending by the force on it.";
+
+/// The whole answer.
+pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
+    let section = |name, title, columns, rows| Section { name, title, columns, rows, note: "" };
+    Report {
+        title,
+        sections: vec![
+            section("gear", "Gear", &[], gear(design)),
+            section("speeds", "Speeds", &[], speeds(design)),
+            section("torques", "Torques", &[], torques(design)),
+            section("powers", "Powers", &[], powers(design)),
+            section("wheels", "Wheels", WHEELS, wheels(design)),
+            section("wheels", "Wheels together", &[], mesh(design)),
+            section("forces", "Forces, planets sharing evenly", &[], forces(design)),
+            Section {
+                note: PIN,
+                ..section("shafts", "Shafts by torsion, and bearings", SHAFTS, shafts(design))
+            },
+            section("masses", "Masses and inertias", PARTS, masses(design)),
+            section("reduction", "Reduced to the sun's shaft", &[], reduction(design)),
+            section("start", "Start", &[], starting_torques(design)),
+            section("start", "Motion from rest", MOTIONS, motions(design)),
+        ],
+        warnings: design.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect(),
+    }
+}
+
+fn gear(design: &DriveDesign) -> Vec<Row> {
+    let gear = &design.gear;
+    let teeth = gear.teeth;
+    let angles = gear.spacing.angles().into_iter().map(Physical::si).collect();
+    vec![
+        Row::new("sun", "teeth of the sun", "z₁", [Figure::Count(teeth.sun.get())]),
+        Row::new("planet", "teeth of a planet", "z₂", [Figure::Count(teeth.planet.get())]),
+        Row::new("ring", "teeth of the ring", "z₃", [Figure::Count(teeth.ring.get())]),
+        Row::new("planets", "planets", "N", [Figure::Count(teeth.planets)]),
+        Row::new(
+            "most_planets",
+            "planets that clear each other, at most",
+            "",
+            [Figure::Count(gear.most_planets)],
+        ),
+        Row::new(
+            "planet_angles",
+            "angles of the planets",
+            "",
+            [Figure::List { si: angles, dimension: Dimension::Angle }],
+        ),
+        Row::new("tip_gap", "gap between their tips", "", [quantity(gear.tip_gap)]),
+        Row::new("ratio", "ratio", "U", [Figure::Number(gear.ratio)]),
+        Row::new("exact_ratio", "exactly", "", [Figure::Text(gear.exact_ratio.to_string())]),
+        Row::new("ratio_error", "off the wanted one by", "", [Figure::Share(gear.ratio_error)]),
+        Row::new(
+            "stationary_efficiency",
+            "efficiency, carrier at rest",
+            "η₀",
+            [Figure::Number(design.efficiency.stationary)],
+        ),
+        Row::new("efficiency", "efficiency", "η", [Figure::Number(design.efficiency.overall)]),
+    ]
+}
+
+fn speeds(design: &DriveDesign) -> Vec<Row> {
+    let speeds = &design.speeds;
+    let row = |name, label, symbol, speed: AngularVelocity| Row {
+        remark: format!("{} rad/s", trimmed(speed.si(), 5)),
+        ..Row::new(name, label, symbol, [quantity(speed)])
+    };
+    vec![
+        row("sun", "sun", "ω₁", speeds.sun),
+        row("planet", "planet", "ω₂", speeds.planet),
+        row("planet_relative", "planet on the carrier", "ω₂ − ω_H", speeds.planet_relative),
+        row("carrier", "carrier", "ω_H", speeds.carrier),
+    ]
+}
+
+fn torques(design: &DriveDesign) -> Vec<Row> {
+    let torques = &design.torques;
+    vec![
+        Row::new("sun", "sun", "T₁", [quantity(torques.sun)]),
+        Row::new("planets", "all planets about their axes", "T₂", [quantity(torques.planets)]),
+        Row::new("carrier", "carrier, delivered", "T_H", [quantity(torques.carrier)]),
+        Row::new("ring_reaction", "ring, held by the housing", "", [quantity(torques.ring_reaction)]),
+    ]
+}
+
+fn powers(design: &DriveDesign) -> Vec<Row> {
+    let powers = &design.powers;
+    vec![
+        Row::new("input", "into the sun", "N₁", [quantity(powers.input)]),
+        Row::new("mesh", "through the meshes, seen from the carrier", "", [quantity(powers.mesh)]),
+        Row::new("lost", "lost in the meshes", "", [quantity(powers.lost)]),
+        Row::new("output", "out of the carrier", "N_H", [quantity(powers.output)]),
+    ]
+}
+
+fn wheels(design: &DriveDesign) -> Vec<Row> {
+    let wheels = [design.wheels.sun, design.wheels.planet, design.wheels.ring];
+    vec![
+        Row::new(
+            "pitch_diameter",
+            "pitch diameter",
+            "d",
+            wheels.map(|wheel| quantity(wheel.pitch_diameter())),
+        ),
+        Row::new("tip_diameter", "tip diameter", "d_a", wheels.map(|wheel| quantity(wheel.tip_diameter()))),
+        Row::new(
+            "root_diameter",
+            "root diameter",
+            "d_f",
+            wheels.map(|wheel| quantity(wheel.root_diameter())),
+        ),
+    ]
+}
+
+fn mesh(design: &DriveDesign) -> Vec<Row> {
+    vec![
+        Row::new("module", "module", "m", [quantity(design.wheels.sun.module())]),
+        Row::new("face_width", "face width", "b", [quantity(design.wheels.face_width)]),
+        Row::new("centre_distance", "centre distance", "a_w", [quantity(design.wheels.centre_distance)]),
+    ]
+}
+
+fn forces(design: &DriveDesign) -> Vec<Row> {
+    let forces = &design.forces;
+    vec![
+        Row::new("sun_mesh", "tangential, at each mesh with the sun", "", [quantity(forces.sun_mesh)]),
+        Row::new("ring_mesh", "tangential, at each mesh with the ring", "", [quantity(forces.ring_mesh)]),
+        Row::new("pin_tangential", "pin, from the carrier's torque", "", [quantity(forces.pin_tangential)]),
+        Row::new("pin_centrifugal", "pin, centrifugal", "", [quantity(forces.pin_centrifugal)]),
+        Row::new("pin", "pin, both", "", [quantity(forces.pin)]),
+    ]
+}
+
+fn shafts(design: &DriveDesign) -> Vec<Row> {
+    let shafts = [design.shafts.sun, design.shafts.planet, design.shafts.carrier];
+    let of = |figure: fn(&ShaftDesign) -> Figure| shafts.map(|shaft| figure(&shaft));
+    let bearing = |choice: &Choice| {
+        choice.bearing.map_or(Figure::None, |bearing| Figure::Text(bearing.designation.to_owned()))
+    };
+    vec![
+        Row::new("torque", "torque", "T", of(|shaft| quantity(shaft.torque))),
+        Row::new("needed_diameter", "diameter needed", "", of(|shaft| quantity(shaft.needed))),
+        Row::new(
+            "standard_diameter",
+            "next standard diameter",
+            "",
+            of(|shaft| quantity(shaft.standard.diameter)),
+        ),
+        Row::new("standard_bearing", "bearing for it", "", shafts.map(|shaft| bearing(&shaft.standard))),
+        Row::new("diameter", "diameter used", "", of(|shaft| quantity(shaft.used.diameter))),
+        Row::new("stress", "its torsional stress", "τ", of(|shaft| quantity(shaft.stress))),
+        Row::new("bearing", "bearing used", "", shafts.map(|shaft| bearing(&shaft.used))),
+        Row::new(
+            "bearing_outside_diameter",
+            "its outside diameter",
+            "D",
+            of(|shaft| shaft.used.bearing.map_or(Figure::None, |bearing| quantity(bearing.outside_diameter))),
+        ),
+        Row::new(
+            "bearing_width",
+            "its width",
+            "B",
+            of(|shaft| shaft.used.bearing.map_or(Figure::None, |bearing| quantity(bearing.width))),
+        ),
+    ]
+}
+
+fn masses(design: &DriveDesign) -> Vec<Row> {
+    let masses = &design.masses;
+    let wheels = |figure: fn(&WheelMass) -> Figure, carrier: Figure| {
+        [figure(&masses.sun), figure(&masses.planet), carrier]
+    };
+    let carrier = masses.carrier.map_or(Figure::None, quantity);
+    vec![
+        Row::new("bore", "bore", "", wheels(|wheel| quantity(wheel.bore), Figure::None)),
+        Row::new("mass", "mass", "m", wheels(|wheel| quantity(wheel.body.total().mass), carrier)),
+        Row::new(
+            "inertia",
+            "inertia about its axis",
+            "J",
+            wheels(|wheel| quantity(wheel.body.total().polar_inertia), quantity(masses.carrier_inertia)),
+        ),
+    ]
+}
+
+fn reduction(design: &DriveDesign) -> Vec<Row> {
+    let parts = &design.reduction;
+    let row = |name, label, symbol, part: MomentOfInertia| Row {
+        remark: format!("{:.1} %", 100.0 * part.si() / parts.reduced_inertia.si()),
+        ..Row::new(name, label, symbol, [quantity(part)])
+    };
+    vec![
+        row("sun", "sun", "", parts.sun),
+        row("motor", "motor", "", parts.motor),
+        row("planets_orbiting", "planets, on their orbit", "", parts.planets_orbiting),
+        row("planets_turning", "planets, about their axes", "", parts.planets_turning),
+        row("carrier", "carrier", "", parts.carrier),
+        row("machine", "driven machine", "", parts.machine),
+        row("reduced_inertia", "reduced inertia", "J_pr", parts.reduced_inertia),
+        Row::new("kinetic_energy", "kinetic energy at full speed", "T", [quantity(parts.kinetic_energy)]),
+    ]
+}
+
+fn starting_torques(design: &DriveDesign) -> Vec<Row> {
+    vec![
+        Row::new("driving_torque", "torque on the sun", "M₁", [quantity(design.driving_torque)]),
+        Row::new("load", "load on the carrier", "M_H", [quantity(design.load)]),
+    ]
+}
+
+fn motions(design: &DriveDesign) -> Vec<Row> {
+    let motions = [design.without_losses, design.with_losses];
+    let of = |figure: fn(&Motion) -> Figure| motions.map(|motion| figure(&motion));
+    vec![
+        Row::new(
+            "generalized_force",
+            "generalized force",
+            "Q",
+            of(|motion| quantity(motion.generalized_force)),
+        ),
+        Row::new("inertia", "inertia felt by the sun", "J", of(|motion| quantity(motion.inertia))),
+        Row::new(
+            "acceleration_sun",
+            "acceleration of the sun",
+            "ε₁",
+            of(|motion| quantity(motion.accelerations.sun)),
+        ),
+        Row::new(
+            "acceleration_planet",
+            "of a planet",
+            "ε₂",
+            of(|motion| quantity(motion.accelerations.planet)),
+        ),
+        Row::new(
+            "acceleration_carrier",
+            "of the carrier",
+            "ε_H",
+            of(|motion| quantity(motion.accelerations.carrier)),
+        ),
+        Row::new(
+            "outcome",
+            "outcome",
+            "",
+            of(|motion| match motion.start {
+                Start::After(_) => Figure::Answer("starts", "starts"),
+                Start::InBalance => Figure::Answer("in-balance", "in balance: does not start"),
+                Start::Overloaded(_) => Figure::Answer("overloaded", "overloaded: does not start"),
+            }),
+        ),
+        Row::new(
+            "starting_time",
+            "time to full speed",
+            "t",
+            of(|motion| match motion.start {
+                Start::After(time) => quantity(time),
+                Start::InBalance | Start::Overloaded(_) => Figure::None,
+            }),
+        ),
+    ]
+}

@@ -1,0 +1,147 @@
+//! The command `teeth`: every tooth set for a ratio.
+
+mod answer;
+
+use crate::failure::Failure;
+use crate::output::{Format, OutputArgs, complain};
+use epicyclic_formats::{Number, Physical, Quantity, Span};
+use epicyclic_gears::row::Mode;
+use epicyclic_gears::synthesis::{Bounds, Placement, least_teeth_without_undercut};
+use std::ops::RangeInclusive;
+use uom::si::f64::Ratio;
+
+/// Sets shown in a table unless said otherwise.
+const SHOWN_IN_TABLE: usize = 20;
+
+/// Every tooth set of a simple planetary gear for a ratio.
+///
+/// A tooth set goes together: sun, planets and ring share one centre distance, the planets clear each other and
+/// assemble. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  epicyclic teeth --ratio 6 --planets 4 --no-undercut")]
+pub(crate) struct Args {
+    /// Wanted ratio of the speeds of input and output; negative where they turn against each other.
+    #[arg(long, allow_negative_numbers = true)]
+    ratio: Number,
+
+    /// Who drives whom, and what rests: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier H.
+    #[arg(long, default_value = "aH^b", value_parser = mode)]
+    mode: Mode,
+
+    /// How far the ratio may be off: 1%, or 0.01.
+    #[arg(long, default_value = "1%", allow_hyphen_values = true)]
+    tolerance: Quantity<Ratio>,
+
+    /// Number of planets, from 2 to 8.
+    #[arg(long, default_value = "3..8")]
+    planets: Span<u32>,
+
+    /// Teeth of the sun.
+    #[arg(long, default_value = "12..200")]
+    sun: Span<u32>,
+
+    /// Teeth of a planet.
+    #[arg(long, default_value = "12..200")]
+    planet: Span<u32>,
+
+    /// Teeth of the ring.
+    #[arg(long, default_value = "12..200")]
+    ring: Span<u32>,
+
+    /// Row parameter, ring over sun.
+    #[arg(long, default_value = "1.3..10")]
+    k: Span<f64>,
+
+    /// Where the planets may stand.
+    #[arg(long, value_enum, default_value_t = Spacing::Equal)]
+    spacing: Spacing,
+
+    /// Least gap between the tips of neighbouring planets, in modules.
+    #[arg(long, default_value = "0", allow_negative_numbers = true)]
+    tip_gap: Number,
+
+    /// Addendum coefficient.
+    #[arg(long, default_value = "1", allow_negative_numbers = true)]
+    addendum: Number,
+
+    /// Leave out sets in which a rack would undercut sun or planet.
+    #[arg(long)]
+    no_undercut: bool,
+
+    /// Show at most this many sets. Default: 20 in a table, otherwise all.
+    #[arg(long, value_name = "N")]
+    limit: Option<usize>,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Where the planets may stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Spacing {
+    /// At equal angles only.
+    Equal,
+    /// Where equal angles do not assemble, as near to them as do.
+    LeastUnequal,
+}
+
+fn mode(text: &str) -> Result<Mode, String> {
+    Mode::ALL.into_iter().find(|mode| mode.to_string() == text).ok_or_else(|| {
+        let all: Vec<String> =
+            Mode::ALL.iter().map(|mode| format!("{mode} ({})", answer::in_words(*mode))).collect();
+        format!("write one of {}", all.join(", "))
+    })
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let bounds = bounds(args)?;
+    let found = bounds.for_ratio(args.ratio.get(), args.mode, args.tolerance.0.si())?;
+    let format = args.output.format;
+    let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
+    let answer = answer::Answer {
+        ratio: args.ratio.get(),
+        mode: args.mode,
+        tolerance: args.tolerance.0.si(),
+        found: found.len(),
+        shown: &found[..limit.min(found.len())],
+    };
+    args.output.write(&answer.text(format)?)?;
+    if format != Format::Table && answer.shown.len() < answer.found {
+        complain(&format!("note: {}", answer.count()));
+    }
+    Ok(())
+}
+
+fn bounds(args: &Args) -> Result<Bounds, Failure> {
+    let usual = Bounds::default();
+    let addendum = args.addendum.get();
+    let least = if args.no_undercut { least_teeth_without_undercut(addendum) } else { 1 };
+    let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
+        let (from, most) = closed(option, span, usual)?.into_inner();
+        // 0 is left for the bounds to refuse.
+        let from = if from == 0 { 0 } else { from.max(least) };
+        if from > most { Err(Failure::AllUndercut { option, most, least }) } else { Ok(from..=most) }
+    };
+    Ok(Bounds {
+        sun: external("--sun", args.sun, usual.sun)?,
+        planet: external("--planet", args.planet, usual.planet)?,
+        ring: closed("--ring", args.ring, usual.ring)?,
+        planets: closed("--planets", args.planets, usual.planets)?,
+        row_parameter: closed("--k", args.k, usual.row_parameter)?,
+        addendum,
+        tip_gap: args.tip_gap.get(),
+        placement: match args.spacing {
+            Spacing::Equal => Placement::Equal,
+            Spacing::LeastUnequal => Placement::LeastUnequal,
+        },
+    })
+}
+
+fn closed<T: epicyclic_formats::range::End>(
+    option: &'static str,
+    span: Span<T>,
+    usual: RangeInclusive<T>,
+) -> Result<RangeInclusive<T>, Failure> {
+    span.within(usual).map_err(|error| Failure::Range { option, error })
+}

@@ -1,0 +1,336 @@
+//! The program from outside: what it prints, where, and its exit codes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_epicyclic");
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+fn program(folder: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(PROGRAM);
+    command.args(args).current_dir(folder).env_remove("COLUMNS").stdin(Stdio::null());
+    command
+}
+
+fn output(folder: &Path, args: &[&str]) -> Output {
+    program(folder, args).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// What a person sees.
+fn session(folder: &Path, args: &[&str]) -> String {
+    let output = output(folder, args);
+    let mut seen = format!("$ epicyclic {}\n{}", args.join(" "), text(&output.stdout));
+    if !output.stderr.is_empty() {
+        write!(seen, "stderr:\n{}", text(&output.stderr)).unwrap();
+    }
+    // Clap leaves spaces at the ends of empty lines.
+    let lines: Vec<&str> = seen.lines().map(str::trim_end).collect();
+    format!("{}\nexit: {}\n", lines.join("\n"), output.status.code().unwrap())
+}
+
+/// Several sessions of one folder.
+fn sessions(folder: &Path, all: &[&[&str]]) -> String {
+    all.iter().map(|args| session(folder, args)).collect::<Vec<_>>().join("\n")
+}
+
+fn here() -> tempfile::TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+/// A folder with the excavator's file, changed.
+fn with(old: &str, new: &str) -> tempfile::TempDir {
+    let folder = here();
+    let excavator = fs::read_to_string(examples().join("xe215cll-drive.yaml")).unwrap();
+    assert!(excavator.contains(old), "{old}");
+    fs::write(folder.path().join("drive.yaml"), excavator.replacen(old, new, 1)).unwrap();
+    folder
+}
+
+#[test]
+fn help_says_what_there_is() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[&[], &["--help"], &["teeth", "--help"], &["drive", "--help"]]
+    ));
+}
+
+/// The commands that the help of a command shows as its example.
+fn examples_in_help(command: &str) -> Vec<String> {
+    let help = text(&output(here().path(), &[command, "--help"]).stdout);
+    let after = help.split("Example:\n").nth(1).unwrap();
+    after.lines().take_while(|line| !line.is_empty()).map(|line| line.trim().to_owned()).collect()
+}
+
+#[test]
+fn the_examples_in_the_help_work_as_printed() {
+    for command in ["teeth", "drive"] {
+        let (folder, script) = (here(), examples_in_help(command).join("\n"));
+        let path = format!("{}:{}", Path::new(PROGRAM).parent().unwrap().display(), env!("PATH"));
+        let mut shell = Command::new("sh");
+        let output =
+            shell.args(["-ec", &script]).env("PATH", path).current_dir(folder.path()).output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{script}: {output:?}");
+        assert!(output.stdout.len() > 200);
+    }
+}
+
+#[test]
+fn tooth_sets_as_tables() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth", "--ratio", "6", "--planets", "4", "--no-undercut"],
+            &["teeth", "--ratio", "3.94", "--spacing", "least-unequal", "--planets", "3..7", "--limit", "6"],
+            &[
+                "teeth",
+                "--ratio",
+                "-2.6",
+                "--mode",
+                "ab^H",
+                "--sun",
+                "..20",
+                "--ring",
+                "50..",
+                "--tolerance",
+                "0.5%"
+            ],
+            &["teeth", "--ratio", "6", "--sun", "20", "--planets", "4"],
+        ]
+    ));
+}
+
+#[test]
+fn tooth_sets_for_programs() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth", "--ratio", "6", "--sun", "20", "--format", "json"],
+            &["teeth", "--ratio", "6", "--limit", "2", "--format", "csv"],
+            &["teeth", "--ratio", "6.1", "--sun", "20", "--spacing", "least-unequal", "--format", "csv"],
+        ]
+    ));
+}
+
+#[test]
+fn demands_that_no_gear_meets() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth", "--ratio", "60"],
+            &["teeth", "--ratio", "6", "--mode", "ab^H"],
+            &["teeth", "--ratio", "6", "--sun", "20", "--ring", "99", "--tolerance", "0"],
+            &["teeth", "--ratio", "0"],
+            &["teeth", "--ratio", "6", "--sun", "0..20"],
+            &["teeth", "--ratio", "6", "--planets", "9"],
+            &["teeth", "--ratio", "6", "--k", "0.5..2"],
+            &["teeth", "--ratio", "6", "--sun", "300.."],
+            &["teeth", "--ratio", "6", "--sun", "12..16", "--no-undercut"],
+            &["teeth", "--ratio", "6", "--tolerance", "-1%"],
+            &["teeth", "--ratio", "6", "--tip-gap", "-1"],
+        ]
+    ));
+}
+
+#[test]
+fn wrong_usage() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["teeth"],
+            &["teeth", "--ratio", "6,5"],
+            &["teeth", "--ratio", "nan"],
+            &["teeth", "--ratio", "6 mm"],
+            &["teeth", "--ratio", "6", "--mode", "aHb"],
+            &["teeth", "--ratio", "6", "--sun", "40..12"],
+            &["teeth", "--ratio", "6", "--sun", "12-40"],
+            &["teeth", "--ratio", "6", "--tolerance", "1 mm"],
+            &["teeth", "--ratio", "6", "--format", "xml"],
+            &["drive"],
+            &["gears"],
+        ]
+    ));
+}
+
+#[test]
+fn the_excavator() {
+    let folder = examples();
+    insta::assert_snapshot!("excavator_table", session(&folder, &["drive", "xe215cll-drive.yaml"]));
+    insta::assert_snapshot!(
+        "excavator_json",
+        session(&folder, &["drive", "xe215cll-drive.yaml", "--format", "json"])
+    );
+    insta::assert_snapshot!(
+        "excavator_csv",
+        session(&folder, &["drive", "xe215cll-drive.yaml", "--format", "csv"])
+    );
+}
+
+#[test]
+fn the_least_file() {
+    insta::assert_snapshot!(session(&examples(), &["drive", "minimal-drive.yaml"]));
+}
+
+#[test]
+fn a_drive_with_less_load_and_more_inertia() {
+    let folder = with(
+        "ratio: 6\n",
+        "ratio: 6\nstart: { load: 2 kN·m }\nattached: { motor: 0.05 kg·m², machine: 12 kg·m² }\n",
+    );
+    let seen = session(folder.path(), &["drive", "drive.yaml"]);
+    insta::assert_snapshot!(&seen[seen.find("Reduced to").unwrap()..]);
+}
+
+#[test]
+fn drive_files_that_are_refused() {
+    let mut seen = String::new();
+    for (old, new) in [
+        ("power: 106.5 kW", "power: 106,5 kW"),
+        ("power: 106.5 kW", "power: 106.5 N·m"),
+        ("speed: 1950 rpm", "speed: 1950"),
+        ("power: 106.5 kW", "powers: 106.5 kW"),
+        ("ratio: 6", "ratio: 60"),
+        ("sun: 20", "sun: 0"),
+        ("sun: 20", "sun: 20\n  sun: 21"),
+        ("bearing: 310", "bearing: 510"),
+        ("sun_bore: bearing", "sun_bore: 150 mm"),
+        ("speed: 1950 rpm", "speed: .nan"),
+        ("title", "\ttitle"),
+    ] {
+        seen += &session(with(old, new).path(), &["drive", "drive.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn files_that_cannot_be_read() {
+    let folder = here();
+    fs::create_dir(folder.path().join("folder")).unwrap();
+    fs::write(folder.path().join("empty.yaml"), "").unwrap();
+    fs::write(folder.path().join("latin1.yaml"), b"title: Getriebe f\xfcr Bagger\n").unwrap();
+    let read = |file| session(folder.path(), &["drive", file]);
+    insta::assert_snapshot!(["missing.yaml", "folder", "empty.yaml", "latin1.yaml"].map(read).join("\n"));
+}
+
+#[test]
+fn an_answer_is_written_whole_or_not_at_all() {
+    let folder = here();
+    let answer = folder.path().join("answer.csv");
+    let write = |args: &[&str]| {
+        let mut all = vec!["teeth", "--format", "csv", "-o", "answer.csv", "--ratio"];
+        all.extend(args);
+        output(folder.path(), &all)
+    };
+    let done = write(&["6"]);
+    assert!(done.status.success() && done.stdout.is_empty() && done.stderr.is_empty(), "{done:?}");
+    let first = fs::read_to_string(&answer).unwrap();
+    assert_eq!(first.lines().count(), 48);
+
+    // No answer: the old one stays.
+    assert_eq!(write(&["60"]).status.code(), Some(1));
+    assert_eq!(fs::read_to_string(&answer).unwrap(), first);
+
+    // It may not be written: the same.
+    let mut permissions = fs::metadata(&answer).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&answer, permissions).unwrap();
+    let refused = write(&["5"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert_eq!(
+        text(&refused.stderr),
+        "error: answer.csv: cannot be written: permission denied; it is unchanged\n"
+    );
+    assert_eq!(fs::read_to_string(&answer).unwrap(), first);
+
+    // Nothing is left beside it.
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_answer_keeps_permissions_and_links() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = here();
+    let (kept, link) = (folder.path().join("kept.txt"), folder.path().join("link.txt"));
+    fs::write(&kept, "old").unwrap();
+    fs::set_permissions(&kept, fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("kept.txt", &link).unwrap();
+    assert!(output(folder.path(), &["teeth", "--ratio", "6", "-o", "link.txt"]).status.success());
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::read_to_string(&kept).unwrap().starts_with("Ratio 6"));
+    assert_eq!(fs::metadata(&kept).unwrap().permissions().mode() & 0o777, 0o640);
+    assert!(output(folder.path(), &["teeth", "--ratio", "6", "-o", "/dev/null"]).status.success());
+    assert!(!fs::metadata("/dev/null").unwrap().is_file());
+}
+
+#[test]
+fn answers_that_cannot_be_written() {
+    let folder = here();
+    fs::create_dir(folder.path().join("folder")).unwrap();
+    insta::assert_snapshot!(sessions(
+        folder.path(),
+        &[&["teeth", "--ratio", "6", "-o", "folder"], &["teeth", "--ratio", "6", "-o", "missing/answer.txt"],]
+    ));
+}
+
+#[test]
+fn warnings_are_shown_where_the_answer_goes_to_a_file() {
+    let folder = with("planets: 4", "planets: 4");
+    let done = output(folder.path(), &["drive", "drive.yaml", "-o", "answer.txt"]);
+    assert!(done.status.success() && done.stdout.is_empty());
+    assert_eq!(text(&done.stderr).matches("warning: the ").count(), 3);
+    assert!(fs::read_to_string(folder.path().join("answer.txt")).unwrap().contains("Warnings"));
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let args = ["teeth", "--ratio", "4", "--tolerance", "50%", "--format", "json"];
+    let mut child =
+        program(here().path(), &args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let done = child.wait_with_output().unwrap();
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+}
+
+#[test]
+fn tables_fit_eighty_columns_and_json_is_json() {
+    let folder = with("ratio: 6\n", "ratio: 6\nstart: { load: 20 kN·m }\n");
+    for args in [
+        &["drive", "drive.yaml"][..],
+        &["teeth", "--ratio", "1.7", "--spacing", "least-unequal", "--planets", "8", "--mode", "bH^a"],
+        &[
+            "teeth",
+            "--ratio",
+            "3.94",
+            "--sun",
+            "100..2000",
+            "--planet",
+            "100..2000",
+            "--ring",
+            "200..4000",
+            "--tolerance",
+            "0.01%",
+        ],
+    ] {
+        let table = text(&output(folder.path(), args).stdout);
+        assert!(!table.is_empty());
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+        let as_json = [args, &["--format", "json"]].concat();
+        let json: serde_json::Value =
+            serde_json::from_slice(&output(folder.path(), &as_json).stdout).unwrap();
+        assert!(json.is_object());
+    }
+}

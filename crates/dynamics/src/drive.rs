@@ -1,0 +1,227 @@
+//! The design of a planetary drive from power, speed and ratio to the time it takes to start.
+//!
+//! Driven at the sun, ring at rest, load on the carrier. One pure function, [`design`], takes a
+//! [`DriveSpec`] through
+//!
+//! ```text
+//! ratio → teeth → efficiency → speeds → torques → diameters → shafts, bearings → masses, inertias
+//!       → forces → J_pr, T → accelerations → starting time
+//! ```
+//!
+//! What stops the calculation is an [`Error`]; what deserves a second look is a [`Warning`].
+//!
+//! # Source
+//! excavator-dynamics, from end to end. Departures from it: the planet's speed is that on the turning
+//! carrier, inertias are those of the shapes described, `J_pr` has `(z_1 + z_3)²` in every term, and a
+//! default sun sits on its shaft rather than on a bearing.
+//!
+//! # Left out
+//! Strength of the teeth, bending of shafts and pins, life of the bearings, losses outside the meshes,
+//! uneven sharing of the load between the planets.
+//!
+//! # Example
+//!
+//! ```
+//! use epicyclic_dynamics::drive::{DriveSpec, Start, design};
+//! use uom::si::angular_velocity::revolution_per_minute;
+//! use uom::si::f64::{AngularVelocity, Length, Power, Torque};
+//! use uom::si::{length::millimeter, power::kilowatt, torque::newton_meter};
+//!
+//! let mm = Length::new::<millimeter>;
+//! let speed = AngularVelocity::new::<revolution_per_minute>(1950.0);
+//! let spec = DriveSpec::new(Power::new::<kilowatt>(106.5), speed, 6.0, mm(8.0), mm(60.0));
+//! let full_load = design(&spec)?;
+//! assert!((full_load.torques.sun.get::<newton_meter>() - 521.5).abs() < 0.1);
+//! assert_eq!(full_load.with_losses.start, Start::InBalance);
+//!
+//! let half_load = design(&DriveSpec { load: Some(full_load.torques.carrier / 2.0), ..spec })?;
+//! assert!(matches!(half_load.with_losses.start, Start::After(_)));
+//! # Ok::<(), epicyclic_dynamics::Error>(())
+//! ```
+
+mod bodies;
+mod gear;
+mod motion;
+mod result;
+mod shafts;
+mod spec;
+#[cfg(test)]
+mod tests;
+mod warning;
+
+pub use result::{
+    Choice, DriveDesign, Efficiency, Forces, Gear, Masses, Motion, Powers, Reduction, Shaft, ShaftDesign,
+    Shafts, Speeds, Start, Torques, Wheel, WheelMass, Wheels,
+};
+pub use spec::{Bore, CarrierSpec, DriveSpec, ShaftSpec, ShaftsSpec, TeethSpec, WheelSpec, default_bounds};
+pub use warning::Warning;
+
+use crate::units::{angular_velocity, force, kilograms, meters, n_m, rad_per_s};
+use crate::{Error, loads};
+use epicyclic_gears::efficiency::{self, MeshEfficiency};
+use epicyclic_gears::geometry::{self, Toothing, centre_distance};
+use epicyclic_gears::row::{Member, Mode};
+use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::willis;
+use uom::si::angular_velocity::revolution_per_minute;
+use uom::si::power::kilowatt;
+
+/// Usual range of the ratio of a single stage.
+///
+/// # Source
+/// excavator-dynamics.
+pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
+
+/// Designs a drive.
+///
+/// # Errors
+/// [`Error::Gear`] with the part's own error for quantities out of range, a ratio that no tooth set
+/// reaches, wheels without root, holes outside their arms, shafts beyond the standard diameters;
+/// [`Error::NotCoaxial`], [`Error::BoreTooLarge`], [`Error::Impossible`], [`Error::NotFinite`],
+/// [`Error::NoInertia`], [`Error::Locked`], and [`Error::Overflow`] where a result is beyond numbers.
+pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
+    check(spec)?;
+    let mut warnings = Vec::new();
+    let teeth = gear::tooth_set(spec)?;
+    let wheels = wheels(spec, teeth)?;
+    let gear = gear::conditions(spec, teeth, &wheels, &mut warnings)?;
+    let efficiency = efficiencies(spec, teeth)?;
+    let speeds = speeds(spec, teeth)?;
+    let torques = torques(spec, &gear, efficiency)?;
+    let powers = powers(spec, &speeds, &torques);
+    let shafts = shafts::shafts(spec, &torques, &mut warnings)?;
+    let masses = bodies::masses(spec, teeth, &wheels, &shafts, &mut warnings)?;
+    let forces = forces(teeth, &wheels, &torques, &speeds, &masses)?;
+    let drive = bodies::planetary_drive(spec, teeth, &wheels, &masses);
+    let reduction = motion::reduction(spec, &drive, &masses)?;
+    let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
+    let load = spec.load.unwrap_or(torques.carrier);
+    Ok(DriveDesign {
+        without_losses: motion::without_losses(spec, &drive, driving_torque, load)?,
+        with_losses: motion::with_losses(spec, &drive, driving_torque, load)?,
+        gear,
+        efficiency,
+        speeds,
+        torques,
+        powers,
+        wheels,
+        forces,
+        shafts,
+        masses,
+        reduction,
+        driving_torque,
+        load,
+        warnings,
+    })
+}
+
+/// Sun drives, carrier is driven, ring at rest.
+fn mode() -> Result<Mode, Error> {
+    Ok(Mode::new(Member::Sun, Member::Carrier)?)
+}
+
+fn check(spec: &DriveSpec) -> Result<(), Error> {
+    let positive = |quantity, value: f64, unit| {
+        if value > 0.0 && value.is_finite() {
+            Ok(())
+        } else {
+            Err(epicyclic_gears::Error::NotPositive { quantity, value, unit })
+        }
+    };
+    positive("power", spec.power.get::<kilowatt>(), "kW")?;
+    positive("speed", spec.speed.get::<revolution_per_minute>(), "rpm")?;
+    positive("ratio", spec.ratio, "")?;
+    if !(spec.ratio_tolerance >= 0.0 && spec.ratio_tolerance.is_finite()) {
+        return Err(epicyclic_gears::Error::Tolerance { tolerance: spec.ratio_tolerance }.into());
+    }
+    if let Some(driving) = spec.driving_torque {
+        positive("driving torque", n_m(driving), "N·m")?;
+    }
+    match spec.load.map(n_m) {
+        Some(value) if !value.is_finite() => {
+            Err(Error::NotFinite { link: "the carrier".to_owned(), what: "load torque", value })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses what overflowed on the way.
+fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() { Ok(value) } else { Err(Error::Overflow { what, value }) }
+}
+
+fn wheels(spec: &DriveSpec, teeth: ToothSet) -> Result<Wheels, Error> {
+    let WheelSpec { module, rack, face_width, .. } = spec.wheels;
+    let sun = geometry::Wheel::new(Toothing::External, module, teeth.sun, rack)?;
+    let planet = geometry::Wheel::new(Toothing::External, module, teeth.planet, rack)?;
+    let ring = geometry::Wheel::new(Toothing::Internal, module, teeth.ring, rack)?;
+    finite("root diameter of the ring", meters(ring.root_diameter()))?;
+    Ok(Wheels { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
+}
+
+fn efficiencies(spec: &DriveSpec, teeth: ToothSet) -> Result<Efficiency, Error> {
+    let eta0 = MeshEfficiency::of_meshes(&[spec.sun_planet_efficiency, spec.planet_ring_efficiency]);
+    let overall = efficiency::efficiency(teeth.stationary_ratio(), eta0, mode()?)?;
+    Ok(Efficiency { stationary: eta0.get(), overall })
+}
+
+fn speeds(spec: &DriveSpec, teeth: ToothSet) -> Result<Speeds, Error> {
+    let resting = angular_velocity(0.0);
+    let row = willis::speeds(teeth.stationary_ratio(), Some(spec.speed), Some(resting), None)?;
+    let planet = willis::planet_speed(teeth.planet.as_f64() / teeth.sun.as_f64(), row.sun, row.carrier)?;
+    finite("speed of the planet", rad_per_s(planet.absolute))?;
+    Ok(Speeds {
+        sun: row.sun,
+        planet: planet.absolute,
+        planet_relative: planet.relative,
+        carrier: row.carrier,
+    })
+}
+
+fn torques(spec: &DriveSpec, gear: &Gear, efficiency: Efficiency) -> Result<Torques, Error> {
+    let sun = loads::shaft_torque(spec.power, spec.speed)?;
+    let planet_to_sun = gear.teeth.planet.as_f64() / gear.teeth.sun.as_f64();
+    let carrier = loads::carrier_torque(sun, gear.ratio, efficiency.overall);
+    finite("torque of the carrier", n_m(carrier))?;
+    Ok(Torques {
+        sun,
+        planets: loads::planet_torque(sun, spec.sun_planet_efficiency, planet_to_sun),
+        carrier,
+        ring_reaction: carrier - sun,
+    })
+}
+
+fn powers(spec: &DriveSpec, speeds: &Speeds, torques: &Torques) -> Powers {
+    let eta0 = spec.sun_planet_efficiency.get() * spec.planet_ring_efficiency.get();
+    let mesh = loads::shaft_power(torques.sun, speeds.sun - speeds.carrier);
+    Powers {
+        input: spec.power,
+        mesh,
+        lost: mesh * (1.0 - eta0),
+        output: loads::shaft_power(torques.carrier, speeds.carrier),
+    }
+}
+
+fn forces(
+    teeth: ToothSet,
+    wheels: &Wheels,
+    torques: &Torques,
+    speeds: &Speeds,
+    masses: &Masses,
+) -> Result<Forces, Error> {
+    let planets = f64::from(teeth.planets);
+    let at_pitch = |t, wheel: &geometry::Wheel| 2.0 * n_m(t) / (planets * meters(wheel.pitch_diameter()));
+    let radius = meters(wheels.centre_distance);
+    let pin_tangential = n_m(torques.carrier) / (planets * radius);
+    let pin_centrifugal =
+        kilograms(masses.planet.body.total().mass) * rad_per_s(speeds.carrier).powi(2) * radius;
+    let pin = finite("force on a pin", pin_tangential.hypot(pin_centrifugal))?;
+    let sun_mesh = finite("force at a mesh", at_pitch(torques.sun, &wheels.sun))?;
+    Ok(Forces {
+        sun_mesh: force(sun_mesh),
+        ring_mesh: force(at_pitch(torques.ring_reaction, &wheels.ring)),
+        pin_tangential: force(pin_tangential),
+        pin_centrifugal: force(pin_centrifugal),
+        pin: force(pin),
+    })
+}

@@ -1,0 +1,98 @@
+//! Masses and inertias of the parts of a drive.
+
+use super::finite;
+use super::result::{Masses, ShaftDesign, Shafts, Wheel, WheelMass, Wheels};
+use super::spec::{Bore, CarrierSpec, DriveSpec};
+use super::warning::Warning;
+use crate::Error;
+use crate::planetary::PlanetaryDrive;
+use crate::units::{inertia, kg_m2, kilograms};
+use epicyclic_gears::bearing;
+use epicyclic_gears::carrier::Carrier;
+use epicyclic_gears::geometry;
+use epicyclic_gears::mass::WheelBody;
+use epicyclic_gears::synthesis::ToothSet;
+use uom::si::f64::Length;
+use uom::si::length::millimeter;
+
+/// Relative difference between the radius of the arms' holes and the centre distance that is worth a warning.
+const OFF_CENTRE: f64 = 1e-4;
+
+pub(super) fn masses(
+    spec: &DriveSpec,
+    teeth: ToothSet,
+    wheels: &Wheels,
+    shafts: &Shafts,
+    warnings: &mut Vec<Warning>,
+) -> Result<Masses, Error> {
+    let sun = wheel(spec, Wheel::Sun, &wheels.sun, spec.wheels.sun_bore, &shafts.sun)?;
+    let planet = wheel(spec, Wheel::Planet, &wheels.planet, spec.wheels.planet_bore, &shafts.planet)?;
+    let (mass, carrier_inertia) = match spec.carrier {
+        CarrierSpec::Neglected => {
+            warnings.push(Warning::CarrierNeglected);
+            (None, inertia(0.0))
+        }
+        CarrierSpec::Inertia(given) => (None, given),
+        CarrierSpec::Shape { arm, hub } => {
+            let whole = Carrier::new(teeth.planets, arm, hub, spec.wheels.density)?.total();
+            if let Some(hole) = arm.hole {
+                let hole_mm = (hub.outer_radius + arm.length - hole.from_outer_end).get::<millimeter>();
+                let centre_distance_mm = wheels.centre_distance.get::<millimeter>();
+                if (hole_mm / centre_distance_mm - 1.0).abs() > OFF_CENTRE {
+                    warnings.push(Warning::PinOffCentre { hole_mm, centre_distance_mm });
+                }
+            }
+            finite("mass of the carrier", kilograms(whole.mass))?;
+            (Some(whole.mass), whole.polar_inertia)
+        }
+    };
+    finite("inertia of the carrier", kg_m2(carrier_inertia))?;
+    Ok(Masses { sun, planet, carrier: mass, carrier_inertia })
+}
+
+fn wheel(
+    spec: &DriveSpec,
+    name: Wheel,
+    wheel: &geometry::Wheel,
+    bore: Bore,
+    shaft: &ShaftDesign,
+) -> Result<WheelMass, Error> {
+    let bore = match bore {
+        Bore::Given(bore) => bore,
+        Bore::Shaft => shaft.used.diameter,
+        Bore::Bearing => match shaft.used.bearing {
+            Some(bearing) => bearing.outside_diameter,
+            // Refused again, now that the bearing is needed.
+            None => {
+                bearing::smallest_for_shaft(spec.shafts.bearing_series, shaft.used.diameter)?.outside_diameter
+            }
+        },
+    };
+    if bore >= wheel.root_diameter() {
+        let in_mm = |length: Length| length.get::<millimeter>();
+        let (bore_mm, root_mm) = (in_mm(bore), in_mm(wheel.root_diameter()));
+        return Err(Error::BoreTooLarge { wheel: name, bore_mm, root_mm });
+    }
+    let body = WheelBody::external(wheel, spec.wheels.face_width, bore, spec.wheels.density)?;
+    finite("mass of a wheel", kilograms(body.total().mass))?;
+    finite("inertia of a wheel", kg_m2(body.total().polar_inertia))?;
+    Ok(WheelMass { bore, body })
+}
+
+/// The drive with everything that turns on its shafts.
+pub(super) fn planetary_drive(
+    spec: &DriveSpec,
+    teeth: ToothSet,
+    wheels: &Wheels,
+    masses: &Masses,
+) -> PlanetaryDrive {
+    let planet = masses.planet.body.total();
+    PlanetaryDrive {
+        teeth,
+        sun_inertia: masses.sun.body.total().polar_inertia + spec.motor_inertia,
+        planet_inertia: planet.polar_inertia,
+        planet_mass: planet.mass,
+        planet_radius: wheels.centre_distance,
+        carrier_inertia: masses.carrier_inertia + spec.machine_inertia,
+    }
+}

@@ -1,0 +1,107 @@
+//! The tooth set of a drive and its conditions.
+
+use super::result::{Gear, Wheel, Wheels};
+use super::spec::{DriveSpec, TeethSpec};
+use super::warning::Warning;
+use super::{USUAL_RATIO, mode};
+use crate::Error;
+use crate::units::{length, meters};
+use epicyclic_gears::row::exact_ratio;
+use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_gears::synthesis::{
+    Bounds, MOST_PLANETS, MOST_TEETH, ToothSet, is_undercut, least_teeth_without_undercut, neighbour_limit,
+};
+use std::cmp::Reverse;
+use uom::si::angle::{degree, radian};
+use uom::si::length::millimeter;
+
+/// The tooth set given, or the best within the bounds.
+pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
+    match &spec.teeth {
+        TeethSpec::Given(teeth) => {
+            check(*teeth)?;
+            Ok(*teeth)
+        }
+        TeethSpec::Within(bounds) => {
+            let bounds = Bounds { addendum: spec.wheels.rack.addendum, ..bounds.clone() };
+            let found = bounds.for_ratio(spec.ratio, mode()?, spec.ratio_tolerance)?;
+            // The candidates come ordered by error, ring, sun; `min_by` keeps the first of equals.
+            let best = found.iter().min_by(|one, other| {
+                let by_error = one.ratio_error.abs().total_cmp(&other.ratio_error.abs());
+                by_error.then(Reverse(one.teeth.planets).cmp(&Reverse(other.teeth.planets)))
+            });
+            let nothing = epicyclic_gears::Error::NoToothSet {
+                wanted: spec.ratio,
+                mode: mode()?,
+                tolerance: spec.ratio_tolerance,
+                nearest: None,
+            };
+            Ok(best.ok_or(nothing)?.teeth)
+        }
+    }
+}
+
+fn check(teeth: ToothSet) -> Result<(), Error> {
+    let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
+    for (wheel, teeth) in [("sun", sun), ("planet", planet), ("ring", ring)] {
+        if teeth > MOST_TEETH {
+            let (from, to) = (teeth, teeth);
+            return Err(epicyclic_gears::Error::ToothRange { wheel, from, to, most: MOST_TEETH }.into());
+        }
+    }
+    if !(2..=MOST_PLANETS).contains(&teeth.planets) {
+        let (from, to) = (teeth.planets, teeth.planets);
+        return Err(epicyclic_gears::Error::PlanetNumber { from, to, most: MOST_PLANETS }.into());
+    }
+    if ring == sun + 2 * planet { Ok(()) } else { Err(Error::NotCoaxial { sun, planet, ring }) }
+}
+
+/// How well the tooth set meets its conditions.
+pub(super) fn conditions(
+    spec: &DriveSpec,
+    teeth: ToothSet,
+    wheels: &Wheels,
+    warnings: &mut Vec<Warning>,
+) -> Result<Gear, Error> {
+    let addendum = spec.wheels.rack.addendum;
+    let ratio = teeth.stationary_ratio().ratio(mode()?)?;
+    let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
+    let chord = 2.0 * meters(wheels.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
+    let gear = Gear {
+        teeth,
+        ratio,
+        exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode()?),
+        ratio_error: ratio / spec.ratio - 1.0,
+        neighbour_limit: neighbour_limit(teeth.sun, teeth.planet, addendum),
+        most_planets: Bounds { addendum, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
+        tip_gap: length(chord - meters(wheels.planet.tip_diameter())),
+        spacing,
+    };
+    if gear.ratio_error.abs() > spec.ratio_tolerance + 4.0 * f64::EPSILON {
+        warnings.push(Warning::RatioDeparts { wanted: spec.ratio, ratio, tolerance: spec.ratio_tolerance });
+    }
+    if !USUAL_RATIO.contains(&ratio) {
+        warnings.push(Warning::RatioOutsideUsualRange { ratio });
+    }
+    for (wheel, count) in [(Wheel::Sun, teeth.sun), (Wheel::Planet, teeth.planet)] {
+        if is_undercut(count, addendum) {
+            let at_least = least_teeth_without_undercut(addendum);
+            warnings.push(Warning::Undercut { wheel, teeth: count.get(), at_least });
+        }
+    }
+    if meters(gear.tip_gap) <= 0.0 {
+        warnings.push(Warning::NeighbourGap {
+            planets: teeth.planets,
+            gap_mm: gear.tip_gap.get::<millimeter>(),
+            most_planets: gear.most_planets,
+        });
+    }
+    if !gear.spacing.is_equal() {
+        warnings.push(Warning::UnequalSpacing {
+            planets: teeth.planets,
+            slots: gear.spacing.slots(),
+            deviation_deg: gear.spacing.greatest_deviation().get::<degree>(),
+        });
+    }
+    Ok(gear)
+}

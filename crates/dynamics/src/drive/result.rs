@@ -1,0 +1,292 @@
+//! What a drive turns out to be.
+
+use super::warning::Warning;
+use crate::planetary::Accelerations;
+use epicyclic_gears::bearing::Bearing;
+use epicyclic_gears::geometry;
+use epicyclic_gears::mass::WheelBody;
+use epicyclic_gears::row::Fraction;
+use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_gears::synthesis::ToothSet;
+use std::fmt;
+use uom::si::f64::{
+    AngularVelocity, Energy, Force, Length, Mass, MomentOfInertia, Power, Pressure, Time, Torque,
+};
+
+/// A drive, calculated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriveDesign {
+    /// Teeth and planets.
+    pub gear: Gear,
+    /// Efficiencies.
+    pub efficiency: Efficiency,
+    /// Speeds.
+    pub speeds: Speeds,
+    /// Torques at the nominal power.
+    pub torques: Torques,
+    /// Powers.
+    pub powers: Powers,
+    /// The wheels.
+    pub wheels: Wheels,
+    /// Forces at the nominal power.
+    pub forces: Forces,
+    /// Shafts and bearings.
+    pub shafts: Shafts,
+    /// Masses and inertias of the parts.
+    pub masses: Masses,
+    /// The links reduced to the sun's shaft.
+    pub reduction: Reduction,
+    /// Torque on the sun while the drive starts, `M_1`.
+    pub driving_torque: Torque,
+    /// Torque on the carrier against it, `M_H`.
+    pub load: Torque,
+    /// The start, losses left out of the reduced load, as in the source.
+    pub without_losses: Motion,
+    /// The start with the losses of the meshes.
+    pub with_losses: Motion,
+    /// What deserves a second look.
+    pub warnings: Vec<Warning>,
+}
+
+/// The tooth set and how well it meets its conditions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gear {
+    /// Teeth and number of planets.
+    pub teeth: ToothSet,
+    /// Ratio `U = ω_1/ω_H = 1 + z_3/z_1`.
+    pub ratio: f64,
+    /// The same as a fraction.
+    pub exact_ratio: Fraction,
+    /// Relative error of the ratio.
+    pub ratio_error: f64,
+    /// Where the planets sit.
+    pub spacing: PlanetSpacing,
+    /// The neighbour condition's limit, `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each
+    /// other. `None` where two already touch.
+    pub neighbour_limit: Option<f64>,
+    /// The most equally spaced planets that clear each other.
+    pub most_planets: u32,
+    /// Gap between the tip circles of the nearest neighbours; negative where they overlap.
+    pub tip_gap: Length,
+}
+
+/// Efficiencies by the losses of the meshes alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Efficiency {
+    /// Of the row under a resting carrier, `η_0 = η_12·η_23`.
+    pub stationary: f64,
+    /// Of the drive, `η = (1 + k·η_0)/(1 + k)`.
+    pub overall: f64,
+}
+
+/// Speeds, positive in the sense of the sun.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Speeds {
+    /// Sun, `ω_1`.
+    pub sun: AngularVelocity,
+    /// Planet seen from the housing, `ω_2`.
+    pub planet: AngularVelocity,
+    /// Planet seen from the carrier, `ω_2 − ω_H`.
+    pub planet_relative: AngularVelocity,
+    /// Carrier, `ω_H`.
+    pub carrier: AngularVelocity,
+}
+
+/// Torques at the nominal power.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Torques {
+    /// On the sun, `T_1 = N_1/ω_1`.
+    pub sun: Torque,
+    /// On all planets together about their own axes, `T_2 = T_1·η_12·z_2/z_1`. Passed on to the ring; it
+    /// does not reach the pins.
+    pub planets: Torque,
+    /// Delivered by the carrier, `T_H = T_1·U·η`.
+    pub carrier: Torque,
+    /// Of the housing on the ring, `T_H − T_1`.
+    pub ring_reaction: Torque,
+}
+
+/// Powers at the nominal speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Powers {
+    /// Into the sun, `N_1`.
+    pub input: Power,
+    /// Through the meshes, seen from the carrier: `T_1·(ω_1 − ω_H)`. What they lose is lost of this.
+    pub mesh: Power,
+    /// Lost in the meshes.
+    pub lost: Power,
+    /// Out of the carrier, `N_H = T_H·ω_H`.
+    pub output: Power,
+}
+
+/// The wheels and how they stand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wheels {
+    /// The sun.
+    pub sun: geometry::Wheel,
+    /// A planet.
+    pub planet: geometry::Wheel,
+    /// The ring.
+    pub ring: geometry::Wheel,
+    /// Centre distance `a_w`, the radius of the planets' orbit.
+    pub centre_distance: Length,
+    /// Face width `b`.
+    pub face_width: Length,
+}
+
+/// Forces at the nominal power, the planets sharing it evenly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Forces {
+    /// Tangential force at each mesh with the sun, `2·T_1/(N·d_1)`.
+    pub sun_mesh: Force,
+    /// Tangential force at each mesh with the ring, `2·(T_H − T_1)/(N·d_3)`.
+    pub ring_mesh: Force,
+    /// Tangential force on each pin, from the carrier's torque: `T_H/(N·a_w)`.
+    pub pin_tangential: Force,
+    /// Radial force on each pin, the planet's centrifugal force `m·ω_H²·a_w`.
+    pub pin_centrifugal: Force,
+    /// Both together; at right angles to each other.
+    pub pin: Force,
+}
+
+/// The three shafts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shafts {
+    /// The sun's shaft.
+    pub sun: ShaftDesign,
+    /// The pin of a planet. It carries no torque: the source sizes it by torsion under `T_2` all the same,
+    /// and so it is done here. Its real load is the bending by [`Forces::pin`].
+    pub planet: ShaftDesign,
+    /// The carrier's shaft.
+    pub carrier: ShaftDesign,
+}
+
+/// A shaft by reduced torsional stress.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShaftDesign {
+    /// The torque it is sized for.
+    pub torque: Torque,
+    /// Least diameter, `(16·T/(π·[τ]))^(1/3)`.
+    pub needed: Length,
+    /// The next standard diameter, and the smallest bearing that goes on it.
+    pub standard: Choice,
+    /// What is used: what was given, or else the standard one.
+    pub used: Choice,
+    /// Torsional stress of the shaft used.
+    pub stress: Pressure,
+}
+
+/// A shaft's diameter and its bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choice {
+    /// The shaft's diameter.
+    pub diameter: Length,
+    /// The bearing, where the table has one.
+    pub bearing: Option<&'static Bearing>,
+}
+
+/// Masses and inertias of the parts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Masses {
+    /// The sun.
+    pub sun: WheelMass,
+    /// One planet.
+    pub planet: WheelMass,
+    /// The carrier's mass, where its shape is known.
+    pub carrier: Option<Mass>,
+    /// The carrier's inertia about the gearbox axis.
+    pub carrier_inertia: MomentOfInertia,
+}
+
+/// A wheel's mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WheelMass {
+    /// Diameter of the hole; 0 for none.
+    pub bore: Length,
+    /// Teeth and body.
+    pub body: WheelBody,
+}
+
+/// All moving parts as one inertia at the sun's shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reduction {
+    /// The sun, `J_1`.
+    pub sun: MomentOfInertia,
+    /// What else is on its shaft.
+    pub motor: MomentOfInertia,
+    /// The planets' masses on their orbit, `N·m·a_w²·u_H²`.
+    pub planets_orbiting: MomentOfInertia,
+    /// The planets' own rotation, `N·J_2·u_2²`.
+    pub planets_turning: MomentOfInertia,
+    /// The carrier, `J_H·u_H²`.
+    pub carrier: MomentOfInertia,
+    /// The driven machine.
+    pub machine: MomentOfInertia,
+    /// The whole, `J_pr`.
+    pub reduced_inertia: MomentOfInertia,
+    /// Kinetic energy at the nominal speed, `T`, summed link by link.
+    pub kinetic_energy: Energy,
+}
+
+/// How the drive moves under the starting torques.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses.
+    pub inertia: MomentOfInertia,
+    /// Generalized force.
+    pub generalized_force: Torque,
+    /// Accelerations of the links, for a drive that turns forward.
+    pub accelerations: Accelerations,
+    /// Whether and when it reaches its speed.
+    pub start: Start,
+}
+
+/// Whether and when a drive reaches its speed from rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// After this time, both torques constant.
+    After(Time),
+    /// Never: driving torque and load balance. A drive that turns keeps turning, one at rest stays so.
+    InBalance,
+    /// Never: the load exceeds the driving torque by this much, reduced to the sun's shaft.
+    Overloaded(Torque),
+}
+
+/// A shaft of the drive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Shaft {
+    /// The sun's.
+    Sun,
+    /// A planet's pin.
+    Planet,
+    /// The carrier's.
+    Carrier,
+}
+
+impl fmt::Display for Shaft {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sun => "sun's shaft",
+            Self::Planet => "planet's pin",
+            Self::Carrier => "carrier's shaft",
+        })
+    }
+}
+
+/// A wheel of the drive with a bore.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Wheel {
+    /// The sun.
+    Sun,
+    /// A planet.
+    Planet,
+}
+
+impl fmt::Display for Wheel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sun => "sun",
+            Self::Planet => "planet",
+        })
+    }
+}

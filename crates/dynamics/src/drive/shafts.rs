@@ -1,0 +1,76 @@
+//! Shafts by reduced torsional stress, and their bearings.
+
+use super::finite;
+use super::result::{Choice, Shaft, ShaftDesign, Shafts, Torques};
+use super::spec::{DriveSpec, ShaftSpec};
+use super::warning::Warning;
+use crate::Error;
+use epicyclic_gears::bearing::{self, Verification};
+use epicyclic_gears::shaft::{self, USUAL_ALLOWABLE_STRESS_MPA};
+use uom::si::f64::Torque;
+use uom::si::length::millimeter;
+use uom::si::pressure::{megapascal, pascal};
+
+/// Relative shortfall up to which a diameter is thick enough: the rounding of a cube root.
+const ROUNDING: f64 = 1e-12;
+
+pub(super) fn shafts(
+    spec: &DriveSpec,
+    torques: &Torques,
+    warnings: &mut Vec<Warning>,
+) -> Result<Shafts, Error> {
+    let allowable_mpa = spec.shafts.allowable_stress.get::<megapascal>();
+    let shafts = Shafts {
+        sun: of(spec, Shaft::Sun, &spec.shafts.sun, torques.sun, warnings)?,
+        planet: of(spec, Shaft::Planet, &spec.shafts.planet, torques.planets, warnings)?,
+        carrier: of(spec, Shaft::Carrier, &spec.shafts.carrier, torques.carrier, warnings)?,
+    };
+    if !USUAL_ALLOWABLE_STRESS_MPA.contains(&allowable_mpa) {
+        warnings.push(Warning::StressOutsideUsualRange { allowable_mpa });
+    }
+    Ok(shafts)
+}
+
+fn of(
+    spec: &DriveSpec,
+    name: Shaft,
+    given: &ShaftSpec,
+    torque: Torque,
+    warnings: &mut Vec<Warning>,
+) -> Result<ShaftDesign, Error> {
+    let (allowable, series) = (spec.shafts.allowable_stress, spec.shafts.bearing_series);
+    let needed = shaft::diameter(torque, allowable)?;
+    let standard = shaft::standard_diameter(needed)?;
+    let standard = Choice { diameter: standard, bearing: bearing::smallest_for_shaft(series, standard).ok() };
+    let diameter = given.diameter.or(given.bearing.map(|bearing| bearing.bore)).unwrap_or(standard.diameter);
+    let stress = shaft::torsional_stress(torque, diameter)?;
+    finite("stress of a shaft", stress.get::<pascal>())?;
+    let bearing = given.bearing.or_else(|| bearing::smallest_for_shaft(series, diameter).ok());
+
+    let diameter_mm = diameter.get::<millimeter>();
+    let needed_mm = needed.get::<millimeter>();
+    if diameter_mm < needed_mm * (1.0 - ROUNDING) {
+        warnings.push(Warning::ShaftTooThin {
+            shaft: name,
+            diameter_mm,
+            needed_mm,
+            stress_mpa: stress.get::<megapascal>(),
+            allowable_mpa: allowable.get::<megapascal>(),
+        });
+    }
+    match bearing {
+        None => warnings.push(Warning::NoBearing { shaft: name, series: series.number(), diameter_mm }),
+        Some(bearing) => {
+            let bore_mm = bearing.bore.get::<millimeter>();
+            if bore_mm < diameter_mm * (1.0 - ROUNDING) {
+                let bearing = bearing.designation;
+                warnings.push(Warning::BearingTooNarrow { shaft: name, bearing, bore_mm, diameter_mm });
+            }
+            if bearing.verification == Verification::Unverified {
+                let bearing = bearing.designation;
+                warnings.push(Warning::UnverifiedBearing { shaft: name, bearing });
+            }
+        }
+    }
+    Ok(ShaftDesign { torque, needed, standard, used: Choice { diameter, bearing }, stress })
+}

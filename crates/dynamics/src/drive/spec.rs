@@ -1,0 +1,176 @@
+//! What is wanted of a drive.
+
+use epicyclic_gears::bearing::{Bearing, Series};
+use epicyclic_gears::carrier::{Arm, Hub};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::geometry::BasicRack;
+use epicyclic_gears::synthesis::{Bounds, ToothSet, least_teeth_without_undercut};
+use uom::si::f64::{AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
+use uom::si::mass_density::kilogram_per_cubic_meter;
+use uom::si::pressure::megapascal;
+
+/// A drive as it is asked for.
+///
+/// [`DriveSpec::new`] needs five quantities; every other field has a default, stated at the field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriveSpec {
+    /// Power at the sun's shaft, `N_1`.
+    pub power: Power,
+    /// Speed of the sun, `ω_1`.
+    pub speed: AngularVelocity,
+    /// Ratio of the speeds of sun and carrier, `U = ω_1/ω_H`, with the ring at rest.
+    pub ratio: f64,
+    /// How far the ratio may be off, relative. Default 0.01.
+    pub ratio_tolerance: f64,
+    /// Tooth numbers. Default: sought within [`default_bounds`].
+    pub teeth: TeethSpec,
+    /// Efficiency of the mesh of sun and planet, `η_12`. Default 0.97, the source's.
+    pub sun_planet_efficiency: MeshEfficiency,
+    /// Efficiency of the mesh of planet and ring, `η_23`. Default 0.98, the source's.
+    pub planet_ring_efficiency: MeshEfficiency,
+    /// Shape of the wheels.
+    pub wheels: WheelSpec,
+    /// Shafts and bearings.
+    pub shafts: ShaftsSpec,
+    /// The carrier. Default: neglected.
+    pub carrier: CarrierSpec,
+    /// Inertia on the sun's shaft beside the sun: rotor of the motor, coupling. Default 0.
+    pub motor_inertia: MomentOfInertia,
+    /// Inertia of the driven machine, at the carrier. Default 0.
+    pub machine_inertia: MomentOfInertia,
+    /// Torque that the driven machine opposes to the carrier while the drive starts, `M_H`. Default: the
+    /// torque that the drive delivers at its power, `T_1·U·η`.
+    pub load: Option<Torque>,
+    /// Torque on the sun while the drive starts, `M_1`. Default: `T_1 = N_1/ω_1`.
+    pub driving_torque: Option<Torque>,
+}
+
+/// Tooth numbers, or where to seek them.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TeethSpec {
+    /// These. A set that touches its neighbours, assembles at unequal angles only or misses the ratio is
+    /// calculated nevertheless, with a [`Warning`](crate::drive::Warning).
+    Given(ToothSet),
+    /// The set within the bounds whose ratio is nearest to the wanted one; of equally near ones the one
+    /// with most planets, then with the smallest ring, then with the smallest sun. The bounds' addendum is
+    /// that of the wheels, whatever they say.
+    Within(Bounds),
+}
+
+/// Shape and material of the wheels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WheelSpec {
+    /// Module `m`.
+    pub module: Length,
+    /// Face width `b`.
+    pub face_width: Length,
+    /// Proportions of the teeth. Default: [`BasicRack::default`], `h_a*` 1, `c*` 0.25, 20°.
+    pub rack: BasicRack,
+    /// Density `ρ` of wheels and carrier. Default 7850 kg/m³, steel.
+    pub density: MassDensity,
+    /// Bore of the sun. Default [`Bore::Shaft`]; the source's is [`Bore::Bearing`].
+    pub sun_bore: Bore,
+    /// Bore of a planet. Default [`Bore::Bearing`].
+    pub planet_bore: Bore,
+}
+
+/// The hole in a wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bore {
+    /// It sits on its shaft: the hole is the shaft's diameter.
+    Shaft,
+    /// Its bearing sits in it: the hole is the bearing's outside diameter.
+    Bearing,
+    /// This wide; 0 for a solid wheel.
+    Given(Length),
+}
+
+/// Shafts and bearings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShaftsSpec {
+    /// Reduced allowable torsional stress `[τ]`. Default 20 MPa; 15…20 MPa is usual.
+    pub allowable_stress: Pressure,
+    /// Series from which bearings are taken. Default 300.
+    pub bearing_series: Series,
+    /// The sun's shaft.
+    pub sun: ShaftSpec,
+    /// The pin of a planet.
+    pub planet: ShaftSpec,
+    /// The carrier's shaft.
+    pub carrier: ShaftSpec,
+}
+
+/// What is already decided of a shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ShaftSpec {
+    /// Its diameter; left out, that of the given bearing, or else the next standard one that satisfies the
+    /// formula.
+    pub diameter: Option<Length>,
+    /// Its bearing; left out, the smallest of the series that goes on the shaft.
+    pub bearing: Option<&'static Bearing>,
+}
+
+/// The carrier's shape, as far as its inertia needs it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CarrierSpec {
+    /// Taken as massless, with a warning.
+    Neglected,
+    /// This inertia about the gearbox axis, planets not counted.
+    Inertia(MomentOfInertia),
+    /// One arm for each planet, around a hub.
+    Shape {
+        /// One of the arms.
+        arm: Arm,
+        /// The hub.
+        hub: Hub,
+    },
+}
+
+impl DriveSpec {
+    /// A drive of which only the least is known.
+    #[must_use]
+    pub fn new(power: Power, speed: AngularVelocity, ratio: f64, module: Length, face_width: Length) -> Self {
+        let rack = BasicRack::default();
+        Self {
+            power,
+            speed,
+            ratio,
+            ratio_tolerance: 0.01,
+            teeth: TeethSpec::Within(default_bounds(rack.addendum)),
+            sun_planet_efficiency: usual_efficiency(0.97),
+            planet_ring_efficiency: usual_efficiency(0.98),
+            wheels: WheelSpec {
+                module,
+                face_width,
+                rack,
+                density: MassDensity::new::<kilogram_per_cubic_meter>(7850.0),
+                sun_bore: Bore::Shaft,
+                planet_bore: Bore::Bearing,
+            },
+            shafts: ShaftsSpec {
+                allowable_stress: Pressure::new::<megapascal>(20.0),
+                bearing_series: Series::Medium300,
+                sun: ShaftSpec::default(),
+                planet: ShaftSpec::default(),
+                carrier: ShaftSpec::default(),
+            },
+            carrier: CarrierSpec::Neglected,
+            motor_inertia: MomentOfInertia::default(),
+            machine_inertia: MomentOfInertia::default(),
+            load: None,
+            driving_torque: None,
+        }
+    }
+}
+
+/// Where tooth numbers are sought unless said otherwise: as [`Bounds::default`], but without undercut wheels.
+#[must_use]
+pub fn default_bounds(addendum: f64) -> Bounds {
+    let usual = Bounds::default();
+    let least = least_teeth_without_undercut(addendum);
+    Bounds { sun: least..=*usual.sun.end(), planet: least..=*usual.planet.end(), addendum, ..usual }
+}
+
+fn usual_efficiency(eta: f64) -> MeshEfficiency {
+    MeshEfficiency::new(eta).unwrap_or(MeshEfficiency::IDEAL)
+}

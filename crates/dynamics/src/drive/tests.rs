@@ -1,0 +1,458 @@
+//! The excavator by hand, every refusal, and the laws that hold for any drive.
+
+use super::*;
+use crate::units::{inertia, joules, kg_m2, length, power, rad_per_s2, seconds, torque, watts};
+use epicyclic_gears::bearing;
+use epicyclic_gears::carrier::{Arm, Hole, Hub};
+use epicyclic_gears::geometry::BasicRack;
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_gears::teeth::ToothCount;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+use uom::si::f64::{AngularVelocity, Length, MassDensity, Pressure};
+use uom::si::force::newton;
+use uom::si::length::millimeter;
+use uom::si::mass::kilogram;
+use uom::si::mass_density::kilogram_per_cubic_meter;
+use uom::si::pressure::{megapascal, pascal};
+
+fn mm(value: f64) -> Length {
+    Length::new::<millimeter>(value)
+}
+
+fn rpm(value: f64) -> AngularVelocity {
+    AngularVelocity::new::<revolution_per_minute>(value)
+}
+
+fn set(sun: u32, planet: u32, ring: u32, planets: u32) -> ToothSet {
+    let z = |count| ToothCount::new(count).unwrap();
+    ToothSet { sun: z(sun), planet: z(planet), ring: z(ring), planets }
+}
+
+fn shaft(diameter_mm: f64, designation: &str) -> ShaftSpec {
+    ShaftSpec {
+        diameter: Some(mm(diameter_mm)),
+        bearing: Some(bearing::by_designation(designation).unwrap()),
+    }
+}
+
+fn shape() -> CarrierSpec {
+    let hole = Hole { radius: mm(30.0), from_outer_end: mm(50.0) };
+    CarrierSpec::Shape {
+        arm: Arm { length: mm(185.0), width: mm(80.0), thickness: mm(10.0), hole: Some(hole) },
+        hub: Hub { outer_radius: mm(105.0), inner_radius: mm(95.0), width: mm(50.0) },
+    }
+}
+
+/// The source's drive with its shafts, bearings and carrier.
+fn excavator() -> DriveSpec {
+    let mut spec = DriveSpec::new(power(106.5e3), rpm(1950.0), 6.0, mm(8.0), mm(60.0));
+    spec.teeth = TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(1.0) });
+    spec.wheels.rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
+    spec.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
+    spec.wheels.sun_bore = Bore::Bearing;
+    spec.shafts.sun = shaft(50.0, "310");
+    spec.shafts.planet = shaft(60.0, "312");
+    spec.shafts.carrier = shaft(90.0, "318");
+    spec.carrier = shape();
+    spec
+}
+
+/// Within a unit of the last printed digit of the hand calculation.
+fn close(found: f64, by_hand: f64, last_digit: f64) {
+    assert!((found - by_hand).abs() <= last_digit, "{found} is not {by_hand} ± {last_digit}");
+}
+
+/// A mass of the source, which takes 3.14 for π, with π.
+#[allow(clippy::approx_constant, reason = "the source's own π")]
+fn exact(mass_kg: f64) -> f64 {
+    mass_kg * PI / 3.14
+}
+
+fn names(design: &DriveDesign) -> Vec<&'static str> {
+    design.warnings.iter().map(Warning::name).collect()
+}
+
+#[test]
+fn the_excavators_teeth_speeds_and_torques() {
+    let found = design(&excavator()).unwrap();
+    assert_eq!(found.gear.teeth, set(20, 40, 100, 4));
+    assert_eq!((*found.gear.exact_ratio.numer(), *found.gear.exact_ratio.denom()), (6, 1));
+    assert_eq!((found.gear.ratio_error, found.gear.most_planets), (0.0, 4));
+    close(found.gear.neighbour_limit.unwrap(), 4.05, 0.005);
+    // 2·240·sin 45° − 336
+    close(found.gear.tip_gap.get::<millimeter>(), 480.0 * 0.5_f64.sqrt() - 336.0, 1e-9);
+    close(found.efficiency.stationary, 0.9506, 1e-12);
+    close(found.efficiency.overall, 5.753 / 6.0, 1e-12);
+
+    // ω = π·1950/30 = 65π; carrier a sixth, planet a quarter backwards, 5/12 against the carrier.
+    let omega = 65.0 * PI;
+    for (speed, share) in [
+        (found.speeds.sun, 1.0),
+        (found.speeds.carrier, 1.0 / 6.0),
+        (found.speeds.planet, -0.25),
+        (found.speeds.planet_relative, -5.0 / 12.0),
+    ] {
+        close(rad_per_s(speed), share * omega, 1e-10);
+    }
+    let t1 = 106_500.0 / omega;
+    for (found, by_hand) in [
+        (found.torques.sun, t1),
+        (found.torques.planets, t1 * 0.97 * 2.0),
+        (found.torques.carrier, t1 * 5.753),
+        (found.torques.ring_reaction, t1 * 4.753),
+    ] {
+        close(n_m(found), by_hand, 1e-8);
+    }
+    close(watts(found.powers.output), 106_500.0 * 5.753 / 6.0, 1e-6);
+    close(watts(found.powers.lost), 106_500.0 * 5.0 / 6.0 * 0.0494, 1e-6);
+}
+
+#[test]
+fn the_excavators_shafts_are_too_thin() {
+    let found = design(&excavator()).unwrap();
+    for (shaft, needed, standard, bearing) in [
+        (&found.shafts.sun, 51.0, 53.0, "311"),
+        (&found.shafts.planet, 63.6, 67.0, "314"),
+        // 91.2 with the source's truncated efficiency of 0.95.
+        (&found.shafts.carrier, 91.4, 95.0, "319"),
+    ] {
+        close(shaft.needed.get::<millimeter>(), needed, 0.05);
+        close(shaft.standard.diameter.get::<millimeter>(), standard, 1e-9);
+        assert_eq!(shaft.standard.bearing.unwrap().designation, bearing);
+    }
+    // 16·521.54/(π·0.05³)
+    close(found.shafts.sun.stress.get::<megapascal>(), 21.25, 0.005);
+    assert_eq!(names(&found), ["shaft-too-thin"; 3]);
+}
+
+#[test]
+fn the_excavators_forces() {
+    let found = design(&excavator()).unwrap().forces;
+    let t1 = 106_500.0 / (65.0 * PI);
+    close(found.sun_mesh.get::<newton>(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
+    close(found.ring_mesh.get::<newton>(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
+    let tangential = 5.753 * t1 / (4.0 * 0.24);
+    close(found.pin_tangential.get::<newton>(), tangential, 1e-8);
+    // 31.565 kg: the source's 31.549 with π for 3.14.
+    let centrifugal = exact(31.549) * (65.0 * PI / 6.0).powi(2) * 0.24;
+    close(found.pin_centrifugal.get::<newton>(), centrifugal, 0.2);
+    close(found.pin.get::<newton>(), tangential.hypot(centrifugal), 0.2);
+}
+
+#[test]
+fn the_excavators_inertia_is_less_than_half_of_what_is_printed() {
+    let given = DriveSpec { carrier: CarrierSpec::Inertia(inertia(0.144)), ..excavator() };
+    let found = design(&given).unwrap();
+    // Disc by disc, ½·ρ·π·b·[(r_a⁴ + r_f⁴)/2 − r⁴].
+    let disc =
+        |a: f64, f: f64, r: f64| 0.5 * 7900.0 * PI * 0.06 * ((a.powi(4) + f.powi(4)) / 2.0 - r.powi(4));
+    let (j1, j2) = (disc(0.088, 0.0704, 0.055), disc(0.168, 0.1504, 0.065));
+    let m2 = exact(31.549);
+    let by_hand = j1 + (4.0 * m2 * 0.0576 + 0.144) / 36.0 + 4.0 * j2 / 16.0;
+    close(kg_m2(found.reduction.reduced_inertia), by_hand, 1e-4);
+    // 0.3486 with the source's rounded masses and its π = 3.14.
+    close(kg_m2(found.reduction.reduced_inertia), 0.3491, 5e-5);
+    close(found.masses.sun.body.total().mass.get::<kilogram>(), exact(4.949), 5e-4);
+    assert_eq!(found.masses.carrier, None);
+
+    // With the shape's own 0.171 instead of 0.144.
+    let shaped = design(&excavator()).unwrap();
+    close(kg_m2(shaped.masses.carrier_inertia), 0.171, 5e-4);
+    close(kg_m2(shaped.reduction.reduced_inertia), by_hand + 0.027 / 36.0, 2e-4);
+}
+
+#[test]
+fn at_full_load_only_the_document_starts() {
+    let found = design(&excavator()).unwrap();
+    // The surplus of the document's sum is the lost power.
+    let lost = watts(found.powers.lost) / (65.0 * PI);
+    close(n_m(found.without_losses.generalized_force), lost, 1e-9);
+    let j = kg_m2(found.reduction.reduced_inertia);
+    close(rad_per_s2(found.without_losses.accelerations.sun), lost / j, 1e-9);
+    match found.without_losses.start {
+        Start::After(time) => close(seconds(time), 65.0 * PI * j / lost, 1e-9),
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(found.with_losses.start, Start::InBalance);
+}
+
+#[test]
+fn more_load_than_torque_is_an_answer() {
+    let found = design(&DriveSpec { load: Some(torque(6000.0)), ..excavator() }).unwrap();
+    match (found.without_losses.start, found.with_losses.start) {
+        (Start::Overloaded(plain), Start::Overloaded(lossy)) => assert!(n_m(lossy) > n_m(plain)),
+        other => panic!("{other:?}"),
+    }
+    let idle = design(&DriveSpec { load: Some(torque(0.0)), ..excavator() }).unwrap();
+    let times = [idle.without_losses.start, idle.with_losses.start].map(|start| match start {
+        Start::After(time) => seconds(time),
+        other => panic!("{other:?}"),
+    });
+    assert!(times[0] < times[1], "{times:?}");
+}
+
+#[test]
+fn attached_inertias_are_counted_where_they_turn() {
+    let alone = design(&excavator()).unwrap().reduction;
+    let attached = DriveSpec { motor_inertia: inertia(0.5), machine_inertia: inertia(36.0), ..excavator() };
+    let found = design(&attached).unwrap().reduction;
+    close(kg_m2(found.motor), 0.5, 1e-15);
+    close(kg_m2(found.machine), 1.0, 1e-12);
+    close(kg_m2(found.reduced_inertia - alone.reduced_inertia), 1.5, 1e-12);
+}
+
+#[test]
+fn of_equally_near_sets_the_one_with_most_planets_is_taken() {
+    let open = DriveSpec { teeth: TeethSpec::Within(default_bounds(1.0)), ..excavator() };
+    assert_eq!(design(&open).unwrap().gear.teeth, set(18, 36, 90, 4));
+}
+
+#[test]
+fn doubtful_drives_are_calculated_with_warnings() {
+    let with = |change: fn(&mut DriveSpec)| {
+        let mut spec = DriveSpec {
+            shafts: DriveSpec::new(power(1.0), rpm(1.0), 6.0, mm(1.0), mm(1.0)).shafts,
+            ..excavator()
+        };
+        change(&mut spec);
+        names(&design(&spec).unwrap())
+    };
+    let none: [&str; 0] = [];
+    assert_eq!(with(|_| ()), none);
+    assert_eq!(with(|s| s.shafts.planet.bearing = bearing::by_designation("310").ok()), ["shaft-too-thin"]);
+    assert_eq!(
+        with(|s| s.shafts.carrier = ShaftSpec { diameter: Some(mm(100.0)), ..shaft(100.0, "318") }),
+        ["bearing-too-narrow"]
+    );
+    assert_eq!(
+        with(|s| s.shafts.carrier.bearing = bearing::by_designation("420").ok()),
+        ["unverified-bearing"]
+    );
+    assert_eq!(with(|s| s.shafts.carrier.diameter = Some(mm(150.0))), ["no-bearing"]);
+    assert_eq!(
+        with(|s| s.shafts.allowable_stress = Pressure::new::<megapascal>(30.0)),
+        ["stress-outside-usual-range"]
+    );
+    assert_eq!(with(|s| s.carrier = CarrierSpec::Neglected), ["carrier-neglected"]);
+    assert_eq!(with(|s| s.wheels.module = mm(8.5)), ["pin-off-centre"]);
+    assert_eq!(
+        with(|s| s.teeth = TeethSpec::Given(set(20, 40, 100, 5))),
+        // Five arms of 80 mm fit as well.
+        ["neighbour-gap"]
+    );
+    assert_eq!(with(|s| s.teeth = TeethSpec::Given(set(21, 39, 99, 4))), ["ratio-departs"]);
+    assert_eq!(
+        with(|s| {
+            s.teeth = TeethSpec::Given(set(13, 40, 93, 3));
+            s.ratio = 106.0 / 13.0;
+            s.wheels.sun_bore = Bore::Given(mm(50.0));
+            s.carrier = CarrierSpec::Inertia(inertia(0.1));
+        }),
+        // The larger ratio needs a shaft of 105 mm.
+        ["undercut", "unequal-spacing", "no-bearing"]
+    );
+    assert_eq!(
+        with(|s| {
+            s.teeth = TeethSpec::Given(set(60, 30, 120, 4));
+            s.ratio = 3.0;
+            s.carrier = CarrierSpec::Inertia(inertia(0.1));
+        }),
+        none
+    );
+    assert_eq!(
+        with(|s| {
+            s.teeth = TeethSpec::Given(set(60, 29, 118, 2));
+            s.ratio = 178.0 / 60.0;
+            s.carrier = CarrierSpec::Inertia(inertia(0.1));
+        }),
+        ["ratio-outside-usual-range"]
+    );
+}
+
+#[test]
+fn impossible_drives_are_refused() {
+    use epicyclic_gears::Error as Gear;
+    let with = |change: fn(&mut DriveSpec)| {
+        let mut spec = excavator();
+        change(&mut spec);
+        design(&spec).unwrap_err()
+    };
+    macro_rules! refused {
+        ($change:expr, $pattern:pat) => {
+            let error = with($change);
+            assert!(matches!(error, $pattern), "{error:?}");
+        };
+    }
+    refused!(|s| s.power = power(0.0), Error::Gear(Gear::NotPositive { quantity: "power", .. }));
+    refused!(|s| s.speed = rpm(f64::NAN), Error::Gear(Gear::NotPositive { quantity: "speed", .. }));
+    refused!(|s| s.ratio = -6.0, Error::Gear(Gear::NotPositive { quantity: "ratio", .. }));
+    refused!(|s| s.ratio_tolerance = -1.0, Error::Gear(Gear::Tolerance { .. }));
+    refused!(
+        |s| s.driving_torque = Some(torque(0.0)),
+        Error::Gear(Gear::NotPositive { quantity: "driving torque", .. })
+    );
+    refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::NotFinite { what: "load torque", .. });
+    refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothSet { nearest: Some(_), .. }));
+    refused!(
+        |s| s.teeth = TeethSpec::Given(set(20, 40, 101, 4)),
+        Error::NotCoaxial { sun: 20, planet: 40, ring: 101 }
+    );
+    refused!(
+        |s| s.teeth = TeethSpec::Given(set(u32::MAX, 1, 1, 4)),
+        Error::Gear(Gear::ToothRange { wheel: "sun", .. })
+    );
+    refused!(
+        |s| s.teeth = TeethSpec::Given(set(20, 40, 100, u32::MAX)),
+        Error::Gear(Gear::PlanetNumber { .. })
+    );
+    refused!(|s| s.wheels.module = mm(-8.0), Error::Gear(Gear::NotPositive { quantity: "module", .. }));
+    refused!(
+        |s| s.wheels.face_width = mm(0.0),
+        Error::Gear(Gear::NotPositive { quantity: "face width", .. })
+    );
+    refused!(
+        |s| s.shafts.allowable_stress = Pressure::new::<pascal>(0.0),
+        Error::Gear(Gear::NotPositive { quantity: "allowable stress", .. })
+    );
+    refused!(|s| s.power = power(106.5e9), Error::Gear(Gear::NoStandardDiameter { .. }));
+    refused!(
+        |s| s.shafts.planet = ShaftSpec { diameter: Some(mm(120.0)), bearing: None },
+        Error::Gear(Gear::NoBearingForShaft { series: 300, .. })
+    );
+    refused!(|s| s.wheels.sun_bore = Bore::Given(mm(141.0)), Error::BoreTooLarge { wheel: Wheel::Sun, .. });
+    refused!(
+        |s| s.wheels.planet_bore = Bore::Given(mm(-1.0)),
+        Error::Gear(Gear::OutOfRange { quantity: "bore diameter", .. })
+    );
+    refused!(|s| s.motor_inertia = inertia(-1.0), Error::Impossible { what: "inertia", .. });
+    refused!(
+        |s| s.carrier = CarrierSpec::Inertia(inertia(f64::NAN)),
+        Error::Overflow { what: "inertia of the carrier", .. }
+    );
+    refused!(|s| s.speed = rpm(1e-300), Error::Gear(_));
+    refused!(
+        |s| { s.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(f64::MAX) },
+        Error::Overflow { .. }
+    );
+}
+
+/// Numbers of every size, and now and then no number at all.
+fn wild() -> impl Strategy<Value = f64> {
+    prop_oneof![6 => (-3.0..3.0_f64).prop_map(|e| 10.0_f64.powf(e)), 1 => any::<f64>()]
+}
+
+prop_compose! {
+    fn any_teeth()(
+        sun in 6..80_u32, planet in 6..80_u32, planets in 2..8_u32, off in prop_oneof![9 => Just(0_u32), 1 => 0..3_u32],
+        given: bool, sun_range in 12..60_u32,
+    ) -> TeethSpec {
+        if given {
+            TeethSpec::Given(set(sun, planet, sun + 2 * planet + off, planets))
+        } else {
+            TeethSpec::Within(Bounds { sun: sun_range..=sun_range + 2, planets: planets..=8, ..default_bounds(1.0) })
+        }
+    }
+}
+
+prop_compose! {
+    fn any_spec()(
+        power_w in wild(), speed in wild(), ratio in prop_oneof![5 => 2.5..11.0_f64, 1 => wild()],
+        module in wild(), width in wild(), density in wild(), stress in wild(),
+        teeth in any_teeth(), bores in proptest::array::uniform2(proptest::option::of(wild())),
+        carrier in prop_oneof![Just(CarrierSpec::Neglected), Just(shape()), wild().prop_map(|j| CarrierSpec::Inertia(inertia(j)))],
+        load in proptest::option::of(wild()), driving in proptest::option::of(wild()),
+        diameters in proptest::array::uniform3(proptest::option::of(wild())),
+        attached in proptest::array::uniform2(wild()),
+    ) -> DriveSpec {
+        let mut spec = DriveSpec::new(power(1e3 * power_w), rpm(100.0 * speed), ratio, mm(module), mm(10.0 * width));
+        spec.teeth = teeth;
+        spec.ratio_tolerance = 0.2;
+        spec.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(1e3 * density);
+        spec.wheels.sun_bore = bores[0].map_or(Bore::Shaft, |bore| Bore::Given(mm(bore)));
+        spec.wheels.planet_bore = bores[1].map_or(Bore::Bearing, |bore| Bore::Given(mm(bore)));
+        spec.shafts.allowable_stress = Pressure::new::<megapascal>(10.0 * stress);
+        let shafts = [&mut spec.shafts.sun, &mut spec.shafts.planet, &mut spec.shafts.carrier];
+        for (shaft, diameter) in shafts.into_iter().zip(diameters) {
+            shaft.diameter = diameter.map(mm);
+        }
+        spec.carrier = carrier;
+        (spec.load, spec.driving_torque) = (load.map(torque), driving.map(torque));
+        (spec.motor_inertia, spec.machine_inertia) = (inertia(attached[0]), inertia(attached[1]));
+        spec
+    }
+}
+
+prop_compose! {
+    /// Drives that can be built: shafts go into their wheels.
+    fn sound_spec()(
+        sun in 17..60_u32, planet in 17..60_u32, planets in 2..6_u32, power_w in 1e2..1e4, speed in 100.0..5000.0,
+        module in 4.0..20.0, width in 10.0..200.0, load in proptest::option::of(0.0..1e4),
+        attached in proptest::array::uniform3(0.0..5.0),
+    ) -> DriveSpec {
+        let ratio = f64::from(2 * (sun + planet)) / f64::from(sun);
+        let mut spec = DriveSpec::new(power(power_w), rpm(speed), ratio, mm(module), mm(width));
+        spec.teeth = TeethSpec::Given(set(sun, planet, sun + 2 * planet, planets));
+        spec.wheels.sun_bore = Bore::Given(length(0.0));
+        spec.wheels.planet_bore = Bore::Given(mm(module));
+        spec.load = load.map(torque);
+        spec.carrier = CarrierSpec::Inertia(inertia(attached[0]));
+        (spec.motor_inertia, spec.machine_inertia) = (inertia(attached[1]), inertia(attached[2]));
+        spec
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn no_drive_makes_it_panic_and_no_answer_is_no_number(spec in any_spec()) {
+        if let Ok(found) = design(&spec) {
+            for value in [
+                n_m(found.torques.carrier), watts(found.powers.output), kg_m2(found.reduction.reduced_inertia),
+                joules(found.reduction.kinetic_energy), found.forces.pin.get::<newton>(),
+                rad_per_s2(found.without_losses.accelerations.sun), rad_per_s2(found.with_losses.accelerations.sun),
+                found.shafts.sun.stress.get::<pascal>(), found.shafts.carrier.stress.get::<pascal>(),
+            ] {
+                prop_assert!(value.is_finite());
+            }
+            for warning in &found.warnings {
+                prop_assert!(!warning.to_string().is_empty());
+            }
+        }
+    }
+
+    #[test]
+    fn energy_shares_and_powers_agree(spec in sound_spec()) {
+        let found = design(&spec).unwrap();
+        let r = &found.reduction;
+        let j = kg_m2(r.reduced_inertia);
+        let omega = rad_per_s(found.speeds.sun);
+        prop_assert!((joules(r.kinetic_energy) / (0.5 * j * omega * omega) - 1.0).abs() < 1e-12);
+        let shares = [r.sun, r.motor, r.planets_orbiting, r.planets_turning, r.carrier, r.machine];
+        prop_assert!((shares.into_iter().map(kg_m2).sum::<f64>() / j - 1.0).abs() < 1e-12);
+        let p = &found.powers;
+        let left = watts(p.input) - watts(p.output) - watts(p.lost);
+        prop_assert!(left.abs() < 1e-12 * watts(p.input));
+        // The pins carry the carrier's torque.
+        let pins = found.forces.pin_tangential.get::<newton>() * meters(found.wheels.centre_distance);
+        let all = pins * f64::from(found.gear.teeth.planets);
+        prop_assert!((all / n_m(found.torques.carrier) - 1.0).abs() < 1e-12);
+        // At the nominal load the losses leave nothing, and what the source's sum leaves is the lost power.
+        if spec.load.is_none() {
+            prop_assert_eq!(found.with_losses.start, Start::InBalance);
+            let surplus = n_m(found.without_losses.generalized_force) * omega;
+            prop_assert!((surplus - watts(p.lost)).abs() < 1e-10 * watts(p.input));
+        }
+    }
+
+    #[test]
+    fn chosen_shafts_satisfy_their_formula(spec in sound_spec()) {
+        let found = design(&spec).unwrap();
+        for shaft in [found.shafts.sun, found.shafts.planet, found.shafts.carrier] {
+            prop_assert!(shaft.stress.get::<pascal>() <= spec.shafts.allowable_stress.get::<pascal>() * (1.0 + 1e-9));
+            prop_assert!(shaft.used.bearing.is_none_or(|bearing| bearing.bore >= shaft.used.diameter * (1.0 - 1e-12)));
+        }
+        prop_assert!(!names(&found).contains(&"shaft-too-thin"));
+    }
+}

@@ -1,0 +1,181 @@
+//! What a drive file means: defaults filled in, values brought together.
+
+use epicyclic_dynamics::drive::{Bore, CarrierSpec, DriveSpec, ShaftSpec, TeethSpec, default_bounds};
+use epicyclic_gears::bearing::{self, Series};
+use epicyclic_gears::carrier::{Arm, Hole, Hub};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::geometry::BasicRack;
+use epicyclic_gears::synthesis::{Placement, ToothSet};
+use epicyclic_gears::{Error as GearError, ToothCount};
+use std::ops::RangeInclusive;
+use uom::si::f64::{Length, Ratio};
+
+use super::{BoreText, CarrierFile, DriveFile, Misfit, ShaftFile, Spacing, TeethFile};
+use crate::{Number, Path, Physical, Problem, Quantity, Span};
+
+impl DriveFile {
+    /// What is meant, defaults filled in.
+    ///
+    /// # Errors
+    /// A [`Misfit`] for a tooth count of 0, an open range that its default turns around, an efficiency
+    /// outside 0…1, an unknown bearing, a carrier with both inertia and shape or with half a shape, and a
+    /// missing ratio.
+    pub fn spec(&self) -> Result<DriveSpec, Misfit> {
+        let wheels = &self.wheels;
+        let rack = BasicRack::default();
+        let rack = BasicRack {
+            addendum: wheels.addendum.map_or(rack.addendum, Number::get),
+            clearance: wheels.clearance.map_or(rack.clearance, Number::get),
+            pressure_angle: or(wheels.pressure_angle, rack.pressure_angle),
+        };
+        let (teeth, own_ratio) = teeth(&self.teeth.clone().unwrap_or_default(), rack.addendum)?;
+        let ratio = self.ratio.map(Number::get).or(own_ratio).ok_or_else(|| Misfit {
+            path: Path::root(),
+            problem: Problem::MissingKey { key: "ratio".to_owned() },
+        })?;
+
+        let mut spec =
+            DriveSpec::new(self.power.0, self.speed.0, ratio, wheels.module.0, wheels.face_width.0);
+        spec.ratio_tolerance = self.ratio_tolerance.map_or(spec.ratio_tolerance, |given| given.0.si());
+        spec.teeth = teeth;
+        if let Some(mesh) = &self.mesh_efficiency {
+            let eta = |given: Option<Quantity<Ratio>>, usual, path| {
+                given.map_or(Ok(usual), |given| {
+                    MeshEfficiency::new(given.0.si()).map_err(|error| Misfit::new(path, error))
+                })
+            };
+            spec.sun_planet_efficiency =
+                eta(mesh.sun_planet, spec.sun_planet_efficiency, "mesh_efficiency.sun_planet")?;
+            spec.planet_ring_efficiency =
+                eta(mesh.planet_ring, spec.planet_ring_efficiency, "mesh_efficiency.planet_ring")?;
+        }
+        spec.wheels.rack = rack;
+        spec.wheels.density = or(wheels.density, spec.wheels.density);
+        spec.wheels.sun_bore = bore(wheels.sun_bore, spec.wheels.sun_bore, "wheels.sun_bore")?;
+        spec.wheels.planet_bore = bore(wheels.planet_bore, spec.wheels.planet_bore, "wheels.planet_bore")?;
+        if let Some(shafts) = &self.shafts {
+            spec.shafts.allowable_stress = or(shafts.allowable_stress, spec.shafts.allowable_stress);
+            spec.shafts.bearing_series = shafts.bearing_series.map_or(Series::Medium300, |given| given.0);
+            spec.shafts.sun = shaft(shafts.sun.as_ref(), "shafts.sun")?;
+            spec.shafts.planet = shaft(shafts.planet.as_ref(), "shafts.planet")?;
+            spec.shafts.carrier = shaft(shafts.carrier.as_ref(), "shafts.carrier")?;
+        }
+        if let Some(given) = &self.carrier {
+            spec.carrier = carrier(given)?;
+        }
+        if let Some(attached) = &self.attached {
+            spec.motor_inertia = or(attached.motor, spec.motor_inertia);
+            spec.machine_inertia = or(attached.machine, spec.machine_inertia);
+        }
+        if let Some(start) = &self.start {
+            spec.driving_torque = start.driving_torque.map(|given| given.0);
+            spec.load = start.load.map(|given| given.0);
+        }
+        Ok(spec)
+    }
+}
+
+fn or<T>(given: Option<Quantity<T>>, usual: T) -> T {
+    given.map_or(usual, |given| given.0)
+}
+
+/// The teeth, and the ratio of a set given in full.
+fn teeth(file: &TeethFile, addendum: f64) -> Result<(TeethSpec, Option<f64>), Misfit> {
+    let single = |span: Option<Span<u32>>| span.and_then(|span| span.single());
+    let count = |value, path| ToothCount::new(value).map_err(|error| Misfit::new(path, error));
+    let (sun, planet, ring) = (single(file.sun), single(file.planet), single(file.ring));
+    if let (Some(sun), Some(planets)) = (sun, single(file.planets))
+        && (planet.is_some() || ring.is_some())
+        && (file.planet.is_none() || planet.is_some())
+        && (file.ring.is_none() || ring.is_some())
+    {
+        let sun = count(sun, "teeth.sun")?;
+        let (planet, ring) = match (planet, ring) {
+            (Some(planet), Some(ring)) => (planet, ring),
+            (Some(planet), None) => (planet, planet.saturating_mul(2).saturating_add(sun.get())),
+            (_, ring) => {
+                let ring = ring.unwrap_or(0);
+                let twice = ring.checked_sub(sun.get()).filter(|twice| *twice > 0 && twice % 2 == 0);
+                let odd = || {
+                    Misfit::new(
+                        "teeth.ring",
+                        format!(
+                            "a ring of {ring} and a sun of {sun} teeth leave no whole number of teeth to the \
+                             planet; their difference must be even and above 0"
+                        ),
+                    )
+                };
+                (twice.ok_or_else(odd)? / 2, ring)
+            }
+        };
+        let (planet, ring) = (count(planet, "teeth.planet")?, count(ring, "teeth.ring")?);
+        let ratio = 1.0 + ring.as_f64() / sun.as_f64();
+        return Ok((TeethSpec::Given(ToothSet { sun, planet, ring, planets }), Some(ratio)));
+    }
+    let mut bounds = default_bounds(addendum);
+    let range = |span: Option<Span<u32>>, usual: &RangeInclusive<u32>, path| {
+        let range = span.map_or(Ok(usual.clone()), |span| span.within(usual.clone()));
+        let range = range.map_err(|error| Misfit::new(path, error))?;
+        if *range.start() == 0 { Err(Misfit::new(path, GearError::NoTeeth)) } else { Ok(range) }
+    };
+    bounds.sun = range(file.sun, &bounds.sun, "teeth.sun")?;
+    bounds.planet = range(file.planet, &bounds.planet, "teeth.planet")?;
+    bounds.ring = range(file.ring, &bounds.ring, "teeth.ring")?;
+    if let Some(planets) = file.planets {
+        let range = planets.within(bounds.planets.clone());
+        bounds.planets = range.map_err(|error| Misfit::new("teeth.planets", error))?;
+    }
+    bounds.tip_gap = file.tip_gap.map_or(bounds.tip_gap, Number::get);
+    bounds.placement = match file.spacing {
+        None | Some(Spacing::Equal) => Placement::Equal,
+        Some(Spacing::LeastUnequal) => Placement::LeastUnequal,
+    };
+    Ok((TeethSpec::Within(bounds), None))
+}
+
+fn bore(given: Option<BoreText>, usual: Bore, path: &str) -> Result<Bore, Misfit> {
+    match given.map(|given| given.0) {
+        Some(Bore::Given(diameter)) if diameter.si() < 0.0 => {
+            Err(Misfit::new(path, "a bore below 0; write 0 mm for a solid wheel"))
+        }
+        given => Ok(given.unwrap_or(usual)),
+    }
+}
+
+fn shaft(given: Option<&ShaftFile>, path: &str) -> Result<ShaftSpec, Misfit> {
+    let Some(given) = given else { return Ok(ShaftSpec::default()) };
+    if given.diameter.is_some_and(|diameter| diameter.0.si() <= 0.0) {
+        return Err(Misfit::new(&format!("{path}.diameter"), "a shaft's diameter must be above 0"));
+    }
+    let bearing = given.bearing.as_ref().map(|designation| {
+        bearing::by_designation(&designation.0)
+            .map_err(|error| Misfit::new(&format!("{path}.bearing"), error))
+    });
+    Ok(ShaftSpec { diameter: given.diameter.map(|given| given.0), bearing: bearing.transpose()? })
+}
+
+fn carrier(given: &CarrierFile) -> Result<CarrierSpec, Misfit> {
+    match (&given.inertia, &given.arms, &given.hub) {
+        (Some(inertia), None, None) => Ok(CarrierSpec::Inertia(inertia.0)),
+        (None, Some(arms), Some(hub)) => Ok(CarrierSpec::Shape {
+            arm: Arm {
+                length: arms.length.0,
+                width: arms.width.0,
+                thickness: arms.thickness.0,
+                hole: arms
+                    .hole
+                    .as_ref()
+                    .map(|hole| Hole { radius: hole.radius.0, from_outer_end: hole.from_outer_end.0 }),
+            },
+            hub: Hub {
+                outer_radius: hub.outside_radius.0,
+                inner_radius: or(hub.inside_radius, Length::default()),
+                width: hub.width.0,
+            },
+        }),
+        (Some(_), _, _) => {
+            Err(Misfit::new("carrier.inertia", "a carrier has its inertia given, or arms and hub, not both"))
+        }
+        (None, _, _) => Err(Misfit::new("carrier", "give the carrier both arms and hub, or its inertia")),
+    }
+}
