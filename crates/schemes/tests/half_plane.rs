@@ -83,7 +83,9 @@ fn fits<const H: usize>(paper: &Paper, rows: [[usize; 3]; 2], clutch: Option<[us
             for &front in &fronts {
                 for colour in colours.clone() {
                     let colour = u8::try_from(colour).unwrap();
-                    next.extend(step(Front::<H>::unpacked(front), x, y, colour, on_wall, clutch).map(Front::packed));
+                    next.extend(
+                        step(Front::<H>::unpacked(front), x, y, colour, on_wall, clutch).map(Front::packed),
+                    );
                 }
             }
             next.sort_unstable();
