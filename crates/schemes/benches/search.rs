@@ -57,7 +57,7 @@ fn teeth(criterion: &mut Criterion) {
     group.bench_function("front", |bencher| bencher.iter(|| pool.install(|| black_box(&whole).front())));
     group.bench_function("best_10", |bencher| bencher.iter(|| pool.install(|| black_box(&whole).best(10))));
     group.bench_function("reduced/front", |bencher| {
-        bencher.iter(|| pool.install(|| black_box(&small).front()))
+        bencher.iter(|| pool.install(|| black_box(&small).front()));
     });
     group.bench_function("reduced/brute_force", |bencher| {
         bencher.iter(|| brute::front(&brute::designs(&small.demand, &small.structures, &small.bounds).0));

@@ -12,7 +12,8 @@
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
 //! | [`OutsideRule`](Standing::OutsideRule) | 39 | row 2 ties T₁ to neither D nor B as the rule has it |
 //!
-//! No two of the 36 are equal as structures. Fit for its purpose means: some `k₁`, `k₂` within the range
+//! No two of the 36 are equal as structures. What sets the eleven apart is that they split the power without
+//! sending any of it round: [`closing`](crate::closing). The ten missed do send some round. Fit for its purpose means: some `k₁`, `k₂` within the range
 //! give gears that both slow, in one sense. Of the ten missed five hold that for every pair of
 //! parameters with no sign change: see the test below.
 //!

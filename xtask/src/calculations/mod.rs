@@ -6,6 +6,7 @@
 mod dynamics;
 mod gears;
 mod schemes;
+mod selection;
 
 use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
@@ -199,6 +200,7 @@ impl Calculation {
 pub fn all() -> Vec<Calculation> {
     let mut all = gears::calculations();
     all.extend(schemes::calculations());
+    all.extend(selection::calculations());
     all.extend(dynamics::calculations());
     all
 }

@@ -104,3 +104,45 @@ fn shared(first: &Segment, second: &Segment) -> Option<Point> {
     let y = first.from.y.max(second.from.y);
     (x <= first.to.x.min(second.to.x) && y <= first.to.y.min(second.to.y)).then_some(Point { x, y })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Gearbox;
+    use crate::drawability::{Options, Verdict, draw};
+    use crate::row::RowSpec;
+
+    #[test]
+    fn a_line_moved_across_others_is_found() {
+        let gearbox = Gearbox::builder("I")
+            .links(["D", "B", "T1"])
+            .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+            .brake("K1", "T1")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let Verdict::Drawable(layout) = draw(&gearbox, Options::default()) else { panic!("I can be drawn") };
+        let layout = *layout;
+        assert_eq!(layout.crossings(), []);
+
+        let brake = layout.brakes[0];
+        let across = Segment {
+            from: Point { x: layout.axis.from.x, y: brake.link_end.y },
+            to: Point { x: layout.axis.to.x, y: brake.link_end.y },
+        };
+        let output = layout.links.iter().position(|shape| shape.link == layout.output.link).unwrap();
+        let mut crossed = layout.clone();
+        crossed.links[output].segments.push(across);
+        let [crossing] = crossed.crossings()[..] else { panic!("one crossing: {:?}", crossed.crossings()) };
+        assert!(crossing.lines.contains(&Line::Link(brake.link)));
+        assert_eq!(crossing.at, brake.link_end);
+
+        let mut sunk = layout.clone();
+        sunk.links[output].segments[0].from.y = -1.0;
+        assert!(sunk.crossings().iter().any(|crossing| crossing.lines.contains(&Line::Axis)));
+        let mut raised = layout.clone();
+        raised.links[output].segments[0].to.y = layout.housing.from.y;
+        assert!(raised.crossings().iter().any(|crossing| crossing.lines.contains(&Line::Housing)));
+    }
+}

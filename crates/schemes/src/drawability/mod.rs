@@ -170,7 +170,7 @@ impl Witness {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
     /// It can, so.
-    Drawable(Layout),
+    Drawable(Box<Layout>),
     /// It cannot.
     SelfCrossing(Witness),
 }
@@ -219,7 +219,7 @@ pub fn locks(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
 fn judge(gearbox: &Gearbox, locks: &[[LinkId; 2]], options: Options) -> Verdict {
     let scheme = Scheme::new(gearbox, locks);
     match layout::draw(&scheme, gearbox, options) {
-        Some(layout) => Verdict::Drawable(layout),
+        Some(layout) => Verdict::Drawable(Box::new(layout)),
         None => Verdict::SelfCrossing(witness(&scheme)),
     }
 }
@@ -240,4 +240,56 @@ fn witness(scheme: &Scheme<'_>) -> Witness {
         }
     }
     Witness { elements: elements.into_iter().filter(|element| !without.contains(element)).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::row::RowSpec;
+
+    #[test]
+    fn a_witness_holds_nothing_that_could_be_left_out() {
+        let gearbox = Gearbox::builder("three rows")
+            .links(["D", "B", "T1", "T2", "T3"])
+            .row(RowSpec::simple("1", ["D", "B", "T1"], 2.5))
+            .row(RowSpec::simple("2", ["D", "B", "T2"], 2.5))
+            .row(RowSpec::simple("3", ["D", "T3", "B"], 2.5))
+            .brake("K1", "T1")
+            .brake("K2", "T2")
+            .brake("K3", "T3")
+            .clutch("direct", "D", "B")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let scheme = Scheme::new(&gearbox, &[]);
+        let witness = witness(&scheme);
+        assert!(!witness.elements.contains(&Element::Row(2)));
+        let others: Vec<Element> =
+            scheme.elements().into_iter().filter(|element| !witness.elements.contains(element)).collect();
+        assert!(!fits(&scheme, &others));
+        for &element in &witness.elements {
+            assert!(fits(&scheme, &[others.clone(), vec![element]].concat()), "{element:?}");
+        }
+    }
+
+    #[test]
+    fn locks_of_scheme_one_are_all_pairs() {
+        let gearbox = Gearbox::builder("I")
+            .links(["D", "B", "T1"])
+            .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+            .brake("K1", "T1")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let link = |name| gearbox.link(name).unwrap();
+        let [d, b, t] = ["D", "B", "T1"].map(link);
+        assert_eq!(locks(&gearbox), [[d, b], [d, t], [b, t]]);
+        let Verdict::Drawable(layout) = draw_locked(&gearbox, [d, b], Options::default()) else {
+            panic!("every lock of scheme I can be drawn");
+        };
+        assert_eq!(layout.clutches.len(), 1);
+        assert!(layout.crossings().is_empty());
+    }
 }

@@ -49,9 +49,9 @@ pub(super) fn embed(vertices: usize, ends: &[[usize; 2]], variant: usize) -> Opt
         edge: vec![false; ends.len()],
         faces: vec![(0..4).map(|edge| Dart { edge, from: BORDER[edge][0] }).collect()],
     };
-    for edge in 0..4 {
+    for (edge, [from, _]) in BORDER.into_iter().enumerate() {
         drawing.edge[edge] = true;
-        drawing.vertex[BORDER[edge][0]] = true;
+        drawing.vertex[from] = true;
     }
     drawing.grow(variant)?;
     Some(drawing.rotation())
@@ -232,5 +232,45 @@ impl Drawing<'_> {
                 }
             })
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with_border(vertices: usize, more: &[[usize; 2]]) -> Option<Vec<Vec<usize>>> {
+        let ends: Vec<[usize; 2]> = BORDER.iter().chain(more).copied().collect();
+        embed(vertices, &ends, 0)
+    }
+
+    #[test]
+    fn a_cross_in_the_border_is_not_planar() {
+        assert!(with_border(4, &[[AXIS, HOUSING]]).is_some());
+        assert!(with_border(4, &[[AXIS, HOUSING], [INPUT, OUTPUT]]).is_none());
+    }
+
+    #[test]
+    fn three_by_three_and_five_by_five_are_not_planar() {
+        let three: Vec<[usize; 2]> = (4..7).flat_map(|a| (7..10).map(move |b| [a, b])).collect();
+        let five: Vec<[usize; 2]> = (4..9).flat_map(|a| (a + 1..9).map(move |b| [a, b])).collect();
+        for (vertices, mut edges) in [(10, three), (9, five)] {
+            edges.push([HOUSING, 4]);
+            assert!(with_border(vertices, &edges).is_none());
+            edges.remove(0);
+            assert!(with_border(vertices, &edges).is_some());
+        }
+    }
+
+    #[test]
+    fn edges_around_a_vertex_are_listed_clockwise() {
+        // The border as a square: axis and output below, housing above output, input above axis.
+        let around = with_border(5, &[[AXIS, 4], [OUTPUT, 4], [HOUSING, 4], [INPUT, 4]]).unwrap();
+        let turned = |list: &[usize]| {
+            let start = list.iter().position(|edge| edge == list.iter().min().unwrap()).unwrap();
+            [&list[start..], &list[..start]].concat()
+        };
+        assert_eq!(turned(&around[4]), [4, 7, 6, 5]);
+        assert_eq!(turned(&around[AXIS]), [0, 3, 4]);
     }
 }

@@ -4,7 +4,9 @@ use super::levels::Level;
 use super::window::{Wanted, window};
 use crate::locking::{LOCKING_PAIRS, link_speeds};
 use crate::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
+use crate::selection::Mechanism;
 use crate::selection::demand::{Demand, Limits};
+use crate::selection::drawing::drawable_locks;
 use crate::selection::objectives::{Costs, on_grid};
 use crate::structures::{Role, RowRoles, Structure};
 
@@ -14,6 +16,8 @@ pub(crate) struct Patch {
     pub(crate) structure: Structure,
     pub(crate) wanted: [f64; 2],
     rows: [RowRoles; 2],
+    /// Ways to lock, drawn ones unless that does not matter.
+    locks: Vec<[Role; 2]>,
     /// Row 1 at each level, and row 2.
     sides: [Vec<Side>; 2],
     /// Windows of `k₂` as places of levels: place of `k₁`, first, end.
@@ -82,6 +86,11 @@ impl Patch {
         if !in_reach(structure, wanted, [first.k, last.k]) {
             return None;
         }
+        let locks = if limits.drawable {
+            drawable_locks(Mechanism::Rows(structure)).ok()?
+        } else {
+            LOCKING_PAIRS.to_vec()
+        };
         let mut strips = vec![];
         for (place, level) in levels.iter().enumerate() {
             let first_row = coefficients(rows[0], level.k);
@@ -113,7 +122,7 @@ impl Patch {
             levels.iter().map(at).collect()
         };
         let sides = [side(0), side(1)];
-        Some(Self { structure, wanted: ratio, rows, sides, strips })
+        Some(Self { structure, wanted: ratio, rows, locks, sides, strips })
     }
 
     /// Measures a pair of levels; `None` where a criterion is not met.
@@ -149,9 +158,10 @@ impl Patch {
         if links > allowed.link_speed || planets > allowed.planet_speed {
             return None;
         }
+        let [x, y] = self.locks[0].map(Role::index);
         let slip =
             |x: usize, y: usize| (speeds[0][x] - speeds[0][y]).abs().max((speeds[1][x] - speeds[1][y]).abs());
-        if slip(D, B) > allowed.clutch_slip && !self.locks_otherwise(ratio, allowed) {
+        if slip(x, y) > allowed.clutch_slip && !self.locks_otherwise(ratio, allowed) {
             return None;
         }
         let mut efficiency = f64::INFINITY;
@@ -175,7 +185,7 @@ impl Patch {
     fn locks_otherwise(&self, ratio: [f64; 2], allowed: &Allowed) -> bool {
         let speeds = link_speeds(ratio);
         let u = crate::structures::motion(ratio);
-        LOCKING_PAIRS.into_iter().any(|pair| {
+        self.locks.iter().any(|pair| {
             let [x, y] = pair.map(Role::index);
             let slip = speeds.iter().fold(0.0_f64, |m, speed| m.max((speed[x] - speed[y]).abs()));
             ((u[0] - u[1]) / (u[x] - u[y])).is_finite() && slip <= allowed.clutch_slip

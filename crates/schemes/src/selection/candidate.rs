@@ -120,8 +120,8 @@ pub struct Candidate {
     pub gears: Vec<GearReport>,
     /// Every way to lock, the least torque first.
     pub locks: Vec<Lock>,
-    /// Place in `locks` of the one chosen: the least torque among those that slip within limits, or
-    /// of all where none does.
+    /// Place in `locks` of the one chosen: the least torque among those that can be drawn and slip within
+    /// limits; where none does, the least that can be drawn, or the least of all.
     pub lock: usize,
     /// What the criteria say, each once.
     pub verdicts: Vec<Verdict>,
@@ -190,7 +190,14 @@ impl Candidate {
         let ratios: Vec<f64> = gears.iter().map(|gear| gear.ratio).collect();
         let locks = mechanism.locks(&ratios);
         let limits = &demand.limits;
-        let lock = locks.iter().position(|lock| slip(lock, gears.len()) <= limits.clutch_slip).unwrap_or(0);
+        let drawing = drawing.map(|drawing| drawing(mechanism));
+        let drawn = |lock: &Lock| match &drawing {
+            Some(Ok(pairs)) if limits.drawable => pairs.contains(&lock.pair),
+            _ => true,
+        };
+        let slips = |lock: &Lock| slip(lock, gears.len()) > limits.clutch_slip * (1.0 + 1e-9);
+        let lock = locks.iter().position(|lock| drawn(lock) && !slips(lock));
+        let lock = lock.or_else(|| locks.iter().position(drawn)).unwrap_or(0);
         let worst = worst_speeds(&gears);
         let objectives = Objectives {
             efficiency: least_efficiency(&gears).0,
@@ -208,7 +215,7 @@ impl Candidate {
                 .fold(0.0, f64::max),
         };
         let mut candidate = Self { mechanism, k, gears, locks, lock, verdicts: vec![], objectives };
-        candidate.verdicts = candidate.judge(demand, worst, drawing.map(|drawing| drawing(mechanism)));
+        candidate.verdicts = candidate.judge(demand, worst, drawing);
         Ok(candidate)
     }
 
@@ -216,7 +223,7 @@ impl Candidate {
         &self,
         demand: &Demand,
         [links, planets]: [(f64, String); 2],
-        drawing: Option<Result<(), String>>,
+        drawing: Option<Result<Vec<[Role; 2]>, String>>,
     ) -> Vec<Verdict> {
         let Limits { parameter, .. } = &demand.limits;
         let limits = &demand.limits;
@@ -253,7 +260,10 @@ impl Candidate {
             Verdict { required: limits.one_sense, ..within(Criterion::OneSense, senses, [1.0, 1.0]) },
         ];
         if let Some(drawing) = drawing {
-            let found = drawing.map_or_else(|witness| (0.0, witness), |()| (1.0, "drawn".into()));
+            let found = drawing.map_or_else(
+                |witness| (0.0, witness),
+                |pairs| (1.0, format!("drawn, {} ways to lock", pairs.len())),
+            );
             let verdict = within(Criterion::Drawable, found, [1.0, 1.0]);
             verdicts.push(Verdict { required: limits.drawable, ..verdict });
         }

@@ -153,6 +153,19 @@ impl Mechanism {
         }
     }
 
+    /// The mechanism with its brakes and without a locking clutch, rows without losses at this `k`.
+    pub(crate) fn without_lock(self, k: f64) -> Result<Gearbox, Error> {
+        let mut builder = Gearbox::builder(&self.to_string()).input("D").output("B").brake("K1", "T1");
+        builder = match self {
+            Self::Row(_) => builder.links(["D", "B", "T1"]),
+            Self::Rows(_) => builder.links(["D", "B", "T1", "T2"]).brake("K2", "T2"),
+        };
+        for (name, row) in ["1", "2"].iter().zip(self.rows()) {
+            builder = builder.row(RowSpec::simple(name, row.map(Role::symbol), k));
+        }
+        builder.build()
+    }
+
     /// The mechanism as a gearbox with gears `1`, `2` (of two rows) and `direct`, the locking clutch `L`
     /// between these links.
     ///

@@ -6,6 +6,7 @@
 //! | [`mechanism`] | what is chosen among, and which row parameters give the ratios |
 //! | [`candidate`] | a mechanism measured and judged, criterion by criterion |
 //! | [`objectives`] | the five objectives, and the order that picks the best |
+//! | [`drawing`] | whether it, and which way to lock, can be drawn without self-crossing |
 //! | [`size`] | how large a row is for its load |
 //! | [`front`] | which designs nothing dominates |
 //!
@@ -32,6 +33,7 @@
 
 pub mod candidate;
 pub mod demand;
+pub mod drawing;
 mod error;
 pub mod front;
 pub mod mechanism;
@@ -45,10 +47,12 @@ pub use mechanism::{Mechanism, Space};
 pub use objectives::{Objective, Objectives, Order};
 pub use size::Rating;
 
+use crate::structures::Role;
 use front::Entry;
 
-/// Whether a mechanism can be drawn without self-crossing; if not, the witness in words.
-pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<(), String> + Sync + 'a;
+/// Between which links a mechanism's locking clutch can be drawn; if there are none, or the mechanism
+/// itself cannot be drawn without self-crossing, the witness in words. As [`drawing::drawable_locks`].
+pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, String> + Sync + 'a;
 
 /// A mechanism that has no row parameters for the ratios, so that there is nothing to judge.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,12 +82,12 @@ pub struct Selection {
     pub best: Vec<usize>,
 }
 
-/// Selects with the default order of objectives, drawing not examined.
+/// Selects with the default order of objectives, drawing examined.
 ///
 /// # Errors
 /// As [`select_with`].
 pub fn select(demand: &Demand, space: &Space) -> Result<Selection, SelectionError> {
-    select_with(demand, space, Order::default(), None)
+    select_with(demand, space, Order::default(), Some(&drawing::drawable_locks))
 }
 
 /// Every mechanism of a space for every assignment of the ratios: measured, judged, compared.

@@ -6,23 +6,24 @@
 use epicyclic_gears::row::{RowParameter, StationaryRatio};
 use epicyclic_gears::synthesis::{Bounds, ToothSet, tooth_sets_by_trial};
 use epicyclic_schemes::locking::LOCKING_PAIRS;
-use epicyclic_schemes::selection::Demand;
+use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::size::relative_ring_diameter;
+use epicyclic_schemes::selection::{Demand, Mechanism};
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_schemes::{CompiledGear, Direction, Gearbox, LinkId, RowValues, Solution};
 
 /// A design that meets the criteria.
 #[derive(Debug, Clone, Copy)]
-pub struct Design {
-    pub structure: Structure,
-    pub wanted: [f64; 2],
-    pub teeth: [ToothSet; 2],
+pub(crate) struct Design {
+    pub(crate) structure: Structure,
+    pub(crate) wanted: [f64; 2],
+    pub(crate) teeth: [ToothSet; 2],
     /// Efficiency, speed, parameter, ratio error, size, as costs.
-    pub costs: [f64; 5],
+    pub(crate) costs: [f64; 5],
 }
 
 /// Every design of these structures that meets the criteria, and how many were tried.
-pub fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (Vec<Design>, u64) {
+pub(crate) fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (Vec<Design>, u64) {
     let sets = tooth_sets_by_trial(bounds).expect("the bounds are bounds");
     let (mut found, mut tried) = (vec![], 0);
     for &structure in structures {
@@ -47,7 +48,7 @@ pub fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (V
 }
 
 /// Designs that no other dominates, each compared with each.
-pub fn front(designs: &[Design]) -> Vec<Design> {
+pub(crate) fn front(designs: &[Design]) -> Vec<Design> {
     let dominates = |one: &[f64; 5], other: &[f64; 5]| {
         one.iter().zip(other).all(|(a, b)| *a <= b + 1e-12)
             && one.iter().zip(other).any(|(a, b)| *a < b - 1e-12)
@@ -60,6 +61,7 @@ struct Model {
     gearbox: Gearbox,
     gears: [CompiledGear; 2],
     links: [LinkId; 4],
+    locks: Vec<[Role; 2]>,
 }
 
 impl Model {
@@ -68,7 +70,12 @@ impl Model {
         let compile = |name| CompiledGear::new(&gearbox, gearbox.gear(name).ok()?).ok();
         let gears = [compile("1")?, compile("2")?];
         let links = Role::ALL.map(|role| gearbox.link(role.symbol()).expect("a link of the structure"));
-        Some(Self { gearbox, gears, links })
+        let locks = if demand.limits.drawable {
+            drawable_locks(Mechanism::Rows(structure)).ok()?
+        } else {
+            LOCKING_PAIRS.to_vec()
+        };
+        Some(Self { gearbox, gears, links, locks })
     }
 
     fn costs(&self, demand: &Demand, wanted: [f64; 2], teeth: [ToothSet; 2]) -> Option<[f64; 5]> {
@@ -85,7 +92,7 @@ impl Model {
         let mut solution = Solution::default();
         let (mut error, mut efficiency) = (0.0_f64, f64::INFINITY);
         let (mut links, mut planets, mut torques) = (0.0_f64, 0.0_f64, [0.0_f64; 2]);
-        let mut slips = [0.0_f64; 6];
+        let mut slips = vec![0.0_f64; self.locks.len()];
         for (gear, wanted) in self.gears.iter().zip(wanted) {
             gear.solve(&values, &[], Direction::Drive, &mut solution).ok()?;
             error = error.max((solution.ratio() / wanted - 1.0).abs());
@@ -107,7 +114,7 @@ impl Model {
                 let largest = &mut torques[usize::from(row)];
                 *largest = largest.max(torque.abs());
             }
-            for (slip, [x, y]) in slips.iter_mut().zip(LOCKING_PAIRS) {
+            for (slip, [x, y]) in slips.iter_mut().zip(self.locks.iter().copied()) {
                 *slip = slip.max((speeds[x as usize] - speeds[y as usize]).abs());
             }
         }
@@ -129,7 +136,7 @@ impl Model {
 
 /// For each structure and assignment of ratios the point of a grid of row parameters, so many a side,
 /// whose ratios come nearest.
-pub fn nearest_on_a_grid(
+pub(crate) fn nearest_on_a_grid(
     demand: &Demand,
     structures: &[Structure],
     side: u32,
