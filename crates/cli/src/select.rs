@@ -1,7 +1,6 @@
 //! The command `select`: which gearbox gives these speeds.
 
 mod candidates;
-mod drawing;
 mod teeth;
 mod why;
 mod winner;
@@ -11,6 +10,7 @@ use crate::lists::{List, Numbers, Quantities};
 use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::{
     Demand, Limits, Objective, Order, Orders, Rating, RatioSeries, SelectionError, Signs, Space, select_with,
 };
@@ -179,6 +179,14 @@ struct Size {
     /// Greatest pitch diameter of a ring; with --teeth.
     #[arg(long, requires = "torque", requires = "teeth", allow_hyphen_values = true)]
     ring_diameter: Option<Quantity<Length>>,
+
+    /// Least module that a row may need; with --teeth.
+    #[arg(long, requires = "torque", requires = "teeth", allow_hyphen_values = true)]
+    least_module: Option<Quantity<Length>>,
+
+    /// Greatest module that a row may need; with --teeth.
+    #[arg(long, requires = "torque", requires = "teeth", allow_hyphen_values = true)]
+    greatest_module: Option<Quantity<Length>>,
 }
 
 /// Runs the command.
@@ -189,8 +197,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         return teeth::run(args, &demand, order);
     }
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
-    let drawing = |mechanism| drawing::of(mechanism);
-    let found = select_with(&demand, &space, order, Some(&drawing)).map_err(refuse)?;
+    let found = select_with(&demand, &space, order, Some(&drawable_locks)).map_err(refuse)?;
     let report = candidates::report(args, &demand, order, &found)?;
     args.output.write(&report.text(args.output.format)?)
 }
@@ -276,6 +283,7 @@ fn refuse(error: SelectionError) -> Failure {
         E::Limit { what: "link speed", .. } => "--link-speed",
         E::Limit { what: "planet speed", .. } => "--planet-speed",
         E::Limit { what: "clutch slip", .. } => "--clutch-slip",
+        E::Limit { what: "module", .. } => "--least-module, --greatest-module",
         E::Limit { what: "ring diameter", .. } | E::SizeWithoutTorque => "--ring-diameter",
         E::Rating { what: "load sharing", .. } => "--load-sharing",
         E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",

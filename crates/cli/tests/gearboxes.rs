@@ -336,6 +336,7 @@ fn the_gearbox_of_a_bucket_wheel() {
 fn tooth_numbers_of_two_rows() {
     let search = ["select", "--speeds", WHEEL, "--teeth", "--all-structures", "--ring", "..90"];
     let two = |more: &[&str]| session(here().path(), &[&search, more].concat());
+    let by_module = ["--torque", "500 N·m", "--load-factor", "2 MPa", "--least-module", "3 mm"];
     let named =
         ["--torque", "500 N·m", "--load-factor", "2 MPa", "--ring-diameter", "180 mm", "--order", "size"];
     insta::assert_snapshot!(
@@ -343,6 +344,8 @@ fn tooth_numbers_of_two_rows() {
             two(&["--limit", "3"]),
             two(&["--limit", "2", "--format", "csv"]),
             two(&[&named[..], &["--limit", "2"]].concat()),
+            two(&[&by_module[..], &["--limit", "1", "--format", "csv"]].concat()),
+            two(&[&by_module[..], &["--greatest-module", "2 mm"]].concat()),
             session(here().path(), &["select", "--ratios", "1.4, 9", "--teeth", "--ring", "..60"]),
         ]
         .join("\n")

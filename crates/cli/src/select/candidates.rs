@@ -227,7 +227,7 @@ fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
         Some(verdict) => Figure::YesNo(verdict.met),
     };
     let objectives = &one.objectives;
-    let lock = winner::lock(one, demand);
+    let lock = winner::lock(one);
     vec![
         Figure::Count(place as u32 + 1),
         text(name(one.mechanism)),

@@ -1,6 +1,6 @@
 //! The search over tooth numbers.
 
-use super::{Args, candidates, drawing, refuse, structures, winner};
+use super::{Args, candidates, refuse, structures, winner};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, text};
 use crate::output::{Format, complain};
@@ -8,13 +8,16 @@ use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::{Dimension, Span};
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
 use epicyclic_schemes::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::{
     Candidate, Demand, Objectives, Order, Orders, RatioSeries, Signs, Space, select_with,
 };
 use std::io::{IsTerminal, Write as _, stderr};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
+use uom::si::f64::Length;
+use uom::si::length::{meter, millimeter};
 
 /// Designs that a search shows unless said otherwise.
 const SHOWN: usize = 10;
@@ -54,14 +57,14 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
         });
     }
     let limit = args.limit.unwrap_or(SHOWN);
-    let mut search = ToothSearch {
+    let search = ToothSearch {
         bounds: bounds(args)?,
         order,
         structures: structures(args),
         ring_diameter: args.size.ring_diameter.map(|diameter| diameter.0),
+        module: module(args)?,
         ..ToothSearch::new(demand.clone())
     };
-    search.retain_drawable(&|mechanism| drawing::of(mechanism));
     let shown = Shown::new();
     let found = search.best_watched(limit.max(1), &|progress| shown.at(progress));
     shown.clear();
@@ -88,6 +91,21 @@ fn bounds(args: &Args) -> Result<ToothBounds, Failure> {
         row_parameter: k.map_err(|error| Failure::Range { option: "--k", error })?,
         ..ToothBounds::default()
     })
+}
+
+/// The limits of the module; one that is left out allows whatever a gear could have.
+fn module(args: &Args) -> Result<Option<RangeInclusive<Length>>, Failure> {
+    let (least, greatest) = (args.size.least_module, args.size.greatest_module);
+    if least.is_none() && greatest.is_none() {
+        return Ok(None);
+    }
+    let least = least.map_or(Length::new::<millimeter>(1e-3), |least| least.0);
+    let greatest = greatest.map_or(Length::new::<meter>(1.0), |greatest| greatest.0);
+    if least > greatest {
+        let message = "the least module is above the greatest".to_owned();
+        return Err(Failure::Option { option: "--least-module", message });
+    }
+    Ok(Some(least..=greatest))
 }
 
 /// Progress on a terminal, and nowhere else.
@@ -171,7 +189,7 @@ fn measure(demand: &Demand, design: &ToothDesign) -> Result<Option<Candidate>, F
         ..demand.clone()
     };
     let space = Space::Structures(vec![design.structure]);
-    let found = select_with(&exactly, &space, Order::default(), None).map_err(refuse)?;
+    let found = select_with(&exactly, &space, Order::default(), Some(&drawable_locks)).map_err(refuse)?;
     Ok(found.accepted.into_iter().chain(found.rejected).next())
 }
 

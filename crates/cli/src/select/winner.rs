@@ -1,21 +1,17 @@
 //! A candidate in full: its speeds, its ways to lock, its shift table.
 
 use super::candidates::name;
-use super::drawing;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, View, wrapped};
 use epicyclic_schemes::locking::Lock;
+use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::{Candidate, Demand, GearReport, Mechanism};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Role;
 
-/// The lock of the least torque among those that slip within the limit and can be drawn; where none does both, the
-/// one that slips within it, and of no such the least of all.
-pub(super) fn lock<'a>(one: &'a Candidate, demand: &Demand) -> Option<&'a Lock> {
-    let limit = demand.limits.clutch_slip;
-    let slips = |lock: &&Lock| lock.slip[..one.gears.len()].iter().all(|slip| slip.abs() <= limit);
-    let drawn = |lock: &&Lock| drawing::is_lock_drawable(one.mechanism, lock.pair);
-    one.locks.iter().find(|lock| slips(lock) && drawn(lock)).or_else(|| one.locks.get(one.lock))
+/// The lock chosen: of those that slip within the limit and can be drawn the one of the least torque.
+pub(super) fn lock(one: &Candidate) -> Option<&Lock> {
+    one.locks.get(one.lock)
 }
 
 /// The parts that show candidates in full; their number is that of the list.
@@ -25,7 +21,7 @@ pub(super) fn parts(demand: &Demand, all: &[&Candidate]) -> Vec<Part> {
         parts.extend(standing(demand, one.mechanism));
     }
     parts.push(Part::Records(speeds(all)));
-    parts.push(Part::Records(locks(demand, all)));
+    parts.push(Part::Records(locks(all)));
     parts.push(Part::Records(shifts(all)));
     parts
 }
@@ -81,10 +77,11 @@ fn heading(what: &str, all: &[&Candidate]) -> String {
     all.first().map_or_else(String::new, |one| format!("{}: {what}", name(one.mechanism)))
 }
 
-fn locks(demand: &Demand, all: &[&Candidate]) -> Records {
+fn locks(all: &[&Candidate]) -> Records {
     let mut rows = vec![];
     for (place, one) in all.iter().enumerate() {
-        let chosen = lock(one, demand);
+        let chosen = lock(one);
+        let drawable = drawable_locks(one.mechanism).unwrap_or_default();
         for lock in &one.locks {
             rows.push(vec![
                 Figure::Count(place as u32 + 1),
@@ -92,7 +89,7 @@ fn locks(demand: &Demand, all: &[&Candidate]) -> Records {
                 Figure::Multiple(lock.torque),
                 Figure::Multiple(lock.slip[0]),
                 if one.gears.len() == 1 { Figure::None } else { Figure::Multiple(lock.slip[1]) },
-                Figure::YesNo(drawing::is_lock_drawable(one.mechanism, lock.pair)),
+                Figure::YesNo(drawable.contains(&lock.pair)),
                 Figure::YesNo(chosen.is_some_and(|chosen| chosen.pair == lock.pair)),
             ]);
         }
