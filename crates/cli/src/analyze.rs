@@ -7,7 +7,7 @@ mod place;
 mod subject;
 
 use crate::failure::Failure;
-use crate::output::{OutputArgs, complain};
+use crate::output::OutputArgs;
 use crate::report::Report;
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
@@ -92,13 +92,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Content::Several(transmissions) => subject::list(&transmissions),
         Content::One(subject) => report(args, &subject)?,
     };
-    args.output.write(&report.text(args.output.format)?)?;
-    if args.output.is_file() {
-        for (_, warning) in report.warnings.iter().flatten() {
-            complain(&format!("warning: {warning}"));
-        }
-    }
-    Ok(())
+    report.deliver(&args.output)
 }
 
 fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {

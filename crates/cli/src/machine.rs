@@ -190,7 +190,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Command::Drum(drum) => (cutters::drum(drum), &drum.output),
         Command::Rotor(rotor) => (wheel::report(rotor), &rotor.output),
     };
-    output.write(&report.map_err(refuse)?.text(output.format)?)
+    report.map_err(refuse)?.deliver(output)
 }
 
 /// The option that a refusal speaks of.

@@ -6,7 +6,7 @@
 
 use crate::failure::Failure;
 use crate::figure::{self, Figure, suffix};
-use crate::output::{self, Format};
+use crate::output::{self, Format, OutputArgs, complain};
 use epicyclic_formats::Dimension;
 use serde_json::{Map, Value, json};
 
@@ -134,7 +134,18 @@ impl View {
 }
 
 impl Report {
-    pub(crate) fn text(&self, format: Format) -> Result<String, Failure> {
+    /// Writes the answer where it is to go; warnings that are out of sight there are shown as well.
+    pub(crate) fn deliver(&self, output: &OutputArgs) -> Result<(), Failure> {
+        output.write(&self.text(output.format)?)?;
+        if output.is_file() {
+            for (_, warning) in self.warnings.iter().flatten() {
+                complain(&format!("warning: {warning}"));
+            }
+        }
+        Ok(())
+    }
+
+    fn text(&self, format: Format) -> Result<String, Failure> {
         match format {
             Format::Table => Ok(self.table()),
             Format::Json => output::json(&self.json()),

@@ -131,7 +131,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             one::report(scheme, range, eta0, dimensioned(args, scheme, eta0)?.as_ref())?
         }
     };
-    args.output.write(&report.text(args.output.format)?)
+    report.deliver(&args.output)
 }
 
 fn refuse<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {

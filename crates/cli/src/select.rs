@@ -198,8 +198,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
     let found = select_with(&demand, &space, order, Some(&drawable_locks)).map_err(refuse)?;
-    let report = candidates::report(args, &demand, order, &found)?;
-    args.output.write(&report.text(args.output.format)?)
+    candidates::report(args, &demand, order, &found)?.deliver(&args.output)
 }
 
 /// The structures that the search goes through.

@@ -281,12 +281,12 @@ impl Scene<'_> {
         };
         Section {
             name: "torques",
-            title: "Torques from outside, over the input's",
+            title: "Torques on the gearbox, over the input's",
             columns: &CASES[..2 + usize::from(self.operation().is_some())],
             rows: vec![
-                row("input", "on the input", |case| case.input, |at| at.input),
-                row("output", "on the output", |case| case.output, |at| at.output),
-                row("housing", "on the housing", |case| case.housing, |at| -at.input - at.output),
+                row("input", "at the input", |case| case.input, |at| at.input),
+                row("output", "at the output", |case| case.output, |at| at.output),
+                row("housing", "from the housing", |case| case.housing, |at| -at.input - at.output),
             ],
             note: "",
         }

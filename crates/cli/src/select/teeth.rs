@@ -69,8 +69,7 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
     let found = search.best_watched(limit.max(1), &|progress| shown.at(progress));
     shown.clear();
     let found = found.map_err(refuse)?;
-    let report = report(args, demand, &found, limit)?;
-    args.output.write(&report.text(args.output.format)?)?;
+    report(args, demand, &found, limit)?.deliver(&args.output)?;
     if args.output.format != Format::Table && found.entries().len() == limit {
         complain(&format!("note: the first {limit} designs of the front; --limit shows more"));
     }
