@@ -5,7 +5,7 @@ use crate::project_root;
 use crate::schema::write_whole;
 use clap::Args;
 use epicyclic_formats::nearest;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -83,8 +83,13 @@ pub fn starting_file(calculation: &Calculation, name: &str) -> String {
         text,
         "# A value may come from another case: {{ from: case/result, as: exact }}, or as: published."
     );
-    let _ = writeln!(text, "given:");
-    properties(&mut text, &(calculation.schema)().to_value(), 2);
+    let schema = (calculation.schema)().to_value();
+    if schema["properties"].as_object().is_none_or(Map::is_empty) {
+        let _ = writeln!(text, "given: {{}}");
+    } else {
+        let _ = writeln!(text, "given:");
+        properties(&mut text, &schema, 2);
+    }
     text.push_str(
         "expect:
   # A line a published figure, by the name of the result; `cargo xtask verify` lists the names.
