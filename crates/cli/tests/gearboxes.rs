@@ -437,6 +437,20 @@ fn no_key_of_an_answer_hides_another() {
 }
 
 #[test]
+fn lists_of_an_answer_count_alike() {
+    let args = ["select", "--ratios", "2.5, 4", "--all-structures", "--limit", "2", "--format", "json"];
+    let json: serde_json::Value = serde_json::from_slice(&output(here().path(), &args).stdout).unwrap();
+    let numbers = |list: &str, key: &str| -> std::collections::BTreeSet<u64> {
+        json[list].as_array().unwrap().iter().map(|one| one[key].as_u64().unwrap()).collect()
+    };
+    let shown = numbers("candidates", "no");
+    assert_eq!(shown.len(), 4);
+    for list in ["speeds", "locks", "shifts", "verdicts"] {
+        assert_eq!(numbers(list, "candidate"), shown, "{list}");
+    }
+}
+
+#[test]
 fn a_search_that_is_stopped_leaves_the_old_answer() {
     let folder = here();
     let answer = folder.path().join("answer.txt");

@@ -1,5 +1,6 @@
 //! All candidates side by side.
 
+use super::winner::Numbered;
 use super::{Args, why, winner};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, text};
@@ -55,11 +56,11 @@ pub(super) fn report(
         parts.extend(lists(demand, &ranked, accepted, rejected));
         parts.push(Part::Words(why::words(order, &ranked, found, accepted)));
         if let Some(best) = ranked.all.first().filter(|_| ranked.accepted > 0) {
-            parts.extend(winner::parts(demand, &[best]));
+            parts.extend(winner::parts(demand, &[(1, best)]));
         }
     } else {
         parts.push(Part::Records(candidates(demand, &ranked, &shown, vec![])));
-        let all: Vec<&Candidate> = shown.iter().map(|&place| ranked.all[place]).collect();
+        let all: Vec<Numbered> = shown.iter().map(|&place| (place as u32 + 1, ranked.all[place])).collect();
         parts.extend(winner::parts(demand, &all));
         parts.push(Part::Records(verdicts(&all)));
         parts.push(Part::Records(unreachable(&found.unreachable)));
@@ -298,12 +299,12 @@ pub(super) fn objections(one: &Candidate) -> String {
     words
 }
 
-fn verdicts(all: &[&Candidate]) -> Records {
+fn verdicts(all: &[Numbered]) -> Records {
     let mut rows = vec![];
-    for (place, one) in all.iter().enumerate() {
+    for &(no, one) in all {
         for verdict in &one.verdicts {
             rows.push(vec![
-                Figure::Count(place as u32 + 1),
+                Figure::Count(no),
                 text(verdict.criterion.to_string()),
                 Figure::YesNo(verdict.met),
                 Figure::YesNo(verdict.required),

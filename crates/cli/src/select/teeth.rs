@@ -160,9 +160,9 @@ fn report(args: &Args, demand: &Demand, found: &Found, limit: usize) -> Result<R
     if let Some(first) = measured.first() {
         if args.output.format == Format::Table {
             parts.push(Part::Words(counts(found.counts(), measured.len())));
-            parts.extend(winner::parts(demand, &[&first.candidate]));
+            parts.extend(winner::parts(demand, &[(1, &first.candidate)]));
         } else {
-            let all: Vec<&Candidate> = measured.iter().map(|one| &one.candidate).collect();
+            let all: Vec<winner::Numbered> = (1..).zip(measured.iter().map(|one| &one.candidate)).collect();
             parts.extend(winner::parts(demand, &all));
         }
     } else {

@@ -9,15 +9,18 @@ use epicyclic_schemes::selection::{Candidate, Demand, GearReport, Mechanism};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Role;
 
+/// A candidate with its number in the list.
+pub(super) type Numbered<'a> = (u32, &'a Candidate);
+
 /// The lock chosen: of those that slip within the limit and can be drawn the one of the least torque.
 pub(super) fn lock(one: &Candidate) -> Option<&Lock> {
     one.locks.get(one.lock)
 }
 
-/// The parts that show candidates in full; their number is that of the list.
-pub(super) fn parts(demand: &Demand, all: &[&Candidate]) -> Vec<Part> {
+/// The parts that show candidates in full.
+pub(super) fn parts(demand: &Demand, all: &[Numbered]) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
-    if let [one] = all {
+    if let [(_, one)] = all {
         parts.extend(standing(demand, one.mechanism));
     }
     parts.push(Part::Records(speeds(all)));
@@ -34,13 +37,13 @@ fn standing(demand: &Demand, mechanism: Mechanism) -> Option<Part> {
     (!matches!(standing, Standing::Listed(_))).then_some(Part::Words(words))
 }
 
-fn speeds(all: &[&Candidate]) -> Records {
+fn speeds(all: &[Numbered]) -> Records {
     let mut rows = vec![];
-    for (place, one) in all.iter().enumerate() {
+    for &(no, one) in all {
         let mut line = |member: String, link: Option<Role>, of: &dyn Fn(&GearReport) -> Option<f64>| {
             let gears = [one.gears.first().and_then(of), one.gears.get(1).and_then(of)];
             let link = link.map_or_else(String::new, |role| role.symbol().to_owned());
-            let cells = [Figure::Count(place as u32 + 1), Figure::Text(member), Figure::Text(link)];
+            let cells = [Figure::Count(no), Figure::Text(member), Figure::Text(link)];
             rows.push(cells.into_iter().chain(gears.map(multiple)).collect());
         };
         for (row, roles) in one.mechanism.rows().iter().enumerate() {
@@ -53,7 +56,7 @@ fn speeds(all: &[&Candidate]) -> Records {
             line(format!("g{0} on H{0}", row + 1), None, &|gear| Some(gear.planets.get(row)?.relative));
         }
     }
-    let shown: &[&str] = if all.iter().all(|one| one.gears.len() == 1) {
+    let shown: &[&str] = if all.iter().all(|(_, one)| one.gears.len() == 1) {
         &["member", "link", "gear_1"]
     } else {
         &["member", "link", "gear_1", "gear_2"]
@@ -73,18 +76,18 @@ fn speeds(all: &[&Candidate]) -> Records {
     }
 }
 
-fn heading(what: &str, all: &[&Candidate]) -> String {
-    all.first().map_or_else(String::new, |one| format!("{}: {what}", name(one.mechanism)))
+fn heading(what: &str, all: &[Numbered]) -> String {
+    all.first().map_or_else(String::new, |(_, one)| format!("{}: {what}", name(one.mechanism)))
 }
 
-fn locks(all: &[&Candidate]) -> Records {
+fn locks(all: &[Numbered]) -> Records {
     let mut rows = vec![];
-    for (place, one) in all.iter().enumerate() {
+    for &(no, one) in all {
         let chosen = lock(one);
         let drawable = drawable_locks(one.mechanism).unwrap_or_default();
         for lock in &one.locks {
             rows.push(vec![
-                Figure::Count(place as u32 + 1),
+                Figure::Count(no),
                 text(format!("{}-{}", lock.pair[0], lock.pair[1])),
                 Figure::Multiple(lock.torque),
                 Figure::Multiple(lock.slip[0]),
@@ -94,7 +97,7 @@ fn locks(all: &[&Candidate]) -> Records {
             ]);
         }
     }
-    let two = all.iter().any(|one| one.gears.len() > 1);
+    let two = all.iter().any(|(_, one)| one.gears.len() > 1);
     let shown: &[&str] = if two {
         &["joins", "torque", "slip_1", "slip_2", "drawable", "chosen"]
     } else {
@@ -117,13 +120,13 @@ fn locks(all: &[&Candidate]) -> Records {
     }
 }
 
-fn shifts(all: &[&Candidate]) -> Records {
+fn shifts(all: &[Numbered]) -> Records {
     let mut rows = vec![];
-    for (place, one) in all.iter().enumerate() {
+    for &(no, one) in all {
         for shift in one.shift_table() {
             let at = |control| Figure::Mark(shift.engaged == control);
             rows.push(vec![
-                Figure::Count(place as u32 + 1),
+                Figure::Count(no),
                 text(shift.gear),
                 Figure::Multiple(shift.ratio),
                 at("K1"),
@@ -137,7 +140,7 @@ fn shifts(all: &[&Candidate]) -> Records {
             ]);
         }
     }
-    let two = all.iter().any(|one| one.gears.len() > 1);
+    let two = all.iter().any(|(_, one)| one.gears.len() > 1);
     let shown: &[&str] = if two {
         &["gear", "ratio", "k1_engaged", "k2_engaged", "lock_engaged", "output"]
     } else {
