@@ -5,7 +5,7 @@ use crate::project_root;
 use crate::schema::write_whole;
 use clap::Args;
 use epicyclic_formats::nearest;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -83,8 +83,13 @@ pub fn starting_file(calculation: &Calculation, name: &str) -> String {
         text,
         "# A value may come from another case: {{ from: case/result, as: exact }}, or as: published."
     );
-    let _ = writeln!(text, "given:");
-    properties(&mut text, &(calculation.schema)().to_value(), 2);
+    let schema = (calculation.schema)().to_value();
+    if schema["properties"].as_object().is_none_or(Map::is_empty) {
+        let _ = writeln!(text, "given: {{}}");
+    } else {
+        let _ = writeln!(text, "given:");
+        properties(&mut text, &schema, 2);
+    }
     text.push_str(
         "expect:
   # A line a published figure, by the name of the result; `cargo xtask verify` lists the names.
@@ -159,7 +164,11 @@ fn sample(root: &Value, schema: &Value) -> String {
         "number" => "1.0".into(),
         "boolean" => "true".into(),
         "string" => "\"…\"".into(),
-        "array" => format!("[{}]", sample(root, &schema["items"])),
+        "array" => {
+            // As many as there must be, of a pair two.
+            let least = schema["minItems"].as_u64().unwrap_or(1).max(1) as usize;
+            format!("[{}]", vec![sample(root, &schema["items"]); least].join(", "))
+        }
         _ => {
             let inner: Vec<String> = schema["properties"]
                 .as_object()

@@ -1,10 +1,9 @@
 //! The command `drive`: a planetary drive from its file to its starting time.
 
 mod figures;
-mod report;
 
 use crate::failure::Failure;
-use crate::output::{OutputArgs, complain};
+use crate::output::OutputArgs;
 use epicyclic_dynamics::drive::design;
 use epicyclic_formats::{Document, Problem, drive};
 use std::fs;
@@ -54,12 +53,5 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let design = design(&spec).map_err(|error| {
         document.error(&drive::place(&error), Problem::Refused { message: error.to_string() })
     })?;
-    let report = figures::report(file.title, &design);
-    args.output.write(&report.text(args.output.format)?)?;
-    if args.output.is_file() {
-        for warning in &design.warnings {
-            complain(&format!("warning: {warning}"));
-        }
-    }
-    Ok(())
+    figures::report(file.title, &design).deliver(&args.output)
 }

@@ -31,6 +31,23 @@ pub(crate) enum Failure {
     /// A demand that no gear meets.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
+    /// A gearbox that cannot be analysed so.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_schemes::Error),
+    /// A demand on the catalogue or of a machine that nothing meets.
+    #[error(transparent)]
+    Design(#[from] epicyclic_schemes::DesignError),
+    /// A selection that cannot be made.
+    #[error(transparent)]
+    Selection(epicyclic_schemes::selection::SelectionError),
+    /// What an option says cannot be.
+    #[error("{option}: {message}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// Why.
+        message: String,
+    },
     /// Bounds of an option that its defaults contradict.
     #[error("{option} {error}")]
     Range {

@@ -4,20 +4,33 @@
 //! |---|---|
 //! | [`teeth`] | the command `teeth`: tooth numbers for a ratio |
 //! | [`drive`] | the command `drive`: a whole planetary drive from a file |
+//! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
+//! | [`select`] | the command `select`: the gearbox for given speeds |
+//! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
+//! | [`machine`] | the command `machine`: speeds of mining machines |
+//! | [`lists`] | options that take several values |
+//! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
 //! Exit codes: 0 answered, 1 refused (bad input, no answer), 2 wrong usage.
 
+mod analyze;
 mod drive;
 mod failure;
+mod figure;
+mod lists;
+mod machine;
 mod output;
+mod report;
+mod schemes;
+mod select;
 mod teeth;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Planetary gear mechanisms: tooth numbers, drives.
+/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
 #[derive(Parser)]
 #[command(version, max_term_width = 80)]
 struct Cli {
@@ -29,12 +42,20 @@ struct Cli {
 enum Command {
     Teeth(teeth::Args),
     Drive(drive::Args),
+    Analyze(analyze::Args),
+    Select(Box<select::Args>),
+    Schemes(schemes::Args),
+    Machine(machine::Args),
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Teeth(args) => teeth::run(&args),
         Command::Drive(args) => drive::run(&args),
+        Command::Analyze(args) => analyze::run(&args),
+        Command::Select(args) => select::run(&args),
+        Command::Schemes(args) => schemes::run(&args),
+        Command::Machine(args) => machine::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

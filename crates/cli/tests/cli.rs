@@ -2,51 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use std::fmt::Write as _;
+mod common;
+
+use common::{PROGRAM, examples, here, output, program, session, sessions, text};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_epicyclic");
-
-fn examples() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
-}
-
-fn program(folder: &Path, args: &[&str]) -> Command {
-    let mut command = Command::new(PROGRAM);
-    command.args(args).current_dir(folder).env_remove("COLUMNS").stdin(Stdio::null());
-    command
-}
-
-fn output(folder: &Path, args: &[&str]) -> Output {
-    program(folder, args).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-/// What a person sees.
-fn session(folder: &Path, args: &[&str]) -> String {
-    let output = output(folder, args);
-    let mut seen = format!("$ epicyclic {}\n{}", args.join(" "), text(&output.stdout));
-    if !output.stderr.is_empty() {
-        write!(seen, "stderr:\n{}", text(&output.stderr)).unwrap();
-    }
-    // Clap leaves spaces at the ends of empty lines.
-    let lines: Vec<&str> = seen.lines().map(str::trim_end).collect();
-    format!("{}\nexit: {}\n", lines.join("\n"), output.status.code().unwrap())
-}
-
-/// Several sessions of one folder.
-fn sessions(folder: &Path, all: &[&[&str]]) -> String {
-    all.iter().map(|args| session(folder, args)).collect::<Vec<_>>().join("\n")
-}
-
-fn here() -> tempfile::TempDir {
-    tempfile::tempdir().unwrap()
-}
+use std::path::Path;
+use std::process::{Command, Stdio};
 
 /// A folder with the excavator's file, changed.
 fn with(old: &str, new: &str) -> tempfile::TempDir {
@@ -61,20 +22,42 @@ fn with(old: &str, new: &str) -> tempfile::TempDir {
 fn help_says_what_there_is() {
     insta::assert_snapshot!(sessions(
         here().path(),
-        &[&[], &["--help"], &["teeth", "--help"], &["drive", "--help"]]
+        &[
+            &[],
+            &["--help"],
+            &["teeth", "--help"],
+            &["drive", "--help"],
+            &["analyze", "--help"],
+            &["select", "--help"],
+            &["schemes", "--help"],
+            &["machine", "--help"],
+            &["machine", "speeds", "--help"],
+            &["machine", "drum", "--help"],
+            &["machine", "rotor", "--help"],
+        ]
     ));
 }
 
 /// The commands that the help of a command shows as its example.
-fn examples_in_help(command: &str) -> Vec<String> {
-    let help = text(&output(here().path(), &[command, "--help"]).stdout);
+fn examples_in_help(command: &[&str]) -> Vec<String> {
+    let help = text(&output(here().path(), &[command, &["--help"]].concat()).stdout);
     let after = help.split("Example:\n").nth(1).unwrap();
     after.lines().take_while(|line| !line.is_empty()).map(|line| line.trim().to_owned()).collect()
 }
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    for command in ["teeth", "drive"] {
+    let commands: [&[&str]; 8] = [
+        &["teeth"],
+        &["drive"],
+        &["analyze"],
+        &["select"],
+        &["schemes"],
+        &["machine"],
+        &["machine", "speeds"],
+        &["machine", "rotor"],
+    ];
+    for command in commands {
         let (folder, script) = (here(), examples_in_help(command).join("\n"));
         let path = format!("{}:{}", Path::new(PROGRAM).parent().unwrap().display(), env!("PATH"));
         let mut shell = Command::new("sh");

@@ -7,6 +7,7 @@
 //! | [`range`] | what `12..40` means |
 //! | [`drive`] | what a drive file asks for |
 //! | [`yaml`] | values without positions |
+//! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
 //! Every [`Error`] names file, line, column, the path of the field, what is wrong and what is allowed; its
 //! [`name`](Error::name) does not change. A [`Quantity`] derives its JSON Schema like any field of a
@@ -38,6 +39,7 @@
 pub mod document;
 pub mod drive;
 mod error;
+pub mod gearbox;
 pub mod quantity;
 pub mod range;
 pub mod yaml;

@@ -17,6 +17,16 @@
 //! | [`combinations`] | every set of controls |
 //! | [`compiled`] | a gear compiled once, solved often |
 //! | [`mobility`] | Chebyshev's count |
+//! | [`catalogue`] | the source's schemes I…III, I-1…III-3: closed forms, ranges, k from a ratio |
+//! | [`closing`] | the 36 ways to close a second row, and which of them are the eleven |
+//! | [`regimes`] | series of ratios for 2 to 4 speeds |
+//! | [`machines`] | mining machines and the number of speeds recommended for them |
+//! | [`structures`], [`standing`] | all 111 two-row structures, and why the source has or lacks each |
+//! | [`locking`] | direct drive: every way to lock, its torque and slip |
+//! | [`drawability`] | whether a gearbox can be drawn without self-crossing, and the drawing |
+//! | [`selection`] | the choice of a gearbox for given speeds, by criteria and objectives |
+//! | [`search`] | the same over all tooth sets of both rows: exact front, nothing missed |
+//! | [`cutting`], [`rotor`] | speeds that cutters and bucket wheels need |
 //!
 //! Speeds and torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace.
 //! Losses are those of the meshes; bearings, churning and seals are left out.
@@ -52,8 +62,13 @@
 
 pub mod analysis;
 pub mod builder;
+pub mod catalogue;
+pub mod closing;
 pub mod combinations;
 pub mod compiled;
+pub mod cutting;
+pub mod design_error;
+pub mod drawability;
 pub mod efficiency;
 mod elimination;
 pub mod error;
@@ -61,12 +76,21 @@ pub mod gearbox;
 mod groups;
 mod kernel;
 pub mod kreines;
+pub mod locking;
+pub mod machines;
 pub mod mobility;
 pub mod operating;
+mod pair;
 pub mod power_flow;
+pub mod regimes;
+pub mod rotor;
 pub mod row;
+pub mod search;
+pub mod selection;
 pub mod speeds;
+pub mod standing;
 pub mod state;
+pub mod structures;
 mod topology;
 pub mod torques;
 mod units;
@@ -74,6 +98,7 @@ mod units;
 pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Direction, RowValues, Solution};
+pub use design_error::DesignError;
 pub use error::{Error, Named, Warning};
 pub use gearbox::{Control, GROUND, Gear, Gearbox, LinkId};
 pub use operating::{InputLoad, Operation};

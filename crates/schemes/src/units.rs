@@ -1,9 +1,11 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
 use uom::si::angular_velocity::radian_per_second;
-use uom::si::f64::{AngularVelocity, Power, Torque};
+use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Torque, Velocity};
+use uom::si::length::meter;
 use uom::si::power::watt;
 use uom::si::torque::newton_meter;
+use uom::si::velocity::meter_per_second;
 
 pub(crate) fn rad_per_s(speed: AngularVelocity) -> f64 {
     speed.get::<radian_per_second>()
@@ -27,4 +29,30 @@ pub(crate) fn watts(power: Power) -> f64 {
 
 pub(crate) fn power(power_w: f64) -> Power {
     Power::new::<watt>(power_w)
+}
+
+pub(crate) fn metres_per_second(speed: Velocity) -> f64 {
+    speed.get::<meter_per_second>()
+}
+
+#[cfg(test)]
+pub(crate) fn velocity(speed_m_s: f64) -> Velocity {
+    Velocity::new::<meter_per_second>(speed_m_s)
+}
+
+pub(crate) fn pascal(pressure: Pressure) -> f64 {
+    pressure.get::<uom::si::pressure::pascal>()
+}
+
+#[cfg(test)]
+pub(crate) fn pressure(pressure_pa: f64) -> Pressure {
+    Pressure::new::<uom::si::pressure::pascal>(pressure_pa)
+}
+
+pub(crate) fn metres(length_m: f64) -> Length {
+    Length::new::<meter>(length_m)
+}
+
+pub(crate) fn in_metres(length: Length) -> f64 {
+    length.get::<meter>()
 }

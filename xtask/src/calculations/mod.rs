@@ -5,6 +5,8 @@
 
 mod dynamics;
 mod gears;
+mod schemes;
+mod selection;
 
 use epicyclic_formats::quantity::{Dimension, Physical};
 use epicyclic_formats::yaml::Value as Yaml;
@@ -197,6 +199,8 @@ impl Calculation {
 #[must_use]
 pub fn all() -> Vec<Calculation> {
     let mut all = gears::calculations();
+    all.extend(schemes::calculations());
+    all.extend(selection::calculations());
     all.extend(dynamics::calculations());
     all
 }

@@ -184,7 +184,7 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
         let like =
             nearest(&case.calculation, &known).map(|name| format!("; write {name}?")).unwrap_or_default();
         let message =
-            format!("unknown calculation {}{like}; registered: {}", case.calculation, known.join(", "));
+            format!("unknown calculation {}{like} (cargo xtask new-case lists them)", case.calculation);
         fault(root().key("calculation"), "unknown-calculation", message);
     }
     let cites = std::iter::once((root().key("cite"), case.cite.as_str())).chain(

@@ -1,6 +1,7 @@
 //! The figures of a drive, by the names that the library gives them.
 
-use super::report::{Figure, Report, Row, Section, quantity};
+use crate::figure::{Figure, quantity};
+use crate::report::{Part, Report, Row, Section};
 use epicyclic_dynamics::drive::{Choice, DriveDesign, Motion, ShaftDesign, Start, WheelMass};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
@@ -17,10 +18,10 @@ const PIN: &str = "A planet's pin carries no torque. The method sizes it by the 
 
 /// The whole answer.
 pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
-    let section = |name, title, columns, rows| Section { name, title, columns, rows, note: "" };
+    let section = |name, title, columns, rows| Part::Facts(Section { name, title, columns, rows, note: "" });
     Report {
         title,
-        sections: vec![
+        parts: vec![
             section("gear", "Gear", &[], gear(design)),
             section("speeds", "Speeds", &[], speeds(design)),
             section("torques", "Torques", &[], torques(design)),
@@ -28,16 +29,19 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
             section("wheels", "Wheels", WHEELS, wheels(design)),
             section("wheels", "Wheels together", &[], mesh(design)),
             section("forces", "Forces, planets sharing evenly", &[], forces(design)),
-            Section {
+            Part::Facts(Section {
+                name: "shafts",
+                title: "Shafts by torsion, and bearings",
+                columns: SHAFTS,
+                rows: shafts(design),
                 note: PIN,
-                ..section("shafts", "Shafts by torsion, and bearings", SHAFTS, shafts(design))
-            },
+            }),
             section("masses", "Masses and inertias", PARTS, masses(design)),
             section("reduction", "Reduced to the sun's shaft", &[], reduction(design)),
             section("start", "Start", &[], starting_torques(design)),
             section("start", "Motion from rest", MOTIONS, motions(design)),
         ],
-        warnings: design.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect(),
+        warnings: Some(design.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect()),
     }
 }
 

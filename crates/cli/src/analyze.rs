@@ -1,0 +1,138 @@
+//! The command `analyze`: what a gearbox does in each of its gears.
+
+mod combinations;
+mod gear;
+mod overview;
+mod place;
+mod subject;
+
+use crate::failure::Failure;
+use crate::output::OutputArgs;
+use crate::report::Report;
+use epicyclic_formats::{Number, Quantity};
+use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
+use std::path::PathBuf;
+use subject::{Content, Subject};
+use uom::si::f64::{AngularVelocity, Power, Torque};
+
+/// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
+///
+/// Without --gear a table of all gears and of what is engaged in each; with --gear everything about one. Speeds are
+/// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
+/// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nrows:\\n' > box.yaml
+  printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> box.yaml
+  printf '    k: 2.94\\n    efficiency: 0.97\\n' >> box.yaml
+  printf 'brakes: [{ id: K1, link: T1 }]\\n' >> box.yaml
+  printf 'clutches: [{ id: K2, links: [D, B] }]\\ngears:\\n' >> box.yaml
+  printf '  - { name: slow, engaged: [K1] }\\n' >> box.yaml
+  printf '  - { name: fast, engaged: [K2] }\\n' >> box.yaml
+  epicyclic analyze box.yaml
+  epicyclic analyze box.yaml --gear slow --torque '500 N·m'
+
+Keys of the file:
+  gearbox, input, output: its name, and the links where power enters and leaves
+  rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
+        kind, planet_teeth, planets, efficiency or meshes
+  brakes: id, link            clutches: id, links: [one, other]
+  gears: name, engaged, and optionally input, output
+  links, grounds, ties, shared_ring_meshes: optional
+or a list `transmissions` with published ratios, as in
+examples/real-transmissions.yaml.")]
+pub(crate) struct Args {
+    /// The file that describes the gearbox, in YAML.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+
+    /// One transmission of a list: its name, or a part that no other name has.
+    #[arg(long, value_name = "NAME")]
+    transmission: Option<String>,
+
+    /// One gear, in full.
+    #[arg(long, value_name = "NAME")]
+    gear: Option<String>,
+
+    /// Every set of brakes and clutches, with its state.
+    #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
+    all_combinations: bool,
+
+    /// Torque on the input: 500 N·m.
+    #[arg(long, conflicts_with = "power", allow_hyphen_values = true)]
+    torque: Option<Quantity<Torque>>,
+
+    /// Power into the input: 75 kW; needs --speed.
+    #[arg(long, requires = "speed", allow_hyphen_values = true)]
+    power: Option<Quantity<Power>>,
+
+    /// Speed of the input: 1475 rpm.
+    #[arg(long, allow_hyphen_values = true)]
+    speed: Option<Quantity<AngularVelocity>>,
+
+    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97.
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    efficiency: Option<Number>,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// What is known of the input's motion and load.
+#[derive(Debug, Clone, Copy)]
+struct Input {
+    speed: Option<AngularVelocity>,
+    load: Option<InputLoad>,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let report = match subject::read(args)? {
+        Content::Several(transmissions) => subject::list(&transmissions),
+        Content::One(subject) => report(args, &subject)?,
+    };
+    report.deliver(&args.output)
+}
+
+fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {
+    let torque = args.torque.map(|torque| InputLoad::Torque(torque.0));
+    let load = torque.or(args.power.map(|power| InputLoad::Power(power.0)));
+    let input = Input { speed: args.speed.map(|speed| speed.0), load };
+    match &args.gear {
+        Some(name) => gear::report(subject, name, input),
+        None if args.all_combinations => combinations::report(subject),
+        None => overview::report(subject, input),
+    }
+}
+
+/// The analysis with what the input's speed and load make of it.
+struct Worked {
+    analysis: Analysis,
+    /// `None` where no load is given, or where the gear cannot take it.
+    operation: Option<epicyclic_schemes::Operation>,
+}
+
+fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
+    let analysis = match gearbox.analyze(gear) {
+        // With few short names, the nearest says less than all.
+        Err(Error::Unknown { .. }) => {
+            let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_schemes::Gear::name).collect();
+            let message = format!("no gear is called `{gear}`: there are {}", all.join(", "));
+            return Err(Failure::Option { option: "--gear", message });
+        }
+        analysis => analysis?,
+    };
+    // At a torque alone, powers hang on a speed that nobody gave: none is shown.
+    let speed =
+        input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));
+    let operation = match input.load.map(|load| analysis.at(speed, load)) {
+        None | Some(Err(Error::NotDriven { .. })) => None,
+        Some(Err(Error::OperatingPoint { why })) => {
+            let option = if matches!(input.load, Some(InputLoad::Power(_))) { "--power" } else { "--torque" };
+            return Err(Failure::Option { option, message: format!("{why} (gear {gear})") });
+        }
+        Some(operation) => Some(operation?),
+    };
+    Ok(Worked { analysis, operation })
+}

@@ -1,0 +1,222 @@
+//! All gears of a gearbox side by side.
+
+use super::subject::Subject;
+use super::{Input, Worked, work};
+use crate::failure::Failure;
+use crate::figure::{Figure, column, multiple, text};
+use crate::output;
+use crate::report::{Column, Part, Records, Report, View, wrapped};
+use epicyclic_formats::Dimension;
+use epicyclic_formats::gearbox::PublishedGear;
+use epicyclic_schemes::{Analysis, Gear, Gearbox, State};
+
+/// The whole answer.
+pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure> {
+    let gearbox = &subject.gearbox;
+    let worked = gearbox
+        .gears()
+        .iter()
+        .map(|gear| work(gearbox, gear.name(), input))
+        .collect::<Result<Vec<Worked>, Failure>>()?;
+    let source = subject.source.as_ref().map(|source| Part::Words(wrapped("Source:", source)));
+    let states = states(&worked);
+    let parts = source
+        .into_iter()
+        .chain([Part::Records(gears(subject, &worked, input))])
+        .chain((!states.is_empty()).then_some(Part::Words(states)))
+        .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
+        .collect();
+    Ok(Report { title: Some(gearbox.name().to_owned()), parts, warnings: Some(warnings(gearbox)) })
+}
+
+fn gears(subject: &Subject, worked: &[Worked], input: Input) -> Records {
+    let mut views = vec![View::new("Gears", &["gear", "engaged", "state", "ratio", "exact_ratio", "step"])];
+    if !subject.published.is_empty() {
+        views.push(View::new("Published ratios", &["gear", "published", "as_published", "agrees", "remark"]));
+    }
+    views.push(View {
+        note: note(subject),
+        ..View::new(
+            "Losses, and speeds over the input's",
+            &["gear", "efficiency", "overrun_efficiency", "self_locking", "circulating", "largest", "planet"],
+        )
+    });
+    if input.speed.is_some() || input.load.is_some() {
+        views.push(View::new("Output", &["gear", "output_speed", "output_torque"]));
+    }
+    Records {
+        name: "gears",
+        columns: columns(),
+        rows: (0..worked.len()).map(|place| row(subject, worked, place, input)).collect(),
+        views,
+        is_answer: true,
+    }
+}
+
+fn columns() -> Vec<Column> {
+    vec![
+        Column::words("gear", "gear"),
+        Column::words("engaged", "engaged"),
+        Column::words("input", "input"),
+        Column::words("output", "output"),
+        Column::words("state", "state"),
+        Column::words("state_links", "links"),
+        Column::number("ratio", "i"),
+        Column::number("exact_ratio", "exact"),
+        Column::number("step", "step"),
+        Column::number("published", "published"),
+        Column::number("as_published", "computed"),
+        Column::words("agrees", "agrees"),
+        Column::words("remark", "remark"),
+        Column::number("efficiency", "η"),
+        Column::number("overrun_efficiency", "η overrun"),
+        Column::words("self_locking", "locks itself"),
+        Column::number("circulating", "circulating"),
+        Column::number("largest", "largest |ω|"),
+        Column::number("planet", "planet"),
+        Column::quantity("output_speed", Dimension::AngularSpeed),
+        Column::quantity("output_torque", Dimension::Torque),
+    ]
+}
+
+fn row(subject: &Subject, worked: &[Worked], place: usize, input: Input) -> Vec<Figure> {
+    let gearbox = &subject.gearbox;
+    let Worked { analysis, operation } = &worked[place];
+    let gear = analysis.gear();
+    let published = subject.published(gear.name());
+    let before = place.checked_sub(1).map(|before| &worked[before].analysis);
+    let output_speed = analysis.speed(gear.output());
+    vec![
+        text(gear.name()),
+        Figure::Texts(engaged(gearbox, gear)),
+        text(gearbox.link_name(gear.input())),
+        text(gearbox.link_name(gear.output())),
+        Figure::Answer(analysis.state().name(), analysis.state().name()),
+        Figure::Texts(analysis.state().links().to_vec()),
+        multiple(analysis.ratio()),
+        analysis.exact_ratio().map_or(Figure::None, |ratio| Figure::Text(ratio.to_string())),
+        multiple(before.and_then(|before| step(before, analysis))),
+        published.map_or(Figure::None, published_figure),
+        multiple(published.zip(analysis.ratio()).map(|(gear, ratio)| as_published(gear, ratio))),
+        published
+            .zip(analysis.ratio())
+            .map_or(Figure::None, |(gear, ratio)| Figure::YesNo(gear.stands_for(ratio))),
+        published.and_then(remark).map_or_else(|| text(""), text),
+        multiple(analysis.efficiency()),
+        multiple(analysis.overrun_efficiency()),
+        analysis.is_self_locking().map_or(Figure::None, Figure::YesNo),
+        multiple(analysis.driving().map(|case| case.power.circulating)),
+        multiple(largest_speed(gearbox, analysis)),
+        multiple(largest_planet_speed(analysis)),
+        column(input.speed.zip(output_speed).map(|(speed, of)| speed * of)),
+        column(operation.as_ref().map(|operation| operation.output)),
+    ]
+}
+
+/// Names of what is engaged.
+pub(super) fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
+    gear.engaged().iter().map(|&place| gearbox.controls()[place].id().to_owned()).collect()
+}
+
+/// Ratio of the gear before over this one's, between the same links and in the same sense.
+fn step(before: &Analysis, this: &Analysis) -> Option<f64> {
+    let (one, other) = (before.ratio()?, this.ratio()?);
+    let between = |analysis: &Analysis| [analysis.gear().input(), analysis.gear().output()];
+    (one * other > 0.0 && between(before) == between(this)).then(|| one / other)
+}
+
+/// A published ratio with its decimals.
+pub(super) fn published_figure(gear: &PublishedGear) -> Figure {
+    Figure::Printed(gear.published_ratio.get(), gear.printed_decimals as usize)
+}
+
+/// A ratio the way round in which it is published.
+pub(super) fn as_published(gear: &PublishedGear, ratio: f64) -> f64 {
+    if gear.invert { 1.0 / ratio } else { ratio }
+}
+
+/// What is to be known of a published ratio.
+fn remark(gear: &PublishedGear) -> Option<String> {
+    let all =
+        [gear.invert.then_some("output over input"), gear.unverified.then_some("not read in its source")];
+    let all: Vec<&str> = all.into_iter().flatten().collect();
+    (!all.is_empty()).then(|| all.join(", "))
+}
+
+fn largest_speed(gearbox: &Gearbox, analysis: &Analysis) -> Option<f64> {
+    (1..gearbox.links().len()).filter_map(|link| analysis.speeds()[link]).map(f64::abs).reduce(f64::max)
+}
+
+fn largest_planet_speed(analysis: &Analysis) -> Option<f64> {
+    let planets = analysis.rows().iter().flat_map(|row| &row.planets);
+    planets.map(|planet| planet.relative.abs()).reduce(f64::max)
+}
+
+fn note(subject: &Subject) -> String {
+    let speeds = "Largest |ω|: of the links. Planet: the largest relative to its carrier.";
+    if subject.has_losses() {
+        speeds.to_owned()
+    } else {
+        format!("{speeds} The file states no losses; --efficiency 0.97 gives each row some.")
+    }
+}
+
+fn states(worked: &[Worked]) -> String {
+    let gears = worked.iter().map(|worked| &worked.analysis);
+    let not_driven = gears.filter(|analysis| *analysis.state() != State::Driven);
+    let lines: String = not_driven
+        .map(|analysis| wrapped(" -", &format!("{}: {}", analysis.gear().name(), in_words(analysis.state()))))
+        .collect();
+    if lines.is_empty() { lines } else { format!("Not simply driven\n{lines}") }
+}
+
+/// A state as a sentence.
+pub(super) fn in_words(state: &State) -> String {
+    let list = |names: &[String]| names.join(", ");
+    let words = match state {
+        State::Driven => return "driven".to_owned(),
+        State::InputBlocked { links } => format!("the input cannot turn; at rest: {}", list(links)),
+        State::OutputAtRest { links } => {
+            format!("the output cannot turn while the input can; at rest: {}", list(links))
+        }
+        State::OutputFree { links } => {
+            format!("nothing joins the output to the input; free: {}", list(links))
+        }
+        State::Underdetermined { missing, links } => {
+            let speeds = if *missing == 1 { "one more speed" } else { "more speeds" };
+            format!("{speeds} must be given, of {}", list(links))
+        }
+        State::TorquesIndeterminate { controls, rows, .. } => {
+            let of =
+                |what: &str, names: &[String]| (!names.is_empty()).then(|| format!("{what} {}", list(names)));
+            let parts: Vec<String> =
+                [of("controls", controls), of("rows", rows)].into_iter().flatten().collect();
+            format!("how the torque is shared hangs on how tightly they hold: {}", parts.join("; "))
+        }
+        // A state that this program does not know yet.
+        state => return state.to_string(),
+    };
+    format!("{}: {words}", state.name())
+}
+
+fn shift_table(gearbox: &Gearbox) -> String {
+    let mut header = vec!["gear"];
+    header.extend(gearbox.controls().iter().map(epicyclic_schemes::Control::id));
+    let rows = gearbox.gears().iter().map(|gear| {
+        let mark = |place| if gear.engaged().contains(&place) { "x" } else { "." }.to_owned();
+        let marks = (0..gearbox.controls().len()).map(mark);
+        [gear.name().to_owned()].into_iter().chain(marks).collect()
+    });
+    format!("Shift table\n{}", output::table(&header, rows, &[]))
+}
+
+/// Remarks on the gearbox itself.
+pub(super) fn warnings(gearbox: &Gearbox) -> Vec<(&'static str, String)> {
+    use epicyclic_schemes::Warning;
+    let name = |warning: &Warning| match warning {
+        Warning::Coaxiality { .. } => "coaxiality",
+        Warning::Unreachable { .. } => "unreachable",
+        _ => "other",
+    };
+    gearbox.warnings().iter().map(|warning| (name(warning), warning.to_string())).collect()
+}

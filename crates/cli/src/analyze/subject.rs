@@ -1,0 +1,194 @@
+//! The gearbox of a file, whichever of the two formats it is in.
+
+use super::{Args, place};
+use crate::failure::Failure;
+use crate::figure::{Figure, text};
+use crate::report::{Column, Part, Records, Report, View};
+use epicyclic_formats::gearbox::{GearboxFile, PublishedGear, Transmission, TransmissionsFile};
+use epicyclic_formats::{Document, Number, Path, Problem};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::row::MeshLoss;
+use epicyclic_schemes::{GearSpec, Gearbox};
+use std::fs;
+
+/// What a file holds.
+pub(super) enum Content {
+    One(Box<Subject>),
+    /// Transmissions of which none was chosen.
+    Several(Vec<Transmission>),
+}
+
+/// A gearbox, and what is published of it.
+pub(super) struct Subject {
+    pub(super) gearbox: Gearbox,
+    /// Where its data stand.
+    pub(super) source: Option<String>,
+    pub(super) published: Vec<PublishedGear>,
+}
+
+impl Subject {
+    /// What is published of a gear.
+    pub(super) fn published(&self, gear: &str) -> Option<&PublishedGear> {
+        self.published.iter().find(|published| published.name == gear)
+    }
+
+    /// Whether any row loses power.
+    pub(super) fn has_losses(&self) -> bool {
+        self.gearbox.rows().iter().any(|row| row.spec().loss.row_efficiency().get() < 1.0)
+    }
+}
+
+/// Reads the file, and chooses among its transmissions.
+pub(super) fn read(args: &Args) -> Result<Content, Failure> {
+    let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
+    let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
+    let efficiency = args.efficiency.map(efficiency).transpose()?;
+    let has = |key: &str| document.value().get(key).is_some();
+    if has("transmissions") {
+        let transmissions = document.read::<TransmissionsFile>()?.transmissions;
+        return match chosen(args, &document, &transmissions)? {
+            Some(index) => transmission(&document, &transmissions, index, efficiency).map(Content::One),
+            None => Ok(Content::Several(transmissions)),
+        };
+    }
+    if !has("gearbox") && document.value().is_mapping() {
+        let message = "this is no gearbox: one has the key gearbox, a list of published ones transmissions";
+        let problem = Problem::Refused { message: message.to_owned() };
+        return Err(document.error(&Path::root(), problem).into());
+    }
+    if args.transmission.is_some() {
+        return Err(Failure::Option {
+            option: "--transmission",
+            message: "the file holds one gearbox; leave the option out".to_owned(),
+        });
+    }
+    let mut file: GearboxFile = document.read()?;
+    if let Some(eta) = args.efficiency {
+        for row in &mut file.rows {
+            if row.efficiency.is_none() && row.meshes.is_none() {
+                row.efficiency = Some(eta);
+            }
+        }
+    }
+    let gearbox = file.gearbox().map_err(|error| place::problem(&document, &Path::root(), &error))?;
+    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![] })))
+}
+
+fn efficiency(eta: Number) -> Result<MeshEfficiency, Failure> {
+    MeshEfficiency::new(eta.get())
+        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
+}
+
+/// The place of the transmission meant; `None` where there are several and none is named.
+fn chosen(
+    args: &Args,
+    document: &Document,
+    transmissions: &[Transmission],
+) -> Result<Option<usize>, Failure> {
+    let refuse = |message| Err(Failure::Option { option: "--transmission", message });
+    let names = |which: &[usize]| {
+        which.iter().map(|&place| format!("\n  {}", transmissions[place].name)).collect::<String>()
+    };
+    let all: Vec<usize> = (0..transmissions.len()).collect();
+    let Some(name) = &args.transmission else {
+        return match all[..] {
+            [] => {
+                let problem = Problem::Refused { message: "there is no transmission here".to_owned() };
+                Err(document.error(&Path::root().key("transmissions"), problem).into())
+            }
+            [only] => Ok(Some(only)),
+            _ if args.gear.is_some() || args.all_combinations => {
+                refuse(format!("the file has {}; name one of{}", all.len(), names(&all)))
+            }
+            _ => Ok(None),
+        };
+    };
+    if let Some(exact) = transmissions.iter().position(|transmission| transmission.name == *name) {
+        return Ok(Some(exact));
+    }
+    let part = name.to_lowercase();
+    let like: Vec<usize> = all
+        .iter()
+        .copied()
+        .filter(|&place| transmissions[place].name.to_lowercase().contains(&part))
+        .collect();
+    match like[..] {
+        [only] => Ok(Some(only)),
+        [] => refuse(format!("no name in the file has `{name}` in it; there are{}", names(&all))),
+        _ => refuse(format!("`{name}` stands in several names; write more of one of{}", names(&like))),
+    }
+}
+
+fn transmission(
+    document: &Document,
+    transmissions: &[Transmission],
+    index: usize,
+    efficiency: Option<MeshEfficiency>,
+) -> Result<Box<Subject>, Failure> {
+    let transmission = &transmissions[index];
+    let base = Path::root().key("transmissions").index(index);
+    let gearbox = transmission.gearbox().map_err(|error| place::problem(document, &base, &error))?;
+    let gearbox = match efficiency {
+        Some(eta) => with_losses(&gearbox, eta)?,
+        None => gearbox,
+    };
+    let (source, published) = (transmission.source.clone(), transmission.gears.clone());
+    Ok(Box::new(Subject { gearbox, source, published }))
+}
+
+/// The same gearbox with this efficiency of each row; the format of transmissions states none.
+fn with_losses(gearbox: &Gearbox, eta: MeshEfficiency) -> Result<Gearbox, Failure> {
+    let name = |link| gearbox.link_name(link);
+    let mut builder = Gearbox::builder(gearbox.name())
+        .links(gearbox.links()[1..].to_vec())
+        .input(name(gearbox.input()))
+        .output(name(gearbox.output()));
+    for row in gearbox.rows() {
+        builder = builder.row(row.spec().clone().with_loss(MeshLoss::Row(eta)));
+    }
+    for control in gearbox.controls() {
+        let [first, second] = control.links().map(name);
+        builder = builder.clutch(control.id(), first, second);
+    }
+    for [first, second] in gearbox.permanent() {
+        builder = builder.tie(name(*first), name(*second));
+    }
+    for gear in gearbox.gears() {
+        builder = builder.gear_spec(GearSpec {
+            name: gear.name().to_owned(),
+            engaged: gear.engaged().iter().map(|&place| gearbox.controls()[place].id().to_owned()).collect(),
+            input: Some(name(gear.input()).to_owned()),
+            output: Some(name(gear.output()).to_owned()),
+        });
+    }
+    Ok(builder.build()?)
+}
+
+/// What there is to choose from.
+pub(super) fn list(transmissions: &[Transmission]) -> Report {
+    let count = |count: usize| Figure::Count(u32::try_from(count).unwrap_or(u32::MAX));
+    let records = Records {
+        name: "transmissions",
+        columns: vec![
+            Column::words("name", ""),
+            Column::number("rows", "rows"),
+            Column::number("controls", "controls"),
+            Column::number("gears", "gears"),
+        ],
+        rows: transmissions
+            .iter()
+            .map(|one| {
+                vec![
+                    text(&one.name),
+                    count(one.rows.len()),
+                    count(one.elements.len()),
+                    count(one.gears.len()),
+                ]
+            })
+            .collect(),
+        views: vec![View::new("Transmissions", &["name", "rows", "controls", "gears"])],
+        is_answer: true,
+    };
+    let hint = "--transmission chooses one, by its name or a part of it.\n".to_owned();
+    Report { title: None, parts: vec![Part::Records(records), Part::Words(hint)], warnings: None }
+}

@@ -1,0 +1,81 @@
+//! Options that take several values: `0.8 m/s, 3.15 m/s`.
+
+use epicyclic_formats::{Number, Physical, Quantity};
+use std::str::FromStr;
+
+/// Values parted by commas or semicolons.
+///
+/// A comma between two digits parts nothing, so that `0,8 m/s` is refused with its correction and not read as two
+/// numbers. So `1.465,2.56` wants a space after its comma.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct List<T>(pub(crate) Vec<T>);
+
+/// Quantities of one kind.
+pub(crate) type Quantities<T> = List<Quantity<T>>;
+
+/// Plain numbers.
+pub(crate) type Numbers = List<Number>;
+
+impl<T> List<Quantity<T>>
+where
+    T: Physical,
+{
+    /// Without the text they were written as.
+    pub(crate) fn values(&self) -> Vec<T> {
+        self.0.iter().map(|quantity| quantity.0).collect()
+    }
+}
+
+impl<T: FromStr<Err: ToString>> FromStr for List<T> {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = parts(text);
+        let of_several = |part: &str| {
+            let close = parts.len() == 1 && text.matches(',').count() > 0;
+            let hint = if close { "; several are parted by a comma and a space" } else { "" };
+            part.parse().map_err(|error: T::Err| format!("{}{hint}", error.to_string()))
+        };
+        parts.iter().map(|part| of_several(part)).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+fn parts(text: &str) -> Vec<&str> {
+    let bytes = text.as_bytes();
+    let is_digit =
+        |place: Option<usize>| place.and_then(|place| bytes.get(place)).is_some_and(u8::is_ascii_digit);
+    let mut parts = vec![];
+    let mut from = 0;
+    for (place, mark) in text.char_indices().filter(|(_, c)| matches!(c, ',' | ';')) {
+        if mark == ',' && is_digit(place.checked_sub(1)) && is_digit(Some(place + 1)) {
+            continue;
+        }
+        parts.push(text[from..place].trim());
+        from = place + 1;
+    }
+    parts.push(text[from..].trim());
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use uom::si::f64::Velocity;
+
+    #[test]
+    fn commas_part_values_but_not_digits() {
+        let speeds: Quantities<Velocity> = "0.76 m/s, 1.33 m/s;117 m/min".parse().unwrap();
+        let speeds: Vec<f64> = speeds.values().into_iter().map(Physical::si).collect();
+        assert_eq!(speeds, [0.76, 1.33, 117.0 / 60.0]);
+        let ratios: Numbers = "-2.56, -1.465".parse().unwrap();
+        assert_eq!(ratios.0.iter().map(|ratio| ratio.get()).collect::<Vec<_>>(), [-2.56, -1.465]);
+    }
+
+    #[test]
+    fn a_decimal_comma_is_still_corrected() {
+        let refused = "0,8 m/s, 3,15 m/s".parse::<Quantities<Velocity>>().unwrap_err();
+        assert_eq!(refused, "0,8 m/s: decimal comma; write 0.8 m/s");
+        let refused = "1.465,2.56".parse::<Numbers>().unwrap_err();
+        assert!(refused.ends_with("several are parted by a comma and a space"), "{refused}");
+    }
+}

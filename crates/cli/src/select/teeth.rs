@@ -1,0 +1,292 @@
+//! The search over tooth numbers.
+
+use super::{Args, candidates, refuse, structures, winner};
+use crate::failure::Failure;
+use crate::figure::{Figure, column, multiple, text};
+use crate::output::{Format, complain};
+use crate::report::{Column, Part, Records, Report, View};
+use epicyclic_formats::{Dimension, Span};
+use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
+use epicyclic_schemes::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_schemes::selection::drawing::drawable_locks;
+use epicyclic_schemes::selection::{
+    Candidate, Demand, Objectives, Order, Orders, RatioSeries, Signs, Space, select_with,
+};
+use std::io::{IsTerminal, Write as _, stderr};
+use std::ops::{ControlFlow, RangeInclusive};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+use uom::si::f64::Length;
+use uom::si::length::{meter, millimeter};
+
+/// Designs that a search shows unless said otherwise.
+const SHOWN: usize = 10;
+
+/// How often progress is shown.
+const SHOWN_EVERY: Duration = Duration::from_millis(100);
+
+/// Tooth numbers tried.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Tooth numbers, with --teeth")]
+pub(super) struct Bounds {
+    /// Teeth of the suns.
+    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    sun: Span<u32>,
+
+    /// Teeth of the planets.
+    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    planet: Span<u32>,
+
+    /// Teeth of the rings.
+    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    ring: Span<u32>,
+
+    /// Number of planets of a row, from 2 to 8.
+    #[arg(long, value_name = "RANGE", default_value = "3..8")]
+    planet_count: Span<u32>,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Failure> {
+    if demand.series.ratios().len() != 2 {
+        return Err(Failure::Option {
+            option: "--teeth",
+            message: "two rows are searched, so three speeds or two ratios are due; `epicyclic teeth` finds the tooth \
+                      numbers of one row"
+                .to_owned(),
+        });
+    }
+    let limit = args.limit.unwrap_or(SHOWN);
+    let search = ToothSearch {
+        bounds: bounds(args)?,
+        order,
+        structures: structures(args),
+        ring_diameter: args.size.ring_diameter.map(|diameter| diameter.0),
+        module: module(args)?,
+        ..ToothSearch::new(demand.clone())
+    };
+    let shown = Shown::new();
+    let found = search.best_watched(limit.max(1), &|progress| shown.at(progress));
+    shown.clear();
+    let found = found.map_err(refuse)?;
+    report(args, demand, &found, limit)?.deliver(&args.output)?;
+    if args.output.format != Format::Table && found.entries().len() == limit {
+        complain(&format!("note: the first {limit} designs of the front; --limit shows more"));
+    }
+    Ok(())
+}
+
+fn bounds(args: &Args) -> Result<ToothBounds, Failure> {
+    let usual = ToothBounds::default();
+    let given = &args.teeth_bounds;
+    let closed =
+        |option, span: Span<u32>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
+    let k = args.criteria.k.within(usual.row_parameter.clone());
+    Ok(ToothBounds {
+        sun: closed("--sun", given.sun, usual.sun)?,
+        planet: closed("--planet", given.planet, usual.planet)?,
+        ring: closed("--ring", given.ring, usual.ring)?,
+        planets: closed("--planet-count", given.planet_count, usual.planets)?,
+        row_parameter: k.map_err(|error| Failure::Range { option: "--k", error })?,
+        ..ToothBounds::default()
+    })
+}
+
+/// The limits of the module; one that is left out allows whatever a gear could have.
+fn module(args: &Args) -> Result<Option<RangeInclusive<Length>>, Failure> {
+    let (least, greatest) = (args.size.least_module, args.size.greatest_module);
+    if least.is_none() && greatest.is_none() {
+        return Ok(None);
+    }
+    let least = least.map_or(Length::new::<millimeter>(1e-3), |least| least.0);
+    let greatest = greatest.map_or(Length::new::<meter>(1.0), |greatest| greatest.0);
+    if least > greatest {
+        let message = "the least module is above the greatest".to_owned();
+        return Err(Failure::Option { option: "--least-module", message });
+    }
+    Ok(Some(least..=greatest))
+}
+
+/// Progress on a terminal, and nowhere else.
+struct Shown {
+    last: Option<Mutex<Instant>>,
+}
+
+impl Shown {
+    fn new() -> Self {
+        Self { last: stderr().is_terminal().then(|| Mutex::new(Instant::now())) }
+    }
+
+    fn at(&self, progress: Progress) -> ControlFlow<()> {
+        if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock)
+            && last.elapsed() >= SHOWN_EVERY
+        {
+            *last = Instant::now();
+            let share = 100 * progress.done / progress.of.max(1);
+            let _ = write!(stderr(), "\rsearching: {share:3} %");
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn clear(&self) {
+        if self.last.is_some() {
+            let _ = write!(stderr(), "\r                \r");
+        }
+    }
+}
+
+/// An entry with the first of its designs, measured.
+struct Measured {
+    objectives: Objectives,
+    designs: Vec<ToothDesign>,
+    candidate: Candidate,
+}
+
+fn report(args: &Args, demand: &Demand, found: &Found, limit: usize) -> Result<Report, Failure> {
+    let measured = found
+        .entries()
+        .iter()
+        .take(limit)
+        .filter_map(|entry| {
+            let designs = found.designs(entry);
+            let first = designs.first()?.clone();
+            Some(measure(demand, &first).map(|candidate| {
+                candidate.map(|candidate| Measured { objectives: entry.objectives, designs, candidate })
+            }))
+        })
+        .filter_map(Result::transpose)
+        .collect::<Result<Vec<Measured>, Failure>>()?;
+    let mut parts = vec![Part::Records(designs(demand, &measured))];
+    if let Some(first) = measured.first() {
+        if args.output.format == Format::Table {
+            parts.push(Part::Words(counts(found.counts(), measured.len())));
+            parts.extend(winner::parts(demand, &[(1, &first.candidate)]));
+        } else {
+            let all: Vec<winner::Numbered> = (1..).zip(measured.iter().map(|one| &one.candidate)).collect();
+            parts.extend(winner::parts(demand, &all));
+        }
+    } else {
+        parts =
+            vec![Part::Words(format!("No design meets every criterion.\n\n{}", counts(found.counts(), 0)))];
+    }
+    Ok(Report { title: Some(candidates::title(demand)), parts, warnings: None })
+}
+
+/// The design judged as it is: the ratios that its teeth give are the ones wanted.
+fn measure(demand: &Demand, design: &ToothDesign) -> Result<Option<Candidate>, Failure> {
+    let lock = [epicyclic_schemes::structures::Role::D, epicyclic_schemes::structures::Role::B];
+    let gearbox = design.structure.gearbox(design.k, demand.eta0, lock)?;
+    let ratios = ["1", "2"]
+        .into_iter()
+        .map(|gear| Ok(gearbox.analyze(gear)?.ratio()))
+        .collect::<Result<Option<Vec<f64>>, Failure>>()?;
+    let Some(ratios) = ratios else { return Ok(None) };
+    let exactly = Demand {
+        series: RatioSeries::new(&ratios).map_err(refuse)?,
+        orders: Orders::AsGiven,
+        signs: Signs::AsGiven,
+        ..demand.clone()
+    };
+    let space = Space::Structures(vec![design.structure]);
+    let found = select_with(&exactly, &space, Order::default(), Some(&drawable_locks)).map_err(refuse)?;
+    Ok(found.accepted.into_iter().chain(found.rejected).next())
+}
+
+fn counts(counts: Counts, shown: usize) -> String {
+    let searched = format!(
+        "{} tooth sets a row, {} structures with their ratios: {:.2e} designs, none left out; {} pairs of row \
+         parameters were tried in full, {} meet every criterion.",
+        counts.tooth_sets, counts.patches, counts.designs as f64, counts.tried, counts.feasible
+    );
+    let shown = match shown {
+        0 => String::new(),
+        1 => " Shown is the first of the front.".to_owned(),
+        shown => format!(" Shown are the first {shown} of the front."),
+    };
+    crate::report::wrapped("", &(searched + &shown))
+}
+
+fn designs(demand: &Demand, all: &[Measured]) -> Records {
+    let views = vec![
+        View {
+            note: "Rows: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
+                .to_owned(),
+            ..View::new("Designs, the best first", &["no", "scheme", "row_1", "row_2", "others"])
+        },
+        View::new(
+            "Ratios and efficiencies",
+            &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
+        ),
+        View {
+            note: format!(
+                "On the front: no other design is better in one and worse in none. {}",
+                candidates::size_note(demand)
+            ),
+            ..View::new(
+                "Objectives",
+                &["no", "efficiency", "speed", "parameter", "error", candidates::size_column(demand)],
+            )
+        },
+    ];
+    Records {
+        name: "designs",
+        columns: vec![
+            Column::number("no", "no"),
+            Column::words("scheme", "scheme"),
+            Column::words("structure", "structure"),
+            Column::words("row_1", "row 1"),
+            Column::words("row_2", "row 2"),
+            Column::number("others", "others"),
+            Column::number("ratio_1", "i₁"),
+            Column::number("ratio_2", "i₂"),
+            Column::number("k1", "k₁"),
+            Column::number("k2", "k₂"),
+            Column::number("efficiency_1", "η₁"),
+            Column::number("efficiency_2", "η₂"),
+            Column::number("efficiency", "efficiency"),
+            Column::number("speed", "speed"),
+            Column::number("parameter", "parameter"),
+            Column::number("error", "error"),
+            Column::number("size", "size"),
+            Column { heading: "ring, mm".to_owned(), ..Column::quantity("ring_diameter", Dimension::Length) },
+            Column::words("mixes_senses", "mixed signs"),
+        ],
+        rows: all.iter().enumerate().map(|(place, one)| row(demand, place, one)).collect(),
+        views,
+        is_answer: true,
+    }
+}
+
+fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
+    let first = &one.designs[0];
+    let teeth = |row: usize| first.pairs.first().map_or_else(String::new, |pair| shown(&pair[row]));
+    let all: usize = one.designs.iter().map(|design| design.pairs.len()).sum();
+    let gears = &one.candidate.gears;
+    let objectives = &one.objectives;
+    vec![
+        Figure::Count(place as u32 + 1),
+        text(candidates::name(one.candidate.mechanism)),
+        text(first.structure.to_string()),
+        text(teeth(0)),
+        text(teeth(1)),
+        Figure::Count(u32::try_from(all.saturating_sub(1)).unwrap_or(u32::MAX)),
+        Figure::Multiple(gears[0].ratio),
+        Figure::Multiple(gears[1].ratio),
+        Figure::Multiple(first.k[0]),
+        Figure::Multiple(first.k[1]),
+        multiple(gears[0].efficiency),
+        multiple(gears[1].efficiency),
+        Figure::Multiple(objectives.efficiency),
+        Figure::Multiple(objectives.speed),
+        Figure::Multiple(objectives.parameter),
+        Figure::Multiple(objectives.ratio_error),
+        Figure::Multiple(objectives.size),
+        column(demand.rating.unit().map(|unit| unit * objectives.size)),
+        Figure::YesNo(one.candidate.mixes_senses()),
+    ]
+}
+
+/// `20 17 54 x4`: sun, planet, ring, planets.
+fn shown(set: &ToothSet) -> String {
+    format!("{} {} {} x{}", set.sun.get(), set.planet.get(), set.ring.get(), set.planets)
+}

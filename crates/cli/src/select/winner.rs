@@ -1,0 +1,164 @@
+//! A candidate in full: its speeds, its ways to lock, its shift table.
+
+use super::candidates::name;
+use crate::figure::{Figure, multiple, text};
+use crate::report::{Column, Part, Records, View, wrapped};
+use epicyclic_schemes::locking::Lock;
+use epicyclic_schemes::selection::drawing::drawable_locks;
+use epicyclic_schemes::selection::{Candidate, Demand, GearReport, Mechanism};
+use epicyclic_schemes::standing::Standing;
+use epicyclic_schemes::structures::Role;
+
+/// A candidate with its number in the list.
+pub(super) type Numbered<'a> = (u32, &'a Candidate);
+
+/// The lock chosen: of those that slip within the limit and can be drawn the one of the least torque.
+pub(super) fn lock(one: &Candidate) -> Option<&Lock> {
+    one.locks.get(one.lock)
+}
+
+/// The parts that show candidates in full.
+pub(super) fn parts(demand: &Demand, all: &[Numbered]) -> Vec<Part> {
+    let mut parts: Vec<Part> = vec![];
+    if let [(_, one)] = all {
+        parts.extend(standing(demand, one.mechanism));
+    }
+    parts.push(Part::Records(speeds(all)));
+    parts.push(Part::Records(locks(all)));
+    parts.push(Part::Records(shifts(all)));
+    parts
+}
+
+/// Whether the source has the winner, and why not.
+fn standing(demand: &Demand, mechanism: Mechanism) -> Option<Part> {
+    let Mechanism::Rows(structure) = mechanism else { return None };
+    let standing = Standing::of(structure, &demand.limits.parameter);
+    let words = wrapped("In the source:", &format!("{}: {standing}", name(mechanism)));
+    (!matches!(standing, Standing::Listed(_))).then_some(Part::Words(words))
+}
+
+fn speeds(all: &[Numbered]) -> Records {
+    let mut rows = vec![];
+    for &(no, one) in all {
+        let mut line = |member: String, link: Option<Role>, of: &dyn Fn(&GearReport) -> Option<f64>| {
+            let gears = [one.gears.first().and_then(of), one.gears.get(1).and_then(of)];
+            let link = link.map_or_else(String::new, |role| role.symbol().to_owned());
+            let cells = [Figure::Count(no), Figure::Text(member), Figure::Text(link)];
+            rows.push(cells.into_iter().chain(gears.map(multiple)).collect());
+        };
+        for (row, roles) in one.mechanism.rows().iter().enumerate() {
+            for (member, &role) in ["a", "b", "H"].into_iter().zip(roles) {
+                let of =
+                    |gear: &GearReport| gear.links.iter().find(|(link, _)| *link == role).map(|(_, s)| *s);
+                line(format!("{member}{}", row + 1), Some(role), &of);
+            }
+            line(format!("g{}", row + 1), None, &|gear| gear.planets.get(row)?.absolute);
+            line(format!("g{0} on H{0}", row + 1), None, &|gear| Some(gear.planets.get(row)?.relative));
+        }
+    }
+    let shown: &[&str] = if all.iter().all(|(_, one)| one.gears.len() == 1) {
+        &["member", "link", "gear_1"]
+    } else {
+        &["member", "link", "gear_1", "gear_2"]
+    };
+    Records {
+        name: "speeds",
+        columns: vec![
+            Column::number("candidate", "no"),
+            Column::words("member", "member"),
+            Column::words("link", "link"),
+            Column::number("gear_1", "gear 1"),
+            Column::number("gear_2", "gear 2"),
+        ],
+        rows,
+        views: vec![View::new(heading("speeds over the input's; g planet", all), shown)],
+        is_answer: false,
+    }
+}
+
+fn heading(what: &str, all: &[Numbered]) -> String {
+    all.first().map_or_else(String::new, |(_, one)| format!("{}: {what}", name(one.mechanism)))
+}
+
+fn locks(all: &[Numbered]) -> Records {
+    let mut rows = vec![];
+    for &(no, one) in all {
+        let chosen = lock(one);
+        let drawable = drawable_locks(one.mechanism).unwrap_or_default();
+        for lock in &one.locks {
+            rows.push(vec![
+                Figure::Count(no),
+                text(format!("{}-{}", lock.pair[0], lock.pair[1])),
+                Figure::Multiple(lock.torque),
+                Figure::Multiple(lock.slip[0]),
+                if one.gears.len() == 1 { Figure::None } else { Figure::Multiple(lock.slip[1]) },
+                Figure::YesNo(drawable.contains(&lock.pair)),
+                Figure::YesNo(chosen.is_some_and(|chosen| chosen.pair == lock.pair)),
+            ]);
+        }
+    }
+    let two = all.iter().any(|(_, one)| one.gears.len() > 1);
+    let shown: &[&str] = if two {
+        &["joins", "torque", "slip_1", "slip_2", "drawable", "chosen"]
+    } else {
+        &["joins", "torque", "slip_1", "drawable", "chosen"]
+    };
+    Records {
+        name: "locks",
+        columns: vec![
+            Column::number("candidate", "no"),
+            Column::words("joins", "joins"),
+            Column::number("torque", "T"),
+            Column::number("slip_1", "slip in 1"),
+            Column::number("slip_2", "slip in 2"),
+            Column::words("drawable", "drawable"),
+            Column::words("chosen", "chosen"),
+        ],
+        rows,
+        views: vec![View::new(heading("ways to lock for direct drive", all), shown)],
+        is_answer: false,
+    }
+}
+
+fn shifts(all: &[Numbered]) -> Records {
+    let mut rows = vec![];
+    for &(no, one) in all {
+        for shift in one.shift_table() {
+            let at = |control| Figure::Mark(shift.engaged == control);
+            rows.push(vec![
+                Figure::Count(no),
+                text(shift.gear),
+                Figure::Multiple(shift.ratio),
+                at("K1"),
+                if one.gears.len() == 1 { Figure::None } else { at("K2") },
+                at("L"),
+                if shift.reverses {
+                    Figure::Answer("backward", "backward")
+                } else {
+                    Figure::Answer("forward", "forward")
+                },
+            ]);
+        }
+    }
+    let two = all.iter().any(|(_, one)| one.gears.len() > 1);
+    let shown: &[&str] = if two {
+        &["gear", "ratio", "k1_engaged", "k2_engaged", "lock_engaged", "output"]
+    } else {
+        &["gear", "ratio", "k1_engaged", "lock_engaged", "output"]
+    };
+    Records {
+        name: "shifts",
+        columns: vec![
+            Column::number("candidate", "no"),
+            Column::words("gear", "gear"),
+            Column::number("ratio", "i"),
+            Column::words("k1_engaged", "K1"),
+            Column::words("k2_engaged", "K2"),
+            Column::words("lock_engaged", "lock"),
+            Column::words("output", "output"),
+        ],
+        rows,
+        views: vec![View::new(heading("shift table, the slowest output first", all), shown)],
+        is_answer: false,
+    }
+}

@@ -1,0 +1,485 @@
+//! The commands for gearboxes of several speeds: analyze, select, schemes, machine.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+mod common;
+
+use common::{examples, here, output, program, session, sessions, text};
+use std::fs;
+use std::process::Stdio;
+
+const BOXES: &str = "real-transmissions.yaml";
+
+#[test]
+fn a_gearbox_at_a_glance() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml"][..],
+            &["analyze", "scheme-ii-3.yaml", "--speed", "1475 rpm", "--power", "75 kW"],
+            &["analyze", BOXES],
+            &["analyze", BOXES, "--transmission", "8HP45", "--efficiency", "0.97"],
+            &["analyze", BOXES, "--transmission", "prius"],
+        ]
+    ));
+}
+
+#[test]
+fn a_gear_in_full() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--torque", "500 N·m", "--speed", "1475 rpm"]
+                [..],
+            &["analyze", BOXES, "--transmission", "8HP45", "--gear", "3"],
+            &["analyze", BOXES, "--transmission", "NREL", "--gear", "overall out/in"],
+            &["analyze", "closed-by-planetary-gear.yaml", "--gear", "closed", "--torque", "-100 N·m"],
+        ]
+    ));
+}
+
+#[test]
+fn every_set_of_controls() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--all-combinations"][..],
+            &["analyze", BOXES, "--transmission", "AOD", "--all-combinations", "--format", "csv"],
+        ]
+    ));
+}
+
+#[test]
+fn gearboxes_for_programs() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--format", "csv", "--speed", "1475 rpm", "--torque", "500 N·m"]
+                [..],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--format", "json", "--speed", "1475 rpm"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "fast", "--format", "csv", "--torque", "500 N·m"],
+        ]
+    ));
+}
+
+/// A folder with scheme II-3, changed.
+fn with(old: &str, new: &str) -> tempfile::TempDir {
+    let folder = here();
+    let scheme = fs::read_to_string(examples().join("scheme-ii-3.yaml")).unwrap();
+    assert!(scheme.contains(old), "{old}");
+    fs::write(folder.path().join("box.yaml"), scheme.replacen(old, new, 1)).unwrap();
+    folder
+}
+
+#[test]
+fn gears_that_are_not_driven_say_what_they_are() {
+    let mut seen = String::new();
+    for (old, new) in [
+        ("{ name: slow, engaged: [K2] }", "{ name: slow, engaged: [] }"),
+        ("{ name: slow, engaged: [K2] }", "{ name: slow, engaged: [K1, K2] }"),
+        ("{ name: slow, engaged: [K2] }", "{ name: slow, engaged: [K2, L] }"),
+    ] {
+        let args = ["analyze", "box.yaml", "--gear", "slow", "--torque", "100 N·m"];
+        seen += &session(with(old, new).path(), &args);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn gearbox_files_that_are_refused() {
+    let mut seen = String::new();
+    for (old, new) in [
+        ("k: 2.15", "k: 0.9"),
+        ("k: 2.15", "k: 2,15"),
+        ("k: 2.15", "kk: 2.15"),
+        ("k: 2.15", "k: 2.15, teeth: [20, 43]"),
+        ("sun: T1, ring: D", "sun: T1, ring: T1"),
+        ("{ id: K2, link: T2 }", "{ id: K2, link: T3 }"),
+        ("{ id: K2, link: T2 }", "{ id: K1, link: T2 }"),
+        ("links: [D, B]", "links: [D, D]"),
+        ("engaged: [K2]", "engaged: [K3]"),
+        ("output: B", "output: ground"),
+        ("output: B", "output: C"),
+        ("meshes: [0.98, 0.99]", "meshes: [0.98]"),
+        ("meshes: [0.98, 0.99]", "meshes: [0.98, 1.2]"),
+        ("name: middle", "name: slow"),
+        ("gearbox: II-3", "title: II-3"),
+    ] {
+        seen += &session(with(old, new).path(), &["analyze", "box.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn transmissions_that_are_refused() {
+    let folder = here();
+    let all = fs::read_to_string(examples().join(BOXES)).unwrap();
+    let mut seen = String::new();
+    for (old, new) in [
+        ("n_C3: [C3]", "n_C3: [C3, R1]"),
+        ("n_C3: [C3]", "n_C3: []"),
+        ("B: [n_R1, ground]", "B: [n_R1, n_R1]"),
+        ("engaged: [A, B, C]", "engaged: [A, B, F]"),
+        ("z_s: 48, z_r: 96", "z_r: 96"),
+        ("input: n_in", "input: n_inn"),
+    ] {
+        assert!(all.contains(old), "{old}");
+        fs::write(folder.path().join("t.yaml"), all.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &["analyze", "t.yaml", "--transmission", "8HP"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn questions_to_gearboxes_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "nothing.yaml"][..],
+            &["analyze", "minimal-drive.yaml"],
+            &["analyze", BOXES, "--gear", "1"],
+            &["analyze", BOXES, "--transmission", "GM Powerglide"],
+            &["analyze", BOXES, "--transmission", "o"],
+            &["analyze", "scheme-ii-3.yaml", "--transmission", "GM"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "reverse"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--all-combinations"],
+            &["analyze", "scheme-ii-3.yaml", "--power", "75 kW"],
+            &["analyze", "scheme-ii-3.yaml", "--power", "75 kW", "--speed", "0 rpm"],
+            &["analyze", "scheme-ii-3.yaml", "--torque", "75 kW"],
+            &["analyze", "scheme-ii-3.yaml", "--torque", "75 N·m", "--power", "7 kW", "--speed", "1 rpm"],
+            &["analyze", "scheme-ii-3.yaml", "--efficiency", "97"],
+        ]
+    ));
+}
+
+#[test]
+fn the_catalogue() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["schemes"][..],
+            &["schemes", "--k", "1.3..10", "--format", "csv"],
+            &["schemes", "III-1"],
+            &["schemes", "iii-1", "--ratio1", "-2.56", "--ratio2", "-1.465"],
+            &["schemes", "I", "--ratio1", "3.94", "--format", "json"],
+            &["schemes", "II", "--k1", "12"],
+        ]
+    ));
+}
+
+#[test]
+fn schemes_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["schemes", "IV"][..],
+            &["schemes", "II-3", "--k1", "2"],
+            &["schemes", "II-3", "--k1", "0.9", "--k2", "2"],
+            &["schemes", "II", "--ratio1", "2.5"],
+            &["schemes", "II", "--k1", "2", "--k2", "3"],
+            &["schemes", "II-3", "--ratio2", "3"],
+            &["schemes", "--k1", "3"],
+            &["schemes", "--k", "1..5"],
+            &["schemes", "I", "--k1", "3", "--efficiency", "0"],
+        ]
+    ));
+}
+
+#[test]
+fn machines_and_the_speeds_they_need() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["machine", "list"][..],
+            &["machine", "list", "РЕ-1", "--format", "json"],
+            &["machine", "speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+            &["machine", "speeds", "48 m/min, 3.15 m/s", "--format", "csv"],
+            &[
+                "machine",
+                "chain-cutter",
+                "--pick-spacing",
+                "40 cm",
+                "--feed",
+                "5 m/min",
+                "--chip",
+                "2.5 cm",
+                "--force",
+                "4 kN",
+                "--other-forces",
+                "5 kN, 6.5 kN"
+            ],
+            &[
+                "machine",
+                "drum",
+                "--diameter",
+                "1.4 m",
+                "--feed",
+                "4 m/min",
+                "--chip",
+                "5 cm",
+                "--picks",
+                "2"
+            ],
+        ]
+    ));
+}
+
+/// A bucket wheel with these options in addition.
+fn rotor(more: &[&str]) -> String {
+    let wheel = [
+        "machine",
+        "rotor",
+        "--boom-radius",
+        "20 m",
+        "--slewing",
+        "0.02 rad/s",
+        "--chip-width",
+        "0.3 m",
+        "--buckets",
+        "8",
+        "--boom-angle",
+        "60 deg",
+        "--wheel-radius",
+        "3 m",
+    ];
+    session(here().path(), &[&wheel, more].concat())
+}
+
+#[test]
+fn bucket_wheels() {
+    let thrown = ["--release", "70 deg", "--chute", "95 deg, 110 deg", "--radius-ratio", "0.6"];
+    let in_json = [&thrown[..], &["--format", "json"]].concat();
+    insta::assert_snapshot!(
+        [
+            rotor(&["--discharge", "0.3"]),
+            rotor(&thrown),
+            rotor(&in_json),
+            rotor(&["--discharge", "10"]),
+            rotor(&[]),
+            rotor(&["--discharge", "-1"]),
+            rotor(&["--release", "70 deg", "--chute", "10 deg", "--radius-ratio", "0.6"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn machines_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["machine"][..],
+            &["machine", "list", "СП-62"],
+            &["machine", "speeds", "1 m/s"],
+            &["machine", "speeds", "2 m/s, 1 m/s"],
+            &["machine", "speeds", "0,76 m/s, 1,33 m/s"],
+            &["machine", "speeds", "0.76, 1.33 m/s"],
+            &[
+                "machine",
+                "drum",
+                "--diameter",
+                "1.4 m",
+                "--feed",
+                "4 m/min",
+                "--chip",
+                "0 cm",
+                "--picks",
+                "2"
+            ],
+            &["machine", "drum", "--diameter", "1.4 m"],
+        ]
+    ));
+}
+
+const CONVEYOR: &str = "0.8 m/s, 3.15 m/s";
+const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
+
+#[test]
+fn the_gearbox_of_a_conveyor() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["select", "--speeds", CONVEYOR][..],
+            &["select", "--speeds", CONVEYOR, "--one-sense", "--order", "size", "--format", "csv"],
+            &["select", "--speeds", CONVEYOR, "--torque", "500 N·m", "--load-factor", "2 MPa"],
+        ]
+    ));
+}
+
+#[test]
+fn the_gearbox_of_a_bucket_wheel() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["select", "--speeds", WHEEL][..],
+            &["select", "--speeds", WHEEL, "--one-sense"],
+            &["select", "--speeds", WHEEL, "--all-structures", "--limit", "4", "--planet-speed", "2.3"],
+            &[
+                "select",
+                "--ratios",
+                "-2.56, -1.465",
+                "--brakes",
+                "as-given",
+                "--signs",
+                "as-given",
+                "--format",
+                "json"
+            ],
+        ]
+    ));
+}
+
+#[test]
+fn tooth_numbers_of_two_rows() {
+    let search = ["select", "--speeds", WHEEL, "--teeth", "--all-structures", "--ring", "..90"];
+    let two = |more: &[&str]| session(here().path(), &[&search, more].concat());
+    let by_module = ["--torque", "500 N·m", "--load-factor", "2 MPa", "--least-module", "3 mm"];
+    let named =
+        ["--torque", "500 N·m", "--load-factor", "2 MPa", "--ring-diameter", "180 mm", "--order", "size"];
+    insta::assert_snapshot!(
+        [
+            two(&["--limit", "3"]),
+            two(&["--limit", "2", "--format", "csv"]),
+            two(&[&named[..], &["--limit", "2"]].concat()),
+            two(&[&by_module[..], &["--limit", "1", "--format", "csv"]].concat()),
+            two(&[&by_module[..], &["--greatest-module", "2 mm"]].concat()),
+            session(here().path(), &["select", "--ratios", "1.4, 9", "--teeth", "--ring", "..60"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn selections_that_are_refused() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["select"][..],
+            &["select", "--speeds", "3.15 m/s, 0.8 m/s"],
+            &["select", "--speeds", "0.8 m/s"],
+            &["select", "--speeds", "0,8 m/s, 3,15 m/s"],
+            &["select", "--speeds", "0.8 N·m, 3.15 m/s"],
+            &["select", "--ratios", "1, 2"],
+            &["select", "--ratios", "1.5,2.5"],
+            &["select", "--ratios", "2.5", "--speeds", CONVEYOR],
+            &["select", "--ratios", "2.5", "--teeth"],
+            &["select", "--ratios", "2.5", "--order", "mass"],
+            &["select", "--ratios", "2.5", "--order", "size, size"],
+            &["select", "--ratios", "2.5", "--k", "1..5"],
+            &["select", "--ratios", "2.5", "--prefer", "4.."],
+            &["select", "--ratios", "2.5", "--tolerance", "200%"],
+            &["select", "--ratios", "2.5", "--efficiency", "1.2"],
+            &["select", "--ratios", "2.5", "--planets", "1"],
+            &["select", "--ratios", "2.5", "--load-sharing", "1, 1.1"],
+            &["select", "--ratios", "2.5", "--torque", "5 N·m"],
+            &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring-diameter", "100 mm"],
+        ]
+    ));
+}
+
+#[test]
+fn tables_fit_eighty_columns_and_json_is_json() {
+    let folder = examples();
+    for args in [
+        &["analyze", BOXES, "--transmission", "prius", "--gear", "all tied", "--torque", "123456 N·m"][..],
+        &[
+            "analyze",
+            BOXES,
+            "--transmission",
+            "8HP",
+            "--gear",
+            "R",
+            "--power",
+            "123 MW",
+            "--speed",
+            "15000 rpm",
+        ],
+        &["analyze", BOXES, "--transmission", "prius", "--speed", "15000 rpm", "--torque", "1 MN·m"],
+        &["analyze", BOXES, "--transmission", "8HP", "--all-combinations"],
+        &["schemes", "I-1", "--k1", "9", "--k2", "9"],
+        &["schemes"],
+        &["machine", "list"],
+        &["machine", "speeds", "0.1 m/s, 1.3 m/s, 17 m/s, 250 m/s"],
+        &["select", "--ratios", "4, 7", "--all-structures", "--signs", "any", "--limit", "100"],
+        &["select", "--ratios", "4, 7", "--all-structures", "--teeth", "--limit", "30", "--signs", "any"],
+    ] {
+        let table = text(&output(&folder, args).stdout);
+        assert!(!table.is_empty(), "{args:?}");
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{args:?}\n{line}");
+            assert!(!line.contains("NaN") && !line.contains("inf "), "{line}");
+        }
+        let as_json = [args, &["--format", "json"]].concat();
+        let json: serde_json::Value = serde_json::from_slice(&output(&folder, &as_json).stdout).unwrap();
+        assert!(json.is_object());
+    }
+}
+
+#[test]
+fn no_key_of_an_answer_hides_another() {
+    let folder = examples();
+    for args in [
+        &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--torque", "500 N·m", "--speed", "1475 rpm"][..],
+        &["schemes", "II-3", "--k1", "2.15", "--k2", "2.35"],
+        &["machine", "speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+    ] {
+        let csv = text(&output(&folder, &[args, &["--format", "csv"]].concat()).stdout);
+        let mut keys: Vec<&str> =
+            csv.lines().skip(1).map(|line| line.rsplitn(3, ',').last().unwrap()).collect();
+        let all = keys.len();
+        keys.sort_unstable();
+        keys.dedup();
+        assert_eq!(keys.len(), all, "{csv}");
+    }
+}
+
+#[test]
+fn lists_of_an_answer_count_alike() {
+    let args = ["select", "--ratios", "2.5, 4", "--all-structures", "--limit", "2", "--format", "json"];
+    let json: serde_json::Value = serde_json::from_slice(&output(here().path(), &args).stdout).unwrap();
+    let numbers = |list: &str, key: &str| -> std::collections::BTreeSet<u64> {
+        json[list].as_array().unwrap().iter().map(|one| one[key].as_u64().unwrap()).collect()
+    };
+    let shown = numbers("candidates", "no");
+    assert_eq!(shown.len(), 4);
+    for list in ["speeds", "locks", "shifts", "verdicts"] {
+        assert_eq!(numbers(list, "candidate"), shown, "{list}");
+    }
+}
+
+#[test]
+fn a_search_that_is_stopped_leaves_the_old_answer() {
+    let folder = here();
+    let answer = folder.path().join("answer.txt");
+    fs::write(&answer, "old").unwrap();
+    let args = [
+        "select",
+        "--ratios",
+        "1.5, 2.5",
+        "--teeth",
+        "--all-structures",
+        "--tolerance",
+        "60%",
+        "--signs",
+        "any",
+    ];
+    let mut search = program(folder.path(), &[&args[..], &["-o", "answer.txt"]].concat())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    search.kill().unwrap();
+    let stopped = search.wait_with_output().unwrap();
+    assert!(!stopped.status.success() && stopped.stderr.is_empty(), "{stopped:?}");
+    assert_eq!(fs::read_to_string(&answer).unwrap(), "old");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn progress_is_for_terminals_only() {
+    let done = output(here().path(), &["select", "--ratios", "1.5, 2.5", "--teeth", "--limit", "1"]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+}

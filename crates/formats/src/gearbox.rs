@@ -1,0 +1,437 @@
+//! Gearboxes as files: our own format, and a list of real transmissions with published ratios.
+//!
+//! # Our own format
+//! Rows name the links of their members; controls and gears follow. The links are those of the rows' members,
+//! the input and the output; `links` adds what touches no row.
+//!
+//! ```yaml
+//! gearbox: II-3
+//! input: D
+//! output: B
+//! rows:
+//!   - { id: "1", sun: T1, ring: D, carrier: B, k: 2.15, efficiency: 0.97 }
+//!   - { id: "2", sun: T1, ring: B, carrier: T2, teeth: [20, 47], planet_teeth: [13], meshes: [0.98, 0.99] }
+//! brakes:
+//!   - { id: K1, link: T1 }
+//!   - { id: K2, link: T2 }
+//! clutches:
+//!   - { id: direct, links: [D, B] }
+//! gears:
+//!   - { name: "1", engaged: [K1] }
+//!   - { name: "2", engaged: [K2] }
+//!   - { name: "3", engaged: [direct] }
+//! ```
+//!
+//! # Real transmissions
+//! [`TransmissionsFile`]: a list `transmissions`, each with rows, nodes that join members, elements that join nodes
+//! when engaged, and gears with what is published of them.
+//!
+//! ```
+//! use epicyclic_formats::Document;
+//! use epicyclic_formats::gearbox::GearboxFile;
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let text = b"gearbox: I\ninput: D\noutput: B\n\
+//!     rows: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94 }]\n\
+//!     brakes: [{ id: K1, link: T1 }]\n\
+//!     gears: [{ name: slow, engaged: [K1] }]\n";
+//! let file: GearboxFile = Document::parse_one("box.yaml", text)?.read()?;
+//! let gearbox = file.gearbox()?;
+//! assert!((gearbox.analyze("slow")?.ratio().unwrap() - 3.94).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
+
+use crate::Number;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::teeth::ToothCount;
+use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
+use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+mod transmissions;
+pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionRow, TransmissionsFile};
+
+/// A description that is no gearbox.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DescriptionError {
+    /// A row known in no way, or in two.
+    #[error("row `{row}`: give either `k` or `teeth`")]
+    RowKnownInOneWay {
+        /// The row.
+        row: String,
+    },
+    /// A pair with a carrier, or a planetary row without.
+    #[error("row `{row}`: {} is due", if *is_pair { "no carrier, since the housing carries a pair," } else { "a `carrier`" })]
+    Carrier {
+        /// The row.
+        row: String,
+        /// Whether it is a pair.
+        is_pair: bool,
+    },
+    /// Losses of the row and of its meshes at once, or too few or too many meshes.
+    #[error("row `{row}`: give `efficiency`, or `meshes` with {expected} efficiencies")]
+    Losses {
+        /// The row.
+        row: String,
+        /// How many meshes it has.
+        expected: usize,
+    },
+    /// More planets than a row has.
+    #[error("row `{row}`: {given} counts in `planet_teeth`: one or two are due")]
+    PlanetTeeth {
+        /// The row.
+        row: String,
+        /// How many were given.
+        given: usize,
+    },
+    /// A row of a transmission without something its kind needs.
+    #[error("row `{row}`: {missing} is missing")]
+    Missing {
+        /// The row.
+        row: String,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// A member of a row in no node.
+    #[error("row `{row}`: `{member}` is in no node")]
+    MemberInNoNode {
+        /// The row.
+        row: String,
+        /// The member.
+        member: String,
+    },
+    /// A member in two nodes.
+    #[error("`{member}` is in two nodes, `{first}` and `{second}`: make them one")]
+    MemberInTwoNodes {
+        /// The member.
+        member: String,
+        /// One node.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// What one row refuses.
+    #[error("row `{row}`: {source}")]
+    Row {
+        /// The row.
+        row: String,
+        /// The reason.
+        source: epicyclic_gears::Error,
+    },
+    /// What the engine refuses.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_schemes::Error),
+}
+
+/// A gearbox of any structure.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GearboxFile {
+    /// Its name.
+    pub gearbox: String,
+    /// Link where power enters, unless a gear says otherwise.
+    pub input: String,
+    /// Link where power leaves, unless a gear says otherwise.
+    pub output: String,
+    /// Links that are no member of a row, as a shaft between two clutches.
+    #[serde(default)]
+    pub links: Vec<String>,
+    /// The rows.
+    pub rows: Vec<RowEntry>,
+    /// Controls that hold a link to the housing.
+    #[serde(default)]
+    pub brakes: Vec<BrakeEntry>,
+    /// Controls that join two links.
+    #[serde(default)]
+    pub clutches: Vec<ClutchEntry>,
+    /// Links held for ever. A row may also name `ground` itself.
+    #[serde(default)]
+    pub grounds: Vec<String>,
+    /// Pairs of links joined for ever. Rows may also name one link.
+    #[serde(default)]
+    pub ties: Vec<[String; 2]>,
+    /// Groups of rows whose long planet meshes once with their common ring (Ravigneaux).
+    #[serde(default)]
+    pub shared_ring_meshes: Vec<Vec<String>>,
+    /// The gears.
+    #[serde(default)]
+    pub gears: Vec<GearEntry>,
+}
+
+/// A row.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RowEntry {
+    /// Its name.
+    pub id: String,
+    /// How its planets join the central wheels; `simple` unless given.
+    #[serde(default)]
+    pub kind: KindEntry,
+    /// Link of the sun, or of the first central wheel.
+    pub sun: String,
+    /// Link of the ring, or of the second central wheel.
+    pub ring: String,
+    /// Link of the carrier; left out of a pair.
+    #[serde(default)]
+    pub carrier: Option<String>,
+    /// Size of the stationary ratio: `z_b/z_a` of a simple row.
+    #[serde(default)]
+    pub k: Option<Number>,
+    /// Teeth of sun and ring, in place of `k`.
+    #[serde(default)]
+    pub teeth: Option<[u32; 2]>,
+    /// Teeth of the planet; of two planets or two steps, first the one in mesh with the sun.
+    #[serde(default)]
+    pub planet_teeth: Option<Vec<u32>>,
+    /// How many planets stand around the axis.
+    #[serde(default)]
+    pub planets: Option<u32>,
+    /// Efficiency `η₀` under a resting carrier; 1 unless given.
+    #[serde(default)]
+    pub efficiency: Option<Number>,
+    /// Efficiency of each mesh from sun to ring, in place of `efficiency`.
+    #[serde(default)]
+    pub meshes: Option<Vec<Number>>,
+}
+
+/// A kind of row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum KindEntry {
+    /// Sun, ring, one planet in mesh with both.
+    #[default]
+    Simple,
+    /// Sun, ring, two planets in mesh between them.
+    DoublePlanet,
+    /// Stepped planet between a sun and a ring.
+    SteppedSunRing,
+    /// Stepped planet between two suns.
+    SteppedSuns,
+    /// Stepped planet between two rings.
+    SteppedRings,
+    /// Two suns, each with its planet, the planets in mesh.
+    MeshingSuns,
+    /// Bevel row.
+    Bevel,
+    /// Two wheels outside each other on fixed axes.
+    ExternalPair,
+    /// A pinion in a ring on fixed axes.
+    InternalPair,
+}
+
+impl From<KindEntry> for RowKind {
+    fn from(kind: KindEntry) -> Self {
+        match kind {
+            KindEntry::Simple => Self::Simple,
+            KindEntry::DoublePlanet => Self::DoublePlanet,
+            KindEntry::SteppedSunRing => Self::SteppedSunRing,
+            KindEntry::SteppedSuns => Self::SteppedSuns,
+            KindEntry::SteppedRings => Self::SteppedRings,
+            KindEntry::MeshingSuns => Self::MeshingSuns,
+            KindEntry::Bevel => Self::Bevel,
+            KindEntry::ExternalPair => Self::ExternalPair,
+            KindEntry::InternalPair => Self::InternalPair,
+        }
+    }
+}
+
+/// A brake.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BrakeEntry {
+    /// Its name.
+    pub id: String,
+    /// The link it holds.
+    pub link: String,
+}
+
+/// A clutch.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClutchEntry {
+    /// Its name.
+    pub id: String,
+    /// The links it joins.
+    pub links: [String; 2],
+}
+
+/// A gear.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GearEntry {
+    /// Its name.
+    pub name: String,
+    /// Engaged brakes and clutches.
+    #[serde(default)]
+    pub engaged: Vec<String>,
+    /// Link where power enters in this gear, if another.
+    #[serde(default)]
+    pub input: Option<String>,
+    /// Link where power leaves in this gear, if another.
+    #[serde(default)]
+    pub output: Option<String>,
+}
+
+impl GearboxFile {
+    /// The gearbox described.
+    ///
+    /// # Errors
+    /// [`DescriptionError`]; a control or gear that names a link which exists nowhere else is
+    /// [`epicyclic_schemes::Error::Unknown`], with the nearest name.
+    pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
+        let members =
+            self.rows.iter().flat_map(|row| [Some(&row.sun), Some(&row.ring), row.carrier.as_ref()]);
+        let named = [Some(&self.input)].into_iter().chain(members).chain([Some(&self.output)]);
+        let mut links: Vec<&str> = vec![];
+        for link in named.flatten().chain(&self.links) {
+            if link != GROUND && !links.contains(&link.as_str()) {
+                links.push(link);
+            }
+        }
+        let mut builder =
+            Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
+        for row in &self.rows {
+            builder = builder.row(row.spec()?);
+        }
+        for brake in &self.brakes {
+            builder = builder.brake(&brake.id, &brake.link);
+        }
+        for ClutchEntry { id, links: [first, second] } in &self.clutches {
+            builder = builder.clutch(id, first, second);
+        }
+        for link in &self.grounds {
+            builder = builder.ground(link);
+        }
+        for [first, second] in &self.ties {
+            builder = builder.tie(first, second);
+        }
+        for rows in &self.shared_ring_meshes {
+            builder = builder.shared_ring_mesh(rows.iter().cloned());
+        }
+        for GearEntry { name, engaged, input, output } in self.gears.iter().cloned() {
+            builder = builder.gear_spec(GearSpec { name, engaged, input, output });
+        }
+        Ok(builder.build()?)
+    }
+}
+
+impl RowEntry {
+    fn spec(&self) -> Result<RowSpec, DescriptionError> {
+        let row = || self.id.clone();
+        let gears = |source| DescriptionError::Row { row: row(), source };
+        let kind = RowKind::from(self.kind);
+        let carrier = match (&self.carrier, kind.is_pair()) {
+            (None, true) => GROUND,
+            (Some(carrier), false) => carrier,
+            (_, is_pair) => return Err(DescriptionError::Carrier { row: row(), is_pair }),
+        };
+        let members = [self.sun.as_str(), self.ring.as_str(), carrier];
+        let mut spec = match (self.k, self.teeth) {
+            (Some(k), None) => RowSpec::new(&self.id, kind, members, k.get()),
+            (None, Some([first, second])) => {
+                RowSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
+            }
+            _ => return Err(DescriptionError::RowKnownInOneWay { row: row() }),
+        };
+        spec.loss = self.loss(kind)?;
+        if let Some(counts) = &self.planet_teeth {
+            let teeth = counts.iter().map(|count| ToothCount::new(*count)).collect::<Result<Vec<_>, _>>();
+            spec = match teeth.map_err(gears)?[..] {
+                [only] => spec.planet_teeth(only, None),
+                [first, second] => spec.planet_teeth(first, Some(second)),
+                _ => return Err(DescriptionError::PlanetTeeth { row: row(), given: counts.len() }),
+            };
+        }
+        Ok(match self.planets {
+            Some(count) => spec.planet_count(count),
+            None => spec,
+        })
+    }
+
+    fn loss(&self, kind: RowKind) -> Result<MeshLoss, DescriptionError> {
+        let eta = |eta: Number| {
+            MeshEfficiency::new(eta.get())
+                .map_err(|source| DescriptionError::Row { row: self.id.clone(), source })
+        };
+        let expected = match kind {
+            RowKind::ExternalPair | RowKind::InternalPair => 1,
+            RowKind::DoublePlanet | RowKind::MeshingSuns => 3,
+            _ => 2,
+        };
+        match (self.efficiency, self.meshes.as_deref()) {
+            (None, None) => Ok(MeshLoss::IDEAL),
+            (Some(whole), None) => Ok(MeshLoss::Row(eta(whole)?)),
+            (None, Some([only])) if expected == 1 => Ok(MeshLoss::Row(eta(*only)?)),
+            (None, Some([first, second])) if expected == 2 => {
+                Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
+            }
+            (None, Some([first, between, second])) if expected == 3 => {
+                Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
+            }
+            _ => Err(DescriptionError::Losses { row: self.id.clone(), expected }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Document;
+
+    fn read(text: &str) -> Result<Gearbox, String> {
+        let document = Document::parse_one("box.yaml", text.as_bytes()).map_err(|e| e.to_string())?;
+        let file: GearboxFile = document.read().map_err(|e| e.to_string())?;
+        file.gearbox().map_err(|e| e.to_string())
+    }
+
+    const SCHEME: &str =
+        "gearbox: I\ninput: D\noutput: B\nrows:\n  - { id: P, sun: D, ring: T1, carrier: B, ";
+
+    #[test]
+    fn a_row_is_known_in_one_way() {
+        assert_eq!(
+            read(&format!("{SCHEME}k: 3, teeth: [20, 60] }}\n")).unwrap_err(),
+            "row `P`: give either `k` or `teeth`"
+        );
+        let exact = read(&format!("{SCHEME}teeth: [20, 60] }}\n")).unwrap();
+        assert_eq!(exact.rows()[0].exact_ratio().unwrap().to_string(), "-3");
+    }
+
+    #[test]
+    fn losses_are_of_the_row_or_of_its_meshes() {
+        let loss = |text: &str| read(&format!("{SCHEME}k: 3, {text} }}\n")).map(|g| g.rows()[0].spec().loss);
+        let eta = |value| MeshEfficiency::new(value).unwrap();
+        assert_eq!(loss("efficiency: 0.97"), Ok(MeshLoss::Row(eta(0.97))));
+        assert_eq!(loss("meshes: [0.98, 0.99]"), Ok(MeshLoss::sun_and_ring(eta(0.98), eta(0.99))));
+        assert!(loss("meshes: [0.98]").unwrap_err().contains("with 2 efficiencies"));
+        assert!(loss("efficiency: 1.2").unwrap_err().starts_with("row `P`"));
+    }
+
+    #[test]
+    fn a_slip_of_the_pen_in_a_control_is_not_a_new_link() {
+        let wrong = format!("{SCHEME}k: 3 }}\nbrakes: [{{ id: K1, link: T2 }}]\n");
+        assert_eq!(
+            read(&wrong).unwrap_err(),
+            "control `K1` names the link `T2`, which does not exist; did you mean `T1`?"
+        );
+        let wrong = format!("{SCHEME}k: 3, face: 2 }}\n");
+        assert!(read(&wrong).unwrap_err().contains("face"));
+    }
+
+    #[test]
+    fn a_pair_has_no_carrier_and_a_planetary_row_has() {
+        let pair = "gearbox: P\ninput: x\noutput: y\nrows: [{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], meshes: [0.98] }]\ngears: [{ name: only }]\n";
+        let gearbox = read(pair).unwrap();
+        assert_eq!(gearbox.analyze("only").unwrap().exact_ratio().unwrap().to_string(), "-3");
+        assert!(read(&pair.replace("sun: x", "carrier: z, sun: x")).unwrap_err().contains("no carrier"));
+        assert!(read(&pair.replace("external_pair", "simple")).unwrap_err().contains("`carrier` is due"));
+    }
+
+    #[test]
+    fn the_schema_describes_every_field() {
+        let schema = serde_yaml::to_string(&schemars::schema_for!(GearboxFile)).unwrap();
+        assert!(schema.contains("Teeth of sun and ring"));
+    }
+}

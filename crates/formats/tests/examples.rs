@@ -1,0 +1,39 @@
+//! The project's example files read, and say what they claim.
+
+use epicyclic_formats::Document;
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use std::path::Path;
+
+fn example<T: serde::de::DeserializeOwned>(name: &str) -> T {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    let bytes = std::fs::read(path).expect("the example is part of the project");
+    Document::parse_one(name, &bytes).and_then(|document| document.read()).expect("the example reads")
+}
+
+#[test]
+fn every_published_ratio_of_five_transmissions_holds() {
+    let file: TransmissionsFile = example("real-transmissions.yaml");
+    assert_eq!(file.transmissions.len(), 5);
+    let mut gears = 0;
+    for transmission in &file.transmissions {
+        let gearbox = transmission.gearbox().unwrap();
+        for gear in &transmission.gears {
+            let ratio = gearbox.analyze(&gear.name).unwrap().ratio().unwrap();
+            assert!(gear.stands_for(ratio), "{} {}: {ratio}", transmission.name, gear.name);
+            gears += 1;
+        }
+    }
+    assert_eq!(gears, 25);
+}
+
+#[test]
+fn closed_planetary_gears_have_the_ratios_of_their_comments() {
+    let (k1, k2) = (3.0, 2.5);
+    let of = |name: &str| example::<GearboxFile>(name).gearbox().unwrap().analyze("closed").unwrap();
+    let by_train = of("closed-by-ordinary-train.yaml");
+    assert!((by_train.ratio().unwrap() - (-k1 - k2 - k1 * k2)).abs() < 1e-13);
+    assert!(by_train.ideal().unwrap().power.circulating < 1e-12);
+    let by_row = of("closed-by-planetary-gear.yaml");
+    assert!((by_row.ratio().unwrap() - (1.0 - k1 / k2)).abs() < 1e-13);
+    assert!(by_row.ideal().unwrap().power.circulating > 1.0);
+}

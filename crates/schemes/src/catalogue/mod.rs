@@ -1,0 +1,109 @@
+//! The source's catalogue: schemes I, II, III of two speeds and I-1…III-3 of three.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`row`] | the six ratios of a row and its four relations of speeds |
+//! | [`range`] | which k are used, and what a quantity does over them |
+//! | [`two_speed`] | I, II, III: ratio, efficiency, k from a ratio |
+//! | [`three_speed`] | I-1…III-3: the same of the second gear |
+//!
+//! A scheme says which link each member of its rows belongs to: driving shaft D, driven shaft B, the
+//! braked links T₁, T₂. Gear 1 brakes T₁, gear 2 of a three-speed scheme brakes T₂, and a clutch between
+//! D and B gives direct drive. Any two links could be joined for that; the choice changes the clutch's
+//! torque, not the ratio.
+//!
+//! The closed forms are fast paths; the solver is the truth they are tested against.
+//!
+//! ```
+//! use epicyclic_gears::{efficiency::MeshEfficiency, row::RowParameter};
+//! use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // Section 3.3, first variation: II with k₁ = 2.15, then II-3 with k₂ = 2.354.
+//! let scheme: ThreeSpeed = "II-3".parse()?;
+//! let k1 = scheme.first_stage().parameter(1.465)?;
+//! let k2 = scheme.second_parameter(k1, 2.56)?;
+//! assert!((k1.get() - 2.1505).abs() < 1e-4 && (k2.get() - 2.3548).abs() < 1e-4);
+//! let eta0 = MeshEfficiency::new(0.97)?;
+//! let gearbox = scheme.gearbox(k1, k2, eta0)?;
+//! let second = gearbox.analyze("2")?;
+//! assert!((second.ratio().unwrap() - scheme.ratio(k1, k2)).abs() < 1e-12);
+//! assert!((second.efficiency().unwrap() - scheme.efficiency(k1, k2, eta0)).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Source
+//! multispeed-gearboxes, sections 2.3 and 2.4.
+
+pub mod range;
+pub mod row;
+pub mod three_speed;
+pub mod two_speed;
+
+pub use range::{ParameterRange, Reach};
+pub use three_speed::ThreeSpeed;
+pub use two_speed::TwoSpeed;
+
+use crate::row::{MeshLoss, RowSpec};
+use crate::{Error, Gearbox};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::row::RowParameter;
+use std::fmt;
+
+/// What a link is in a scheme.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// `D`, the driving shaft.
+    D,
+    /// `B`, the driven shaft.
+    B,
+    /// `T₁`, braked in gear 1.
+    T1,
+    /// `T₂`, braked in gear 2.
+    T2,
+}
+
+impl Role {
+    /// The source's letter, and the link's name in a scheme's [`Gearbox`].
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::D => "D",
+            Self::B => "B",
+            Self::T1 => "T1",
+            Self::T2 => "T2",
+        }
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.symbol())
+    }
+}
+
+/// The gearbox of one or two simple rows whose members `[a, b, H]` belong to these links: gears `1`,
+/// `2` (with two rows) and `direct`.
+///
+/// Links `D B T1 T2`, brakes `K1`, `K2`, the locking clutch `L` between D and B.
+pub(crate) fn gearbox(
+    name: &str,
+    rows: &[([Role; 3], RowParameter)],
+    eta0: MeshEfficiency,
+) -> Result<Gearbox, Error> {
+    let mut builder = Gearbox::builder(name)
+        .links(["D", "B", "T1"])
+        .brake("K1", "T1")
+        .clutch("L", "D", "B")
+        .input("D")
+        .output("B")
+        .gear("1", ["K1"]);
+    if rows.len() > 1 {
+        builder = builder.links(["T2"]).brake("K2", "T2").gear("2", ["K2"]);
+    }
+    for (place, (members, k)) in rows.iter().enumerate() {
+        let row = RowSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
+        builder = builder.row(row.with_loss(MeshLoss::Row(eta0)));
+    }
+    builder.gear("direct", ["L"]).build()
+}

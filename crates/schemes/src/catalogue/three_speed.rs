@@ -1,0 +1,290 @@
+//! Schemes I-1…III-3: a second row that ties T₁ to D or to B when T₂ is braked.
+//!
+//! | scheme | `a₁ b₁ H₁` | `a₂ b₂ H₂` | `i₂` |
+//! |---|---|---|---|
+//! | I-1 | D T₁ B | D T₂ T₁ | `(k₁+1)(k₂+1)/(k₁+k₂+1)` |
+//! | I-2 | D T₁ B | T₂ D T₁ | `(k₁+1)(k₂+1)/(k₂(k₁+1)+1)` |
+//! | I-3 | D T₁ B | B T₁ T₂ | `(k₂(k₁+1)+k₁)/k₂` |
+//! | I-4 | D T₁ B | T₁ B T₂ | `k₁(k₂+1)+1` |
+//! | II-1 | T₁ D B | D T₂ T₁ | `(k₁+1)(k₂+1)/(k₁(k₂+1)+1)` |
+//! | II-2 | T₁ D B | T₂ D T₁ | `(k₁+1)(k₂+1)/((k₁+1)(k₂+1)−1)` |
+//! | II-3 | T₁ D B | T₁ B T₂ | `(k₁+k₂+1)/k₁` |
+//! | II-4 | T₁ D B | B T₁ T₂ | `(k₂(k₁+1)+1)/(k₁k₂)` |
+//! | III-1 | D B T₁ | D T₁ T₂ | `−k₁k₂/(k₁+k₂+1)` |
+//! | III-2 | D B T₁ | T₁ B T₂ | `−(k₁(k₂+1)+k₂)` |
+//! | III-3 | D B T₁ | B T₁ T₂ | `−(k₁(k₂+1)+1)/k₂` |
+//!
+//! # Where this departs from the print
+//! (2.49), the ratio of II-2, is printed as a copy of (2.39); the one above follows from the scheme and
+//! is the inverse of the ratio inside the printed (2.50). Among the efficiencies (2.59) is printed with
+//! η₀ squared before the fraction, (2.54) and (2.57) with a stray "+", and (2.61) breaks off: all are
+//! taken as the torque balance has them.
+//!
+//! # Source
+//! multispeed-gearboxes (2.39)–(2.61); the number (2.55) does not exist.
+
+use super::range::{ParameterRange, Reach};
+use super::{Role, TwoSpeed, gearbox};
+use crate::closing::{Candidate, Shaft};
+use crate::{DesignError, Gearbox};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::row::RowParameter;
+use std::fmt;
+use std::str::FromStr;
+
+/// A three-speed scheme of the source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[allow(missing_docs, reason = "the table of the module says which is which")]
+pub enum ThreeSpeed {
+    I1,
+    I2,
+    I3,
+    I4,
+    II1,
+    II2,
+    II3,
+    II4,
+    III1,
+    III2,
+    III3,
+}
+
+impl ThreeSpeed {
+    /// All eleven.
+    pub const ALL: [Self; 11] = [
+        Self::I1,
+        Self::I2,
+        Self::I3,
+        Self::I4,
+        Self::II1,
+        Self::II2,
+        Self::II3,
+        Self::II4,
+        Self::III1,
+        Self::III2,
+        Self::III3,
+    ];
+
+    /// Its name, as in the source.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::I1 => "I-1",
+            Self::I2 => "I-2",
+            Self::I3 => "I-3",
+            Self::I4 => "I-4",
+            Self::II1 => "II-1",
+            Self::II2 => "II-2",
+            Self::II3 => "II-3",
+            Self::II4 => "II-4",
+            Self::III1 => "III-1",
+            Self::III2 => "III-2",
+            Self::III3 => "III-3",
+        }
+    }
+
+    /// The scheme of its gear 1, in which row 1 works alone.
+    #[must_use]
+    pub const fn first_stage(self) -> TwoSpeed {
+        match self {
+            Self::I1 | Self::I2 | Self::I3 | Self::I4 => TwoSpeed::I,
+            Self::II1 | Self::II2 | Self::II3 | Self::II4 => TwoSpeed::II,
+            Self::III1 | Self::III2 | Self::III3 => TwoSpeed::III,
+        }
+    }
+
+    /// Links of `a b H` of rows 1 and 2.
+    #[must_use]
+    pub fn rows(self) -> [[Role; 3]; 2] {
+        use Role::{B, D, T1, T2};
+        let second = match self {
+            Self::I1 | Self::II1 => [D, T2, T1],
+            Self::I2 | Self::II2 => [T2, D, T1],
+            Self::I3 | Self::II4 | Self::III3 => [B, T1, T2],
+            Self::I4 | Self::II3 | Self::III2 => [T1, B, T2],
+            Self::III1 => [D, T1, T2],
+        };
+        [self.first_stage().row(), second]
+    }
+
+    /// How row 2 closes the gear: see [`crate::closing`].
+    #[must_use]
+    pub fn closing(self) -> Candidate {
+        let second = self.rows()[1];
+        let shaft = if second.contains(&Role::D) { Shaft::Driving } else { Shaft::Driven };
+        Candidate::of_row(self.first_stage(), shaft, second)
+    }
+
+    /// Ratio `i₂ = ω_D/ω_B` with T₂ braked.
+    #[must_use]
+    pub fn ratio(self, k1: RowParameter, k2: RowParameter) -> f64 {
+        let (k, l) = (k1.get(), k2.get());
+        match self {
+            Self::I1 => (k + 1.0) * (l + 1.0) / (k + l + 1.0),
+            Self::I2 => (k + 1.0) * (l + 1.0) / (l * (k + 1.0) + 1.0),
+            Self::I3 => (l * (k + 1.0) + k) / l,
+            Self::I4 => k * (l + 1.0) + 1.0,
+            Self::II1 => (k + 1.0) * (l + 1.0) / (k * (l + 1.0) + 1.0),
+            Self::II2 => (k + 1.0) * (l + 1.0) / ((k + 1.0) * (l + 1.0) - 1.0),
+            Self::II3 => (k + l + 1.0) / k,
+            Self::II4 => (l * (k + 1.0) + 1.0) / (k * l),
+            Self::III1 => -k * l / (k + l + 1.0),
+            Self::III2 => -(k * (l + 1.0) + l),
+            Self::III3 => -(k * (l + 1.0) + 1.0) / l,
+        }
+    }
+
+    /// Efficiency with T₂ braked, each row losing `1 − η₀` of its relative power.
+    ///
+    /// By Kreines' rule these are the ratios with each `k` times `η₀^±1`, over the ratio itself.
+    #[must_use]
+    pub fn efficiency(self, k1: RowParameter, k2: RowParameter, eta0: MeshEfficiency) -> f64 {
+        let (k, l, e) = (k1.get(), k2.get(), eta0.get());
+        match self {
+            Self::I1 => {
+                (k * e + 1.0) * (l * e + 1.0) * (k + l + 1.0)
+                    / ((k + 1.0) * (l + 1.0) * (k * e + l * e + 1.0))
+            }
+            Self::I2 => {
+                (k * e + 1.0) * (l + e) * (l * (k + 1.0) + 1.0)
+                    / ((k + 1.0) * (l + 1.0) * (l * (k * e + 1.0) + e))
+            }
+            Self::I3 => (l * (k * e + 1.0) + k * e * e) / (l * (k + 1.0) + k),
+            Self::I4 => (k * (l * e + 1.0) * e + 1.0) / (k * (l + 1.0) + 1.0),
+            Self::II1 => {
+                (k + e) * (l * e + 1.0) * (k * (l + 1.0) + 1.0)
+                    / ((k + 1.0) * (l + 1.0) * (k * (l * e + 1.0) + e))
+            }
+            Self::II2 => {
+                (k + e) * (l + e) * (k * (l + 1.0) + l) / ((k + 1.0) * (l + 1.0) * (k * (l + e) + l * e))
+            }
+            Self::II3 => (k + (l * e + 1.0) * e) / (k + l + 1.0),
+            Self::II4 => (l * (k + e) + e * e) / (l * (k + 1.0) + 1.0),
+            Self::III1 => e * e * (k + l + 1.0) / ((k + l) * e + 1.0),
+            Self::III2 => (k * (l * e + 1.0) + l) * e / (k * (l + 1.0) + l),
+            Self::III3 => (k * (l + e) + 1.0) * e / (k * (l + 1.0) + 1.0),
+        }
+    }
+
+    /// Parameter of row 2 for a ratio of gear 2, row 1 being known.
+    ///
+    /// The closing ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
+    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
+    ///
+    /// # Errors
+    /// [`DesignError::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
+    pub fn second_parameter(self, k1: RowParameter, ratio: f64) -> Result<RowParameter, DesignError> {
+        self.closing().second_parameter(k1, ratio).map_err(|error| match error {
+            DesignError::RatioOutOfReach { ratio, low, high, .. } => {
+                DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
+            }
+            other => other,
+        })
+    }
+
+    /// Least and greatest ratio of gear 2 while both parameters run over a range.
+    #[must_use]
+    pub fn ratio_range(self, range: ParameterRange) -> [f64; 2] {
+        match self.closing().reach(range) {
+            Reach::Between { least, greatest } => [least, greatest],
+            Reach::ThroughZero | Reach::ThroughInfinity => {
+                unreachable!("numerators and denominators of the eleven keep their sign for k above 1")
+            }
+        }
+    }
+
+    /// The scheme as a gearbox with gears `1`, `2` and `direct`.
+    ///
+    /// # Errors
+    /// None of row parameters: what the engine would refuse is refused before.
+    pub fn gearbox(
+        self,
+        k1: RowParameter,
+        k2: RowParameter,
+        eta0: MeshEfficiency,
+    ) -> Result<Gearbox, DesignError> {
+        let [first, second] = self.rows();
+        Ok(gearbox(self.name(), &[(first, k1), (second, k2)], eta0)?)
+    }
+}
+
+impl fmt::Display for ThreeSpeed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for ThreeSpeed {
+    type Err = DesignError;
+
+    fn from_str(name: &str) -> Result<Self, DesignError> {
+        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| DesignError::UnknownScheme {
+            name: name.into(),
+            known: Self::ALL.map(Self::name).join(", "),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn k(value: f64) -> RowParameter {
+        RowParameter::new(value).unwrap()
+    }
+
+    #[test]
+    fn the_excavator_wheel_of_section_3_3() {
+        let k2 = ThreeSpeed::II3.second_parameter(k(2.15), 2.56).unwrap();
+        assert!((k2.get() - 2.354).abs() < 1e-12);
+        let k2 = ThreeSpeed::III1.second_parameter(k(2.56), -1.465).unwrap();
+        assert!((k2.get() - 1.465 * 3.56 / 1.095).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_ratio_out_of_reach_says_what_is_in_reach() {
+        // With k₁ = 1.56 scheme I-1 gives (k₁+1)·2/(k₁+2) to k₁+1: 1.465 is not among them.
+        let refused = ThreeSpeed::I1.second_parameter(k(1.56), 1.4);
+        let Err(DesignError::RatioOutOfReach { low, high, .. }) = refused else { panic!("{refused:?}") };
+        assert!((low - 2.56 * 2.0 / 3.56).abs() < 1e-12 && (high - 2.56).abs() < 1e-12);
+        assert!(ThreeSpeed::III1.second_parameter(k(2.0), f64::NAN).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn closed_forms_equal_the_solver(a in 1.3..10.0, b in 1.3..10.0, eta in 0.9..=1.0_f64) {
+            let (k1, k2, eta0) = (k(a), k(b), MeshEfficiency::new(eta).unwrap());
+            for scheme in ThreeSpeed::ALL {
+                let gearbox = scheme.gearbox(k1, k2, eta0).unwrap();
+                let gear = gearbox.analyze("2").unwrap();
+                let ratio = scheme.ratio(k1, k2);
+                prop_assert!((gear.ratio().unwrap() - ratio).abs() <= 1e-12 * ratio.abs(), "{}", scheme);
+                let efficiency = scheme.efficiency(k1, k2, eta0);
+                prop_assert!((gear.efficiency().unwrap() - efficiency).abs() < 1e-12, "{}", scheme);
+                let first = gearbox.analyze("1").unwrap();
+                let stage = scheme.first_stage();
+                prop_assert!((first.ratio().unwrap() - stage.ratio(k1)).abs() <= 1e-12 * stage.ratio(k1).abs());
+                prop_assert!((first.efficiency().unwrap() - stage.efficiency(k1, eta0)).abs() < 1e-12);
+                prop_assert_eq!(gearbox.analyze("direct").unwrap().ratio(), Some(1.0));
+            }
+        }
+
+        #[test]
+        fn a_ratio_gives_its_parameter_back(a in 1.3..10.0, b in 1.3..10.0) {
+            for scheme in ThreeSpeed::ALL {
+                let found = scheme.second_parameter(k(a), scheme.ratio(k(a), k(b))).unwrap();
+                prop_assert!((found.get() - b).abs() < 1e-10 * b, "{} {}", scheme, found.get());
+            }
+        }
+
+        #[test]
+        fn ranges_hold_every_ratio(a in 1.7..7.0, b in 1.7..7.0) {
+            for scheme in ThreeSpeed::ALL {
+                let [least, greatest] = scheme.ratio_range(ParameterRange::USED);
+                let ratio = scheme.ratio(k(a), k(b));
+                prop_assert!(least - 1e-12 <= ratio && ratio <= greatest + 1e-12);
+            }
+        }
+    }
+}

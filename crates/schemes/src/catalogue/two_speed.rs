@@ -1,0 +1,185 @@
+//! Schemes I, II, III: one row, one brake, direct drive.
+//!
+//! | scheme | `a₁ b₁ H₁` | `i` | `η` |
+//! |---|---|---|---|
+//! | I | D T₁ B | `1 + k₁` | `(1 + k₁·η₀)/(1 + k₁)` |
+//! | II | T₁ D B | `(1 + k₁)/k₁` | `(k₁ + η₀)/(1 + k₁)` |
+//! | III | D B T₁ | `−k₁` | `η₀` |
+//!
+//! The other three ways to use a row are these with D and B exchanged; they speed up.
+//!
+//! # Source
+//! multispeed-gearboxes (2.26)–(2.31).
+
+use super::range::ParameterRange;
+use super::row::{fraction, parameter, ratio_range};
+use super::{Role, gearbox};
+use crate::{DesignError, Gearbox};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::row::{Member, Mode, RowParameter};
+use std::fmt;
+use std::str::FromStr;
+
+/// A two-speed scheme.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TwoSpeed {
+    /// Sun drives, carrier is driven, ring braked.
+    I,
+    /// Ring drives, carrier is driven, sun braked.
+    II,
+    /// Sun drives, ring is driven, carrier braked.
+    III,
+}
+
+impl TwoSpeed {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::I, Self::II, Self::III];
+
+    /// Its name, as in the source.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::I => "I",
+            Self::II => "II",
+            Self::III => "III",
+        }
+    }
+
+    /// Driving and driven member of the row.
+    #[must_use]
+    pub fn mode(self) -> Mode {
+        let place = match self {
+            Self::I => 1,
+            Self::II => 2,
+            Self::III => 0,
+        };
+        Mode::ALL[place]
+    }
+
+    /// Links of `a₁`, `b₁`, `H₁`.
+    #[must_use]
+    pub fn row(self) -> [Role; 3] {
+        let mode = self.mode();
+        Member::ALL.map(|member| match member {
+            _ if member == mode.input() => Role::D,
+            _ if member == mode.output() => Role::B,
+            _ => Role::T1,
+        })
+    }
+
+    /// Ratio `i = ω_D/ω_B` with T₁ braked.
+    #[must_use]
+    pub fn ratio(self, k: RowParameter) -> f64 {
+        let [n, d] = self.fraction(k.get());
+        n / d
+    }
+
+    pub(crate) fn fraction(self, k: f64) -> [f64; 2] {
+        fraction(self.mode(), k)
+    }
+
+    /// Efficiency with T₁ braked, the row losing `1 − η₀` of its relative power.
+    #[must_use]
+    pub fn efficiency(self, k: RowParameter, eta0: MeshEfficiency) -> f64 {
+        let (k, eta0) = (k.get(), eta0.get());
+        match self {
+            Self::I => (1.0 + k * eta0) / (1.0 + k),
+            Self::II => (k + eta0) / (1.0 + k),
+            Self::III => eta0,
+        }
+    }
+
+    /// Row parameter for a ratio: `k = i − 1`, `1/(i − 1)`, `−i`.
+    ///
+    /// # Errors
+    /// [`DesignError::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
+    /// simple row would need `k ≤ 1`.
+    pub fn parameter(self, ratio: f64) -> Result<RowParameter, DesignError> {
+        parameter(self.mode(), ratio).map_err(|_| {
+            let (low, high) = match self {
+                Self::I => (2.0, f64::INFINITY),
+                Self::II => (1.0, 2.0),
+                Self::III => (f64::NEG_INFINITY, -1.0),
+            };
+            DesignError::RatioOutOfReach { scheme: format!("scheme {self}"), ratio, low, high }
+        })
+    }
+
+    /// Ratios at the lower and at the upper end of a range of `k`.
+    #[must_use]
+    pub fn ratio_range(self, range: ParameterRange) -> [f64; 2] {
+        ratio_range(self.mode(), range)
+    }
+
+    /// The scheme as a gearbox with gears `1` and `direct`.
+    ///
+    /// # Errors
+    /// None of a row parameter: what the engine would refuse is refused before.
+    pub fn gearbox(self, k: RowParameter, eta0: MeshEfficiency) -> Result<Gearbox, DesignError> {
+        Ok(gearbox(self.name(), &[(self.row(), k)], eta0)?)
+    }
+}
+
+impl fmt::Display for TwoSpeed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for TwoSpeed {
+    type Err = DesignError;
+
+    fn from_str(name: &str) -> Result<Self, DesignError> {
+        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| DesignError::UnknownScheme {
+            name: name.into(),
+            known: Self::ALL.map(Self::name).join(", "),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn k(value: f64) -> RowParameter {
+        RowParameter::new(value).unwrap()
+    }
+
+    #[test]
+    fn the_conveyor_of_section_3_3() {
+        let eta0 = MeshEfficiency::new(0.97).unwrap();
+        assert!((TwoSpeed::I.parameter(3.94).unwrap().get() - 2.94).abs() < 1e-12);
+        assert!((TwoSpeed::I.efficiency(k(2.94), eta0) - 0.977_614).abs() < 1e-6);
+        assert!((TwoSpeed::III.parameter(-3.94).unwrap().get() - 3.94).abs() < 1e-12);
+        assert_eq!(TwoSpeed::I.row(), [Role::D, Role::T1, Role::B]);
+        assert_eq!(TwoSpeed::II.row(), [Role::T1, Role::D, Role::B]);
+        assert_eq!(TwoSpeed::III.row(), [Role::D, Role::B, Role::T1]);
+    }
+
+    #[test]
+    fn what_needs_a_ring_no_larger_than_the_sun_is_refused() {
+        for (scheme, ratio) in [(TwoSpeed::I, 2.0), (TwoSpeed::II, 2.0), (TwoSpeed::III, 2.56)] {
+            let refused = scheme.parameter(ratio);
+            assert!(matches!(refused, Err(DesignError::RatioOutOfReach { .. })), "{scheme} {ratio}");
+        }
+        assert!("IV".parse::<TwoSpeed>().is_err());
+        assert_eq!("III".parse(), Ok(TwoSpeed::III));
+    }
+
+    proptest! {
+        #[test]
+        fn closed_forms_equal_the_solver(value in 1.3..10.0, eta in 0.9..=1.0_f64) {
+            let eta0 = MeshEfficiency::new(eta).unwrap();
+            for scheme in TwoSpeed::ALL {
+                let gearbox = scheme.gearbox(k(value), eta0).unwrap();
+                let gear = gearbox.analyze("1").unwrap();
+                let ratio = scheme.ratio(k(value));
+                prop_assert!((gear.ratio().unwrap() - ratio).abs() <= 1e-12 * ratio.abs());
+                prop_assert!((gear.efficiency().unwrap() - scheme.efficiency(k(value), eta0)).abs() < 1e-12);
+                prop_assert!((scheme.parameter(ratio).unwrap().get() - value).abs() < 1e-12 * value * value);
+                prop_assert_eq!(gearbox.analyze("direct").unwrap().ratio(), Some(1.0));
+            }
+        }
+    }
+}

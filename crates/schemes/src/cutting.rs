@@ -1,0 +1,169 @@
+//! Speeds of cutters: what the bits of a mining machine need.
+//!
+//! # Source
+//! multispeed-gearboxes (2.1)–(2.4).
+
+use crate::DesignError;
+use uom::si::f64::{Force, Length, Velocity};
+use uom::si::force::newton;
+use uom::si::length::meter;
+use uom::si::velocity::meter_per_second;
+
+/// Cutting speed of a chain cutter.
+///
+/// ```text
+/// v_p = 1.07·l_cp·v_n/h_cp        l_cp in m, v_n in m/min, h_cp in cm
+///     = 0.642·l_cp·v_n/h_cp       in one set of units
+/// ```
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `l_cp` | `pick_spacing` | mean spacing of picks in a cutting line |
+/// | `v_n` | `feed` | feed of the machine |
+/// | `h_cp` | `mean_chip` | mean thickness of the chip |
+///
+/// The factor is the source's. A chip of greatest thickness `h = l·v_n/v_p` and mean `2h/π` would give
+/// `(100/60)·(2/π) = 1.061`.
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.1).
+pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, DesignError> {
+    lengths([("pick spacing", pick_spacing), ("mean chip thickness", mean_chip)])?;
+    speed("feed", feed)?;
+    Ok(feed * (pick_spacing / mean_chip).value * (1.07 * 60.0 / 100.0))
+}
+
+/// Cutting speed of a drum or auger.
+///
+/// ```text
+/// v_p = 5.24·D·v_n/(h_max·m_p)    D in m, v_n in m/min, h_max in cm
+///     = π·D·v_n/(h_max·m_p)       in one set of units, 5.24 being 100·π/60 = 5.236
+/// ```
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `D` | `diameter` | diameter over the picks |
+/// | `v_n` | `feed` | feed of the machine |
+/// | `h_max` | `greatest_chip` | greatest thickness of the chip |
+/// | `m_p` | `picks_per_line` | picks in a cutting line |
+///
+/// ```
+/// use epicyclic_schemes::cutting::drum_speed;
+/// use uom::si::f64::{Length, Velocity};
+/// use uom::si::length::{centimeter, meter};
+/// use uom::si::velocity::meter_per_second;
+/// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+/// let (drum, chip) = (Length::new::<meter>(1.4), Length::new::<centimeter>(5.0));
+/// let speed = drum_speed(drum, Velocity::new::<meter_per_second>(4.0 / 60.0), chip, 2)?;
+/// assert!((speed.get::<meter_per_second>() - 5.24 * 1.4 * 4.0 / (5.0 * 2.0)).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.2), with its 5.24.
+pub fn drum_speed(
+    diameter: Length,
+    feed: Velocity,
+    greatest_chip: Length,
+    picks_per_line: u32,
+) -> Result<Velocity, DesignError> {
+    lengths([("drum diameter", diameter), ("greatest chip thickness", greatest_chip)])?;
+    speed("feed", feed)?;
+    positive("picks per line", f64::from(picks_per_line), "")?;
+    let turns = (diameter / greatest_chip).value / f64::from(picks_per_line);
+    Ok(feed * turns * (5.24 * 60.0 / 100.0))
+}
+
+/// Cutting speed in other rock, at the power of the first: `v_p′ = v_p·P_cp/P_cp′`.
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `v_p` | `speed` | cutting speed |
+/// | `P_cp`, `P_cp′` | `force`, `other_force` | mean cutting forces there and here |
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.3).
+pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, DesignError> {
+    speed("cutting speed", cutting)?;
+    positive("cutting force", force.get::<newton>(), "N")?;
+    positive("other cutting force", other_force.get::<newton>(), "N")?;
+    Ok(cutting * (force / other_force).value)
+}
+
+/// Feed that keeps the chip at another cutting speed: `v_n′/v_p′ = v_n/v_p`.
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.4).
+pub fn matching_feed(
+    feed: Velocity,
+    cutting: Velocity,
+    other_cutting: Velocity,
+) -> Result<Velocity, DesignError> {
+    speed("feed", feed)?;
+    speed("cutting speed", cutting)?;
+    speed("other cutting speed", other_cutting)?;
+    Ok(feed * (other_cutting / cutting).value)
+}
+
+fn lengths(of: [(&'static str, Length); 2]) -> Result<(), DesignError> {
+    of.into_iter().try_for_each(|(what, length)| positive(what, length.get::<meter>(), "m"))
+}
+
+fn speed(what: &'static str, speed: Velocity) -> Result<(), DesignError> {
+    positive(what, speed.get::<meter_per_second>(), "m/s")
+}
+
+pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), DesignError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(DesignError::NotPositive { quantity, value, unit })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use uom::si::length::centimeter;
+
+    #[test]
+    fn the_sources_units_give_its_factors() {
+        let (feed, chip) = (Velocity::new::<meter_per_second>(5.0 / 60.0), Length::new::<centimeter>(4.0));
+        let chain = chain_speed(Length::new::<meter>(0.4), feed, chip).unwrap();
+        assert!((chain.get::<meter_per_second>() - 1.07 * 0.4 * 5.0 / 4.0).abs() < 1e-12);
+        let drum = drum_speed(Length::new::<meter>(1.25), feed, chip, 3).unwrap();
+        assert!((drum.get::<meter_per_second>() - 5.24 * 1.25 * 5.0 / (4.0 * 3.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn harder_rock_is_cut_slower_at_the_same_chip() {
+        let v = Velocity::new::<meter_per_second>;
+        let slower = speed_at_force(v(3.0), Force::new::<newton>(4e3), Force::new::<newton>(6e3)).unwrap();
+        assert!((slower.get::<meter_per_second>() - 2.0).abs() < 1e-12);
+        let feed = matching_feed(v(0.09), v(3.0), slower).unwrap();
+        assert!((feed.get::<meter_per_second>() - 0.06).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_does_not_cut_is_refused() {
+        let (v, l) = (Velocity::new::<meter_per_second>, Length::new::<meter>);
+        assert!(chain_speed(l(0.4), v(0.0), l(0.04)).is_err());
+        assert!(drum_speed(l(1.4), v(0.1), l(-1.0), 2).is_err());
+        assert!(drum_speed(l(1.4), v(0.1), l(0.05), 0).is_err());
+        assert!(speed_at_force(v(1.0), Force::new::<newton>(f64::NAN), Force::new::<newton>(1.0)).is_err());
+        assert!(matching_feed(v(1.0), v(0.0), v(1.0)).is_err());
+    }
+}

@@ -1,0 +1,117 @@
+//! What the catalogue and the machine side refuse.
+//!
+//! Apart from [`crate::Error`], which is of gearboxes: these are demands that no scheme meets.
+
+/// A demand outside what it can be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// A name that no scheme bears.
+    #[error("no scheme is called `{name}`: there are {known}")]
+    UnknownScheme {
+        /// The name given.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// A range of row parameters that is none.
+    #[error("row parameters from {low} to {high}: a range has 1 < low ≤ high")]
+    ParameterRange {
+        /// The lower end given.
+        low: f64,
+        /// The upper end given.
+        high: f64,
+    },
+    /// A ratio that no row parameter gives.
+    #[error(
+        "{scheme} does not give i = {ratio}: with k above 1 it gives {low:.4} to {high:.4}, ends excluded"
+    )]
+    RatioOutOfReach {
+        /// The scheme, and the gear where it has several.
+        scheme: String,
+        /// The ratio wanted.
+        ratio: f64,
+        /// Lower end of what it gives.
+        low: f64,
+        /// Upper end of what it gives.
+        high: f64,
+    },
+    /// A ratio that ties nothing: 0, 1, or not finite.
+    #[error(
+        "i = {ratio} of the {what}: a closed stage has ratios that are finite, not 0, and not 1 in stage 1"
+    )]
+    ClosingRatio {
+        /// Of which stage.
+        what: &'static str,
+        /// The ratio given.
+        ratio: f64,
+    },
+    /// Too few or too many speeds.
+    #[error("{count} speeds: the series of the source have 2 to 4")]
+    SpeedCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// Speeds that do not rise, or not all above 0.
+    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are above 0 and rise")]
+    SpeedsOutOfOrder {
+        /// Its place from 1.
+        place: usize,
+        /// The speed.
+        speed: f64,
+        /// The one before, or 0.
+        before: f64,
+    },
+    /// A speed range or step that leaves nothing to shift.
+    #[error("{what} = {value}: a range of speeds is above 1")]
+    SpeedRange {
+        /// `d` or `q`.
+        what: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A place for direct drive outside the series.
+    #[error("direct drive in place {place} of {count} speeds: places count from 1, the fastest")]
+    DirectPlace {
+        /// The place given.
+        place: usize,
+        /// How many speeds there are.
+        count: usize,
+    },
+    /// A quantity that must be above 0.
+    #[error("{quantity} = {value} {unit}: it is a finite number above 0")]
+    NotPositive {
+        /// Which.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// Angles between which nothing flies.
+    #[error("no flight from τ₁ = {release_deg}° to τ* = {chute_deg}° at ε = {radius_ratio}: {why}")]
+    NoFlight {
+        /// Angle of release.
+        release_deg: f64,
+        /// Angle of the chute's edge.
+        chute_deg: f64,
+        /// Radius of the chute's edge over that of the wheel.
+        radius_ratio: f64,
+        /// What stands in the way.
+        why: &'static str,
+    },
+    /// A machine that the tables do not list.
+    #[error("no machine `{name}` in tables 1.1 and 1.2{}", nearest.as_deref().map_or_else(String::new, |n| format!("; did you mean `{n}`?")))]
+    UnknownMachine {
+        /// The name given.
+        name: String,
+        /// The nearest listed.
+        nearest: Option<String>,
+    },
+    /// What a row refuses.
+    #[error(transparent)]
+    Row(#[from] epicyclic_gears::Error),
+    /// What the engine refuses.
+    #[error(transparent)]
+    Gearbox(#[from] crate::Error),
+}

@@ -1,0 +1,125 @@
+//! Direct drive of a two-row structure: what the locking clutch carries, for every pair of links.
+//!
+//! Joining any two of the four links stops all relative motion. The clutch then carries what statics
+//! asks for: rows give torques `s·(1, k, −(1 + k))` on sun, ring, carrier, and every link is in balance
+//! with 1 entering at D and 1 leaving at B.
+//!
+//! ```text
+//! s₁·c₁ + s₂·c₂ = e_D − e_B + t·(e_x − e_y)        c_j the row's coefficients by role, clutch between x, y
+//! ```
+//!
+//! Since every motion of the links is a block rotation and a multiple of one other motion `u`
+//! ([`structures`](crate::structures)), the principle of virtual work gives
+//!
+//! ```text
+//! t = −(u_D − u_B)/(u_x − u_y)
+//! ```
+//!
+//! so the torque too follows from the two ratios, whatever the structure; losses have no part in it,
+//! since nothing moves relative to anything. A pair with `u_x = u_y` does not lock.
+//!
+//! # Source
+//! multispeed-gearboxes, section 3.1: the smallest blocking moment among the ways to lock.
+
+use crate::structures::{Role, motion};
+
+/// The six pairs of links that a clutch may join.
+pub const LOCKING_PAIRS: [[Role; 2]; 6] = [
+    [Role::D, Role::B],
+    [Role::D, Role::T1],
+    [Role::D, Role::T2],
+    [Role::B, Role::T1],
+    [Role::B, Role::T2],
+    [Role::T1, Role::T2],
+];
+
+/// One way to lock.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lock {
+    /// The links joined.
+    pub pair: [Role; 2],
+    /// Torque of the clutch over the input torque, on the first link.
+    pub torque: f64,
+    /// Slip of the open clutch, first link less second, in gears 1 and 2; multiples of the input speed.
+    pub slip: [f64; 2],
+}
+
+/// Every way to lock the structure whose gears have these ratios, the least torque first; of equal
+/// torques the order of [`LOCKING_PAIRS`] holds.
+#[must_use]
+pub fn locks(ratios: [f64; 2]) -> Vec<Lock> {
+    let u = motion(ratios);
+    let speeds = link_speeds(ratios);
+    ascending(LOCKING_PAIRS.into_iter().map(|pair| {
+        let [x, y] = pair.map(Role::index);
+        let torque = -(u[0] - u[1]) / (u[x] - u[y]);
+        Lock { pair, torque, slip: speeds.map(|speed| speed[x] - speed[y]) }
+    }))
+}
+
+/// Every way to lock a single row whose braked gear has this ratio, as [`locks`]; its slip in gear 2,
+/// which there is none, is 0.
+#[must_use]
+pub fn locks_of_row(ratio: f64) -> Vec<Lock> {
+    let speed = [1.0, 1.0 / ratio, 0.0, 0.0];
+    let lock = |pair: [Role; 2]| {
+        let [x, y] = pair.map(Role::index);
+        Lock {
+            pair,
+            torque: -(speed[0] - speed[1]) / (speed[x] - speed[y]),
+            slip: [speed[x] - speed[y], 0.0],
+        }
+    };
+    ascending([LOCKING_PAIRS[0], LOCKING_PAIRS[1], LOCKING_PAIRS[3]].into_iter().map(lock))
+}
+
+fn ascending(locks: impl Iterator<Item = Lock>) -> Vec<Lock> {
+    let mut found: Vec<Lock> = locks.filter(|lock| lock.torque.is_finite()).collect();
+    // To 12 digits: rounding is no reason to prefer a way to lock.
+    let size = |lock: &Lock| (lock.torque.abs() * 1e12).round();
+    found.sort_by(|one, other| size(one).total_cmp(&size(other)));
+    found
+}
+
+/// Speeds of D, B, T₁, T₂ in gears 1 and 2 as multiples of the input's.
+#[must_use]
+pub fn link_speeds([first, second]: [f64; 2]) -> [[f64; 4]; 2] {
+    [
+        [1.0, 1.0 / first, 0.0, (first - second) / (first * (1.0 - second))],
+        [1.0, 1.0 / second, (second - first) / (second * (1.0 - first)), 0.0],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structures::Structure;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        #[test]
+        fn torque_and_slip_of_every_clutch_equal_the_solver(a in 1.1..10.0, b in 1.1..10.0) {
+            for structure in Structure::all() {
+                let gearbox = structure.gearbox([a, b], MeshEfficiency::IDEAL, LOCKING_PAIRS[0]).unwrap();
+                let ratio = |gear| gearbox.analyze(gear).unwrap().ratio();
+                let (Some(first), Some(second)) = (ratio("1"), ratio("2")) else { continue };
+                if [first, second].iter().any(|i| (i - 1.0).abs() < 1e-2 || i.abs() > 1e2 || i.abs() < 1e-2) {
+                    continue;
+                }
+                for lock in locks([first, second]).into_iter().filter(|lock| lock.torque.abs() < 100.0) {
+                    let gearbox = structure.gearbox([a, b], MeshEfficiency::IDEAL, lock.pair).unwrap();
+                    let direct = gearbox.analyze("direct").unwrap();
+                    prop_assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-9);
+                    let torque = direct.ideal().unwrap().controls[2].unwrap();
+                    prop_assert!((torque - lock.torque).abs() < 1e-6, "{structure} {lock:?} {torque}");
+                    for (gear, slip) in ["1", "2"].into_iter().zip(lock.slip) {
+                        let found = gearbox.analyze(gear).unwrap().slips()[2].unwrap();
+                        prop_assert!((found - slip).abs() < 1e-6, "{structure} {lock:?} {found}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Two rows between four links, as numbers: ratios, speeds, sun torques and losses of both gears.
+//!
+//! Row `j` has coefficients `c_j = (1, k_j, −(1 + k_j))` at the roles of its sun, ring and carrier and 0
+//! at the role it lacks. With the minors `[xy] = c₁x·c₂y − c₁y·c₂x`, gear 1 (T₁ at rest, `X` = T₂) and
+//! gear 2 (T₂ at rest, `X` = T₁) have by Cramer's rule
+//!
+//! ```text
+//! i = −[BX]/[DX]      ω_B = 1/i      ω_X = [DB]/[BX]      T_a1 = c₂X/[DX]      T_a2 = −c₁X/[DX]
+//! ```
+//!
+//! speeds and torques as multiples of the input's. The minors are linear in each `k`, so both ratios are
+//! quotients of bilinear functions.
+//!
+//! # Losses
+//! Torques with losses are those of rows with `k̂ = k·η₀^x`, `x` the sign of the row's relative power, so
+//! `η = î/i`, which is Kreines' rule. The sign is that of the ideal power in every two-row structure:
+//!
+//! - A row alone, or two one after the other: power runs from D to B.
+//! - Closed on B: D belongs to row 1 alone, so its torque gives all of row 1's, and through T₁ all of
+//!   row 2's, in signs that do not depend on the size of `k̂`.
+//! - Closed on D: the same from the torque on B, whose sign is that of power leaving.
+//!
+//! And `x` is constant where `i` keeps its sign: it is the sign of `∂ln|i|/∂ln k`, and by
+//! `i₂ = i₁ + (1 − i₁)·i_c` (closed on B; closed on D the same of reciprocals) `∂i₂/∂k₁` is `(1 − i_c)·i₁′`
+//! and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also **each ratio is
+//! monotonous in each parameter** between its zeros and poles, always in the same direction.
+
+use crate::structures::{Role, RowRoles};
+
+/// Coefficients of a row by role.
+pub(crate) type Coefficients = [f64; 4];
+
+pub(crate) fn coefficients(row: RowRoles, k: f64) -> Coefficients {
+    let mut found = [0.0; 4];
+    for (role, value) in row.into_iter().zip([1.0, k, -(1.0 + k)]) {
+        found[role.index()] = value;
+    }
+    found
+}
+
+const D: usize = Role::D.index();
+const B: usize = Role::B.index();
+/// `X` of gears 1 and 2: the braked link that turns.
+const FREE: [usize; 2] = [Role::T2.index(), Role::T1.index()];
+
+#[inline]
+pub(crate) fn minor(first: &Coefficients, second: &Coefficients, x: usize, y: usize) -> f64 {
+    first[x] * second[y] - first[y] * second[x]
+}
+
+/// `[−[BX], [DX]]` of a gear, whose quotient is its ratio.
+#[inline]
+pub(crate) fn fraction(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 2] {
+    let x = FREE[gear];
+    [-minor(first, second, B, x), minor(first, second, D, x)]
+}
+
+/// Ratios of both gears.
+#[inline]
+pub(crate) fn ratios(first: &Coefficients, second: &Coefficients) -> [f64; 2] {
+    [0, 1].map(|gear| {
+        let [n, d] = fraction(first, second, gear);
+        n / d
+    })
+}
+
+/// Speeds of the links in a gear.
+#[inline]
+pub(crate) fn speeds(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 4] {
+    let x = FREE[gear];
+    let over_b = 1.0 / minor(first, second, B, x);
+    let mut found = [1.0, -minor(first, second, D, x) * over_b, 0.0, 0.0];
+    found[x] = minor(first, second, D, B) * over_b;
+    found
+}
+
+/// Torques on both suns in a gear.
+#[inline]
+pub(crate) fn sun_torques(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 2] {
+    let x = FREE[gear];
+    let over_d = 1.0 / minor(first, second, D, x);
+    [second[x] * over_d, -first[x] * over_d]
+}
+
+/// `x_j` of both rows in a gear: 1 where the row's relative power runs from sun to ring, −1 the other
+/// way, 0 where the row is idle.
+pub(crate) fn exponents(rows: [RowRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2] {
+    let [first, second] = [0, 1].map(|row| coefficients(rows[row], k[row]));
+    let speeds = speeds(&first, &second, gear);
+    let torques = sun_torques(&first, &second, gear);
+    [0, 1].map(|row| {
+        let [a, _, h] = rows[row].map(|role| speeds[role.index()]);
+        let power = torques[row] * (a - h);
+        // An idle row has no torque at all; one at work has a share of the power that does not vanish.
+        if power.abs() <= 1e-13 { 0 } else { power.signum() as i8 }
+    })
+}
+
+/// `k·η₀^x`.
+#[inline]
+pub(crate) fn effective(k: f64, eta0: f64, exponent: i8) -> f64 {
+    match exponent {
+        1 => k * eta0,
+        -1 => k / eta0,
+        _ => k,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::locking::LOCKING_PAIRS;
+    use crate::structures::Structure;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use proptest::prelude::*;
+
+    /// Efficiency of a gear.
+    fn efficiency(structure: Structure, k: [f64; 2], eta0: f64, gear: usize) -> f64 {
+        let rows = structure.rows();
+        let exponents = exponents(rows, k, gear);
+        let at = |k: [f64; 2]| {
+            let [n, d] = fraction(&coefficients(rows[0], k[0]), &coefficients(rows[1], k[1]), gear);
+            n / d
+        };
+        at([0, 1].map(|row| effective(k[row], eta0, exponents[row]))) / at(k)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        #[test]
+        fn every_structure_equals_the_solver(a in 1.05..12.0, b in 1.05..12.0, eta in 0.85..=1.0) {
+            for structure in Structure::all() {
+                let rows = structure.rows();
+                let (first, second) = (coefficients(rows[0], a), coefficients(rows[1], b));
+                let eta0 = MeshEfficiency::new(eta).unwrap();
+                let gearbox = structure.gearbox([a, b], eta0, LOCKING_PAIRS[0]).unwrap();
+                for (gear, name) in ["1", "2"].into_iter().enumerate() {
+                    let found = gearbox.analyze(name).unwrap();
+                    let Some(ratio) = found.ratio().filter(|i| i.abs() > 1e-2 && i.abs() < 1e2) else { continue };
+                    let ours = ratios(&first, &second)[gear];
+                    prop_assert!((ours / ratio - 1.0).abs() < 1e-9, "{structure} {name} {ours} {ratio}");
+                    for (role, speed) in Role::ALL.into_iter().zip(speeds(&first, &second, gear)) {
+                        let exact = found.speed(gearbox.link(role.symbol()).unwrap()).unwrap();
+                        prop_assert!((speed - exact).abs() < 1e-9 * (1.0 + exact.abs()), "{structure} {role}");
+                    }
+                    let Some(driving) = found.driving() else { continue };
+                    let ours = efficiency(structure, [a, b], eta, gear);
+                    prop_assert!((ours - driving.efficiency).abs() < 1e-8, "{structure} {name} {ours} {driving:?}");
+                    let hats: [f64; 2] = [0, 1].map(|row| {
+                        effective([a, b][row], eta, exponents(rows, [a, b], gear)[row])
+                    });
+                    let torques = sun_torques(&coefficients(rows[0], hats[0]), &coefficients(rows[1], hats[1]), gear);
+                    for (row, torque) in torques.into_iter().enumerate() {
+                        let exact = driving.members[row].unwrap()[0];
+                        prop_assert!((torque - exact).abs() < 1e-8 * (1.0 + exact.abs()), "{structure} {name} {row}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! Speeds of a bucket wheel: how fast it may turn and still empty its buckets, and how slowly.
+//!
+//! Angles are measured about the wheel's axis from the horizontal, in the sense of rotation.
+//!
+//! # Source
+//! multispeed-gearboxes (2.5)–(2.9).
+
+use crate::DesignError;
+use crate::cutting::positive;
+use std::f64::consts::{FRAC_PI_2, TAU};
+use uom::si::acceleration::meter_per_second_squared;
+use uom::si::angle::{degree, radian};
+use uom::si::angular_velocity::radian_per_second;
+use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length};
+use uom::si::length::meter;
+
+/// Standard acceleration of fall.
+#[must_use]
+pub fn standard_gravity() -> Acceleration {
+    Acceleration::new::<meter_per_second_squared>(9.806_65)
+}
+
+/// Optimal speed of the wheel: a bucket passes while the boom advances by the width of a chip.
+///
+/// ```text
+/// ω_po = 2π·R_c·ω_no/(b·z_k·cos φ)
+/// ```
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `R_c` | `boom_radius` | cutting radius of the boom |
+/// | `ω_no` | `slewing` | slewing speed with the boom in the machine's axis, the least |
+/// | `b` | `chip_width` | present width of the chip |
+/// | `z_k` | `buckets` | number of buckets |
+/// | `φ` | `boom_angle` | slewing angle of the boom |
+///
+/// # Where this departs from the print
+/// The copy shows `2π`, `R_c`, `ω_no`, `b·z_k` and `φ` scattered; "cos" is inferred: slewing speeds up as
+/// `1/cos φ` to keep the chip's volume.
+///
+/// # Errors
+/// [`DesignError::NotPositive`]; `cos φ` is above 0.
+///
+/// # Source
+/// (2.6), restored.
+pub fn optimal_speed(
+    boom_radius: Length,
+    slewing: AngularVelocity,
+    chip_width: Length,
+    buckets: u32,
+    boom_angle: Angle,
+) -> Result<AngularVelocity, DesignError> {
+    positive("boom radius", boom_radius.get::<meter>(), "m")?;
+    positive("slewing speed", slewing.get::<radian_per_second>(), "rad/s")?;
+    positive("chip width", chip_width.get::<meter>(), "m")?;
+    positive("number of buckets", f64::from(buckets), "")?;
+    let cos = boom_angle.get::<radian>().cos();
+    let is_acute = boom_angle.get::<radian>().abs() < FRAC_PI_2;
+    if !is_acute {
+        return Err(DesignError::NotPositive { quantity: "cosine of the boom angle", value: cos, unit: "" });
+    }
+    Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
+}
+
+/// Greatest speed of the wheel at which its buckets empty.
+///
+/// ```text
+/// ω_max = 0.5·(ω_po + √(ω_po² + 1.48))      1.48 in rad²/s²
+/// ```
+///
+/// That is the positive root of `ω² − ω_po·ω − 0.37 = 0`. The copy lost the radical; it is inferred.
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.5), restored.
+pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, DesignError> {
+    let omega_rad_s = optimal.get::<radian_per_second>();
+    positive("optimal speed", omega_rad_s, "rad/s")?;
+    Ok(AngularVelocity::new::<radian_per_second>(
+        0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt()),
+    ))
+}
+
+/// Least speed of the wheel in light and medium rock: `ω_min = √(Ω·g/R_p)`.
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `Ω` | `discharge` | dimensionless, from [`discharge`] or, with the boom level, from a graph that the copy lost |
+/// | `g` | `gravity` | acceleration of fall |
+/// | `R_p` | `wheel_radius` | radius of the wheel |
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.7).
+pub fn least_speed(
+    discharge: f64,
+    gravity: Acceleration,
+    wheel_radius: Length,
+) -> Result<AngularVelocity, DesignError> {
+    positive("Ω", discharge, "")?;
+    positive("acceleration of fall", gravity.get::<meter_per_second_squared>(), "m/s²")?;
+    positive("wheel radius", wheel_radius.get::<meter>(), "m")?;
+    let squared = discharge * gravity.get::<meter_per_second_squared>() / wheel_radius.get::<meter>();
+    Ok(AngularVelocity::new::<radian_per_second>(squared.sqrt()))
+}
+
+/// Discharge parameter `Ω = ω²·R_p/g` at which what leaves a bucket just clears the chute's edge.
+///
+/// ```text
+/// Ω = (cos τ₁ − ε_p·cos τ*)²/{2·sin τ₁·[1 − ε_p·cos(τ* − τ₁)]}
+/// ```
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `τ₁` | `release` | angle at which a particle leaves its bucket, between 0 and 180° |
+/// | `τ*` | `chute` | angle of the chute's edge: that of the level boom plus the boom's own elevation |
+/// | `ε_p` | `radius_ratio` | radius of the chute's edge over `R_p` |
+///
+/// It is free flight: a particle leaves radius `R_p` at `τ₁` with the wheel's speed `ω·R_p` along the tangent and
+/// falls to radius `ε_p·R_p` at `τ*` (a property test flies it).
+///
+/// Of the raised and the lowered boom the smaller Ω counts, says the source.
+///
+/// # Errors
+/// [`DesignError::NoFlight`] where no particle can come from one point to the other.
+///
+/// # Source
+/// (2.8).
+pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, DesignError> {
+    let (tau1, tau) = (release.get::<radian>(), chute.get::<radian>());
+    let refuse = |why| DesignError::NoFlight {
+        release_deg: release.get::<degree>(),
+        chute_deg: chute.get::<degree>(),
+        radius_ratio,
+        why,
+    };
+    if !(radius_ratio > 0.0 && radius_ratio.is_finite() && tau1.is_finite() && tau.is_finite()) {
+        return Err(refuse("ε is above 0 and all are finite"));
+    }
+    if tau1.sin() <= 0.0 {
+        return Err(refuse("release is above the axis"));
+    }
+    // Time of flight times ω·sin τ₁, from the horizontal way.
+    let across = tau1.cos() - radius_ratio * tau.cos();
+    let fall = 1.0 - radius_ratio * (tau - tau1).cos();
+    if across <= 0.0 {
+        return Err(refuse("the chute lies behind the release"));
+    }
+    if fall <= 0.0 {
+        return Err(refuse("the chute lies above the tangent of the release"));
+    }
+    Ok(across * across / (2.0 * tau1.sin() * fall))
+}
+
+/// Range of the wheel's speeds: `d_p = ω_max/ω_min = ω_max·√(R_p/(Ω·g))`.
+///
+/// # Errors
+/// [`DesignError::NotPositive`].
+///
+/// # Source
+/// (2.9).
+pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, DesignError> {
+    positive("greatest speed", greatest.get::<radian_per_second>(), "rad/s")?;
+    positive("least speed", least.get::<radian_per_second>(), "rad/s")?;
+    Ok((greatest / least).value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn omega(value: f64) -> AngularVelocity {
+        AngularVelocity::new::<radian_per_second>(value)
+    }
+
+    #[test]
+    fn a_wheel_by_hand() {
+        // 2π·20·0.02/(0.3·8·cos 60°) = 2.0944 rad/s
+        let (radius, width) = (Length::new::<meter>(20.0), Length::new::<meter>(0.3));
+        let optimal = optimal_speed(radius, omega(0.02), width, 8, Angle::new::<degree>(60.0)).unwrap();
+        assert!((optimal.get::<radian_per_second>() - TAU * 20.0 * 0.02 / 1.2).abs() < 1e-12);
+        let greatest = greatest_speed(omega(0.6)).unwrap().get::<radian_per_second>();
+        assert!((greatest * greatest - 0.6 * greatest - 0.37).abs() < 1e-14);
+        let least = least_speed(0.3, standard_gravity(), Length::new::<meter>(3.0)).unwrap();
+        assert!((least.get::<radian_per_second>() - 0.980_665_f64.sqrt()).abs() < 1e-14);
+        assert!((speed_range(omega(2.0), omega(0.5)).unwrap() - 4.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn what_no_wheel_can_do_is_refused() {
+        let degrees = Angle::new::<degree>;
+        assert!(discharge(degrees(-10.0), degrees(120.0), 0.5).is_err());
+        assert!(discharge(degrees(60.0), degrees(0.0), 0.9).is_err());
+        assert!(discharge(degrees(60.0), degrees(60.0), 1.5).is_err());
+        assert!(discharge(degrees(60.0), degrees(90.0), 2.0).is_err());
+        assert!(greatest_speed(omega(0.0)).is_err());
+        let radius = Length::new::<meter>(20.0);
+        assert!(optimal_speed(radius, omega(0.02), radius, 8, degrees(90.0)).is_err());
+        assert!(optimal_speed(radius, omega(0.02), radius, 0, degrees(0.0)).is_err());
+        assert!(least_speed(f64::INFINITY, standard_gravity(), radius).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn the_particle_flies_to_the_chute(
+            tau1 in 0.2..2.5_f64, tau in -1.0..3.5_f64, epsilon in 0.1..0.95_f64, radius in 0.5..10.0_f64,
+        ) {
+            let angle = Angle::new::<radian>;
+            let Ok(found) = discharge(angle(tau1), angle(tau), epsilon) else { return Ok(()) };
+            let gravity = 9.81_f64;
+            let speed = (found * gravity * radius).sqrt();
+            // From (R·cos τ₁, R·sin τ₁) along the tangent (−sin τ₁, cos τ₁).
+            let goal = [epsilon * radius * tau.cos(), epsilon * radius * tau.sin()];
+            let time = (radius * tau1.cos() - goal[0]) / (speed * tau1.sin());
+            let height = radius * tau1.sin() + speed * tau1.cos() * time - gravity * time * time / 2.0;
+            prop_assert!(time > 0.0);
+            // The way across is a difference of cosines: what it cancels, the time of flight has lost.
+            let lost = radius * (tau1.cos().abs() + epsilon * tau.cos().abs()) / (radius * tau1.cos() - goal[0]);
+            let scale = (radius + (speed * time).abs() + gravity * time * time) * (1.0 + lost);
+            prop_assert!((height - goal[1]).abs() < 1e-13 * scale, "{} {}", height, goal[1]);
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! Five objectives, the Pareto front over them, and an order that picks the best.
+//!
+//! | objective | better | meaning |
+//! |---|---|---|
+//! | [`Efficiency`](Objective::Efficiency) | more | the least η over the braked gears |
+//! | [`Speed`](Objective::Speed) | less | the largest \|ω\| of links and relative planet speed, over the input's |
+//! | [`Parameter`](Objective::Parameter) | less | Σ distance of ln k from [ln 2.5, ln 3] |
+//! | [`RatioError`](Objective::RatioError) | less | the largest relative error of a ratio |
+//! | [`Size`](Objective::Size) | less | the largest ring diameter, [`size`](super::size) |
+//!
+//! Nothing is weighed against anything. One design dominates another if it is nowhere worse and
+//! somewhere better; the front holds what nothing dominates. Designs whose objectives are all equal are
+//! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹² (of the size: its cube), so that rounding
+//! neither parts what is alike nor makes the answer depend on the way it was computed.
+
+use super::SelectionError;
+use std::fmt;
+use std::str::FromStr;
+
+/// One objective.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Objective {
+    /// The least efficiency over the braked gears.
+    Efficiency,
+    /// The largest speed of links, and of planets relative to their carriers.
+    Speed,
+    /// Σ distance of ln k from the preferred range.
+    Parameter,
+    /// The largest relative error of a ratio.
+    RatioError,
+    /// The largest ring.
+    Size,
+}
+
+impl Objective {
+    /// All of them, in the order of [`Order::default`].
+    pub const ALL: [Self; 5] = [Self::Efficiency, Self::Speed, Self::Parameter, Self::RatioError, Self::Size];
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Efficiency => "efficiency",
+            Self::Speed => "speed",
+            Self::Parameter => "parameter",
+            Self::RatioError => "error",
+            Self::Size => "size",
+        }
+    }
+}
+
+impl fmt::Display for Objective {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Objective {
+    type Err = SelectionError;
+
+    fn from_str(name: &str) -> Result<Self, SelectionError> {
+        Self::ALL.into_iter().find(|objective| objective.name() == name).ok_or_else(|| {
+            SelectionError::UnknownObjective {
+                name: name.into(),
+                known: Self::ALL.map(Self::name).join(", "),
+            }
+        })
+    }
+}
+
+/// An order of the objectives: the first decides, the next where it is equal, and so on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Order([Objective; 5]);
+
+impl Order {
+    /// These first, the others after them in the order of [`Objective::ALL`].
+    ///
+    /// # Errors
+    /// [`SelectionError::RepeatedObjective`].
+    pub fn new(first: &[Objective]) -> Result<Self, SelectionError> {
+        let mut all = first.to_vec();
+        all.extend(Objective::ALL.into_iter().filter(|objective| !first.contains(objective)));
+        if let Some(place) = (0..first.len()).find(|&place| first[..place].contains(&first[place])) {
+            return Err(SelectionError::RepeatedObjective { objective: first[place] });
+        }
+        all.try_into().map(Self).map_err(|_| unreachable!("each of the five once"))
+    }
+
+    /// The objectives, the decisive one first.
+    #[must_use]
+    pub fn objectives(self) -> [Objective; 5] {
+        self.0
+    }
+
+    /// Which of two costs comes first.
+    pub(crate) fn compare(self, one: &Costs, other: &Costs) -> std::cmp::Ordering {
+        let by = |objective: &Objective| {
+            let place = *objective as usize;
+            one[place].total_cmp(&other[place])
+        };
+        self.0.iter().map(by).find(|found| found.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
+    }
+}
+
+impl Default for Order {
+    /// Efficiency, speed, parameter, error, size.
+    fn default() -> Self {
+        Self(Objective::ALL)
+    }
+}
+
+/// What a design is measured by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Objectives {
+    /// The least efficiency over the braked gears.
+    pub efficiency: f64,
+    /// The largest speed over the input's: of links, and of planets relative to their carriers.
+    pub speed: f64,
+    /// Σ distance of ln k from the preferred range.
+    pub parameter: f64,
+    /// The largest relative error of a ratio.
+    pub ratio_error: f64,
+    /// The largest ring's relative diameter; times [`Rating::unit`](super::size::Rating::unit) in metres.
+    pub size: f64,
+}
+
+/// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`].
+pub(crate) type Costs = [f64; 5];
+
+/// Rounds to a multiple of 2⁻⁴⁰; of more than 2¹¹ nothing is lost that could matter.
+#[inline]
+pub(crate) fn on_grid(value: f64) -> f64 {
+    // Adding 1.5·2¹² leaves 40 bits behind the point. Larger values are their own grid.
+    const SHIFT: f64 = 6144.0;
+    if value.abs() < 2048.0 { (value + SHIFT) - SHIFT } else { value }
+}
+
+impl Objectives {
+    pub(crate) fn costs(&self) -> Costs {
+        let cube = self.size * self.size * self.size;
+        [-self.efficiency, self.speed, self.parameter, self.ratio_error, cube].map(on_grid)
+    }
+
+    pub(crate) fn of_costs([efficiency, speed, parameter, ratio_error, cube]: Costs) -> Self {
+        Self { efficiency: -efficiency, speed, parameter, ratio_error, size: cube.cbrt() }
+    }
+
+    /// Whether this is nowhere worse than the other and somewhere better.
+    #[must_use]
+    pub fn dominates(&self, other: &Self) -> bool {
+        dominates(&self.costs(), &other.costs())
+    }
+}
+
+#[inline]
+pub(crate) fn nowhere_worse(one: &Costs, other: &Costs) -> bool {
+    // All five without a branch: mostly none decides alone.
+    (one[0] <= other[0])
+        & (one[1] <= other[1])
+        & (one[2] <= other[2])
+        & (one[3] <= other[3])
+        & (one[4] <= other[4])
+}
+
+#[inline]
+pub(crate) fn dominates(one: &Costs, other: &Costs) -> bool {
+    nowhere_worse(one, other) && one != other
+}
+
+/// Distance of `ln k` from the preferred range.
+#[inline]
+pub(crate) fn parameter_distance(k: f64, low: f64, high: f64) -> f64 {
+    if k < low {
+        (low / k).ln()
+    } else if k > high {
+        (k / high).ln()
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_order_names_each_once() {
+        let order = Order::new(&[Objective::Size, Objective::Speed]).unwrap();
+        let names = order.objectives().map(Objective::name);
+        assert_eq!(names, ["size", "speed", "efficiency", "parameter", "error"]);
+        let twice = Order::new(&[Objective::Size, Objective::Size]);
+        assert_eq!(twice, Err(SelectionError::RepeatedObjective { objective: Objective::Size }));
+        assert_eq!("error".parse(), Ok(Objective::RatioError));
+        assert!(matches!("mass".parse::<Objective>(), Err(SelectionError::UnknownObjective { .. })));
+    }
+
+    #[test]
+    fn the_grid_is_finer_than_any_datum() {
+        for value in [0.0, -0.977_614, 2.5, 1_234.567_89] {
+            assert!((on_grid(value) - value).abs() <= 2f64.powi(-41), "{value}");
+        }
+        assert_eq!(on_grid(5000.1), 5000.1);
+        assert_eq!(on_grid(0.1 + 0.2), on_grid(0.3));
+    }
+}

@@ -1,0 +1,150 @@
+//! Size of a row from its load: the ring's pitch diameter at one load factor K of the sun–planet mesh.
+//!
+//! ```text
+//! K = F_t/(b·d₁)·(u + 1)/u = (F_t/b)·(1/d_a + 1/d_g)      F_t = 2·T_a·γ/(N·d_a)      b = ψ·d₁
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `K` | load factor of the mesh: contact stress squared, but for constants of material | Pa |
+//! | `F_t`, `b` | tangential force, face width | N, m |
+//! | `d₁`, `u` | pitch diameter of the smaller of sun and planet, the larger over it | m, 1 |
+//! | `T_a` | the largest torque on the sun over the braked gears, with losses | N·m |
+//! | `N`, `γ` | planets; how much more than its share the most loaded mesh carries | 1 |
+//! | `ψ` | face-width ratio `b/d₁` | 1 |
+//!
+//! By coaxiality `d_g = r·d_a` with `r = (k − 1)/2`, so with `T_a = τ·T_in` the ring has
+//!
+//! ```text
+//! d_b³ = k³·(1 + 1/r)/min(1, r)·τ·(γ/N) · 2·T_in/(ψ·K)
+//! ```
+//!
+//! The last factor is common to all rows and gearboxes at one input torque: without it the cube root is
+//! the *relative* size, and `∛(2·T_in/(ψ·K))` turns that into metres. So the size depends on `k` and the
+//! number of planets, not on the teeth beyond these. In direct drive the rows stand still within
+//! themselves, and their teeth, loaded but not rolling, do not count.
+//!
+//! Left out: the planet–ring mesh, whose flanks are conformal and carry more; bending, which settles the
+//! module within a diameter; shafts, bearings and controls.
+
+use super::SelectionError;
+use crate::units::{metres, n_m, pascal};
+use std::ops::RangeInclusive;
+use uom::si::f64::{Length, Pressure, Torque};
+
+/// The largest number of planets whose load sharing is stated.
+pub const MOST_PLANETS: u32 = epicyclic_gears::synthesis::MOST_PLANETS;
+
+/// What sizes are measured by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rating {
+    /// Input torque and load factor K; without them sizes are relative.
+    pub load: Option<(Torque, Pressure)>,
+    /// Face-width ratio `ψ = b/d₁`.
+    pub face_width_ratio: f64,
+    /// Load sharing `γ` with 2, 3, … 8 planets: 1 where all carry alike.
+    pub load_sharing: [f64; (MOST_PLANETS - 1) as usize],
+    /// Planets of each row where no teeth say.
+    pub planets: u32,
+}
+
+impl Default for Rating {
+    /// Relative sizes, all planets carrying alike, three of them.
+    fn default() -> Self {
+        Self { load: None, face_width_ratio: 1.0, load_sharing: [1.0; 7], planets: 3 }
+    }
+}
+
+impl Rating {
+    pub(crate) fn check(&self) -> Result<(), SelectionError> {
+        let check = |what, value: f64| {
+            if value > 0.0 && value.is_finite() {
+                Ok(())
+            } else {
+                Err(SelectionError::Rating { what, value })
+            }
+        };
+        check("face-width ratio", self.face_width_ratio)?;
+        for gamma in self.load_sharing {
+            check("load sharing", gamma)?;
+        }
+        if !PLANETS.contains(&self.planets) {
+            return Err(SelectionError::Rating {
+                what: "number of planets, 2 to 8:",
+                value: f64::from(self.planets),
+            });
+        }
+        if let Some((torque, load_factor)) = self.load {
+            check("input torque in N·m", n_m(torque))?;
+            check("load factor K in Pa", pascal(load_factor))?;
+        }
+        Ok(())
+    }
+
+    /// `γ/N`: the share of the sun's force that the most loaded planet carries.
+    pub(crate) fn share(&self, planets: u32) -> f64 {
+        let place = planets.clamp(*PLANETS.start(), *PLANETS.end()) - PLANETS.start();
+        self.load_sharing[place as usize] / f64::from(planets)
+    }
+
+    /// `∛(2·T_in/(ψ·K))`; `None` where sizes are relative.
+    #[must_use]
+    pub fn unit(&self) -> Option<Length> {
+        let (torque, load_factor) = self.load?;
+        Some(metres((2.0 * n_m(torque) / (self.face_width_ratio * pascal(load_factor))).cbrt()))
+    }
+}
+
+const PLANETS: RangeInclusive<u32> = 2..=MOST_PLANETS;
+
+/// `k³·(1 + 1/r)/min(1, r)`, what a row parameter does to the cube of the size.
+pub(crate) fn cube_of_parameter(k: f64) -> f64 {
+    let r = (k - 1.0) / 2.0;
+    k * k * k * (1.0 + 1.0 / r) / r.min(1.0)
+}
+
+/// Relative ring diameter of a row: [`Rating::unit`] times this is its ring's pitch diameter.
+///
+/// | symbol | argument | meaning |
+/// |---|---|---|
+/// | `k` | `k` | row parameter |
+/// | `τ` | `sun_torque` | largest torque on the sun over the input torque |
+/// | `γ/N` | `rating`, `planets` | share of the most loaded planet |
+#[must_use]
+pub fn relative_ring_diameter(k: f64, sun_torque: f64, planets: u32, rating: &Rating) -> f64 {
+    (cube_of_parameter(k) * sun_torque.abs() * rating.share(planets)).cbrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{pressure, torque};
+
+    /// Everything anew from F_t, b and u.
+    #[test]
+    fn the_mesh_carries_the_load_factor_it_was_sized_for() {
+        let rating = Rating {
+            load: Some((torque(1200.0), pressure(2.5e6))),
+            face_width_ratio: 0.8,
+            load_sharing: [1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6],
+            planets: 4,
+        };
+        for k in [1.6, 2.5, 3.0, 4.5] {
+            let d_b = relative_ring_diameter(k, -0.7, 4, &rating) * rating.unit().unwrap().value;
+            let d_a = d_b / k;
+            let d_g = (d_b - d_a) / 2.0;
+            let force = 2.0 * 0.7 * 1200.0 * 1.2 / (4.0 * d_a);
+            let (small, large) = (d_a.min(d_g), d_a.max(d_g));
+            let u = large / small;
+            let factor = force / (0.8 * small * small) * (u + 1.0) / u;
+            assert!((factor / 2.5e6 - 1.0).abs() < 1e-12, "k = {k}: {factor}");
+        }
+    }
+
+    #[test]
+    fn a_size_without_a_torque_is_relative() {
+        assert_eq!(Rating::default().unit(), None);
+        let bad = Rating { load: Some((torque(0.0), pressure(1e6))), ..Rating::default() };
+        assert!(matches!(bad.check(), Err(SelectionError::Rating { .. })));
+    }
+}

@@ -1,0 +1,205 @@
+//! Calculations of the choice of a gearbox: structures, selection, drawing.
+
+use super::{Calculation, Refusal, Results};
+use epicyclic_formats::{Number, Quantity};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::drawability::{self, Options, Verdict};
+use epicyclic_schemes::selection::{
+    Candidate, Demand, Mechanism, RatioSeries, Selection, SelectionError, Space, select,
+};
+use epicyclic_schemes::standing::Standing;
+use epicyclic_schemes::structures::{Family, Role, Structure};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use uom::si::f64::Velocity;
+
+pub(super) fn calculations() -> Vec<Calculation> {
+    vec![
+        Calculation::new("schemes.select", "gearboxes for given speeds, judged and compared", selected),
+        Calculation::new(
+            "schemes.structures",
+            "all two-row structures, and why a source has them",
+            structures,
+        ),
+        Calculation::new("schemes.drawable", "which of the listed schemes can be drawn", drawable),
+    ]
+}
+
+impl From<SelectionError> for Refusal {
+    fn from(error: SelectionError) -> Self {
+        Self::of(&error)
+    }
+}
+
+/// Wanted speeds or ratios, and what to choose among.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct SelectGiven {
+    /// Output speeds, rising; or give `ratios`.
+    #[serde(default)]
+    speeds: Option<Vec<Quantity<Velocity>>>,
+    /// Ratios of the braked gears; or give `speeds`.
+    #[serde(default)]
+    ratios: Option<Vec<Number>>,
+    /// Efficiency of each row under a resting carrier, 0.9702 unless given.
+    #[serde(default)]
+    efficiency: Option<Number>,
+    /// Whether to choose among all two-row structures instead of the source's schemes.
+    #[serde(default)]
+    all_structures: bool,
+    /// Name of a scheme or structure whose numbers are asked.
+    #[serde(default)]
+    candidate: Option<String>,
+}
+
+/// Name of a mechanism: the source's if it has one.
+fn name(mechanism: Mechanism) -> String {
+    mechanism.scheme().map_or_else(|| mechanism.to_string(), ToOwned::to_owned)
+}
+
+fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
+    let series = match (&given.speeds, &given.ratios) {
+        (Some(speeds), None) => {
+            RatioSeries::of_speeds(&speeds.iter().map(|speed| speed.0).collect::<Vec<_>>())?
+        }
+        (None, Some(ratios)) => RatioSeries::new(&ratios.iter().map(|i| i.get()).collect::<Vec<_>>())?,
+        _ => {
+            let message = "give either speeds or ratios".into();
+            return Err(Refusal { name: "speeds-or-ratios".into(), message });
+        }
+    };
+    let mut demand = Demand::new(series);
+    if let Some(eta) = given.efficiency {
+        demand.eta0 = MeshEfficiency::new(eta.get())?;
+    }
+    let space = if given.all_structures { Space::All } else { Space::Catalogue };
+    let found = select(&demand, &space)?;
+    let accepted: Vec<String> =
+        found.best.iter().map(|&place| name(found.accepted[place].mechanism)).collect();
+    let mut results = Results::default();
+    results
+        .count("accepted", found.accepted.len() as i64)
+        .count("rejected", found.rejected.len() as i64)
+        .count("unreachable", found.unreachable.len() as i64)
+        .text("best", accepted.first().map_or("none", String::as_str));
+    if !given.all_structures {
+        results.text("accepted_schemes", accepted.join(", "));
+    }
+    if demand.series.ratios().len() == 2 {
+        results.count("unlisted_above_98_per_cent", unlisted_above(&found, 0.98) as i64);
+    }
+    if let Some(wanted) = &given.candidate {
+        let all = found.accepted.iter().chain(&found.rejected);
+        let unknown = || Refusal {
+            name: "no-such-candidate".into(),
+            message: format!("{wanted} is not among the candidates for these ratios"),
+        };
+        numbers(all.into_iter().find(|c| name(c.mechanism) == *wanted).ok_or_else(unknown)?, &mut results);
+    }
+    Ok(results)
+}
+
+/// How many structures outside the source's eleven, both rows at work, have positive ratios and this
+/// efficiency in both gears, whatever else there is to object to.
+fn unlisted_above(found: &Selection, efficiency: f64) -> usize {
+    let all = found.accepted.iter().chain(&found.rejected);
+    let mut structures: Vec<Structure> = all
+        .filter_map(|candidate| {
+            let Mechanism::Rows(structure) = candidate.mechanism else { return None };
+            let fits = structure.scheme().is_none()
+                && structure.family() != Family::Parallel
+                && candidate.k.iter().all(|k| (1.3..=10.0).contains(k))
+                && candidate
+                    .gears
+                    .iter()
+                    .all(|gear| gear.ratio > 0.0 && gear.efficiency.is_some_and(|eta| eta > efficiency));
+            fits.then_some(structure)
+        })
+        .collect();
+    structures.sort_unstable();
+    structures.dedup();
+    structures.len()
+}
+
+fn numbers(candidate: &Candidate, results: &mut Results) {
+    for (row, k) in candidate.k.iter().enumerate() {
+        results.number(format!("k{}", row + 1), *k);
+    }
+    for gear in &candidate.gears {
+        results.number(format!("ratio.{}", gear.name), gear.ratio);
+        if let Some(eta) = gear.efficiency {
+            results.number(format!("efficiency.{}", gear.name), eta);
+        }
+        if let Some(torque) = gear.brake_torque {
+            results.number(format!("brake_torque.{}", gear.name), torque);
+        }
+        results.number(format!("ideal_brake_torque.{}", gear.name), gear.ideal_brake_torque);
+    }
+    if let Some(lock) = candidate.locks.first() {
+        results.text("least_lock", lock.pair.map(Role::symbol).join(" "));
+    }
+    let objections: Vec<String> =
+        candidate.objections().map(|verdict| verdict.criterion.to_string()).collect();
+    results
+        .number("largest_speed", candidate.objectives.speed)
+        .text("objections", if objections.is_empty() { "none".into() } else { objections.join(", ") })
+        .answer("accepted_candidate", candidate.is_accepted());
+}
+
+/// The range of row parameters within which a structure's use is judged.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct StructuresGiven {
+    /// Least and greatest row parameter.
+    k: [Number; 2],
+}
+
+fn structures(given: &StructuresGiven) -> Result<Results, Refusal> {
+    let [low, high] = given.k.map(Number::get);
+    if !(low > 1.0 && low <= high) {
+        return Err(Refusal {
+            name: "row-parameter-range".into(),
+            message: format!("k from {low} to {high}: above 1, the smaller first"),
+        });
+    }
+    let all = Structure::all();
+    let count = |holds: &dyn Fn(&Standing) -> bool| {
+        all.iter().filter(|structure| holds(&Standing::of(**structure, &(low..=high)))).count() as i64
+    };
+    let mut drawable = 0;
+    for structure in &all {
+        let gearbox = structure.gearbox([2.5, 2.5], MeshEfficiency::IDEAL, [Role::D, Role::B])?;
+        drawable += i64::from(drawability::is_drawable(&gearbox));
+    }
+    let mut results = Results::default();
+    results
+        .count("structures", all.len() as i64)
+        .count("listed", count(&|standing| matches!(standing, Standing::Listed(_))))
+        .count("missed", count(&|standing| matches!(standing, Standing::Missed { .. })))
+        .count("out_of_reach", count(&|standing| matches!(standing, Standing::OutOfReach { .. })))
+        .count("reversed", count(&|standing| matches!(standing, Standing::Reversed { .. })))
+        .count("outside_the_rule", count(&|standing| matches!(standing, Standing::OutsideRule { .. })))
+        .count("drawable", drawable);
+    Ok(results)
+}
+
+/// No inputs.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct DrawableGiven {}
+
+fn drawable(_: &DrawableGiven) -> Result<Results, Refusal> {
+    let mut results = Results::default();
+    for structure in Structure::catalogue() {
+        let gearbox = structure.gearbox([2.5, 2.5], MeshEfficiency::IDEAL, [Role::D, Role::B])?;
+        let drawn = match drawability::draw(&gearbox, Options::default()) {
+            Verdict::Drawable(layout) => {
+                assert!(layout.crossings().is_empty(), "a drawing with crossings is no drawing");
+                true
+            }
+            Verdict::SelfCrossing(_) => false,
+        };
+        results.answer(structure.scheme().unwrap_or("?"), drawn);
+    }
+    Ok(results)
+}
