@@ -2,7 +2,7 @@
 //!
 //! # Our own format
 //! Rows name the links of their members; controls and gears follow. The links are those of the rows' members,
-//! the input and the output; `links` adds what touches no row.
+//! and an input or output that a clutch or tie names; `links` adds what else touches no row.
 //!
 //! ```yaml
 //! gearbox: II-3
@@ -281,11 +281,20 @@ impl GearboxFile {
     /// [`DescriptionError`]; a control or gear that names a link which exists nowhere else is
     /// [`epicyclic_schemes::Error::Unknown`], with the nearest name.
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
-        let members =
-            self.rows.iter().flat_map(|row| [Some(&row.sun), Some(&row.ring), row.carrier.as_ref()]);
-        let named = [Some(&self.input)].into_iter().chain(members).chain([Some(&self.output)]);
+        let members = self
+            .rows
+            .iter()
+            .flat_map(|row| [Some(&row.sun), Some(&row.ring), row.carrier.as_ref()])
+            .flatten();
+        let tied = self.clutches.iter().map(|clutch| &clutch.links).chain(&self.ties).flatten();
+        // A terminal that nothing else names is a slip of the pen, and no link.
+        let is_named = |terminal: &&String| {
+            members.clone().chain(&self.links).chain(tied.clone()).any(|link| link == *terminal)
+        };
+        let input = Some(&self.input).filter(is_named);
+        let output = Some(&self.output).filter(is_named);
         let mut links: Vec<&str> = vec![];
-        for link in named.flatten().chain(&self.links) {
+        for link in input.into_iter().chain(members.clone()).chain(output).chain(&self.links) {
             if link != GROUND && !links.contains(&link.as_str()) {
                 links.push(link);
             }

@@ -291,6 +291,9 @@ pub(crate) fn nearest<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> O
     among
         .map(|other| (strsim::osa_distance(&name.to_lowercase(), &other.to_lowercase()), other))
         .min_by_key(|(distance, _)| *distance)
-        .filter(|(distance, _)| *distance <= 1 + name.chars().count() / 3)
+        // Names of one letter differ by one letter all, unless it is the case that differs.
+        .filter(|(distance, _)| {
+            *distance <= (1 + name.chars().count() / 3).min(name.chars().count().saturating_sub(1))
+        })
         .map(|(_, other)| other.to_owned())
 }

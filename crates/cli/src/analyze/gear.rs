@@ -378,7 +378,9 @@ impl Scene<'_> {
             let entering = operation.entering;
             let at = |of: Option<f64>| of.map_or(Figure::None, |of| quantity(entering * of));
             rows[0].cells.push(at(case.map(|case| case.efficiency)));
-            rows[1].cells.push(quantity(operation.loss));
+            // What rounding leaves of a balance is no loss.
+            let is_noise = operation.loss.abs() < entering.abs() * 1e-12;
+            rows[1].cells.push(quantity(if is_noise { entering * 0.0 } else { operation.loss }));
             rows[2].cells.push(at(case.map(|case| case.power.circulating)));
             rows[3].cells.push(at(case.map(|case| case.power.largest)));
             let mut first = Row::new("entering", "enters", "", [Figure::Multiple(1.0), quantity(entering)]);
