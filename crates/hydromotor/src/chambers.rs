@@ -210,38 +210,51 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+            #![proptest_config(ProptestConfig::with_cases(64))]
 
-        #[test]
-        fn areas_sum_to_what_lies_between_the_wheels(motor in any_motor(), rotation in -9.0..9.0, other in -9.0..9.0) {
-            let sum = |rotation: f64| motor.chambers(angle(rotation)).unwrap().iter().map(|c| get(c.area)).sum::<f64>();
-            let scale = get(motor.chamber_extremes()[1]) * f64::from(motor.numbers().satellites());
-            prop_assert!((sum(rotation) - sum(other)).abs() < 1e-11 * scale.max(1.0) * 10.0);
-        }
+            #[test]
+            fn areas_sum_to_what_lies_between_the_wheels(motor in any_motor(), rotation in -9.0..9.0, other in -9.0..9.0) {
+                let sum = |rotation: f64| motor.chambers(angle(rotation)).unwrap().iter().map(|c| get(c.area)).sum::<f64>();
+                let scale = get(motor.chamber_extremes()[1]) * f64::from(motor.numbers().satellites());
+                prop_assert!((sum(rotation) - sum(other)).abs() < 1e-11 * scale.max(1.0) * 10.0);
+            }
 
-        #[test]
-        fn an_outline_has_the_area_of_its_chamber(motor in any_motor(), rotation in -9.0..9.0, index in 0..30_u32) {
-            let polygon = |steps| polygon_area(&motor.outline(rotation, index, steps).unwrap());
-            // The error of a polygon falls with the square of the steps; extrapolated.
-            let (coarse, fine) = (polygon(400), polygon(800));
-            let area = fine + (fine - coarse) / 3.0;
-            let chambers = motor.chambers(angle(rotation)).unwrap();
-            let known = get(chambers[(index % motor.numbers().satellites()) as usize].area);
-            let scale = motor.satellite_radius().get::<meter>().powi(2);
-            prop_assert!((area - known).abs() < 1e-5 * scale, "{area} {known}");
-            prop_assert!((fine - known).abs() < 1e-3 * scale);
-        }
+            #[test]
+            fn an_outline_has_the_area_of_its_chamber(motor in any_motor(), rotation in -9.0..9.0, index in 0..30_u32) {
+                let polygon = |steps| polygon_area(&motor.outline(rotation, index, steps).unwrap());
+                // The error of a polygon falls with the square of the steps; extrapolated.
+                let (coarse, fine) = (polygon(400), polygon(800));
+                let area = fine + (fine - coarse) / 3.0;
+                let chambers = motor.chambers(angle(rotation)).unwrap();
+                let known = get(chambers[(index % motor.numbers().satellites()) as usize].area);
+                let scale = motor.satellite_radius().get::<meter>().powi(2);
+    // The junction of the arcs falls between two points and takes part of the extrapolation's gain.
+                prop_assert!((area - known).abs() < 1e-4 * scale, "{area} {known}");
+                prop_assert!((fine - known).abs() < 1e-3 * scale);
+            }
 
-        #[test]
-        fn a_chamber_stays_between_its_extremes_and_grows_by_its_rate(motor in any_motor(), rotation in -9.0..9.0) {
-            let [least, greatest] = motor.chamber_extremes().map(get);
-            let h = 1e-5;
-            let at = |rotation: f64| motor.chambers(angle(rotation)).unwrap();
-            for ((back, here), front) in at(rotation - h).iter().zip(at(rotation)).zip(at(rotation + h)) {
-                prop_assert!(get(here.area) > least - 1e-9 && get(here.area) < greatest + 1e-9);
-                let growth = get(front.area - back.area) / (2.0 * h);
-                prop_assert!((growth - get(here.growth)).abs() < 1e-5 * greatest.max(100.0));
+            #[test]
+            fn displacement_is_that_of_polygons(motor in any_motor()) {
+                let polygon = |phase: f64, steps| polygon_area(&motor.outline(phase, 0, steps).unwrap());
+                let half = 0.5 * motor.chamber_phase();
+                let change = |steps| polygon(-half, steps) - polygon(motor.shape.trough().phase - half, steps);
+                let (coarse, fine) = (change(1000), change(2000));
+                let lobes = f64::from(motor.numbers().stator_lobes() * motor.numbers().rotor_lobes());
+                let displacement = lobes * (fine + (fine - coarse) / 3.0);
+                let closed = get(motor.displacement_per_width());
+                prop_assert!((displacement - closed).abs() < 1e-4 * closed, "{displacement} {closed}");
+            }
+
+            #[test]
+            fn a_chamber_stays_between_its_extremes_and_grows_by_its_rate(motor in any_motor(), rotation in -9.0..9.0) {
+                let [least, greatest] = motor.chamber_extremes().map(get);
+                let h = 1e-5;
+                let at = |rotation: f64| motor.chambers(angle(rotation)).unwrap();
+                for ((back, here), front) in at(rotation - h).iter().zip(at(rotation)).zip(at(rotation + h)) {
+                    prop_assert!(get(here.area) > least - 1e-9 && get(here.area) < greatest + 1e-9);
+                    let growth = get(front.area - back.area) / (2.0 * h);
+                    prop_assert!((growth - get(here.growth)).abs() < 1e-5 * greatest.max(100.0));
+                }
             }
         }
-    }
 }

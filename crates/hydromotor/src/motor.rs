@@ -13,7 +13,7 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::cosine::Cosine;
 use crate::numbers::MotorNumbers;
 use crate::two_arcs::TwoArcs;
-use crate::units::{finite_angle, length, positive_length};
+use crate::units::{angle, finite_angle, finite_modules, length, positive_length};
 
 /// A closed motor.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,10 +111,20 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn contact(&self, rotation: Angle) -> Result<SatelliteContact, Error> {
-        let phase = finite_angle("rotation", rotation)?;
-        let contact = self.shape.at(By::Phase, phase);
-        let angle = crate::units::angle;
-        Ok(SatelliteContact {
+        Ok(self.contact_by(By::Phase, finite_angle("rotation", rotation)?))
+    }
+
+    /// A satellite's contact where it has rolled an arc of the stator since it stood between two crests.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn contact_at_stator_arc(&self, arc: Length) -> Result<SatelliteContact, Error> {
+        Ok(self.contact_by(By::StatorArc, finite_modules("stator arc", arc, self.module)?))
+    }
+
+    fn contact_by(&self, by: By, value: f64) -> SatelliteContact {
+        let contact = self.shape.at(by, value);
+        SatelliteContact {
             rotation: angle(contact.phase),
             stator_angle: angle(contact.theta3),
             stator_radius: self.length(contact.rho3),
@@ -123,7 +133,7 @@ impl Motor {
             slope_angle: angle(contact.mu),
             stator_arc: self.length(contact.s3),
             rotor_arc: self.length(contact.s1),
-        })
+        }
     }
 
     /// Phase of a satellite: satellite `j` is `j/n` of a turn of the rotor ahead of satellite 0.
@@ -213,6 +223,54 @@ impl Conjugate for Shape {
         match self {
             Self::Arcs(_, lobe) => lobe.rotor_area(),
             Self::Cosine(lobe) => lobe.rotor_area(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::centrode::Wheel;
+    use crate::checks::ToothHeights;
+    use proptest::prelude::*;
+    use uom::si::f64::{AngularVelocity, Pressure};
+    use uom::si::length::meter;
+
+    fn m(value: f64) -> Length {
+        Length::new::<meter>(value)
+    }
+
+    /// Everything a motor answers.
+    fn ask(motor: &Motor, x: f64) {
+        let (rotation, length) = (angle(x), m(x));
+        let pressure = Pressure::new::<uom::si::pressure::pascal>(x);
+        let speed = AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(x);
+        let _ = (motor.contact(rotation), motor.contact_at_stator_arc(length), motor.satellites(rotation));
+        for wheel in [Wheel::Stator, Wheel::Rotor, Wheel::Satellite] {
+            let curve = motor.centrode(wheel);
+            let _ = (curve.at(length), curve.at_polar_angle(rotation), curve.at_rotation(rotation));
+        }
+        let _ = (motor.chambers(rotation), motor.chamber_outline(rotation, 7, 3), motor.displacement(length));
+        let _ = (motor.flow_per_width(rotation), motor.torque(rotation, length, pressure));
+        let _ = (motor.theoretical_power(length, pressure, speed), motor.mean_flow(length, speed));
+        let _ = motor.satellite_forces(rotation, length, pressure, -pressure);
+        let _ = motor.checks(ToothHeights { addendum: x, dedendum: 1.0 });
+        let _ = (motor.ripple(), motor.ports(), motor.envelope(), motor.chamber_extremes());
+    }
+
+    proptest! {
+        #[test]
+        fn no_finite_input_panics(
+            set in (2..11_u32, 1..4_u32, 1..1200_u32, 1..60_u32), l in any::<f64>(), x in any::<f64>(), part in 0.0..5.0,
+        ) {
+            let (lobes, fewer, per_lobe, satellite) = set;
+            if let Ok(numbers) = MotorNumbers::new(lobes, lobes.saturating_sub(fewer), lobes * per_lobe, satellite) {
+                let near = part * f64::from(numbers.stator_teeth());
+                for (module, l) in [(m(1.0), m(near)), (m(x.abs()), m(near) * x.abs()), (m(1.0), m(l))] {
+                    let motors = [Motor::of_two_arcs(numbers, module, l), Motor::of_cosine_law(numbers, module)];
+                    motors.iter().flatten().for_each(|motor| ask(motor, x));
+                }
+            }
         }
     }
 }

@@ -203,56 +203,65 @@ fn greatest(points: &[[f64; 2]], parameters: Parameters, span: f64) -> f64 {
     if most.is_nan() { f64::INFINITY } else { most }
 }
 
-/// The parameters whose greatest distance is least, and that distance: the linear problem solved exactly, and as long a step
-/// towards its solution as makes matters better (Osborne and Watson).
+/// The parameters whose greatest distance is least, and that distance: the linear problem solved exactly within a reach that
+/// grows with success and shrinks without.
+///
+/// The reach enters as three more rows, `|stepᵢ|·deviation/reach`, which the solution levels with the distances.
 fn best(points: &[[f64; 2]], start: Parameters, span: f64) -> (Parameters, f64) {
-    let (mut parameters, mut deviation) = (start, greatest(points, start, span));
-    let mut reach = 1e-2 * start[0];
-    for _ in 0..400 {
-        let better = linear_best(&rows(points, parameters, span))
-            .and_then(|step| shortened(points, parameters, deviation, step, span))
-            .or_else(|| compass(points, parameters, deviation, &mut reach, span));
-        let Some((moved, now)) = better else { break };
-        (parameters, deviation) = (moved, now);
+    let mut found = (start, greatest(points, start, span));
+    // A reach that shrinks to nothing short of the best is seen by looking about.
+    for _ in 0..50 {
+        found = within_reach(points, found, span);
+        match compass(points, found, span) {
+            Some(better) => found = better,
+            None => break,
+        }
+    }
+    found
+}
+
+fn within_reach(points: &[[f64; 2]], start: (Parameters, f64), span: f64) -> (Parameters, f64) {
+    let (mut parameters, mut deviation) = start;
+    let whole = parameters[0];
+    let mut reach = 1e-2 * whole;
+    let mut slopes = rows(points, parameters, span);
+    while reach > 1e-10 * whole {
+        let mut bounded = slopes.clone();
+        bounded.extend((0..3).map(|i| {
+            let mut row = [0.0; 4];
+            row[i] = deviation / reach;
+            row
+        }));
+        let better = linear_best(&bounded).and_then(|step| {
+            let moved = std::array::from_fn(|i| parameters[i] + step[i]);
+            let now = greatest(points, moved, span);
+            (now < deviation * (1.0 - 1e-13)).then_some((moved, now))
+        });
+        match better {
+            Some((moved, now)) => {
+                (parameters, deviation) = (moved, now);
+                slopes = rows(points, parameters, span);
+                reach *= 2.0;
+            }
+            None => reach *= 0.25,
+        }
     }
     (parameters, deviation)
 }
 
-/// The longest of the halved steps that makes matters better by more than rounding.
-fn shortened(
-    points: &[[f64; 2]],
-    parameters: Parameters,
-    deviation: f64,
-    step: Parameters,
-    span: f64,
-) -> Option<(Parameters, f64)> {
-    (0..20).map(|halvings| 0.5_f64.powi(halvings)).find_map(|scale| {
-        let moved = std::array::from_fn(|i| parameters[i] + scale * step[i]);
-        let now = greatest(points, moved, span);
-        (now < deviation * (1.0 - 1e-9)).then_some((moved, now))
-    })
-}
-
-/// A better place in one of the 26 directions about, nearer and nearer: where a step of the linear problem leads astray.
-fn compass(
-    points: &[[f64; 2]],
-    parameters: Parameters,
-    deviation: f64,
-    reach: &mut f64,
-    span: f64,
-) -> Option<(Parameters, f64)> {
-    while *reach > 1e-8 * parameters[0] {
-        for direction in 0..27_u32 {
-            let digit = |i: u32| f64::from(direction / 3_u32.pow(i) % 3) - 1.0;
-            let moved = [0, 1, 2].map(|i| parameters[i as usize] + *reach * digit(i));
+/// A better place in one of the 26 directions about, nearer and nearer.
+fn compass(points: &[[f64; 2]], start: (Parameters, f64), span: f64) -> Option<(Parameters, f64)> {
+    let (parameters, deviation) = start;
+    (4..24).map(|halvings| parameters[0] * 0.5_f64.powi(halvings)).find_map(|reach| {
+        (0..27_u32).find_map(|direction| {
+            let moved = std::array::from_fn(|i| {
+                let digit = f64::from(direction / 3_u32.pow(i as u32) % 3) - 1.0;
+                parameters[i] + reach * digit
+            });
             let now = greatest(points, moved, span);
-            if now < deviation * (1.0 - 1e-9) {
-                return Some((moved, now));
-            }
-        }
-        *reach *= 0.5;
-    }
-    None
+            (now < deviation * (1.0 - 1e-6)).then_some((moved, now))
+        })
+    })
 }
 
 /// Of each point, how its distance goes with the parameters, and the distance.
