@@ -1,1 +1,72 @@
-//! Hydromotors with non-circular wheels and floating satellites. Nothing is here yet.
+//! Hydromotors with non-circular wheels and floating satellites: geometry that closes, and working data.
+//!
+//! A ring with `N` arches (the stator), a sun with `n < N` lobes (the rotor), and between them `N + n` round satellites that
+//! roll on both and float; neighbouring satellites bound the working chambers.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`numbers`] | which numbers of lobes and teeth are admissible, and why |
+//! | [`arcs`] | the stator's two arcs from any two of their parameters |
+//! | [`closure`] | which of them close: the whole family of motors of given numbers, sensitivity |
+//! | [`junction`] | the point where the images of the arcs meet on the rotor, by the source's formulas |
+//! | [`cosine`] | the other way: a cosine-law rotor and its conjugate stator |
+//! | [`motor`] | a closed motor; frame and signs |
+//! | [`centrode`] | stator, rotor and satellite as curves of their arc length |
+//! | [`satellites`] | where each satellite is, how it has turned, how near its neighbours come |
+//! | [`two_arc_fit`] | how nearly the rotor consists of arcs |
+//! | [`chambers`] | areas and outlines of the chambers, displacement |
+//! | [`flow`] | flow, torque, power, and their ripple |
+//! | [`forces`] | forces of the pressure on the satellites, ports |
+//! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
+//!
+//! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
+//!
+//! # Left out
+//! Tooth profiles with undercut and interference, search for designs, drawings; leaks, friction, contact forces, strength.
+//!
+//! # Example
+//!
+//! ```
+//! use epicyclic_hydromotor::closure::Family;
+//! use epicyclic_hydromotor::{Motor, MotorNumbers};
+//! use uom::si::area::square_millimeter;
+//! use uom::si::f64::Length;
+//! use uom::si::length::millimeter;
+//!
+//! # fn main() -> Result<(), epicyclic_hydromotor::Error> {
+//! let mm = Length::new::<millimeter>;
+//! let numbers = MotorNumbers::new(5, 3, 55, 10)?;
+//! let family = Family::new(numbers, mm(2.0))?;
+//! let arcs = family.at_part(0.5)?;
+//! let motor = Motor::of_two_arcs(numbers, mm(2.0), arcs.trough_distance())?;
+//! let displacement = motor.displacement_per_width().get::<square_millimeter>();
+//! assert!(displacement > 5_600.0 && motor.ripple().delta < 0.08);
+//! # Ok(())
+//! # }
+//! ```
+
+pub mod arcs;
+pub mod centrode;
+pub mod chambers;
+pub mod checks;
+pub mod closure;
+mod contact;
+pub mod cosine;
+pub mod error;
+pub mod flow;
+pub mod forces;
+pub mod junction;
+pub mod motor;
+pub mod numbers;
+mod real;
+mod roots;
+pub mod satellites;
+pub mod two_arc_fit;
+mod two_arcs;
+mod units;
+
+pub use error::Error;
+pub use motor::Motor;
+pub use numbers::MotorNumbers;

@@ -5,6 +5,7 @@
 
 mod dynamics;
 mod gears;
+mod hydromotor;
 mod schemes;
 mod selection;
 
@@ -116,6 +117,12 @@ impl From<epicyclic_schemes::Error> for Refusal {
     }
 }
 
+impl From<epicyclic_hydromotor::Error> for Refusal {
+    fn from(error: epicyclic_hydromotor::Error) -> Self {
+        Self::of(&error)
+    }
+}
+
 impl From<epicyclic_dynamics::Error> for Refusal {
     fn from(error: epicyclic_dynamics::Error) -> Self {
         match error {
@@ -202,6 +209,7 @@ pub fn all() -> Vec<Calculation> {
     all.extend(schemes::calculations());
     all.extend(selection::calculations());
     all.extend(dynamics::calculations());
+    all.extend(hydromotor::calculations());
     all
 }
 

@@ -131,7 +131,8 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
     let unit = printed.measured.unit;
     let value = printed.in_unit(si);
     // As many digits as show the difference, and at least those of the print with some to spare.
-    judgement.computed = Some(with_unit(significant(value, 8), unit));
+    let digits = printed.measured.number.chars().filter(char::is_ascii_digit).count();
+    judgement.computed = Some(with_unit(significant(value, (digits + 2).max(8)), unit));
     judgement.difference = Some(with_unit(significant(value - printed.measured.value, 3), unit));
     judgement.tolerance = Some(with_unit(significant(printed.reach(), 3), unit));
     let agrees = printed.stands_for(si);

@@ -1,0 +1,220 @@
+//! What limits a motor: distances and curvatures against the satellite and the height of its teeth; and its size.
+//!
+//! | check | quantity | at least | why |
+//! |---|---|---|---|
+//! | trough arc | stator's curvature radius where it bulges inward | dedendum `h_f` | the roots lie `h_f` outside, towards that centre |
+//! | crest arc | stator's curvature radius where it bends round | `r`, the satellite's | else the satellite does not fit |
+//! | rotor, convex | rotor's curvature radius where it bends round | dedendum `h_f` | the roots lie `h_f` inside |
+//! | rotor, hollow | rotor's curvature radius where it is hollow | `r` | else the satellite does not fit |
+//! | rotor, least | rotor's least radius | dedendum `h_f` | a body within the roots |
+//! | neighbours | distance of satellites | `2·(r + h_a)` | their tips must pass |
+//!
+//! Necessary for teeth, not sufficient: undercut and interference are those of the profiles.
+
+use uom::si::f64::Length;
+
+use crate::Error;
+use crate::contact::{By, Conjugate};
+use crate::motor::Motor;
+
+/// Heights of the teeth in modules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ToothHeights {
+    /// Addendum `h_a` over the module.
+    pub addendum: f64,
+    /// Dedendum `h_f` over the module.
+    pub dedendum: f64,
+}
+
+impl Default for ToothHeights {
+    /// 1 and 1.25.
+    fn default() -> Self {
+        Self { addendum: 1.0, dedendum: 1.25 }
+    }
+}
+
+/// What is checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// The stator's least curvature radius where it bulges inward.
+    StatorBulge,
+    /// The stator's least curvature radius where it bends round the axis.
+    StatorHollow,
+    /// The rotor's least curvature radius where it bends round the axis.
+    RotorBulge,
+    /// The rotor's least curvature radius where it is hollow.
+    RotorHollow,
+    /// The rotor's least radius.
+    RotorLeastRadius,
+    /// The least distance of neighbouring satellites' centres.
+    Neighbours,
+}
+
+/// A check.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// What is checked.
+    pub subject: Subject,
+    /// Its value.
+    pub value: Length,
+    /// What it must exceed.
+    pub limit: Length,
+}
+
+impl Check {
+    /// Whether the value exceeds the limit.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.value > self.limit
+    }
+}
+
+/// The size of a motor's centrodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Envelope {
+    /// Twice the stator's greatest radius: the diameter that encloses the centrodes.
+    pub stator_outer: Length,
+    /// Twice the stator's least radius.
+    pub stator_inner: Length,
+    /// Twice the rotor's greatest radius.
+    pub rotor_outer: Length,
+    /// Twice the rotor's least radius.
+    pub rotor_inner: Length,
+    /// Displacement over the volume of the enclosing cylinder.
+    pub displacement_by_volume: f64,
+}
+
+/// Places along the half-lobe at which curvatures are looked at.
+const PLACES: u32 = 256;
+
+impl Motor {
+    /// Every check that applies: of a curve that is nowhere hollow there is none of its hollow.
+    ///
+    /// Curvatures are sampled at 257 places of the half-lobe and on either side of the arcs' junction, where they jump.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the heights are finite and not below 0.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::checks::ToothHeights;
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{f64::Length, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0), mm(40.0))?;
+    /// assert!(motor.checks(ToothHeights::default())?.iter().all(|check| check.holds()));
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn checks(&self, heights: ToothHeights) -> Result<Vec<Check>, Error> {
+        for (quantity, value) in [("addendum", heights.addendum), ("dedendum", heights.dedendum)] {
+            if !(value.is_finite() && value >= 0.0) {
+                return Err(Error::OutOfRange {
+                    quantity,
+                    value,
+                    low: 0.0,
+                    high: f64::INFINITY,
+                    unit: "modules",
+                });
+            }
+        }
+        let r = self.shape.satellite_radius();
+        let trough = *self.shape.trough();
+        let mut phases: Vec<f64> =
+            (0..=PLACES).map(|i| trough.phase * f64::from(i) / f64::from(PLACES)).collect();
+        phases.extend(self.shape.kink().iter().flat_map(|kink| [kink * (1.0 - 1e-12), kink * (1.0 + 1e-12)]));
+        let mut extremes = [0.0_f64; 4];
+        for contact in phases.iter().map(|&phase| self.shape.within(By::Phase, phase)) {
+            let curvatures = [-contact.kappa3, contact.kappa3, contact.kappa1, -contact.kappa1];
+            for (extreme, curvature) in extremes.iter_mut().zip(curvatures) {
+                *extreme = extreme.max(curvature);
+            }
+        }
+        let subjects =
+            [Subject::StatorBulge, Subject::StatorHollow, Subject::RotorBulge, Subject::RotorHollow];
+        let limits = [heights.dedendum, r, heights.dedendum, r];
+        let check = |subject, value: f64, limit: f64| Check {
+            subject,
+            value: self.length(value),
+            limit: self.length(limit),
+        };
+        let mut checks: Vec<Check> = subjects
+            .into_iter()
+            .zip(extremes)
+            .zip(limits)
+            .filter(|((_, curvature), _)| *curvature > 0.0)
+            .map(|((subject, curvature), limit)| check(subject, curvature.recip(), limit))
+            .collect();
+        checks.push(check(Subject::RotorLeastRadius, trough.rho1, heights.dedendum));
+        let limit = self.length(2.0 * (r + heights.addendum));
+        let value = self.least_neighbour_distance().0;
+        checks.push(Check { subject: Subject::Neighbours, value, limit });
+        Ok(checks)
+    }
+
+    /// The size of the centrodes, and what displacement they enclose.
+    #[must_use]
+    pub fn envelope(&self) -> Envelope {
+        let (crest, trough) = (self.shape.at(By::Phase, 0.0), self.shape.trough());
+        let disc = std::f64::consts::PI * crest.rho3 * crest.rho3;
+        Envelope {
+            stator_outer: self.length(2.0 * crest.rho3),
+            stator_inner: self.length(2.0 * trough.rho3),
+            rotor_outer: self.length(2.0 * crest.rho1),
+            rotor_inner: self.length(2.0 * trough.rho1),
+            displacement_by_volume: self.displacement_kernel() / disc,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::MotorNumbers;
+    use crate::closure::Family;
+    use uom::si::length::millimeter;
+
+    fn mm(value: f64) -> Length {
+        Length::new::<millimeter>(value)
+    }
+
+    fn motor(l: f64) -> Motor {
+        Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10).unwrap(), mm(1.0), mm(l)).unwrap()
+    }
+
+    #[test]
+    fn the_radii_are_those_of_the_arcs() {
+        let motor = motor(40.0);
+        let checks = motor.checks(ToothHeights::default()).unwrap();
+        let value = |subject| checks.iter().find(|check| check.subject == subject).map(|check| check.value);
+        let arcs = motor.arcs().unwrap();
+        assert!((value(Subject::StatorBulge).unwrap() - arcs.trough_radius()).abs() < mm(1e-9));
+        assert!((value(Subject::StatorHollow).unwrap() - arcs.crest_radius()).abs() < mm(1e-9));
+        assert!((value(Subject::RotorBulge).unwrap() - mm(7.852)).abs() < mm(1e-3));
+        // The rotor is nowhere hollow.
+        assert_eq!(value(Subject::RotorHollow), None);
+        assert!((value(Subject::RotorLeastRadius).unwrap() - mm(13.896_203_924)).abs() < mm(1e-8));
+        assert!((motor.envelope().stator_outer - mm(56.495_919_9)).abs() < mm(1e-6));
+    }
+
+    #[test]
+    fn a_nearly_pointed_rotor_and_a_short_bulge_fail() {
+        let family = Family::new(MotorNumbers::new(5, 3, 55, 10).unwrap(), mm(1.0)).unwrap();
+        let failing = |part: f64| -> Vec<Subject> {
+            let l = family.at_part(part).unwrap().trough_distance();
+            let motor = Motor::of_two_arcs(family.numbers(), mm(1.0), l).unwrap();
+            let checks = motor.checks(ToothHeights::default()).unwrap();
+            checks.iter().filter(|check| !check.holds()).map(|check| check.subject).collect()
+        };
+        assert_eq!(failing(0.02), [Subject::StatorBulge]);
+        assert!(failing(0.98).contains(&Subject::RotorBulge));
+    }
+
+    #[test]
+    fn heights_below_nothing_are_refused() {
+        let heights = ToothHeights { addendum: -1.0, ..ToothHeights::default() };
+        assert!(matches!(motor(40.0).checks(heights), Err(Error::OutOfRange { quantity: "addendum", .. })));
+        let heights = ToothHeights { dedendum: f64::NAN, ..ToothHeights::default() };
+        assert!(motor(40.0).checks(heights).is_err());
+    }
+}

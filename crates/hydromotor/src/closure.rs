@@ -1,0 +1,505 @@
+//! Closure: a half-lobe of the rotor must span exactly `π/n`. Only then does the rotor meet itself.
+//!
+//! Nothing in system (1) guarantees it. After it one of the "two independent parameters" `l` and `a` is free:
+//! [`Family`].
+//!
+//! # Derivation
+//! The satellite touches the stator in `P` and the rotor in `P₁`. By Kennedy's theorem `P` and `P₁`, its instant
+//! centres against the two wheels, lie on one line with the axis `O`. With `ρ₃ = OP`, `ρ₁ = OP₁` and the angle `μ`
+//! between that line and the normal at `P`, the chord is `ρ₃ − ρ₁ = 2r·cos μ`, and the product `ρ₁·ρ₃` is the power
+//! of `O` with respect to the satellite's circle. The satellite turns about `P`; as its centre goes along
+//! `(1 − κ₃·r)·ds₃`, with `κ₃` the curvature of the stator, the rotor turns against the stator by
+//!
+//! ```text
+//! dΦ = 2·cos μ·(1 − κ₃·r)/ρ₁ · ds₃ = dθ₃ + dθ₁
+//! ```
+//!
+//! On arc 1, with the angle `x` at `O₁` from the trough, and on arc 2, with `x` at `O₂` from the crest,
+//!
+//! ```text
+//! ρ₁·ρ₃ = l² + R₁² + 2·r·R₁ − 2·l·(R₁ + r)·cos x = K₁ + M₁·cos x       ρ₃·cos μ = l·cos x − R₁
+//! ρ₁·ρ₃ = a² + R₂² − 2·r·R₂ + 2·a·(R₂ − r)·cos x = K₂ + M₂·cos x       ρ₃·cos μ = R₂ + a·cos x
+//! Φ₁(x) = −x + (l² − R₁²)·J(K₁, M₁, x)      Φ₂(x) = x + (R₂² − a²)·J(K₂, M₂, x)
+//! J(K, M, x) = ∫₀ˣ dt/(K + M·cos t)
+//! ```
+//!
+//! A half-lobe has `Φ₂(B) + Φ₁(Γ) = π/N + π/n`, and `B − Γ = π/N`, so that
+//!
+//! ```text
+//! (l² − R₁²)·J(K₁, M₁, Γ) + (R₂² − a²)·J(K₂, M₂, B) = π/n
+//! ```
+//!
+//! In closed form `J = 2t/(K + M)·A((K − M)/(K + M)·t²)`, `t = tan(x/2)`, `A(z) = ∫₀¹ dt/(1 + z·t²)`: the arc tangent
+//! `atan √z/√z` for `K > |M|`, the area tangent `atanh √−z/√−z` for `K < |M|`, which arc 2 has for `0 < R₂ − a < 2r`, and 1
+//! between them. `K ± M` have factors, `(l − R₁)(l − R₁ − 2r)` and the like, one of which cancels against the one before `J`.
+//!
+//! The arcs of stator and rotor are equally long without further ado: `s₁ − s₃ = 2·r·μ`, and `μ` vanishes at crest and
+//! trough.
+//!
+//! # No root missed
+//! At fixed `l` both radii are monotone in `a`: `∂R₁/∂a = (sin B − B·cos B)/θ₃ > 0` and
+//! `∂R₂/∂a = −(sin B − Γ·cos B)/θ₃ < 0`, since `tan x > x`. So the `a` for which `R₁ > 0`, `R₂ > r` and the rotor's trough
+//! is outside the axis, `l − R₁ > 2r` (it too is falling), are *one* interval. At its lower end the half-lobe is too
+//! short: of a circle, `a = 0`, by the condition on `Z_s`; and where `R₁ = 0`, it is at or below the family's lower end. In
+//! the interval the residual rises with `a`, so that it holds at most one root, which bisection brackets and Brent's
+//! method finds. That it rises is not proved in closed form; the tests evaluate the exact derivative on a dense grid
+//! over `(l, a)` for every ratio of lobes up to `N = 10` and every size of satellite (the residual but for the constant `π/n`
+//! depends on `N`, `Z_s/Z_3` and the distances alone), and scan for roots without use of it.
+//!
+//! Along the family `R₁` and `a` grow with `l`, and the rotor's crest sharpens: it starts where `R₁ = 0` and ends where the rotor
+//! gets a cusp, or goes on as arc 1 becomes straight. Of few lobes and small satellites, such as 3×1, it has a gap where
+//! the stator's flank would be more than radial, `cos μ < 0`, and the satellite would have to turn back. The tests hold the
+//! intervals against a scan over every seventh admissible set.
+//!
+//! # Source
+//! The source has no such condition: it draws the rotor and does not check that it closes.
+
+use std::f64::consts::PI;
+
+use uom::si::f64::Length;
+
+use crate::Error;
+use crate::arcs::{Arcs, StatorArcs, half_length};
+use crate::numbers::MotorNumbers;
+use crate::real::{Dual, Real};
+use crate::roots::{bracketed, quadrature};
+use crate::units::{length, millimetres, positive_length, positive_modules};
+
+/// The greatest distance `l` in modules that the crate reckons with; arc 1 is straight to a billionth then.
+pub const GREATEST_DISTANCE: f64 = 1e9;
+
+/// `(l² − R₁²)·J(K₁, M₁, x)` on arc 1, `t = tan(x/2)`.
+pub(crate) fn trough_term<T: Real>(arcs: &Arcs<T>, r: f64, t: T) -> T {
+    let two_r = T::of(2.0 * r);
+    let (least, sum) = (arcs.least, arcs.l + arcs.r1);
+    let z = sum * (sum + two_r) * t * t / (least * (least - two_r));
+    T::of(2.0) * sum * t / (least - two_r) * z.arc()
+}
+
+/// `(R₂² − a²)·J(K₂, M₂, x)` on arc 2, `t = tan(x/2)`.
+pub(crate) fn crest_term<T: Real>(arcs: &Arcs<T>, r: f64, t: T) -> T {
+    let two_r = T::of(2.0 * r);
+    let (sum, difference) = (arcs.a + arcs.r2, arcs.r2 - arcs.a);
+    let z = difference * (difference - two_r) * t * t / (sum * (sum - two_r));
+    T::of(2.0) * difference * t / (sum - two_r) * z.arc()
+}
+
+/// What a half-lobe of the rotor spans, in radians.
+pub(crate) fn rotor_span<T: Real>(arcs: &Arcs<T>, r: f64) -> T {
+    trough_term(arcs, r, arcs.tan_gamma) + crest_term(arcs, r, arcs.tan_beta)
+}
+
+/// What a half-lobe of the rotor spans, by quadrature of `dΦ − dθ₃` over both arcs.
+pub(crate) fn rotor_span_by_quadrature(arcs: &Arcs, r: f64) -> f64 {
+    let Arcs { l, a, r1, r2, gamma, beta, theta3, least, .. } = *arcs;
+    let trough = quadrature(0.0, gamma, 64, |x| {
+        let half_sine = (x / 2.0).sin();
+        // l·cos x − R₁ and ρ₁·ρ₃, without the cancellation of a large l.
+        let normal = least - 2.0 * l * half_sine * half_sine;
+        let product = least * (least - 2.0 * r) + 4.0 * l * (r1 + r) * half_sine * half_sine;
+        2.0 * normal * (r1 + r) / product
+    });
+    let crest = quadrature(0.0, beta, 64, |x| {
+        let product = a * a + r2 * r2 - 2.0 * r2 * r + 2.0 * a * (r2 - r) * x.cos();
+        2.0 * (r2 + a * x.cos()) * (r2 - r) / product
+    });
+    trough + crest - theta3
+}
+
+/// How the rotor's crest keeps off a cusp: the least `ds₁/ds₃` on arc 2; at 0 the rotor has a cusp.
+///
+/// `ds₁/ds₃ = 1 + 2r·(cos μ/ρ₃ − κ₃)` is monotone along arc 2, and above 1 on arc 1.
+pub(crate) fn least_stretch(arcs: &Arcs, r: f64) -> f64 {
+    let Arcs { a, r2, beta, .. } = *arcs;
+    let stretch = |cos: f64| {
+        let rho_squared = a * a + r2 * r2 + 2.0 * a * r2 * cos;
+        1.0 + 2.0 * r * ((r2 + a * cos) / rho_squared - 1.0 / r2)
+    };
+    stretch(1.0).min(stretch(beta.cos()))
+}
+
+/// `cos μ` where the arcs meet, its least, times the radius there over that of the satellite: above 0 while both curves
+/// turn one way about the axis.
+fn flank(arcs: &Arcs, r: f64) -> f64 {
+    (arcs.r2 + arcs.a * arcs.beta.cos()) / r
+}
+
+/// Above 0 where stator and rotor are smooth curves that turn one way about the axis.
+fn margin(arcs: &Arcs, r: f64) -> f64 {
+    least_stretch(arcs, r).min(flank(arcs, r))
+}
+
+/// The closure of any pair of arcs, and how it answers to the two distances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Closure {
+    /// What the rotor's half-lobe spans beyond `π/n`, in radians; 0 of a motor.
+    pub residual_rad: f64,
+    /// The same by quadrature of the rolling, for a check.
+    pub residual_by_quadrature_rad: f64,
+    /// `∂/∂a` of the residual at fixed `l`, in radians a module: what an error in `a` opens.
+    pub by_crest_distance: f64,
+    /// `∂/∂l` of the residual at fixed `a`, in radians a module.
+    pub by_trough_distance: f64,
+    /// `da/dl` along the family: how `a` must follow `l`.
+    pub slope: f64,
+}
+
+/// Residual and sensitivity of the closure.
+///
+/// # Errors
+/// [`Error::OutOfRange`] where the arcs leave the rotor no least radius, `l − R₁ ≤ 2r`.
+///
+/// # Example
+/// ```
+/// use epicyclic_hydromotor::arcs::{Known, StatorArcs};
+/// use epicyclic_hydromotor::{MotorNumbers, closure};
+/// use uom::si::{f64::Length, length::millimeter};
+///
+/// let mm = Length::new::<millimeter>;
+/// let numbers = MotorNumbers::new(5, 3, 55, 10)?;
+/// // A quarter of a millimetre off, and the rotor overlaps itself by a degree: 0.19° a half-lobe, of which it has six.
+/// let known = [Known::TroughDistance(mm(40.0)), Known::CrestDistance(mm(15.55))];
+/// let arcs = StatorArcs::with(numbers, mm(1.0), known)?;
+/// let closure = closure::closure(numbers, &arcs[0])?;
+/// assert!((closure.residual_rad.to_degrees() - 0.186).abs() < 0.001);
+/// # Ok::<(), epicyclic_hydromotor::Error>(())
+/// ```
+pub fn closure(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Closure, Error> {
+    let r = f64::from(numbers.satellite_teeth()) / 2.0;
+    let Arcs { theta3, half_length, l, a, least, .. } = arcs.arcs;
+    if least <= 2.0 * r || arcs.arcs.r2 <= r {
+        let (quantity, value, low) =
+            if least <= 2.0 * r { ("l − R₁", least, 2.0 * r) } else { ("R₂", arcs.arcs.r2, r) };
+        let [value, low] = [value, low].map(|modules| millimetres(length(modules, arcs.module)));
+        return Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" });
+    }
+    let by_l = Dual { value: l, by_l: 1.0, by_a: 0.0 };
+    let by_a = Dual { value: a, by_l: 0.0, by_a: 1.0 };
+    let span = rotor_span(&Arcs::of_distances(theta3, half_length, by_l, by_a), r);
+    let wanted = PI / f64::from(numbers.rotor_lobes());
+    Ok(Closure {
+        residual_rad: rotor_span(&arcs.arcs, r) - wanted,
+        residual_by_quadrature_rad: rotor_span_by_quadrature(&arcs.arcs, r) - wanted,
+        by_crest_distance: span.by_a,
+        by_trough_distance: span.by_l,
+        slope: -span.by_l / span.by_a,
+    })
+}
+
+/// What ends an interval of a family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Limit {
+    /// Arc 1 shrinks to a corner, `R₁ = 0`.
+    NoTroughArc,
+    /// The rotor's crest gets a cusp.
+    RotorCusp,
+    /// The flank of stator and rotor becomes radial where the arcs meet, `cos μ = 0`.
+    RadialFlank,
+    /// Arc 1 becomes a straight line; `l` has no bound.
+    StraightArc,
+}
+
+/// An end of an interval, not a motor itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct End {
+    /// What ends it.
+    pub limit: Limit,
+    arcs: Option<StatorArcs>,
+}
+
+impl End {
+    /// The arcs there; none of [`Limit::StraightArc`].
+    #[must_use]
+    pub fn arcs(&self) -> Option<&StatorArcs> {
+        self.arcs.as_ref()
+    }
+
+    /// `1/l` in modules.
+    fn inverse(&self) -> f64 {
+        self.arcs.map_or(0.0, |arcs| arcs.arcs.l.recip())
+    }
+}
+
+/// An interval of `l` in which every motor closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// The end with the smaller `l`.
+    pub lower: End,
+    /// The end with the greater `l`.
+    pub upper: End,
+}
+
+/// All motors of two arcs with given numbers and module: one for each `l` of one interval or two.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Family {
+    numbers: MotorNumbers,
+    module: Length,
+    intervals: Vec<Interval>,
+}
+
+impl Family {
+    /// The whole family.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the module, [`Error::NoFamily`] for numbers with which no pair of arcs closes.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::MotorNumbers;
+    /// use epicyclic_hydromotor::closure::Family;
+    /// use uom::si::{f64::Length, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let family = Family::new(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0))?;
+    /// let arcs = family.at(mm(40.0))?;
+    /// assert!((arcs.crest_distance().get::<millimeter>() - 15.30631008).abs() < 5e-9);
+    /// assert!(family.at(mm(20.0)).unwrap_err().to_string().contains("closes for l from 23.4"));
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn new(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
+        let module = positive_length("module", module)?;
+        let intervals = Kernel::of(numbers).intervals(module);
+        if intervals.is_empty() { Err(Error::NoFamily) } else { Ok(Self { numbers, module, intervals }) }
+    }
+
+    /// The numbers.
+    #[must_use]
+    pub fn numbers(&self) -> MotorNumbers {
+        self.numbers
+    }
+
+    /// The module.
+    #[must_use]
+    pub fn module(&self) -> Length {
+        self.module
+    }
+
+    /// The intervals of `l`, by rising `l`: one, or two with a gap where the flank would be more than radial.
+    #[must_use]
+    pub fn intervals(&self) -> &[Interval] {
+        &self.intervals
+    }
+
+    /// The motor's arcs at a distance `l`.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`]; [`Error::OutsideFamily`] with the family's intervals.
+    pub fn at(&self, trough_distance: Length) -> Result<StatorArcs, Error> {
+        let l = positive_modules("l", trough_distance, self.module)?;
+        let inside = |interval: &Interval| {
+            let inverse = l.recip();
+            inverse < interval.lower.inverse() && inverse > interval.upper.inverse()
+        };
+        let inside = l <= GREATEST_DISTANCE && self.intervals.iter().any(inside);
+        match Kernel::of(self.numbers).solve(l).filter(|_| inside) {
+            Some(arcs) => Ok(StatorArcs { arcs, module: self.module }),
+            None => Err(self.outside(trough_distance)),
+        }
+    }
+
+    /// The motor's arcs at a part `0 < t < 1` of the family, even in `1/l` over its intervals, from the least `l` on.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a part outside.
+    pub fn at_part(&self, part: f64) -> Result<StatorArcs, Error> {
+        if !(part > 0.0 && part < 1.0) {
+            let (low, high) = (0.0, 1.0);
+            return Err(Error::OutOfRange {
+                quantity: "part of the family",
+                value: part,
+                low,
+                high,
+                unit: "",
+            });
+        }
+        let width = |interval: &Interval| interval.lower.inverse() - interval.upper.inverse();
+        let mut rest = part * self.intervals.iter().map(width).sum::<f64>();
+        let mut inverse = f64::NAN;
+        for interval in &self.intervals {
+            inverse = (interval.lower.inverse() - rest).max(interval.upper.inverse());
+            rest -= width(interval);
+            if rest < 0.0 {
+                break;
+            }
+        }
+        self.at(length(inverse.max(GREATEST_DISTANCE.recip()).recip(), self.module))
+    }
+
+    fn outside(&self, trough_distance: Length) -> Error {
+        let mm = |end: &End| end.arcs.map_or(f64::INFINITY, |arcs| millimetres(arcs.trough_distance()));
+        let intervals = self.intervals.iter().map(|interval| (mm(&interval.lower), mm(&interval.upper)));
+        Error::OutsideFamily { l_mm: millimetres(trough_distance), intervals_mm: intervals.collect() }
+    }
+}
+
+/// The arcs that close at a distance `l`, without knowledge of the whole family: one bracketed root.
+///
+/// # Errors
+/// As [`Family::new`] and [`Family::at`].
+pub fn arcs_at(numbers: MotorNumbers, module: Length, trough_distance: Length) -> Result<StatorArcs, Error> {
+    let module = positive_length("module", module)?;
+    let l = positive_modules("l", trough_distance, module)?;
+    let kernel = Kernel::of(numbers);
+    match kernel.solve(l).filter(|arcs| l <= GREATEST_DISTANCE && kernel.is_regular(arcs)) {
+        Some(arcs) => Ok(StatorArcs { arcs, module }),
+        None => Err(Family::new(numbers, module)?.outside(trough_distance)),
+    }
+}
+
+/// The numbers as the closure needs them.
+#[derive(Debug, Clone, Copy)]
+struct Kernel {
+    theta3: f64,
+    half_length: f64,
+    r: f64,
+    wanted: f64,
+}
+
+impl Kernel {
+    fn of(numbers: MotorNumbers) -> Self {
+        Self {
+            theta3: PI / f64::from(numbers.stator_lobes()),
+            half_length: half_length(numbers),
+            r: f64::from(numbers.satellite_teeth()) / 2.0,
+            wanted: PI / f64::from(numbers.rotor_lobes()),
+        }
+    }
+
+    fn arcs(&self, l: f64, a: f64) -> Arcs {
+        Arcs::of_distances(self.theta3, self.half_length, l, a)
+    }
+
+    /// The residual where the arcs are ones; −∞ below the interval of `a`, +∞ above it.
+    fn walled_residual(&self, l: f64, a: f64) -> f64 {
+        let arcs = self.arcs(l, a);
+        if arcs.r1 <= 0.0 {
+            f64::NEG_INFINITY
+        } else if arcs.r2 <= self.r || arcs.least <= 2.0 * self.r {
+            f64::INFINITY
+        } else {
+            rotor_span(&arcs, self.r) - self.wanted
+        }
+    }
+
+    /// The one root at `l`, if there is one.
+    fn solve(&self, l: f64) -> Option<Arcs> {
+        // At a = S/sin θ₃ arc 2 has no radius left: D·Γ ≥ D·sin Γ = a·sin θ₃.
+        let (mut low, mut high) = (0.0, self.half_length / self.theta3.sin());
+        let (mut f_low, mut f_high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for _ in 0..80 {
+            if f_low.is_finite() && f_high.is_finite() {
+                break;
+            }
+            let middle = 0.5 * (low + high);
+            let f = self.walled_residual(l, middle);
+            if f < 0.0 {
+                (low, f_low) = (middle, f);
+            } else {
+                (high, f_high) = (middle, f);
+            }
+        }
+        if !(f_low.is_finite() && f_high.is_finite()) {
+            return None;
+        }
+        let a = bracketed(low, high, |a| rotor_span(&self.arcs(l, a), self.r) - self.wanted);
+        Some(self.arcs(l, a))
+    }
+
+    /// Whether stator and rotor are smooth curves that turn one way about the axis.
+    fn is_regular(&self, arcs: &Arcs) -> bool {
+        arcs.r2 > self.r && arcs.least > 2.0 * self.r && margin(arcs, self.r) > 0.0
+    }
+
+    /// The arcs with `R₁ = 0` and the angle `B`: `D = R₂ = S/B`.
+    fn cornered(&self, beta: f64) -> Arcs {
+        let d = self.half_length / beta;
+        let sin = self.theta3.sin();
+        let (l, a) = (d * beta.sin() / sin, d * (beta - self.theta3).sin() / sin);
+        Arcs { r1: 0.0, r2: d, least: l, ..self.arcs(l, a) }
+    }
+
+    /// Where `R₁ = 0` and the rotor closes. From the circle, `B = θ₃`, which lacks angle, to `l = 2r`, where the
+    /// residual is without bound; `l` falls with `B`.
+    fn lower_end(&self) -> Arcs {
+        let beta = bracketed(self.theta3 * (1.0 + 1e-12), PI, |beta| {
+            let arcs = self.cornered(beta);
+            if arcs.l <= 2.0 * self.r { f64::INFINITY } else { rotor_span(&arcs, self.r) - self.wanted }
+        });
+        self.cornered(beta)
+    }
+
+    /// Where both curves are smooth and turn one way about the axis, by rising `l`.
+    ///
+    /// By `1/l`: from where `R₁ = 0` down to where the rotor's crest gets a cusp, or to 0. The crest only sharpens on the way, so
+    /// that there is one such place. `cos μ` where the arcs meet falls to a least value and rises again: golden section finds
+    /// it, and where it is below 0, a root on either side bounds the gap.
+    fn intervals(&self, module: Length) -> Vec<Interval> {
+        let corner = self.lower_end();
+        if corner.r2 <= self.r || least_stretch(&corner, self.r) <= 0.0 {
+            return Vec::new();
+        }
+        let end =
+            |limit, arcs: Option<Arcs>| End { limit, arcs: arcs.map(|arcs| StatorArcs { arcs, module }) };
+        let of_arcs = |inverse: f64, property: fn(&Arcs, f64) -> f64| {
+            self.solve(inverse.recip()).map_or(-1.0, |arcs| property(&arcs, self.r))
+        };
+        let stretch = |inverse: f64| of_arcs(inverse, least_stretch);
+        let flank = |inverse: f64| of_arcs(inverse, flank);
+        let (straight, start) = (GREATEST_DISTANCE.recip(), corner.l.recip() * (1.0 - 1e-9));
+        let (last, upper) = if stretch(straight) > 0.0 {
+            (straight, end(Limit::StraightArc, None))
+        } else {
+            let cusp = bracketed(straight, start, stretch);
+            (cusp, end(Limit::RotorCusp, self.solve(cusp.recip())))
+        };
+        let lower = end(Limit::NoTroughArc, Some(corner));
+        let lowest = lowest(last, start, flank);
+        if flank(lowest) > 0.0 {
+            return vec![Interval { lower, upper }];
+        }
+        let radial = |from: f64| {
+            let place = bracketed(from, lowest, flank);
+            end(Limit::RadialFlank, self.solve(place.recip()))
+        };
+        let mut intervals = Vec::new();
+        if flank(start) > 0.0 {
+            intervals.push(Interval { lower, upper: radial(start) });
+        }
+        // At the cusp itself rounding may leave no root; a hair before it there is one.
+        let last = last + (start - last) * 1e-9;
+        if flank(last) > 0.0 {
+            intervals.push(Interval { lower: radial(last), upper });
+        }
+        intervals
+    }
+}
+
+/// Where a function that falls and then rises is least, or below 0: by golden section.
+fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let (mut left, mut right) = (high - golden * (high - low), low + golden * (high - low));
+    let (mut f_left, mut f_right) = (f(left), f(right));
+    for _ in 0..40 {
+        if f_left < 0.0 || f_right < 0.0 {
+            break;
+        }
+        if f_left < f_right {
+            (high, right, f_right) = (right, left, f_left);
+            left = high - golden * (high - low);
+            f_left = f(left);
+        } else {
+            (low, left, f_left) = (left, right, f_right);
+            right = low + golden * (high - low);
+            f_right = f(right);
+        }
+    }
+    let inner = if f_left < f_right { (left, f_left) } else { (right, f_right) };
+    [(low, f(low)), (high, f(high))]
+        .into_iter()
+        .fold(inner, |best, end| if end.1 < best.1 { end } else { best })
+        .0
+}
+
+#[cfg(test)]
+#[path = "closure_tests.rs"]
+pub(crate) mod tests;

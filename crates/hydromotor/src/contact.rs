@@ -1,0 +1,202 @@
+//! The contact of a satellite with both wheels along a half-lobe: what every conjugate pair of centrodes has.
+//!
+//! In units of the module and radians. Everything is counted from where a stator crest faces a rotor crest across a
+//! satellite; the *phase* `Φ = θ₃ + θ₁` is the angle of the rotor since then. From the crest, radii fall and `μ` is
+//! negative up to the trough, where it vanishes again.
+
+/// A satellite between the wheels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Contact {
+    /// `Φ = θ₃ + θ₁`.
+    pub(crate) phase: f64,
+    /// Polar angles of the contact on the stator, counter-clockwise, and on the rotor, clockwise.
+    pub(crate) theta3: f64,
+    pub(crate) theta1: f64,
+    pub(crate) rho3: f64,
+    pub(crate) rho1: f64,
+    /// Polar angle less that of the normal, on either curve; `dρ/ds = sin μ`.
+    pub(crate) mu: f64,
+    /// Arc lengths rolled on either wheel, `s₁ − s₃ = 2·r·μ`.
+    pub(crate) s3: f64,
+    pub(crate) s1: f64,
+    pub(crate) kappa3: f64,
+    pub(crate) kappa1: f64,
+    /// `G = ∫ f dΦ` with `f = ½·ρ₁·ρ₃`: what the satellite sweeps.
+    pub(crate) swept: f64,
+}
+
+/// Curvature of the wheel across the satellite: of the rotor for `r > 0` from that of the stator, and of the stator
+/// from that of the rotor for `r < 0` (Euler and Savary).
+pub(crate) fn conjugate_curvature(r: f64, cos_mu: f64, rho: f64, kappa: f64, rho_across: f64) -> f64 {
+    let turn = cos_mu / rho - kappa;
+    cos_mu / rho_across - turn / (1.0 + 2.0 * r * turn)
+}
+
+/// A quantity that grows along the half-lobe, by which a contact can be sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum By {
+    Phase,
+    StatorArc,
+    RotorArc,
+    StatorAngle,
+    RotorAngle,
+}
+
+impl Contact {
+    pub(crate) fn get(&self, by: By) -> f64 {
+        match by {
+            By::Phase => self.phase,
+            By::StatorArc => self.s3,
+            By::RotorArc => self.s1,
+            By::StatorAngle => self.theta3,
+            By::RotorAngle => self.theta1,
+        }
+    }
+
+    /// How the quantity grows with the stator's arc length; above 0 of a motor.
+    pub(crate) fn slope(&self, by: By, r: f64) -> f64 {
+        let cos_mu = self.mu.cos();
+        match by {
+            By::Phase => 2.0 * cos_mu * (1.0 - r * self.kappa3) / self.rho1,
+            By::StatorArc => 1.0,
+            By::RotorArc => 1.0 + 2.0 * r * (cos_mu / self.rho3 - self.kappa3),
+            By::StatorAngle => cos_mu / self.rho3,
+            By::RotorAngle => self.slope(By::Phase, r) - cos_mu / self.rho3,
+        }
+    }
+
+    /// `f = ½·ρ₁·ρ₃`.
+    pub(crate) fn flow(&self) -> f64 {
+        0.5 * self.rho1 * self.rho3
+    }
+
+    /// `df/dΦ`.
+    pub(crate) fn flow_slope(&self, r: f64) -> f64 {
+        let sine = self.mu.sin();
+        let by_arc = self.rho3 * self.slope(By::RotorArc, r) + self.rho1;
+        0.5 * sine * by_arc / self.slope(By::Phase, r)
+    }
+
+    /// The contact mirrored in the crest.
+    fn mirrored(self) -> Self {
+        Self {
+            phase: -self.phase,
+            theta3: -self.theta3,
+            theta1: -self.theta1,
+            mu: -self.mu,
+            s3: -self.s3,
+            s1: -self.s1,
+            swept: -self.swept,
+            ..self
+        }
+    }
+
+    /// The same contact whole lobes further on, `end` being that at the trough.
+    fn shifted(self, lobes: f64, end: &Self) -> Self {
+        let by = 2.0 * lobes;
+        Self {
+            phase: self.phase + by * end.phase,
+            theta3: self.theta3 + by * end.theta3,
+            theta1: self.theta1 + by * end.theta1,
+            s3: self.s3 + by * end.s3,
+            s1: self.s1 + by * end.s1,
+            swept: self.swept + by * end.swept,
+            ..self
+        }
+    }
+}
+
+/// A stator and a rotor conjugate by satellites, known by a half-lobe from crest to trough.
+pub(crate) trait Conjugate {
+    /// Pitch radius of a satellite.
+    fn satellite_radius(&self) -> f64;
+
+    /// The contact at the trough.
+    fn trough(&self) -> &Contact;
+
+    /// The contact where a quantity has a value between 0 and its value at the trough.
+    fn within(&self, by: By, value: f64) -> Contact;
+
+    /// The phase where the curvature jumps, if it does.
+    fn kink(&self) -> Option<f64>;
+
+    /// Area between the rotor's centrode and the axis, of a half-lobe.
+    fn rotor_area(&self) -> f64;
+
+    /// `f` and `df/dΦ` at a phase between 0 and that of the trough.
+    fn flow_within(&self, phase: f64) -> (f64, f64) {
+        let contact = self.within(By::Phase, phase);
+        (contact.flow(), contact.flow_slope(self.satellite_radius()))
+    }
+
+    /// `f` and `df/dΦ` at any phase.
+    fn flow(&self, phase: f64) -> (f64, f64) {
+        let end = self.trough().phase;
+        let rest = phase - 2.0 * (phase / (2.0 * end)).round() * end;
+        let (flow, slope) = self.flow_within(rest.abs().min(end));
+        (flow, if rest < 0.0 { -slope } else { slope })
+    }
+
+    /// The contact at any value: the half-lobe mirrored and repeated.
+    fn at(&self, by: By, value: f64) -> Contact {
+        let trough = self.trough();
+        let end = trough.get(by);
+        let lobes = (value / (2.0 * end)).round();
+        let rest = value - 2.0 * lobes * end;
+        let contact = self.within(by, rest.abs().min(end));
+        let contact = if rest < 0.0 { contact.mirrored() } else { contact };
+        if lobes == 0.0 { contact } else { contact.shifted(lobes, trough) }
+    }
+}
+
+/// The argument between 0 and `end` at which a growing function has a value: Newton's method kept within a bracket.
+///
+/// `f` returns value and slope.
+pub(crate) fn inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let (mut low, mut high) = (0.0, end);
+    let mut x = start.clamp(low, high);
+    let mut last = f64::INFINITY;
+    for _ in 0..100 {
+        let (y, slope) = f(x);
+        let error = y - value;
+        if error == 0.0 {
+            return x;
+        }
+        if error < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let mut next = x - error / slope;
+        // Halve where Newton leaves the bracket or is slow.
+        if !(next >= low && next <= high) || error.abs() > 0.5 * last {
+            next = 0.5 * (low + high);
+        }
+        last = error.abs();
+        if (next - x).abs() <= 2.0 * f64::EPSILON * end {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_wheels_have_round_partners() {
+        // Stator of radius 30, satellite of 5: a rotor of radius 20.
+        assert!((conjugate_curvature(5.0, 1.0, 30.0, 1.0 / 30.0, 20.0) - 0.05).abs() < 1e-16);
+        assert!((conjugate_curvature(-5.0, 1.0, 20.0, 0.05, 30.0) - 1.0 / 30.0).abs() < 1e-16);
+    }
+
+    #[test]
+    fn growing_functions_are_inverted() {
+        let cube = |x: f64| (x * x * x, 3.0 * x * x);
+        assert!((inverse(8.0, 3.0, 0.0, cube) - 2.0).abs() < 1e-15);
+        assert!((inverse(0.0, 3.0, 1.0, cube)).abs() < 1e-4);
+        assert!((inverse(27.0, 3.0, 1.0, cube) - 3.0).abs() < 1e-15);
+    }
+}

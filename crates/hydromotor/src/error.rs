@@ -1,0 +1,196 @@
+//! What this crate refuses.
+
+/// An input that describes no motor.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A wheel without lobes.
+    #[error("a {wheel} with 0 lobes: it has at least 1")]
+    NoLobes {
+        /// The wheel concerned.
+        wheel: &'static str,
+    },
+    /// A wheel without teeth.
+    #[error("a {wheel} with 0 teeth: it has at least 1")]
+    NoTeeth {
+        /// The wheel concerned.
+        wheel: &'static str,
+    },
+    /// More teeth than the crate reckons with.
+    #[error("a {wheel} with {teeth} teeth: at most {most}")]
+    TooManyTeeth {
+        /// The wheel concerned.
+        wheel: &'static str,
+        /// The teeth given.
+        teeth: u32,
+        /// The greatest number allowed.
+        most: u32,
+    },
+    /// A stator with no more lobes than the rotor: the centrodes would interfere.
+    #[error(
+        "{stator} stator lobes on {rotor} rotor lobes: the stator has from 1 to {most} more lobes than \
+         the rotor, else the centrodes interfere"
+    )]
+    LobesNotMore {
+        /// Lobes of the stator, N.
+        stator: u32,
+        /// Lobes of the rotor, n.
+        rotor: u32,
+        /// The greatest difference allowed.
+        most: u32,
+    },
+    /// A stator with so many more lobes that neighbouring satellites collide.
+    #[error(
+        "{stator} stator lobes on {rotor} rotor lobes: the stator has at most {most} more lobes than the \
+         rotor, else the satellites are no neighbours that bound chambers"
+    )]
+    LobesTooDifferent {
+        /// Lobes of the stator, N.
+        stator: u32,
+        /// Lobes of the rotor, n.
+        rotor: u32,
+        /// The greatest difference allowed.
+        most: u32,
+    },
+    /// Teeth that are not evenly shared by the lobes.
+    #[error(
+        "{teeth} {wheel} teeth on {lobes} lobes: every lobe has a whole number of teeth, as {below} or \
+         {above} teeth give"
+    )]
+    TeethPerLobe {
+        /// The wheel concerned.
+        wheel: &'static str,
+        /// Its teeth.
+        teeth: u32,
+        /// Its lobes.
+        lobes: u32,
+        /// The next smaller number allowed; at least one tooth a lobe.
+        below: u32,
+        /// The next greater number allowed.
+        above: u32,
+    },
+    /// Lobes of stator and rotor with different numbers of teeth.
+    #[error(
+        "{rotor_teeth} rotor teeth: a rotor lobe has as many teeth as a stator lobe, Z_1/n = Z_3/N, which \
+         needs {needed}"
+    )]
+    TeethPerLobeDiffer {
+        /// Teeth of the rotor given.
+        rotor_teeth: u32,
+        /// Teeth of the rotor needed.
+        needed: u32,
+    },
+    /// A satellite that fills the gap of round wheels, or more.
+    #[error(
+        "satellites of {teeth} teeth: Z_s lies below (Z_3 - Z_1)/2 = {limit}, else the wheels would be \
+         round or not fit; at most {most}"
+    )]
+    SatelliteTooLarge {
+        /// Teeth of a satellite given.
+        teeth: u32,
+        /// `(Z_3 − Z_1)/2`.
+        limit: f64,
+        /// The greatest number allowed.
+        most: u32,
+    },
+    /// A range written the wrong way round.
+    #[error("{what} from {from} to {to}: write the smaller first")]
+    EmptyRange {
+        /// What ranges.
+        what: &'static str,
+        /// Lower end.
+        from: u32,
+        /// Upper end.
+        to: u32,
+    },
+    /// A quantity that must be finite and above 0.
+    #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
+    NotPositive {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Unit of `value`.
+        unit: &'static str,
+    },
+    /// A quantity that must be finite.
+    #[error("{quantity} is {value} {unit}; it must be finite")]
+    NotFinite {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Unit of `value`.
+        unit: &'static str,
+    },
+    /// A quantity outside its range.
+    #[error("{quantity} is {value} {unit}; it must lie between {low} and {high} {unit}")]
+    OutOfRange {
+        /// The quantity's name.
+        quantity: &'static str,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Lower bound, in `unit`.
+        low: f64,
+        /// Upper bound, in `unit`.
+        high: f64,
+        /// Unit of the three numbers.
+        unit: &'static str,
+    },
+    /// Two parameters of system (1) that leave the others open.
+    #[error("{first} and {second} do not determine the arcs: {why}")]
+    PairUndetermined {
+        /// The first parameter.
+        first: &'static str,
+        /// The second parameter.
+        second: &'static str,
+        /// Why not.
+        why: &'static str,
+    },
+    /// Two parameters of system (1) that no pair of arcs has.
+    #[error("no pair of arcs has {first} and {second} of these values: {why}")]
+    NoArcs {
+        /// The first parameter.
+        first: &'static str,
+        /// The second parameter.
+        second: &'static str,
+        /// The condition that fails.
+        why: &'static str,
+    },
+    /// A distance `l` at which no motor of these numbers closes.
+    #[error("l = {l_mm} mm: a motor of these numbers closes for l {}", ranges(.intervals_mm))]
+    OutsideFamily {
+        /// The distance given, mm.
+        l_mm: f64,
+        /// The family's intervals, mm; the last may be infinite, where it goes on to a straight arc 1.
+        intervals_mm: Vec<(f64, f64)>,
+    },
+    /// Numbers for which no pair of arcs closes.
+    #[error(
+        "no motor of two arcs closes with these numbers: where R_1 vanishes, the rotor already has cusps or \
+         the stator's flank is more than radial; take more satellite teeth"
+    )]
+    NoFamily,
+    /// Numbers for which no cosine-law rotor closes.
+    #[error(
+        "no cosine-law rotor closes with these numbers: at the relative amplitude {cusp_amplitude:.6}, where \
+         the stator gets cusps, its half-lobe still spans {excess_deg:.6}° too much; take more satellite teeth"
+    )]
+    NoCosineRotor {
+        /// The relative amplitude at which the stator gets cusps.
+        cusp_amplitude: f64,
+        /// What the stator's half-lobe spans too much there, degrees.
+        excess_deg: f64,
+    },
+}
+
+fn ranges(intervals_mm: &[(f64, f64)]) -> String {
+    let range = |&(low, high): &(f64, f64)| {
+        if high.is_finite() {
+            format!("from {low:.6} to {high:.6} mm")
+        } else {
+            format!("from {low:.6} mm on, however great")
+        }
+    };
+    intervals_mm.iter().map(range).collect::<Vec<_>>().join(" or ")
+}

@@ -1,0 +1,297 @@
+//! Flow and torque for ideal ports, without leaks, and their ripple.
+//!
+//! Ideal ports join every growing chamber with the high pressure and every shrinking one with the low one. What goes through
+//! is `b·Σ dA/dφ` over the growing ones a radian; by the virtual work the torque is that times `Δp`. Both have one ripple
+//!
+//! ```text
+//! Q(φ) = b·Σ max(0, f(Φⱼ + 2π/n) − f(Φⱼ))      M(φ) = Q·Δp      M = q·Δp/(2π)      δ = (Q_max − Q_min)/Q_mean
+//! ```
+//!
+//! `Q` has the period `2π/lcm(N, n)` and is even about `φ = 0`; it is smooth but where a chamber changes over (at 0 and at half a
+//! period) and where a satellite passes a junction of the arcs. Its extremes are sought on each smooth piece, at the ends and at
+//! the zeros of `dQ/dφ` between eight places.
+
+use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
+
+use crate::Error;
+use crate::contact::Conjugate;
+use crate::motor::Motor;
+use crate::units::{
+    area, finite_angle, finite_pressure, finite_speed, positive_length, power, torque, volume, volume_rate,
+};
+use std::f64::consts::TAU;
+
+/// Pieces in which a smooth stretch of the flow is looked at.
+const PIECES: u32 = 4;
+
+/// The flow over width, a radian of the rotor, and its ripple; times `Δp` and width it is the torque.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ripple {
+    /// The least.
+    pub least: Area,
+    /// The greatest.
+    pub greatest: Area,
+    /// The mean over a revolution, `q/(2π·b)`.
+    pub mean: Area,
+    /// `δ = (greatest − least)/mean`.
+    pub delta: f64,
+}
+
+impl Motor {
+    /// Flow over width a radian of the rotor, after a rotation.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn flow_per_width(&self, rotation: Angle) -> Result<Area, Error> {
+        Ok(area(self.flow_kernel(finite_angle("rotation", rotation)?).0, self.module()))
+    }
+
+    /// `Q/b` and its slope in units of the module.
+    fn flow_kernel(&self, rotation: f64) -> (f64, f64) {
+        // N and n with a common divisor d repeat everything d times; satellite j of 0…(N + n)/d suffices.
+        let divisor = self.numbers().common_divisor();
+        let satellites = self.numbers().satellites() / divisor;
+        let at = |j: u32| self.shape.flow(self.phase(rotation, j));
+        let first = at(0);
+        let (mut back, mut sum, mut slope) = (first, 0.0, 0.0);
+        for j in 1..=satellites {
+            let front = if j == satellites { first } else { at(j) };
+            if front.0 > back.0 {
+                sum += front.0 - back.0;
+                slope += front.1 - back.1;
+            }
+            back = front;
+        }
+        (sum * f64::from(divisor), slope * f64::from(divisor))
+    }
+
+    /// The ripple of flow and torque.
+    ///
+    /// ```
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{f64::Length, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0), mm(40.0))?;
+    /// assert!((motor.ripple().delta - 0.0764).abs() < 5e-5);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    #[must_use]
+    pub fn ripple(&self) -> Ripple {
+        let (least, greatest) = self.flow_extremes();
+        let mean = self.displacement_kernel() / TAU;
+        let [least_area, greatest_area, mean_area] =
+            [least, greatest, mean].map(|value| area(value, self.module()));
+        Ripple {
+            least: least_area,
+            greatest: greatest_area,
+            mean: mean_area,
+            delta: (greatest - least) / mean,
+        }
+    }
+
+    fn flow_extremes(&self) -> (f64, f64) {
+        let numbers = self.numbers();
+        let product = f64::from(numbers.stator_lobes() * numbers.rotor_lobes());
+        let half = TAU * f64::from(numbers.common_divisor()) / product / 2.0;
+        // A junction at ±Φ, folded into half a period.
+        let kink = self.shape.kink().map(|phase| {
+            let rest = phase.rem_euclid(2.0 * half);
+            rest.min(2.0 * half - rest)
+        });
+        let mut ends = vec![0.0];
+        ends.extend(kink.filter(|&kink| kink > 1e-9 * half && kink < (1.0 - 1e-9) * half));
+        ends.push(half);
+        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut meet = |value: f64| {
+            least = least.min(value);
+            greatest = greatest.max(value);
+        };
+        for pair in ends.windows(2) {
+            // Slopes jump at the ends: taken a hair within.
+            let hair = 1e-7 * (pair[1] - pair[0]);
+            let (from, to) = (pair[0] + hair, pair[1] - hair);
+            let mut before = (from, self.flow_kernel(from));
+            meet(self.flow_kernel(pair[0]).0);
+            for i in 1..=PIECES {
+                let place = from + (to - from) * f64::from(i) / f64::from(PIECES);
+                let here = (place, self.flow_kernel(place));
+                meet(here.1.0);
+                if before.1.1 * here.1.1 < 0.0 {
+                    let root = flat(before, here, |place| self.flow_kernel(place));
+                    meet(root);
+                }
+                before = here;
+            }
+            meet(self.flow_kernel(pair[1]).0);
+        }
+        (least, greatest)
+    }
+
+    /// Mean flow at a speed of the rotor: `q·ω/(2π)`.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the speed.
+    pub fn mean_flow(&self, width: Length, speed: AngularVelocity) -> Result<VolumeRate, Error> {
+        let (width, speed) = (positive_length("width", width)?, finite_speed(speed)?);
+        Ok(volume_rate(volume(self.displacement_kernel() / TAU, self.module(), width), speed))
+    }
+
+    /// Theoretical torque, the mean over a revolution without leaks and friction: `M = q·Δp/(2π)`.
+    ///
+    /// | symbol | argument | meaning | unit |
+    /// |---|---|---|---|
+    /// | `b` | `width` | width of the wheels | m |
+    /// | `Δp` | `pressure_drop` | high less low pressure; negative, it drives the rotor back | Pa |
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the pressure.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::f64::{Length, Pressure};
+    /// use uom::si::{length::millimeter, pressure::megapascal, torque::newton_meter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(2.0), mm(80.0))?;
+    /// let torque = motor.theoretical_torque(mm(50.0), Pressure::new::<megapascal>(20.0))?;
+    /// // 1412.9151·2²·50 mm³ · 20 MPa/(2π)
+    /// assert!((torque.get::<newton_meter>() - 899.49).abs() < 0.01);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn theoretical_torque(&self, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
+        let width = positive_length("width", width)?;
+        let pressure_drop = finite_pressure("pressure drop", pressure_drop)?;
+        Ok(torque(volume(self.displacement_kernel() / TAU, self.module(), width), pressure_drop))
+    }
+
+    /// Torque without leaks and friction after a rotation of the rotor.
+    ///
+    /// # Errors
+    /// As [`theoretical_torque`](Self::theoretical_torque), and [`Error::NotFinite`] for the rotation.
+    pub fn torque(&self, rotation: Angle, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
+        let width = positive_length("width", width)?;
+        let pressure_drop = finite_pressure("pressure drop", pressure_drop)?;
+        let (flow, _) = self.flow_kernel(finite_angle("rotation", rotation)?);
+        Ok(torque(volume(flow, self.module(), width), pressure_drop))
+    }
+
+    /// Theoretical power at a speed: `M·ω`.
+    ///
+    /// # Errors
+    /// As [`theoretical_torque`](Self::theoretical_torque), and [`Error::NotFinite`] for the speed.
+    pub fn theoretical_power(
+        &self,
+        width: Length,
+        pressure_drop: Pressure,
+        speed: AngularVelocity,
+    ) -> Result<Power, Error> {
+        Ok(power(self.theoretical_torque(width, pressure_drop)?, finite_speed(speed)?))
+    }
+}
+
+/// The value of a function where its slope vanishes between two places.
+fn flat(before: (f64, (f64, f64)), here: (f64, (f64, f64)), f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    // The value is flat there: a place to a millionth of the piece gives it to its last digits.
+    let ((mut low, mut at_low), (mut high, mut at_high)) = (before, here);
+    for _ in 0..60 {
+        let secant = low - at_low.1 * (high - low) / (at_high.1 - at_low.1);
+        // Kept off the ends, so that both close in.
+        let margin = 0.1 * (high - low);
+        let place = secant.clamp(low + margin, high - margin);
+        let at_place = f(place);
+        if (high - low) < 1e-6 * (here.0 - before.0) {
+            return at_place.0;
+        }
+        if (at_place.1 < 0.0) == (at_low.1 < 0.0) {
+            (low, at_low) = (place, at_place);
+        } else {
+            (high, at_high) = (place, at_place);
+        }
+    }
+    f(0.5 * (low + high)).0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::centrode::tests::any_motor;
+    use crate::roots::quadrature;
+    use crate::units::angle;
+    use proptest::prelude::*;
+    use uom::si::area::square_meter;
+    use uom::si::length::meter;
+
+    fn m(value: f64) -> Length {
+        Length::new::<meter>(value)
+    }
+
+    fn get(area: Area) -> f64 {
+        area.get::<square_meter>()
+    }
+
+    #[test]
+    fn the_ripples_of_the_source_are_met() {
+        for (numbers, l, delta) in
+            [((5, 3, 55, 10), 40.0, 0.0764), ((5, 3, 55, 10), 30.0, 0.0853), ((6, 4, 66, 10), 40.0, 0.0537)]
+        {
+            let numbers = crate::MotorNumbers::new(numbers.0, numbers.1, numbers.2, numbers.3).unwrap();
+            let motor = Motor::of_two_arcs(numbers, m(1.0), m(l)).unwrap();
+            assert!((motor.ripple().delta - delta).abs() < 5e-5, "{}", motor.ripple().delta);
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+
+        #[test]
+        fn displacement_is_the_integral_of_the_flow(motor in any_motor(), start in -9.0..9.0) {
+            let closed = get(motor.displacement_per_width());
+            // From a chamber's change-over to the next, and from junction to junction, the flow is smooth: many panels
+            // make the kinks harmless.
+            let integral = quadrature(start, start + TAU, 1600, |rotation| motor.flow_kernel(rotation).0);
+            prop_assert!((integral - closed).abs() < 1e-6 * closed, "{integral} {closed}");
+        }
+
+        #[test]
+        fn the_ripple_bounds_the_flow_from_any_start(motor in any_motor(), start in -9.0..9.0) {
+            let ripple = motor.ripple();
+            let (least, greatest) = (get(ripple.least), get(ripple.greatest));
+            let numbers = motor.numbers();
+            let period = TAU * f64::from(numbers.common_divisor()) / f64::from(numbers.stator_lobes() * numbers.rotor_lobes());
+            let flows: Vec<f64> = (0..2000)
+                .map(|i| get(motor.flow_per_width(angle(start + period * f64::from(i) / 2000.0)).unwrap()))
+                .collect();
+            let found = flows.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &q| (low.min(q), high.max(q)));
+            let reach = 1e-9 * greatest;
+            prop_assert!(found.0 >= least - reach && found.1 <= greatest + reach, "{found:?} {least} {greatest}");
+            // And it is reached, but for the coarseness of the samples.
+            let delta = (found.1 - found.0) / get(ripple.mean);
+            prop_assert!((delta - ripple.delta).abs() < 2e-3 * ripple.delta + 1e-6, "{delta} {}", ripple.delta);
+        }
+
+        #[test]
+        fn the_slope_of_the_flow_is_that_of_differences(motor in any_motor(), rotation in -3.0..3.0) {
+            let h = 1e-6;
+            let [back, here, front] = [rotation - h, rotation, rotation + h].map(|rotation| motor.flow_kernel(rotation));
+            let kink = (front.1 - back.1).abs() > 1e-2 * here.1.abs().max(0.1);
+            let difference = (front.0 - back.0) / (2.0 * h);
+            prop_assert!(kink || (difference - here.1).abs() < 1e-3 * here.1.abs().max(1.0), "{difference} {}", here.1);
+        }
+
+        #[test]
+        fn torque_and_power_agree_with_the_flow(motor in any_motor(), drop in -3e7..3e7, speed in -50.0..50.0) {
+            let width = m(0.1);
+            let pressure = Pressure::new::<uom::si::pressure::pascal>(drop);
+            let omega = AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(speed);
+            let power = motor.theoretical_power(width, pressure, omega).unwrap().value;
+            let flow = motor.mean_flow(width, omega).unwrap().value;
+            prop_assert!((power - flow * drop).abs() <= 1e-12 * power.abs());
+            prop_assert!(motor.theoretical_torque(m(-1.0), pressure).is_err());
+            let torque = motor.torque(angle(0.3), width, pressure).unwrap().value;
+            let flow = get(motor.flow_per_width(angle(0.3)).unwrap());
+            prop_assert!((torque - flow * 0.1 * drop).abs() <= 1e-12 * torque.abs());
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! The motion of the satellites through a revolution: centre, rotation and contacts of each.
+//!
+//! Satellite `j` stands where satellite 0 will after `j/n` of a turn of the rotor, so that all `N + n` run one behind the other.
+//! Its rotation follows from rolling on either wheel alike:
+//!
+//! ```text
+//! α = (θ₃ − μ) − s₃/r = Φ − (θ₁ − μ) − s₁/r
+//! ```
+
+use uom::si::f64::{Angle, Length};
+
+use crate::Error;
+use crate::contact::{By, Conjugate, Contact};
+use crate::motor::Motor;
+use crate::units::{angle, finite_angle};
+
+/// A point of the stator's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Coordinate along the axis through a stator crest.
+    pub x: Length,
+    /// Coordinate across.
+    pub y: Length,
+}
+
+/// A satellite at an instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Satellite {
+    /// Its number, from 0 to `N + n − 1`, counter-clockwise.
+    pub index: u32,
+    /// Its centre.
+    pub centre: Point,
+    /// Its rotation about itself, counter-clockwise, since it stood at the stator crest on the x axis.
+    pub rotation: Angle,
+    /// Where it touches the stator.
+    pub on_stator: Point,
+    /// Where it touches the rotor.
+    pub on_rotor: Point,
+}
+
+/// A satellite's place in units of the module.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) contact: Contact,
+    pub(crate) centre: [f64; 2],
+    pub(crate) on_stator: [f64; 2],
+    pub(crate) on_rotor: [f64; 2],
+}
+
+impl Motor {
+    /// All satellites after a rotation of the rotor.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{angle::radian, f64::{Angle, Length}, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0), mm(40.0))?;
+    /// let satellites = motor.satellites(Angle::new::<radian>(0.0))?;
+    /// assert_eq!(satellites.len(), 8);
+    /// // The first sits between two crests: 28.248 mm less its radius of 5 mm.
+    /// assert!((satellites[0].centre.x.get::<millimeter>() - 23.247959950).abs() < 1e-8);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn satellites(&self, rotation: Angle) -> Result<Vec<Satellite>, Error> {
+        let rotation = finite_angle("rotation", rotation)?;
+        let r = self.shape.satellite_radius();
+        let point = |[x, y]: [f64; 2]| Point { x: self.length(x), y: self.length(y) };
+        let satellite = |index: u32| {
+            let Place { contact, centre, on_stator, on_rotor } = self.place(rotation, index);
+            Satellite {
+                index,
+                centre: point(centre),
+                rotation: angle(contact.theta3 - contact.mu - contact.s3 / r),
+                on_stator: point(on_stator),
+                on_rotor: point(on_rotor),
+            }
+        };
+        Ok((0..self.numbers().satellites()).map(satellite).collect())
+    }
+
+    pub(crate) fn place(&self, rotation_rad: f64, index: u32) -> Place {
+        self.place_at(self.phase(rotation_rad, index))
+    }
+
+    pub(crate) fn place_at(&self, phase: f64) -> Place {
+        let contact = self.shape.at(By::Phase, phase);
+        let r = self.shape.satellite_radius();
+        let (sin, cos) = contact.theta3.sin_cos();
+        let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+        let on_stator = [contact.rho3 * cos, contact.rho3 * sin];
+        Place {
+            contact,
+            centre: [on_stator[0] - r * normal_cos, on_stator[1] - r * normal_sin],
+            on_stator,
+            on_rotor: [contact.rho1 * cos, contact.rho1 * sin],
+        }
+    }
+
+    /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which one pair has it.
+    ///
+    /// It must exceed the satellite's diameter. Sampled at 256 rotations of a chamber's period and refined by golden section.
+    #[must_use]
+    pub fn least_neighbour_distance(&self) -> (Length, Angle) {
+        let step = self.chamber_phase();
+        let distance = |phase: f64| {
+            let [one, other] = [phase, phase + step].map(|phase| self.place_at(phase).centre);
+            (one[0] - other[0]).hypot(one[1] - other[1])
+        };
+        // A pair's distance is even about the middle of a crest and of a trough: phases −π/n and −π/n + half a period.
+        let (start, width) = (-0.5 * step, self.shape.trough().phase);
+        let at = |i: u32| start + width * f64::from(i) / 256.0;
+        let best = (0..=256)
+            .map(|i| (distance(at(i)), i))
+            .fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
+        let (mut low, mut high) = (at(best.1.saturating_sub(1)), at((best.1 + 1).min(256)));
+        let golden = 0.381_966_011_250_105;
+        for _ in 0..60 {
+            let (left, right) = (low + golden * (high - low), high - golden * (high - low));
+            if distance(left) < distance(right) {
+                high = right;
+            } else {
+                low = left;
+            }
+        }
+        let phase = 0.5 * (low + high);
+        (self.length(distance(phase).min(best.0)), angle(phase))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::centrode::Wheel;
+    use crate::centrode::tests::any_motor;
+    use crate::units::radians;
+    use proptest::prelude::*;
+    use uom::si::length::meter;
+
+    fn xy(point: Point) -> [f64; 2] {
+        [point.x.get::<meter>(), point.y.get::<meter>()]
+    }
+
+    fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    }
+
+    fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+        let (sin, cos) = angle.sin_cos();
+        [x * cos - y * sin, x * sin + y * cos]
+    }
+
+    proptest! {
+        #[test]
+        fn satellites_touch_both_wheels_at_every_angle(motor in any_motor(), rotation in -20.0..20.0) {
+            let r = motor.satellite_radius().get::<meter>();
+            let contact_slack = 1e-9;
+            for satellite in motor.satellites(angle(rotation)).unwrap() {
+                let centre = xy(satellite.centre);
+                prop_assert!((distance(centre, xy(satellite.on_stator)) - r).abs() < contact_slack);
+                prop_assert!((distance(centre, xy(satellite.on_rotor)) - r).abs() < contact_slack);
+                // The points lie on the curves, the rotor's in its own frame, with the centre on the normal.
+                for (wheel, point, turn) in
+                    [(Wheel::Stator, satellite.on_stator, 0.0), (Wheel::Rotor, satellite.on_rotor, rotation)]
+                {
+                    let point = turned(xy(point), -turn);
+                    let centre = turned(centre, -turn);
+                    let polar = point[1].atan2(point[0]);
+                    let curve = motor.centrode(wheel).at_polar_angle(angle(polar)).unwrap();
+                    prop_assert!(distance(point, [curve.x.get::<meter>(), curve.y.get::<meter>()]) < contact_slack, "{wheel:?}");
+                    let (sin, cos) = radians(curve.tangent).sin_cos();
+                    let along = (centre[0] - point[0]) * cos + (centre[1] - point[1]) * sin;
+                    prop_assert!(along.abs() < contact_slack * 10.0, "{wheel:?} {along:e}");
+                }
+            }
+        }
+
+        #[test]
+        fn satellites_roll_without_slip_on_both_wheels(motor in any_motor(), rotation in -9.0..9.0) {
+            let h = 1e-5;
+            let at = |rotation: f64| motor.satellites(angle(rotation)).unwrap();
+            let (back, here, front) = (at(rotation - h), at(rotation), at(rotation + h));
+            for ((back, here), front) in back.iter().zip(&here).zip(&front) {
+                let rate = |get: &dyn Fn(&Satellite) -> f64| (get(front) - get(back)) / (2.0 * h);
+                let velocity = [rate(&|s| xy(s.centre)[0]), rate(&|s| xy(s.centre)[1])];
+                let spin = rate(&|s| radians(s.rotation));
+                let centre = xy(here.centre);
+                let of_satellite = |at: [f64; 2]| {
+                    [velocity[0] - spin * (at[1] - centre[1]), velocity[1] + spin * (at[0] - centre[0])]
+                };
+                // On the resting stator no velocity; on the rotor that of the rotor, which turns by 1.
+                let (on_stator, on_rotor) = (xy(here.on_stator), xy(here.on_rotor));
+                let scale = velocity[0].hypot(velocity[1]) + spin.abs() * motor.satellite_radius().get::<meter>();
+                prop_assert!(distance(of_satellite(on_stator), [0.0, 0.0]) < 1e-4 * scale.max(1.0));
+                prop_assert!(distance(of_satellite(on_rotor), [-on_rotor[1], on_rotor[0]]) < 1e-4 * scale.max(1.0));
+            }
+        }
+
+        #[test]
+        fn a_turn_of_a_lobe_brings_the_next_satellite(motor in any_motor(), rotation in -3.0..3.0) {
+            let lobe = motor.chamber_phase();
+            let (now, then) = (motor.satellites(angle(rotation)).unwrap(), motor.satellites(angle(rotation + lobe)).unwrap());
+            for (next, moved) in now.iter().skip(1).chain(&now[..1]).zip(&then) {
+                prop_assert!(distance(xy(next.centre), xy(moved.centre)) < 1e-10);
+            }
+        }
+
+        #[test]
+        fn no_pair_is_nearer_than_the_least_distance(motor in any_motor(), rotation in -9.0..9.0) {
+            let least = motor.least_neighbour_distance().0.get::<meter>();
+            let satellites = motor.satellites(angle(rotation)).unwrap();
+            for (one, other) in satellites.iter().zip(satellites.iter().skip(1).chain(&satellites[..1])) {
+                prop_assert!(distance(xy(one.centre), xy(other.centre)) >= least - 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! The half-lobe whose stator consists of the two arcs of system (1); the rotor in closed form.
+//!
+//! With the angle `x` at the arc's centre, from the crest on arc 2 and from the trough on arc 1, and `t = tan(x/2)`:
+//!
+//! ```text
+//! arc 2:  s₃ = R₂·x           μ = −atan2(a·sin x, R₂ + a·cos x)     G = (R₂ − r)·(R₂·x + a·sin x)
+//! arc 1:  s₃ = S − R₁·x       μ = −atan2(l·sin x, l·cos x − R₁)     G = G(π/N) − (R₁ + r)·(l·sin x − R₁·x)
+//! ```
+//!
+//! and `Φ` by [`crate::closure`]. `G` is elementary because `ρ₁·ρ₃` cancels in `f·dΦ`.
+
+use crate::arcs::Arcs;
+use crate::closure::{crest_term, trough_term};
+use crate::contact::{By, Conjugate, Contact, conjugate_curvature, inverse};
+
+/// A half-lobe of a closed motor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TwoArcs {
+    arcs: Arcs,
+    r: f64,
+    /// Phase of a half-lobe.
+    end_phase: f64,
+    /// What a satellite sweeps in a half-lobe.
+    end_swept: f64,
+    trough: Contact,
+    junction: Contact,
+}
+
+impl TwoArcs {
+    /// From arcs that close.
+    pub(crate) fn new(arcs: &Arcs, r: f64) -> Self {
+        let Arcs { l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, .. } = *arcs;
+        let crest_phase = beta + crest_term(arcs, r, tan_beta);
+        let end_phase = crest_phase + trough_term(arcs, r, tan_gamma) - gamma;
+        let crest_swept = (r2 - r) * (r2 * beta + a * beta.sin());
+        let end_swept = crest_swept + (r1 + r) * (arcs.least * gamma - l * less_sine(gamma));
+        let nothing = Contact {
+            phase: 0.0,
+            theta3: 0.0,
+            theta1: 0.0,
+            rho3: 0.0,
+            rho1: 0.0,
+            mu: 0.0,
+            s3: 0.0,
+            s1: 0.0,
+            kappa3: 0.0,
+            kappa1: 0.0,
+            swept: 0.0,
+        };
+        let mut lobe = Self { arcs: *arcs, r, end_phase, end_swept, trough: nothing, junction: nothing };
+        lobe.trough = lobe.on_trough(0.0, 0.0);
+        lobe.junction = lobe.on_crest(beta, tan_beta);
+        lobe
+    }
+
+    /// The contact at the angle `x` of arc 2, `t = tan(x/2)`.
+    fn on_crest(&self, x: f64, t: f64) -> Contact {
+        let Arcs { a, r2, .. } = self.arcs;
+        let (sin, cos) = x.sin_cos();
+        let along = a + r2 * cos;
+        let rho3 = along.hypot(r2 * sin);
+        let theta3 = (r2 * sin).atan2(along);
+        let mu = -(a * sin).atan2(r2 + a * cos);
+        let product = a * a + r2 * r2 - 2.0 * r2 * self.r + 2.0 * a * (r2 - self.r) * cos;
+        let phase = x + crest_term(&self.arcs, self.r, t);
+        let swept = (r2 - self.r) * (r2 * x + a * sin);
+        self.contact(phase, theta3, rho3, product / rho3, mu, r2 * x, r2.recip(), swept)
+    }
+
+    /// The contact at the angle `x` of arc 1, `t = tan(x/2)`.
+    fn on_trough(&self, x: f64, t: f64) -> Contact {
+        let Arcs { theta3: whole, half_length, l, r1, least, .. } = self.arcs;
+        let sin = x.sin();
+        let half = (x / 2.0).sin();
+        let versine = 2.0 * half * half;
+        let along = least + r1 * versine;
+        let rho3 = along.hypot(r1 * sin);
+        let theta3 = whole - (r1 * sin).atan2(along);
+        let mu = -(l * sin).atan2(least - l * versine);
+        let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
+        let phase = self.end_phase + x - trough_term(&self.arcs, self.r, t);
+        let swept = self.end_swept - (r1 + self.r) * (least * x - l * less_sine(x));
+        let mu = if x == 0.0 { 0.0 } else { mu };
+        self.contact(phase, theta3, rho3, product / rho3, mu, half_length - r1 * x, -r1.recip(), swept)
+    }
+
+    #[allow(clippy::too_many_arguments)] // what the two arcs have in common, each number once
+    fn contact(
+        &self,
+        phase: f64,
+        theta3: f64,
+        rho3: f64,
+        rho1: f64,
+        mu: f64,
+        s3: f64,
+        kappa3: f64,
+        swept: f64,
+    ) -> Contact {
+        let kappa1 = conjugate_curvature(self.r, mu.cos(), rho3, kappa3, rho1);
+        let s1 = s3 + 2.0 * self.r * mu;
+        Contact { phase, theta3, theta1: phase - theta3, rho3, rho1, mu, s3, s1, kappa3, kappa1, swept }
+    }
+
+    /// `t = tan(x/2)` on arc 2 at a phase.
+    fn crest_tangent(&self, phase: f64) -> f64 {
+        let Arcs { a, r2, tan_beta, .. } = self.arcs;
+        let (squares, twice) = (a * a + r2 * r2 - 2.0 * r2 * self.r, 2.0 * a * (r2 - self.r));
+        let start = tan_beta * phase / self.junction.phase;
+        inverse(phase, tan_beta, start, |t| {
+            let scale = 1.0 / (1.0 + t * t);
+            let cos = (1.0 - t * t) * scale;
+            let slope = 4.0 * scale * (r2 + a * cos) * (r2 - self.r) / (squares + twice * cos);
+            (2.0 * t.atan() + crest_term(&self.arcs, self.r, t), slope)
+        })
+    }
+
+    /// `t = tan(x/2)` on arc 1 at a phase, counted back from the trough.
+    fn trough_tangent(&self, back: f64) -> f64 {
+        let Arcs { l, r1, least, tan_gamma, .. } = self.arcs;
+        let start = tan_gamma * back / (self.end_phase - self.junction.phase);
+        inverse(back, tan_gamma, start, |t| {
+            let scale = 1.0 / (1.0 + t * t);
+            let versine = 2.0 * t * t * scale;
+            let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
+            let slope = 4.0 * scale * (least - l * versine) * (r1 + self.r) / product;
+            (trough_term(&self.arcs, self.r, t) - 2.0 * t.atan(), slope)
+        })
+    }
+}
+
+/// `x − sin x`, without its cancellation.
+fn less_sine(x: f64) -> f64 {
+    if x.abs() < 0.25 {
+        let square = x * x;
+        // x³/3! − x⁵/5! + …
+        let series = [110.0, 72.0, 42.0, 20.0].iter().fold(1.0, |sum, k| 1.0 - square / k * sum);
+        x * square / 6.0 * series
+    } else {
+        x - x.sin()
+    }
+}
+
+impl Conjugate for TwoArcs {
+    fn satellite_radius(&self) -> f64 {
+        self.r
+    }
+
+    fn trough(&self) -> &Contact {
+        &self.trough
+    }
+
+    fn kink(&self) -> Option<f64> {
+        Some(self.junction.phase)
+    }
+
+    fn flow_within(&self, phase: f64) -> (f64, f64) {
+        // f = ½·(K + M·cos x), and dΦ/dx as in `crest_tangent`: without the contact's angles.
+        let Arcs { l, a, r1, r2, least, .. } = self.arcs;
+        if phase <= self.junction.phase {
+            let t = self.crest_tangent(phase);
+            let scale = 1.0 / (1.0 + t * t);
+            let (sin, cos) = (2.0 * t * scale, (1.0 - t * t) * scale);
+            let product = a * a + r2 * r2 - 2.0 * r2 * self.r + 2.0 * a * (r2 - self.r) * cos;
+            (0.5 * product, -0.5 * a * sin * product / (r2 + a * cos))
+        } else {
+            let t = self.trough_tangent(self.end_phase - phase);
+            let scale = 1.0 / (1.0 + t * t);
+            let (sin, versine) = (2.0 * t * scale, 2.0 * t * t * scale);
+            let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
+            (0.5 * product, -0.5 * l * sin * product / (least - l * versine))
+        }
+    }
+
+    fn rotor_area(&self) -> f64 {
+        // G − ½·∫ ρ₃² dθ₃: of the satellite's own share nothing is left where μ vanishes.
+        let Arcs { l, a, r1, r2, gamma, beta, least, .. } = self.arcs;
+        let crest = r2 * (r2 * beta + a * beta.sin());
+        let trough = r1 * (least * gamma - l * less_sine(gamma));
+        self.end_swept - 0.5 * (crest + trough)
+    }
+
+    fn within(&self, by: By, value: f64) -> Contact {
+        let Arcs { half_length, r1, r2, gamma, beta, .. } = self.arcs;
+        let on_crest = value <= self.junction.get(by);
+        match by {
+            By::Phase if on_crest => {
+                let t = self.crest_tangent(value);
+                self.on_crest(2.0 * t.atan(), t)
+            }
+            By::Phase => {
+                let t = self.trough_tangent(self.end_phase - value);
+                self.on_trough(2.0 * t.atan(), t)
+            }
+            By::StatorArc if on_crest => self.on_crest(value / r2, (value / r2 / 2.0).tan()),
+            By::StatorArc => {
+                let x = (half_length - value) / r1;
+                self.on_trough(x, (x / 2.0).tan())
+            }
+            _ if on_crest => {
+                let start = beta * value / self.junction.get(by);
+                let x = inverse(value, beta, start, |x| {
+                    let contact = self.on_crest(x, (x / 2.0).tan());
+                    (contact.get(by), contact.slope(by, self.r) * r2)
+                });
+                self.on_crest(x, (x / 2.0).tan())
+            }
+            _ => {
+                let end = self.trough.get(by);
+                let start = gamma * (end - value) / (end - self.junction.get(by));
+                let x = inverse(end - value, gamma, start, |x| {
+                    let contact = self.on_trough(x, (x / 2.0).tan());
+                    (end - contact.get(by), contact.slope(by, self.r) * r1)
+                });
+                self.on_trough(x, (x / 2.0).tan())
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::closure::Family;
+    use crate::closure::tests::any_motor;
+    use proptest::prelude::*;
+    use uom::si::f64::Length;
+    use uom::si::length::meter;
+
+    proptest! {
+        #[test]
+        fn the_short_way_to_the_flow_is_that_of_the_contact(motor in any_motor(), part in 0.001..0.999) {
+            let arcs = Family::new(motor.0, Length::new::<meter>(1.0)).unwrap().at_part(motor.1).unwrap();
+            let r = f64::from(motor.0.satellite_teeth()) / 2.0;
+            let lobe = TwoArcs::new(&arcs.arcs, r);
+            let phase = part * lobe.end_phase;
+            let contact = lobe.within(By::Phase, phase);
+            let (flow, slope) = lobe.flow_within(phase);
+            prop_assert!((flow - contact.flow()).abs() < 1e-12 * flow);
+            prop_assert!((slope - contact.flow_slope(r)).abs() < 1e-10 * flow);
+        }
+    }
+
+    #[test]
+    fn less_sine_keeps_its_digits() {
+        for x in [1e-9, 1e-3, 0.2499, 0.2501, 1.0] {
+            let series: f64 = (1..12).rev().fold(0.0, |sum, k| {
+                let k = f64::from(2 * k);
+                (1.0 - x * x * sum) / (k * (k + 1.0))
+            });
+            assert!((less_sine(x) / (x * x * x * series) - 1.0).abs() < 1e-13, "{x}");
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Conversions between `uom` quantities and the `f64` of the kernels; no other file of the crate converts.
+//!
+//! The kernels work in units of the module: lengths over `m`, areas over `m²`.
+
+use uom::si::angle::{degree, radian};
+use uom::si::angular_velocity::radian_per_second;
+use uom::si::area::square_meter;
+use uom::si::curvature::radian_per_meter;
+use uom::si::f64::{
+    Angle, AngularVelocity, Area, Curvature, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
+};
+use uom::si::force::newton;
+use uom::si::length::{meter, millimeter};
+use uom::si::power::watt;
+use uom::si::pressure::{megapascal, pascal};
+use uom::si::torque::newton_meter;
+use uom::si::volume::cubic_meter;
+use uom::si::volume_rate::cubic_meter_per_second;
+
+use crate::Error;
+
+pub(crate) fn angle(angle_rad: f64) -> Angle {
+    Angle::new::<radian>(angle_rad)
+}
+
+pub(crate) fn radians(value: Angle) -> f64 {
+    value.get::<radian>()
+}
+
+pub(crate) fn degrees(angle_rad: f64) -> f64 {
+    angle(angle_rad).get::<degree>()
+}
+
+/// Millimetres of a length in modules.
+pub(crate) fn millimetres(value: Length) -> f64 {
+    value.get::<millimeter>()
+}
+
+/// A length of so many modules.
+pub(crate) fn length(modules: f64, module: Length) -> Length {
+    module * modules
+}
+
+/// How many modules a length is.
+pub(crate) fn modules(value: Length, module: Length) -> f64 {
+    value.get::<meter>() / module.get::<meter>()
+}
+
+/// An area of so many squared modules.
+pub(crate) fn area(square_modules: f64, module: Length) -> Area {
+    Area::new::<square_meter>(square_modules * module.get::<meter>() * module.get::<meter>())
+}
+
+/// A curvature of so much over the module.
+pub(crate) fn curvature(per_module: f64, module: Length) -> Curvature {
+    Curvature::new::<radian_per_meter>(per_module / module.get::<meter>())
+}
+
+pub(crate) fn volume(square_modules: f64, module: Length, width: Length) -> Volume {
+    Volume::new::<cubic_meter>(area(square_modules, module).get::<square_meter>() * width.get::<meter>())
+}
+
+pub(crate) fn volume_rate(volume_per_radian: Volume, speed: AngularVelocity) -> VolumeRate {
+    VolumeRate::new::<cubic_meter_per_second>(
+        volume_per_radian.get::<cubic_meter>() * speed.get::<radian_per_second>(),
+    )
+}
+
+pub(crate) fn torque(volume_per_radian: Volume, pressure: Pressure) -> Torque {
+    Torque::new::<newton_meter>(volume_per_radian.get::<cubic_meter>() * pressure.get::<pascal>())
+}
+
+pub(crate) fn power(torque: Torque, speed: AngularVelocity) -> Power {
+    Power::new::<watt>(torque.get::<newton_meter>() * speed.get::<radian_per_second>())
+}
+
+pub(crate) fn force(across: Length, width: Length, pressure: Pressure) -> Force {
+    Force::new::<newton>(across.get::<meter>() * width.get::<meter>() * pressure.get::<pascal>())
+}
+
+/// A length that is finite and above 0.
+pub(crate) fn positive_length(quantity: &'static str, value: Length) -> Result<Length, Error> {
+    let value_mm = millimetres(value);
+    if value_mm.is_finite() && value_mm > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value: value_mm, unit: "mm" })
+    }
+}
+
+/// A length that is finite and above 0, in modules.
+pub(crate) fn positive_modules(quantity: &'static str, value: Length, module: Length) -> Result<f64, Error> {
+    positive_length(quantity, value).map(|value| modules(value, module))
+}
+
+/// An angle that is finite, in radians.
+pub(crate) fn finite_angle(quantity: &'static str, value: Angle) -> Result<f64, Error> {
+    let value_rad = radians(value);
+    if value_rad.is_finite() {
+        Ok(value_rad)
+    } else {
+        Err(Error::NotFinite { quantity, value: value.get::<degree>(), unit: "°" })
+    }
+}
+
+/// A length that is finite, in modules.
+pub(crate) fn finite_modules(quantity: &'static str, value: Length, module: Length) -> Result<f64, Error> {
+    let value_modules = modules(value, module);
+    if value_modules.is_finite() {
+        Ok(value_modules)
+    } else {
+        Err(Error::NotFinite { quantity, value: millimetres(value), unit: "mm" })
+    }
+}
+
+/// A pressure that is finite.
+pub(crate) fn finite_pressure(quantity: &'static str, value: Pressure) -> Result<Pressure, Error> {
+    let value_mpa = value.get::<megapascal>();
+    if value_mpa.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value: value_mpa, unit: "MPa" })
+    }
+}
+
+/// A speed that is finite.
+pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Error> {
+    let value_rad_s = value.get::<radian_per_second>();
+    if value_rad_s.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity: "speed", value: value_rad_s, unit: "rad/s" })
+    }
+}
