@@ -266,9 +266,9 @@ mod tests {
             let found = flows.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &q| (low.min(q), high.max(q)));
             let reach = 1e-9 * greatest;
             prop_assert!(found.0 >= least - reach && found.1 <= greatest + reach, "{found:?} {least} {greatest}");
-            // And it is reached, but for the coarseness of the samples.
+            // And it is reached, but for the coarseness of the samples: with a nearly radial flank the least is a sharp dip.
             let delta = (found.1 - found.0) / get(ripple.mean);
-            prop_assert!((delta - ripple.delta).abs() < 2e-3 * ripple.delta + 1e-6, "{delta} {}", ripple.delta);
+            prop_assert!((delta - ripple.delta).abs() < 2e-2 * ripple.delta + 1e-6, "{delta} {}", ripple.delta);
         }
 
         #[test]
