@@ -1,0 +1,428 @@
+//! The scene as a DXF drawing in millimetres, for CAD.
+//!
+//! AutoCAD 2000 (`AC1015`): the oldest version with `LWPOLYLINE`, line weights and units, and one that every reader takes. Lines, circles,
+//! arcs and text become entities of their kind, polylines `LWPOLYLINE` with bulges; layers keep name, colour and dashes. Fills are
+//! left out: a filled shape is its outline. The same scene gives the same text: no time and no random number is in it.
+//!
+//! # Source
+//! Autodesk, *DXF Reference*, AutoCAD 2000. Read back in the tests by an independent reader.
+
+use std::fmt::{Display, Write};
+
+use crate::error::Error;
+use crate::scene::{Item, Scene, Shape};
+use crate::style::{Color, Dash, Style};
+use crate::text::{Align, Text, one_line};
+
+/// Handles of what every drawing has.
+mod handle {
+    pub(super) const VPORT: u32 = 0x1;
+    pub(super) const LTYPE: u32 = 0x2;
+    pub(super) const LAYER: u32 = 0x3;
+    pub(super) const STYLE: u32 = 0x4;
+    pub(super) const VIEW: u32 = 0x5;
+    pub(super) const UCS: u32 = 0x6;
+    pub(super) const APPID: u32 = 0x7;
+    pub(super) const DIMSTYLE: u32 = 0x8;
+    pub(super) const BLOCK_RECORD: u32 = 0x9;
+    pub(super) const DICTIONARY: u32 = 0xA;
+    pub(super) const GROUPS: u32 = 0xB;
+    pub(super) const MODEL: u32 = 0xC;
+    pub(super) const PAPER: u32 = 0xD;
+    pub(super) const FIRST_FREE: u32 = 0x10;
+}
+
+/// The scene as a DXF drawing.
+///
+/// # Errors
+/// As [`Scene::check`].
+pub fn write(scene: &Scene) -> Result<String, Error> {
+    scene.check()?;
+    // The body first: the header states the next free handle.
+    let mut body = Writer { text: String::new(), next: handle::FIRST_FREE };
+    body.tables(scene);
+    body.blocks();
+    body.section("ENTITIES", |to| scene.items().iter().for_each(|item| to.entity(scene, item)));
+    body.section("OBJECTS", Writer::objects);
+    body.pair(0, "EOF");
+    let mut head = Writer { text: String::new(), next: 0 };
+    head.pair(999, encoded(scene.title()));
+    head.header(scene, body.next);
+    Ok(head.text + &body.text)
+}
+
+struct Writer {
+    text: String,
+    next: u32,
+}
+
+impl Writer {
+    fn pair(&mut self, code: u16, value: impl Display) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "{code:>3}\n{value}");
+    }
+
+    fn number(&mut self, code: u16, value: f64) {
+        // To 1e-9 mm; a plain decimal number, with a point.
+        let value = if value == 0.0 { 0.0 } else { value };
+        let text = format!("{value:.9}");
+        let text = text.trim_end_matches('0');
+        let text = if text.ends_with('.') { format!("{text}0") } else { text.to_owned() };
+        self.pair(code, text);
+    }
+
+    fn point(&mut self, code: u16, x: f64, y: f64) {
+        self.number(code, x);
+        self.number(code + 10, y);
+        self.number(code + 20, 0.0);
+    }
+
+    fn handle(&mut self, code: u16, handle: u32) {
+        self.pair(code, format_args!("{handle:X}"));
+    }
+
+    fn fresh(&mut self) -> u32 {
+        self.next += 1;
+        self.next - 1
+    }
+
+    fn section(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
+        self.pair(0, "SECTION");
+        self.pair(2, name);
+        write(self);
+        self.pair(0, "ENDSEC");
+    }
+
+    fn header(&mut self, scene: &Scene, next_handle: u32) {
+        let bounds = scene.bounds();
+        let bounds = if bounds.is_empty() { Shape::line([0.0, 0.0], [0.0, 0.0]).bounds() } else { bounds };
+        self.section("HEADER", |to| {
+            to.pair(9, "$ACADVER");
+            to.pair(1, "AC1015");
+            to.pair(9, "$DWGCODEPAGE");
+            to.pair(3, "ANSI_1252");
+            to.pair(9, "$INSUNITS");
+            to.pair(70, 4); // millimetres
+            to.pair(9, "$MEASUREMENT");
+            to.pair(70, 1); // metric
+            to.pair(9, "$EXTMIN");
+            to.point(10, bounds.left, bounds.bottom);
+            to.pair(9, "$EXTMAX");
+            to.point(10, bounds.right, bounds.top);
+            to.pair(9, "$LTSCALE");
+            to.number(40, 1.0);
+            to.pair(9, "$HANDSEED");
+            to.handle(5, next_handle);
+        });
+    }
+
+    fn table(&mut self, name: &str, own: u32, count: usize, write: impl FnOnce(&mut Self)) {
+        self.pair(0, "TABLE");
+        self.pair(2, name);
+        self.handle(5, own);
+        self.handle(330, 0);
+        self.pair(100, "AcDbSymbolTable");
+        self.pair(70, count);
+        write(self);
+        self.pair(0, "ENDTAB");
+    }
+
+    fn record(&mut self, kind: &str, own: Option<u32>, table: u32, subclass: &str, name: &str) {
+        let own = own.unwrap_or_else(|| self.fresh());
+        self.pair(0, kind);
+        self.handle(if kind == "DIMSTYLE" { 105 } else { 5 }, own);
+        self.handle(330, table);
+        self.pair(100, "AcDbSymbolTableRecord");
+        self.pair(100, subclass);
+        self.pair(2, name);
+        if kind != "BLOCK_RECORD" {
+            self.pair(70, 0);
+        }
+    }
+
+    fn tables(&mut self, scene: &Scene) {
+        self.section("TABLES", |to| {
+            to.table("VPORT", handle::VPORT, 1, |to| to.view_port(scene));
+            let dashes = [Dash::Dashed, Dash::DashDot, Dash::Dotted];
+            to.table("LTYPE", handle::LTYPE, 3 + dashes.len(), |to| {
+                for name in ["ByBlock", "ByLayer", "Continuous"] {
+                    to.line_type(name, "", &[]);
+                }
+                for dash in dashes {
+                    let (name, picture) = line_type(dash);
+                    to.line_type(name, picture, dash.pattern_mm());
+                }
+            });
+            to.table("LAYER", handle::LAYER, 1 + scene.layers().len(), |to| {
+                to.layer("0", Style::line(0.25));
+                for layer in scene.layers() {
+                    to.layer(&encoded(&layer.name), layer.style);
+                }
+            });
+            to.table("STYLE", handle::STYLE, 1, |to| {
+                to.record("STYLE", None, handle::STYLE, "AcDbTextStyleTableRecord", "Standard");
+                to.number(40, 0.0);
+                to.number(41, 1.0);
+                to.number(50, 0.0);
+                to.pair(71, 0);
+                to.number(42, 2.5);
+                to.pair(3, "arial.ttf");
+                to.pair(4, "");
+            });
+            to.table("VIEW", handle::VIEW, 0, |_| {});
+            to.table("UCS", handle::UCS, 0, |_| {});
+            to.table("APPID", handle::APPID, 1, |to| {
+                to.record("APPID", None, handle::APPID, "AcDbRegAppTableRecord", "ACAD");
+            });
+            to.table("DIMSTYLE", handle::DIMSTYLE, 1, |to| {
+                to.pair(100, "AcDbDimStyleTable");
+                to.pair(71, 0);
+                to.record("DIMSTYLE", None, handle::DIMSTYLE, "AcDbDimStyleTableRecord", "Standard");
+            });
+            to.table("BLOCK_RECORD", handle::BLOCK_RECORD, 2, |to| {
+                for (own, name) in [(handle::MODEL, "*Model_Space"), (handle::PAPER, "*Paper_Space")] {
+                    to.record("BLOCK_RECORD", Some(own), handle::BLOCK_RECORD, "AcDbBlockTableRecord", name);
+                    to.handle(340, 0);
+                }
+            });
+        });
+    }
+
+    /// The window in which a CAD program opens the drawing: all of it.
+    fn view_port(&mut self, scene: &Scene) {
+        let bounds = scene.bounds();
+        let (x, y, height) = if bounds.is_empty() {
+            (0.0, 0.0, 100.0)
+        } else {
+            let height = bounds.height().max(0.6 * bounds.width()).max(1.0);
+            (0.5 * (bounds.left + bounds.right), 0.5 * (bounds.bottom + bounds.top), 1.1 * height)
+        };
+        self.record("VPORT", None, handle::VPORT, "AcDbViewportTableRecord", "*Active");
+        for (code, [x, y]) in [(10, [0.0, 0.0]), (11, [1.0, 1.0]), (12, [x, y])] {
+            self.number(code, x);
+            self.number(code + 10, y);
+        }
+        self.number(40, height);
+        self.number(41, 1.5);
+    }
+
+    fn line_type(&mut self, name: &str, picture: &str, pattern: &[f64]) {
+        self.record("LTYPE", None, handle::LTYPE, "AcDbLinetypeTableRecord", name);
+        self.pair(3, picture);
+        self.pair(72, 65);
+        self.pair(73, pattern.len());
+        self.number(40, pattern.iter().sum());
+        for (at, length) in pattern.iter().enumerate() {
+            // A gap is a negative dash.
+            self.number(49, if at % 2 == 0 { *length } else { -length });
+            self.pair(74, 0);
+        }
+    }
+
+    fn layer(&mut self, name: &str, style: Style) {
+        self.record("LAYER", None, handle::LAYER, "AcDbLayerTableRecord", name);
+        self.pair(62, color_index(style.fill.unwrap_or(style.color)));
+        self.pair(6, line_type(style.dash).0);
+        self.pair(370, line_weight(style.width_mm));
+        self.handle(390, 0);
+    }
+
+    fn blocks(&mut self) {
+        self.section("BLOCKS", |to| {
+            for (own, name) in [(handle::MODEL, "*Model_Space"), (handle::PAPER, "*Paper_Space")] {
+                for (kind, subclass) in [("BLOCK", "AcDbBlockBegin"), ("ENDBLK", "AcDbBlockEnd")] {
+                    let fresh = to.fresh();
+                    to.pair(0, kind);
+                    to.handle(5, fresh);
+                    to.handle(330, own);
+                    to.pair(100, "AcDbEntity");
+                    if own == handle::PAPER {
+                        to.pair(67, 1);
+                    }
+                    to.pair(8, "0");
+                    to.pair(100, subclass);
+                    if kind == "BLOCK" {
+                        to.pair(2, name);
+                        to.pair(70, 0);
+                        to.point(10, 0.0, 0.0);
+                        to.pair(3, name);
+                        to.pair(1, "");
+                    }
+                }
+            }
+        });
+    }
+
+    fn objects(&mut self) {
+        let dictionary = |to: &mut Self, own: u32, owner: u32| {
+            to.pair(0, "DICTIONARY");
+            to.handle(5, own);
+            to.handle(330, owner);
+            to.pair(100, "AcDbDictionary");
+            to.pair(281, 1);
+        };
+        dictionary(self, handle::DICTIONARY, 0);
+        self.pair(3, "ACAD_GROUP");
+        self.handle(350, handle::GROUPS);
+        dictionary(self, handle::GROUPS, handle::DICTIONARY);
+    }
+
+    fn entity(&mut self, scene: &Scene, item: &Item) {
+        let kind = match &item.shape {
+            Shape::Line { .. } => "LINE",
+            Shape::Circle { .. } => "CIRCLE",
+            Shape::Arc { .. } => "ARC",
+            Shape::Polyline { .. } => "LWPOLYLINE",
+            Shape::Text(_) => "TEXT",
+        };
+        let own = self.fresh();
+        self.pair(0, kind);
+        self.handle(5, own);
+        self.handle(330, handle::MODEL);
+        self.pair(100, "AcDbEntity");
+        self.pair(8, encoded(&scene.layers()[item.layer.0].name));
+        if let Some(style) = item.style {
+            self.pair(62, color_index(style.fill.unwrap_or(style.color)));
+            self.pair(6, line_type(style.dash).0);
+            self.pair(370, line_weight(style.width_mm));
+        }
+        match &item.shape {
+            Shape::Line { from, to } => {
+                self.pair(100, "AcDbLine");
+                self.point(10, from.x, from.y);
+                self.point(11, to.x, to.y);
+            }
+            Shape::Circle { centre, radius } => {
+                self.pair(100, "AcDbCircle");
+                self.point(10, centre.x, centre.y);
+                self.number(40, *radius);
+            }
+            Shape::Arc { centre, radius, start_rad, sweep_rad } => {
+                self.pair(100, "AcDbCircle");
+                self.point(10, centre.x, centre.y);
+                self.number(40, *radius);
+                self.pair(100, "AcDbArc");
+                // Always counter-clockwise, in degrees.
+                let ends = [*start_rad, start_rad + sweep_rad].map(f64::to_degrees);
+                let [from, to] = if *sweep_rad < 0.0 { [ends[1], ends[0]] } else { ends };
+                self.number(50, from.rem_euclid(360.0));
+                self.number(51, to.rem_euclid(360.0));
+            }
+            Shape::Polyline { vertices, closed } => {
+                self.pair(100, "AcDbPolyline");
+                self.pair(90, vertices.len());
+                self.pair(70, u8::from(*closed));
+                for vertex in vertices {
+                    self.number(10, vertex.at.x);
+                    self.number(20, vertex.at.y);
+                    if vertex.bulge != 0.0 {
+                        self.number(42, vertex.bulge);
+                    }
+                }
+            }
+            Shape::Text(text) => self.label(text),
+        }
+    }
+
+    fn label(&mut self, text: &Text) {
+        let left = text.width_mm()
+            * match text.align {
+                Align::Left => 0.0,
+                Align::Middle => 0.5,
+                Align::Right => 1.0,
+            };
+        let (sin, cos) = text.rotation_rad.sin_cos();
+        let low = 0.5 * text.height_mm;
+        self.pair(100, "AcDbText");
+        self.point(10, text.at.x - left * cos + low * sin, text.at.y - left * sin - low * cos);
+        self.number(40, text.height_mm);
+        self.pair(1, encoded(&text.content));
+        self.number(50, text.rotation_rad.to_degrees());
+        self.pair(7, "Standard");
+        let horizontal = match text.align {
+            Align::Left => 0,
+            Align::Middle => 1,
+            Align::Right => 2,
+        };
+        self.pair(72, horizontal);
+        self.point(11, text.at.x, text.at.y);
+        self.pair(100, "AcDbText");
+        self.pair(73, 2); // middle in height
+    }
+}
+
+/// What is outside ASCII as `\U+XXXX`, beyond the first plane as `?`: the code page of the file is not the reader's.
+fn encoded(text: &str) -> String {
+    let mut out = String::new();
+    for c in one_line(text).chars() {
+        match u32::from(c) {
+            0x20..=0x7e => out.push(c),
+            code @ 0x7f..=0xffff => {
+                let _ = write!(out, "\\U+{code:04X}");
+            }
+            _ => out.push('?'),
+        }
+    }
+    out
+}
+
+/// Name and picture of a line type.
+fn line_type(dash: Dash) -> (&'static str, &'static str) {
+    match dash {
+        Dash::Solid => ("Continuous", ""),
+        Dash::Dashed => ("DASHED", "__ __ __ __"),
+        Dash::DashDot => ("CENTER", "____ _ ____ _"),
+        Dash::Dotted => ("DOT", ". . . . . ."),
+    }
+}
+
+/// The nearest line weight that DXF has, in hundredths of a millimetre.
+fn line_weight(width_mm: f64) -> u16 {
+    const WEIGHTS: [u16; 24] =
+        [0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211];
+    let distance = |weight: u16| (f64::from(weight) - 100.0 * width_mm).abs();
+    WEIGHTS.into_iter().min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(25)
+}
+
+/// The nearest of the plain AutoCAD colours; 7 is black on white and white on black.
+fn color_index(color: Color) -> u16 {
+    const INDEXED: [(u16, Color); 15] = [
+        (1, Color::new(255, 0, 0)),
+        (2, Color::new(255, 255, 0)),
+        (3, Color::new(0, 255, 0)),
+        (4, Color::new(0, 255, 255)),
+        (5, Color::new(0, 0, 255)),
+        (6, Color::new(255, 0, 255)),
+        (7, Color::BLACK),
+        (8, Color::new(128, 128, 128)),
+        (9, Color::new(192, 192, 192)),
+        (30, Color::new(255, 127, 0)),
+        (94, Color::new(0, 127, 0)),
+        (150, Color::new(0, 127, 255)),
+        (174, Color::new(0, 0, 127)),
+        (14, Color::new(127, 0, 0)),
+        (254, Color::new(230, 230, 230)),
+    ];
+    let distance = |other: Color| {
+        let part = |a: u8, b: u8| (i32::from(a) - i32::from(b)).pow(2);
+        part(color.red, other.red) + part(color.green, other.green) + part(color.blue, other.blue)
+    };
+    INDEXED.iter().min_by_key(|(_, other)| distance(*other)).map_or(7, |(index, _)| *index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_and_weights_are_the_nearest_that_dxf_has() {
+        assert_eq!(color_index(Color::new(250, 5, 5)), 1);
+        assert_eq!(color_index(Color::new(10, 10, 10)), 7);
+        assert_eq!([0.0, 0.18, 0.5, 9.0].map(line_weight), [0, 18, 50, 211]);
+    }
+
+    #[test]
+    fn text_is_ascii_on_one_line() {
+        assert_eq!(encoded("ω₁ = 2\n🚜"), "\\U+03C9\\U+2081 = 2 ?");
+    }
+}

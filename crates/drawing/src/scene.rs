@@ -1,0 +1,470 @@
+//! The scene: shapes on named layers.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::error::Error;
+use crate::style::Style;
+use crate::text::Text;
+
+/// The largest coordinate, radius or height in millimetres: a hundred metres.
+pub const LIMIT_MM: f64 = 1e5;
+
+/// A point in millimetres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Point {
+    /// To the right.
+    pub x: f64,
+    /// Up.
+    pub y: f64,
+}
+
+impl Point {
+    /// From its coordinates.
+    #[must_use]
+    pub const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    /// At a distance and an angle from a centre.
+    #[must_use]
+    pub fn polar(centre: Self, radius: f64, angle_rad: f64) -> Self {
+        Self::new(centre.x + radius * angle_rad.cos(), centre.y + radius * angle_rad.sin())
+    }
+}
+
+impl From<[f64; 2]> for Point {
+    fn from([x, y]: [f64; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+/// A vertex of a polyline and the way on from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// Where it is.
+    pub at: Point,
+    /// The side to the next vertex: 0 a straight line, else an arc with `tan(sweep/4)`, positive counter-clockwise.
+    pub bulge: f64,
+}
+
+/// What is drawn.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// A straight line.
+    Line {
+        /// One end.
+        from: Point,
+        /// The other.
+        to: Point,
+    },
+    /// A circle.
+    Circle {
+        /// Centre.
+        centre: Point,
+        /// Radius.
+        radius: f64,
+    },
+    /// An arc of a circle.
+    Arc {
+        /// Centre.
+        centre: Point,
+        /// Radius.
+        radius: f64,
+        /// Angle where it starts.
+        start_rad: f64,
+        /// Angle that it covers; negative clockwise; within a full turn.
+        sweep_rad: f64,
+    },
+    /// Lines and arcs from vertex to vertex.
+    Polyline {
+        /// The vertices. A last bulge counts only where the polyline is closed.
+        vertices: Vec<Vertex>,
+        /// Whether the last vertex is joined to the first.
+        closed: bool,
+    },
+    /// Text.
+    Text(Text),
+}
+
+impl Shape {
+    /// A straight line.
+    #[must_use]
+    pub fn line(from: impl Into<Point>, to: impl Into<Point>) -> Self {
+        Self::Line { from: from.into(), to: to.into() }
+    }
+
+    /// An open polyline of straight sides.
+    #[must_use]
+    pub fn polyline<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Self {
+        Self::Polyline { vertices: straight(points), closed: false }
+    }
+
+    /// A closed polyline of straight sides.
+    #[must_use]
+    pub fn polygon<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Self {
+        Self::Polyline { vertices: straight(points), closed: true }
+    }
+
+    /// A rectangle by two opposite corners.
+    #[must_use]
+    pub fn rectangle(a: impl Into<Point>, b: impl Into<Point>) -> Self {
+        let (a, b) = (a.into(), b.into());
+        Self::polygon([[a.x, a.y], [b.x, a.y], [b.x, b.y], [a.x, b.y]])
+    }
+
+    /// The box around it.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Self::Line { from, to } => Bounds::of([*from, *to]),
+            Self::Circle { centre, radius } => Bounds {
+                left: centre.x - radius,
+                right: centre.x + radius,
+                bottom: centre.y - radius,
+                top: centre.y + radius,
+            },
+            Self::Arc { centre, radius, start_rad, sweep_rad } => {
+                arc_bounds(*centre, *radius, *start_rad, *sweep_rad)
+            }
+            Self::Polyline { vertices, closed } => {
+                let corners = Bounds::of(vertices.iter().map(|vertex| vertex.at));
+                sides(vertices, *closed).fold(corners, |all, (from, to, bulge)| {
+                    match arc_of_side(from, to, bulge) {
+                        Some((centre, radius, start, sweep)) => {
+                            all.with(arc_bounds(centre, radius, start, sweep))
+                        }
+                        None => all,
+                    }
+                })
+            }
+            Self::Text(text) => text.bounds(),
+        }
+    }
+}
+
+impl From<Text> for Shape {
+    fn from(text: Text) -> Self {
+        Self::Text(text)
+    }
+}
+
+fn straight<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Vec<Vertex> {
+    points.into_iter().map(|point| Vertex { at: point.into(), bulge: 0.0 }).collect()
+}
+
+/// Sides of a polyline: from, to, bulge.
+pub(crate) fn sides(vertices: &[Vertex], closed: bool) -> impl Iterator<Item = (Point, Point, f64)> {
+    let next = vertices.iter().cycle().skip(1);
+    let count = if closed { vertices.len() } else { vertices.len().saturating_sub(1) };
+    vertices.iter().zip(next).take(count).map(|(one, next)| (one.at, next.at, one.bulge))
+}
+
+/// Centre, radius, start and sweep of a bulged side.
+///
+/// With the chord `c` and the bulge `b = tan(sweep/4)` the radius is `c·(1 + b²)/(4·|b|)`.
+pub(crate) fn arc_of_side(from: Point, to: Point, bulge: f64) -> Option<(Point, f64, f64, f64)> {
+    let (dx, dy) = (to.x - from.x, to.y - from.y);
+    let chord = dx.hypot(dy);
+    if bulge == 0.0 || chord == 0.0 {
+        return None;
+    }
+    let sweep = 4.0 * bulge.atan();
+    let radius = chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
+    // The centre lies left of the chord by (1 − b²)/(4·b) of it.
+    let left = (1.0 - bulge * bulge) / (4.0 * bulge);
+    let centre = Point::new(0.5 * (from.x + to.x) - left * dy, 0.5 * (from.y + to.y) + left * dx);
+    let start = (from.y - centre.y).atan2(from.x - centre.x);
+    Some((centre, radius, start, sweep))
+}
+
+fn arc_bounds(centre: Point, radius: f64, start: f64, sweep: f64) -> Bounds {
+    let ends = [start, start + sweep].map(|angle| Point::polar(centre, radius, angle));
+    let (low, high) = if sweep < 0.0 { (start + sweep, start) } else { (start, start + sweep) };
+    let (low, high) = (low, high.min(low + TAU));
+    let first = (low / FRAC_PI_2).ceil();
+    let quarters = (0..5).map(|i| (first + f64::from(i)) * FRAC_PI_2).filter(|angle| *angle <= high);
+    Bounds::of(ends.into_iter().chain(quarters.map(|angle| Point::polar(centre, radius, angle))))
+}
+
+/// A box along the axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Least `x`.
+    pub left: f64,
+    /// Greatest `x`.
+    pub right: f64,
+    /// Least `y`.
+    pub bottom: f64,
+    /// Greatest `y`.
+    pub top: f64,
+}
+
+impl Bounds {
+    /// A box of nothing, which any other swallows.
+    pub const EMPTY: Self =
+        Self { left: f64::INFINITY, right: f64::NEG_INFINITY, bottom: f64::INFINITY, top: f64::NEG_INFINITY };
+
+    /// The box around points.
+    #[must_use]
+    pub fn of(points: impl IntoIterator<Item = Point>) -> Self {
+        points
+            .into_iter()
+            .fold(Self::EMPTY, |all, p| all.with(Self { left: p.x, right: p.x, bottom: p.y, top: p.y }))
+    }
+
+    /// The box around both.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            left: self.left.min(other.left),
+            right: self.right.max(other.right),
+            bottom: self.bottom.min(other.bottom),
+            top: self.top.max(other.top),
+        }
+    }
+
+    /// The box larger by a margin on every side.
+    #[must_use]
+    pub fn grown(self, margin: f64) -> Self {
+        Self {
+            left: self.left - margin,
+            right: self.right + margin,
+            bottom: self.bottom - margin,
+            top: self.top + margin,
+        }
+    }
+
+    /// Width.
+    #[must_use]
+    pub fn width(self) -> f64 {
+        self.right - self.left
+    }
+
+    /// Height.
+    #[must_use]
+    pub fn height(self) -> f64 {
+        self.top - self.bottom
+    }
+
+    /// Whether it holds nothing.
+    #[must_use]
+    pub fn is_empty(self) -> bool {
+        self.left > self.right || self.bottom > self.top
+    }
+
+    /// Whether the insides of both have anything in common.
+    #[must_use]
+    pub fn overlaps(self, other: Self) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.bottom < other.top
+            && other.bottom < self.top
+    }
+}
+
+/// A layer of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LayerId(pub(crate) usize);
+
+/// A named layer and how its shapes are drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// Its name.
+    pub name: String,
+    /// How its shapes are drawn.
+    pub style: Style,
+}
+
+/// A shape, its layer, and its style where it is not the layer's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Item {
+    /// The layer.
+    pub layer: LayerId,
+    /// The shape.
+    pub shape: Shape,
+    /// Style of its own.
+    pub style: Option<Style>,
+}
+
+/// Shapes on layers, drawn in the order in which they were added.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    title: String,
+    layers: Vec<Layer>,
+    items: Vec<Item>,
+}
+
+impl Scene {
+    /// An empty scene.
+    #[must_use]
+    pub fn new(title: impl Into<String>) -> Self {
+        Self { title: title.into(), layers: vec![], items: vec![] }
+    }
+
+    /// A new layer.
+    ///
+    /// # Errors
+    /// [`Error::LayerName`], [`Error::LayerTwice`].
+    pub fn layer(&mut self, name: impl Into<String>, style: Style) -> Result<LayerId, Error> {
+        let name = name.into();
+        let length = name.chars().count();
+        let refused = |c: char| "<>/\\\":;?*|=,`".contains(c) || c.is_control();
+        if length == 0 || length > 255 || name.contains(refused) || name.trim() != name {
+            return Err(Error::LayerName { name });
+        }
+        if name == "0" || self.layers.iter().any(|layer| layer.name.to_lowercase() == name.to_lowercase()) {
+            return Err(Error::LayerTwice { name });
+        }
+        self.layers.push(Layer { name, style });
+        Ok(LayerId(self.layers.len() - 1))
+    }
+
+    /// Adds a shape to a layer of this scene.
+    pub fn add(&mut self, layer: LayerId, shape: impl Into<Shape>) {
+        self.items.push(Item { layer, shape: shape.into(), style: None });
+    }
+
+    /// Adds a shape with a style of its own.
+    pub fn add_styled(&mut self, layer: LayerId, style: Style, shape: impl Into<Shape>) {
+        self.items.push(Item { layer, shape: shape.into(), style: Some(style) });
+    }
+
+    /// The title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The layers.
+    #[must_use]
+    pub fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// The shapes.
+    #[must_use]
+    pub fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// How a shape is drawn.
+    #[must_use]
+    pub fn style(&self, item: &Item) -> Style {
+        item.style.unwrap_or(self.layers[item.layer.0].style)
+    }
+
+    /// The box around everything; [`Bounds::EMPTY`] of an empty scene.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        self.items.iter().fold(Bounds::EMPTY, |all, item| all.with(item.shape.bounds()))
+    }
+
+    /// Whether everything can be drawn.
+    ///
+    /// # Errors
+    /// [`Error::Coordinate`], [`Error::Size`], [`Error::TooFewPoints`] for the first shape that cannot.
+    pub fn check(&self) -> Result<(), Error> {
+        self.items.iter().try_for_each(|item| self.check_item(item))
+    }
+
+    fn check_item(&self, item: &Item) -> Result<(), Error> {
+        let layer = || self.layers[item.layer.0].name.clone();
+        let within =
+            |values: &[f64]| match values.iter().find(|value| value.is_nan() || value.abs() > LIMIT_MM) {
+                Some(&value) => Err(Error::Coordinate { layer: layer(), value, limit: LIMIT_MM }),
+                None => Ok(()),
+            };
+        let positive = |value: f64| {
+            within(&[value])?;
+            if value > 0.0 { Ok(()) } else { Err(Error::Size { layer: layer(), value }) }
+        };
+        match &item.shape {
+            Shape::Line { from, to } => within(&[from.x, from.y, to.x, to.y]),
+            Shape::Circle { centre, radius } => {
+                within(&[centre.x, centre.y])?;
+                positive(*radius)
+            }
+            Shape::Arc { centre, radius, start_rad, sweep_rad } => {
+                within(&[centre.x, centre.y, *start_rad, *sweep_rad])?;
+                positive(*radius)
+            }
+            Shape::Polyline { vertices, .. } if vertices.len() < 2 => {
+                Err(Error::TooFewPoints { layer: layer(), points: vertices.len() })
+            }
+            Shape::Polyline { vertices, .. } => {
+                vertices.iter().try_for_each(|vertex| within(&[vertex.at.x, vertex.at.y, vertex.bulge]))
+            }
+            Shape::Text(text) => {
+                within(&[text.at.x, text.at.y, text.rotation_rad])?;
+                positive(text.height_mm)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bulged_side_is_the_arc_through_its_ends() {
+        // A half circle counter-clockwise from (1, 0) to (−1, 0): bulge tan(180°/4) = 1.
+        let (centre, radius, start, sweep) =
+            arc_of_side(Point::new(1.0, 0.0), Point::new(-1.0, 0.0), 1.0).unwrap();
+        assert!(centre.x.abs() + centre.y.abs() < 1e-12 && (radius - 1.0).abs() < 1e-12);
+        assert!(start.abs() < 1e-12 && (sweep - std::f64::consts::PI).abs() < 1e-12);
+        // A quarter clockwise about the origin from (0, 2) to (2, 0).
+        let bulge = -(std::f64::consts::FRAC_PI_8).tan();
+        let (centre, radius, ..) = arc_of_side(Point::new(0.0, 2.0), Point::new(2.0, 0.0), bulge).unwrap();
+        assert!(centre.x.hypot(centre.y) < 1e-12 && (radius - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn bounds_of_an_arc_reach_its_quarter_points() {
+        let arc = Shape::Arc { centre: Point::new(0.0, 0.0), radius: 2.0, start_rad: 0.5, sweep_rad: 2.0 };
+        let bounds = arc.bounds();
+        assert!((bounds.top - 2.0).abs() < 1e-12 && bounds.bottom > 0.9);
+        let back = Shape::Arc { centre: Point::new(0.0, 0.0), radius: 2.0, start_rad: 2.5, sweep_rad: -2.0 };
+        let back = back.bounds();
+        assert!((back.top - bounds.top).abs() + (back.left - bounds.left).abs() < 1e-12);
+    }
+
+    #[test]
+    fn bounds_of_a_bulged_polygon_hold_its_arcs() {
+        let vertex = |x: f64, bulge| Vertex { at: Point::new(x, 0.0), bulge };
+        let disc = Shape::Polyline { vertices: vec![vertex(-3.0, 1.0), vertex(3.0, 1.0)], closed: true };
+        let bounds = disc.bounds();
+        assert!((bounds.top - 3.0).abs() < 1e-12 && (bounds.bottom + 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_layer_has_one_name_that_cad_programs_take() {
+        let mut scene = Scene::new("layers");
+        scene.layer("Stator", Style::line(0.5)).unwrap();
+        assert!(matches!(scene.layer("stator", Style::line(0.5)), Err(Error::LayerTwice { .. })));
+        assert!(matches!(scene.layer("0", Style::line(0.5)), Err(Error::LayerTwice { .. })));
+        for name in ["", "a/b", "a:b", " a", "a\n"] {
+            assert!(matches!(scene.layer(name, Style::line(0.5)), Err(Error::LayerName { .. })), "{name}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_named() {
+        let check = |shape: Shape| {
+            let mut scene = Scene::new("one shape");
+            let layer = scene.layer("all", Style::line(0.5)).unwrap();
+            scene.add(layer, shape);
+            scene.check()
+        };
+        let nan = check(Shape::line([0.0, f64::NAN], [1.0, 1.0]));
+        assert!(matches!(nan, Err(Error::Coordinate { .. })));
+        assert!(matches!(check(Shape::polyline([[0.0, 0.0]])), Err(Error::TooFewPoints { points: 1, .. })));
+        let circle = Shape::Circle { centre: Point::default(), radius: 0.0 };
+        assert!(matches!(check(circle), Err(Error::Size { .. })));
+        assert!(matches!(
+            check(Text::new([0.0, 0.0], f64::INFINITY, "x").into()),
+            Err(Error::Coordinate { .. })
+        ));
+    }
+}
