@@ -1,0 +1,12 @@
+//! Gearboxes and hydromotors as scenes to draw.
+//!
+//! | module | draws |
+//! |---|---|
+//! | [`gearbox`] | kinematic schemes, speed plans, lever diagrams, ratio ladders |
+//! | [`motor`] | centrodes, teeth, chambers, a motor at an angle |
+//!
+//! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here computes a speed or a curve,
+//! and nothing opens a file.
+
+pub mod gearbox;
+pub mod motor;
