@@ -17,6 +17,7 @@ fn every_published_ratio_of_five_transmissions_holds() {
     let mut gears = 0;
     for transmission in &file.transmissions {
         let gearbox = transmission.gearbox().unwrap();
+        assert_eq!(gearbox.to_builder().build().as_ref(), Ok(&gearbox));
         for gear in &transmission.gears {
             let ratio = gearbox.analyze(&gear.name).unwrap().ratio().unwrap();
             assert!(gear.stands_for(ratio), "{} {}: {ratio}", transmission.name, gear.name);

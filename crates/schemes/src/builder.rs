@@ -36,6 +36,32 @@ pub struct GearSpec {
     pub output: Option<String>,
 }
 
+impl Gearbox {
+    /// Its description, to be changed and built again; unchanged it builds an equal gearbox.
+    #[must_use]
+    pub fn to_builder(&self) -> GearboxBuilder {
+        let name = |link: LinkId| self.link_name(link).to_owned();
+        let gear = |gear: &Gear| GearSpec {
+            name: gear.name.clone(),
+            engaged: gear.engaged.iter().map(|&place| self.controls[place].id.clone()).collect(),
+            input: Some(name(gear.input)),
+            output: Some(name(gear.output)),
+        };
+        let ids = |mesh: &SharedMesh| mesh.rows.iter().map(|&row| self.rows[row].id().to_owned()).collect();
+        GearboxBuilder {
+            name: self.name.clone(),
+            links: self.links[1..].to_vec(),
+            rows: self.rows.iter().map(|row| row.spec.clone()).collect(),
+            controls: self.controls.iter().map(|c| (c.id.clone(), c.links.map(name))).collect(),
+            permanent: self.permanent.iter().map(|pair| pair.map(name)).collect(),
+            shared: self.shared.iter().map(ids).collect(),
+            gears: self.gears.iter().map(gear).collect(),
+            input: Some(name(self.input)),
+            output: Some(name(self.output)),
+        }
+    }
+}
+
 impl GearboxBuilder {
     pub(crate) fn new(name: &str) -> Self {
         Self { name: name.into(), ..Self::default() }
@@ -116,6 +142,30 @@ impl GearboxBuilder {
     #[must_use]
     pub fn gear_spec(mut self, gear: GearSpec) -> Self {
         self.gears.push(gear);
+        self
+    }
+
+    /// Changes the rows described so far: other `k`, teeth or losses between the same links.
+    ///
+    /// ```
+    /// use epicyclic_schemes::{Gearbox, row::{Gearing, RowSpec}};
+    /// # fn main() -> Result<(), epicyclic_schemes::Error> {
+    /// let gearbox = Gearbox::builder("I")
+    ///     .links(["D", "B", "T1"])
+    ///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+    ///     .brake("K1", "T1")
+    ///     .input("D")
+    ///     .output("B")
+    ///     .gear("slow", ["K1"])
+    ///     .build()?;
+    /// let other = gearbox.to_builder().map_rows(|row| RowSpec { gearing: Gearing::Parameter(4.0), ..row }).build()?;
+    /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn map_rows(mut self, change: impl FnMut(RowSpec) -> RowSpec) -> Self {
+        self.rows = self.rows.into_iter().map(change).collect();
         self
     }
 

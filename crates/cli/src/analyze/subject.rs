@@ -7,8 +7,8 @@ use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::gearbox::{GearboxFile, PublishedGear, Transmission, TransmissionsFile};
 use epicyclic_formats::{Document, Number, Path, Problem};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::row::MeshLoss;
-use epicyclic_schemes::{GearSpec, Gearbox};
 use std::fs;
 
 /// What a file holds.
@@ -138,30 +138,7 @@ fn transmission(
 
 /// The same gearbox with this efficiency of each row; the format of transmissions states none.
 fn with_losses(gearbox: &Gearbox, eta: MeshEfficiency) -> Result<Gearbox, Failure> {
-    let name = |link| gearbox.link_name(link);
-    let mut builder = Gearbox::builder(gearbox.name())
-        .links(gearbox.links()[1..].to_vec())
-        .input(name(gearbox.input()))
-        .output(name(gearbox.output()));
-    for row in gearbox.rows() {
-        builder = builder.row(row.spec().clone().with_loss(MeshLoss::Row(eta)));
-    }
-    for control in gearbox.controls() {
-        let [first, second] = control.links().map(name);
-        builder = builder.clutch(control.id(), first, second);
-    }
-    for [first, second] in gearbox.permanent() {
-        builder = builder.tie(name(*first), name(*second));
-    }
-    for gear in gearbox.gears() {
-        builder = builder.gear_spec(GearSpec {
-            name: gear.name().to_owned(),
-            engaged: gear.engaged().iter().map(|&place| gearbox.controls()[place].id().to_owned()).collect(),
-            input: Some(name(gear.input()).to_owned()),
-            output: Some(name(gear.output()).to_owned()),
-        });
-    }
-    Ok(builder.build()?)
+    Ok(gearbox.to_builder().map_rows(|row| row.with_loss(MeshLoss::Row(eta))).build()?)
 }
 
 /// What there is to choose from.
