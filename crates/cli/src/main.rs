@@ -8,6 +8,7 @@
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
+//! | [`page`] | the command `report`: a page about a file |
 //! | [`lists`] | options that take several values |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
@@ -22,6 +23,7 @@ mod figure;
 mod lists;
 mod machine;
 mod output;
+mod page;
 mod report;
 mod schemes;
 mod select;
@@ -46,6 +48,7 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Report(page::Args),
 }
 
 fn main() -> ExitCode {
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Report(args) => page::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -41,15 +41,21 @@ impl OutputArgs {
 
     /// Writes the answer.
     pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
-        match &self.output {
-            Some(file) => replace(file, answer.as_bytes())
-                .map_err(|source| Failure::Write { file: file.clone(), source }),
-            None => match print(answer) {
-                // The reader has seen enough: `epicyclic … | head`.
-                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-                printed => printed.map_err(Failure::StandardOutput),
-            },
+        write_to(self.output.as_deref(), answer)
+    }
+}
+
+/// Writes a text into a file, whole or not at all, or to standard output.
+pub(crate) fn write_to(file: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match file {
+        Some(file) => {
+            replace(file, text.as_bytes()).map_err(|source| Failure::Write { file: file.to_owned(), source })
         }
+        None => match print(text) {
+            // The reader has seen enough: `epicyclic … | head`.
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            printed => printed.map_err(Failure::StandardOutput),
+        },
     }
 }
 
