@@ -39,6 +39,53 @@ fn a_gear_in_full() {
 }
 
 #[test]
+fn forces_on_the_bearings_of_planets() {
+    let folder = examples();
+    let forces = |args: &[&str]| {
+        let seen = session(&folder, &[&["analyze"], args].concat());
+        let from = seen.find("Force on").or_else(|| seen.find("Torque that the pins")).unwrap();
+        let to = seen[from..].find("\n\n").unwrap();
+        format!("$ {}\n{}\n", args.join(" "), &seen[from..from + to])
+    };
+    let sized = "sized-gearbox.yaml";
+    insta::assert_snapshot!(
+        [
+            forces(&[sized]),
+            forces(&[sized, "--torque", "500 N·m"]),
+            forces(&[sized, "--speed", "1475 rpm"]),
+            forces(&[sized, "--speed", "1475 rpm", "--power", "75 kW"]),
+            forces(&[sized, "--speed", "1475 rpm", "--power", "-75 kW", "--gear", "slow"]),
+            forces(&["scheme-ii-3.yaml", "--gear", "slow"]),
+            forces(&["real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn sizes_that_are_refused() {
+    let folder = here();
+    let sized = fs::read_to_string(examples().join("sized-gearbox.yaml")).unwrap();
+    let mut seen = String::new();
+    for (old, new) in [
+        ("module: 4 mm, face", "module: -4 mm, face"),
+        ("2.1 kg", "0 kg"),
+        ("2.1 kg", "2.1"),
+        ("planet_bore: 50 mm", "planet_bore: 500 mm"),
+        ("97 %", "970 %"),
+        ("97 %", "97"),
+        ("97 %", "97 mm"),
+        ("density: 7850 kg/m³", "pressure_angle: 90 deg"),
+    ] {
+        assert!(sized.contains(old), "{old}");
+        fs::write(folder.path().join("box.yaml"), sized.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &["analyze", "box.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
 fn every_set_of_controls() {
     insta::assert_snapshot!(sessions(
         &examples(),

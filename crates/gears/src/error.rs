@@ -35,7 +35,7 @@ pub enum Error {
         known: usize,
     },
     /// An efficiency outside its range.
-    #[error("mesh efficiency {eta}: it lies above 0 and at or below 1")]
+    #[error("mesh efficiency {}: it lies above 0 and at or below 1", (eta * 1e12).round() / 1e12)]
     Efficiency {
         /// The value given.
         eta: f64,
