@@ -74,7 +74,7 @@ pub(crate) struct Args {
     speed: Option<Quantity<AngularVelocity>>,
 
     /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97 or 97%.
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 
     #[command(flatten)]

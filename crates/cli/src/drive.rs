@@ -4,6 +4,7 @@ mod figures;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
+use epicyclic_dynamics::Error;
 use epicyclic_dynamics::drive::design;
 use epicyclic_formats::{Document, Problem, drive};
 use std::fs;
@@ -51,7 +52,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
     let (file, spec) = drive::read(&document)?;
     let design = design(&spec).map_err(|error| {
-        document.error(&drive::place(&error), Problem::Refused { message: error.to_string() })
+        let at = document.error(&drive::place(&error), Problem::Refused { message: error.to_string() });
+        match error {
+            Error::Gear(epicyclic_gears::Error::NoToothSet { .. }) => Failure::NothingFound(at.to_string()),
+            _ => Failure::Document(at),
+        }
     })?;
     figures::report(file.title, &design).deliver(&args.output)
 }

@@ -213,6 +213,7 @@ fn refuse(error: DesignError) -> Failure {
             "Ω" => "--discharge",
             _ => return error.into(),
         },
+        DesignError::SpeedCount { .. } | DesignError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
         DesignError::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };
