@@ -12,6 +12,7 @@
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
+//! | [`progress`] | how far a long search is, on a terminal |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
 //! Exit codes: see [`failure`].
@@ -24,6 +25,7 @@ mod lists;
 mod machine;
 mod options;
 mod output;
+mod progress;
 mod report;
 mod schemes;
 mod select;

@@ -5,6 +5,7 @@ mod answer;
 use crate::failure::Failure;
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
+use crate::progress::Progress;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
 use epicyclic_gears::row::Mode;
@@ -98,7 +99,11 @@ fn mode(text: &str) -> Result<Mode, String> {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
-    let found = bounds.for_ratio(args.ratio.get(), args.mode, args.tolerance.0.si()).map_err(refuse)?;
+    let shown = Progress::new();
+    let found = bounds
+        .for_ratio_watched(args.ratio.get(), args.mode, args.tolerance.0.si(), |share| shown.at(share))
+        .map_err(refuse)?;
+    drop(shown);
     let format = args.output.format;
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
     let answer = answer::Answer {

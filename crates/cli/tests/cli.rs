@@ -64,7 +64,15 @@ fn the_examples_in_the_help_work_as_printed() {
         let output =
             shell.args(["-ec", &script]).env("PATH", path).current_dir(folder.path()).output().unwrap();
         assert!(output.status.success() && output.stderr.is_empty(), "{script}: {output:?}");
-        assert!(output.stdout.len() > 200);
+        let printed = text(&output.stdout);
+        assert!(printed.len() > 200);
+        for line in printed.lines() {
+            assert!(line.chars().count() <= 80, "{script}\n{line}");
+        }
+        let help = text(&common::output(folder.path(), &[command, &["--help"]].concat()).stdout);
+        for line in help.lines() {
+            assert!(line.trim_end().chars().count() <= 80, "{command:?}\n{line}");
+        }
     }
 }
 

@@ -200,4 +200,7 @@ fn colour_and_progress_are_for_terminals() {
     let search = "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --ring ..110 --limit 1";
     let seen = on_a_terminal(search, false).unwrap();
     assert!(seen.contains("searching: "), "{seen}");
+    let teeth = "teeth --ratio 4 --sun 1..2000 --planet 1..2000 --ring 1..4000 --tolerance 9% --k 1.1..20";
+    let seen = on_a_terminal(teeth, false).unwrap();
+    assert!(seen.contains("searching: ") && seen.contains("tooth sets found"), "{seen}");
 }

@@ -5,26 +5,21 @@ use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::options;
 use crate::output::{Format, complain};
+use crate::progress::Progress;
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
-use epicyclic_schemes::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_schemes::search::{Counts, Found, ToothDesign, ToothSearch};
 use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::{
     Candidate, Demand, Objectives, Order, Orders, RatioSeries, Signs, Space, select_with,
 };
-use std::io::{IsTerminal, Write as _, stderr};
 use std::ops::{ControlFlow, RangeInclusive};
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
 use uom::si::f64::Length;
 use uom::si::length::{meter, millimeter};
 
 /// Designs that a search shows unless said otherwise.
 const SHOWN: usize = 10;
-
-/// How often progress is shown.
-const SHOWN_EVERY: Duration = Duration::from_millis(100);
 
 /// Tooth numbers tried.
 #[derive(Debug, clap::Args)]
@@ -66,9 +61,12 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
         module: module(args)?,
         ..ToothSearch::new(demand.clone())
     };
-    let shown = Shown::new();
-    let found = search.best_watched(limit.max(1), &|progress| shown.at(progress));
-    shown.clear();
+    let shown = Progress::new();
+    let found = search.best_watched(limit.max(1), &|progress| {
+        shown.at(progress.done as f64 / progress.of.max(1) as f64);
+        ControlFlow::Continue(())
+    });
+    drop(shown);
     let found = found.map_err(refuse)?;
     report(args, demand, &found, limit)?.deliver(&args.output)?;
     if found.entries().is_empty() {
@@ -109,34 +107,6 @@ fn module(args: &Args) -> Result<Option<RangeInclusive<Length>>, Failure> {
         return Err(Failure::Option { option: "--least-module", message });
     }
     Ok(Some(least..=greatest))
-}
-
-/// Progress on a terminal, and nowhere else.
-struct Shown {
-    last: Option<Mutex<Instant>>,
-}
-
-impl Shown {
-    fn new() -> Self {
-        Self { last: stderr().is_terminal().then(|| Mutex::new(Instant::now())) }
-    }
-
-    fn at(&self, progress: Progress) -> ControlFlow<()> {
-        if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock)
-            && last.elapsed() >= SHOWN_EVERY
-        {
-            *last = Instant::now();
-            let share = 100 * progress.done / progress.of.max(1);
-            let _ = write!(stderr(), "\rsearching: {share:3} %");
-        }
-        ControlFlow::Continue(())
-    }
-
-    fn clear(&self) {
-        if self.last.is_some() {
-            let _ = write!(stderr(), "\r                \r");
-        }
-    }
 }
 
 /// An entry with the first of its designs, measured.
