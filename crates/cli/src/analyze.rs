@@ -3,17 +3,17 @@
 mod combinations;
 mod gear;
 mod overview;
-mod place;
+mod pins;
 mod subject;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::report::Report;
-use epicyclic_formats::{Number, Quantity};
+use epicyclic_formats::Quantity;
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
 use std::path::PathBuf;
 use subject::{Content, Subject};
-use uom::si::f64::{AngularVelocity, Power, Torque};
+use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
 ///
@@ -36,10 +36,12 @@ Example:
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
   rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
-        kind, planet_teeth, planets, efficiency or meshes
+        kind, planet_teeth, planets, efficiency or meshes; for the forces on
+        planets module or carrier_radius, and planet_mass, or face_width and
+        planet_bore
   brakes: id, link            clutches: id, links: [one, other]
   gears: name, engaged, and optionally input, output
-  links, grounds, ties, shared_ring_meshes: optional
+  links, grounds, ties, shared_ring_meshes, density, pressure_angle: optional
 or a list `transmissions` with published ratios, as in
 examples/real-transmissions.yaml.")]
 pub(crate) struct Args {
@@ -71,9 +73,9 @@ pub(crate) struct Args {
     #[arg(long, allow_hyphen_values = true)]
     speed: Option<Quantity<AngularVelocity>>,
 
-    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
-    efficiency: Option<Number>,
+    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97 or 97%.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    efficiency: Option<Quantity<Ratio>>,
 
     #[command(flatten)]
     output: OutputArgs,

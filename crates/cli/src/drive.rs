@@ -5,6 +5,7 @@ mod figures;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::report::Report;
+use epicyclic_dynamics::Error;
 use epicyclic_dynamics::drive::{DriveDesign, design};
 use epicyclic_formats::{Document, Problem, drive};
 use std::fs;
@@ -58,7 +59,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 pub(crate) fn calculate(document: &Document) -> Result<(Option<String>, DriveDesign), Failure> {
     let (file, spec) = drive::read(document)?;
     let design = design(&spec).map_err(|error| {
-        document.error(&drive::place(&error), Problem::Refused { message: error.to_string() })
+        let at = document.error(&drive::place(&error), Problem::Refused { message: error.to_string() });
+        match error {
+            Error::Gear(epicyclic_gears::Error::NoToothSet { .. }) => Failure::NothingFound(at.to_string()),
+            _ => Failure::Document(at),
+        }
     })?;
     Ok((file.title, design))
 }

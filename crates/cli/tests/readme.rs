@@ -31,6 +31,9 @@ fn the_readmes_commands_print_what_it_shows() {
             (false, false) => printed == kept,
         };
         assert!(holds, "{command}\n{printed}");
+        for line in printed.lines() {
+            assert!(line.chars().count() <= 80, "{command}\n{line}");
+        }
         run += 1;
     }
     assert!(run >= 6, "{run}");

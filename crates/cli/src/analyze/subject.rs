@@ -1,15 +1,19 @@
 //! The gearbox of a file, whichever of the two formats it is in.
 
-use super::{Args, place};
+use super::Args;
 use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_formats::gearbox::{GearboxFile, PublishedGear, Transmission, TransmissionsFile};
-use epicyclic_formats::{Document, Number, Path, Problem};
+use epicyclic_formats::gearbox::{
+    DescriptionError, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
+};
+use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
+use epicyclic_schemes::pins::{Pin, RowSize};
 use epicyclic_schemes::row::MeshLoss;
 use std::fs;
+use uom::si::f64::Ratio;
 
 /// What a file holds.
 pub(super) enum Content {
@@ -24,6 +28,8 @@ pub(super) struct Subject {
     /// Where its data stand.
     pub(super) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
+    /// The planets of the rows that have any, with the row's place.
+    pub(super) pins: Vec<(usize, Pin)>,
 }
 
 impl Subject {
@@ -70,12 +76,14 @@ pub(super) fn read(args: &Args) -> Result<Content, Failure> {
             }
         }
     }
-    let gearbox = file.gearbox().map_err(|error| place::problem(&document, &Path::root(), &error))?;
-    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![] })))
+    let at = |error: DescriptionError| located(&document, &Path::root(), &error);
+    let gearbox = file.gearbox().map_err(at)?;
+    let pins = file.pins(&gearbox).map_err(at)?;
+    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))
 }
 
-fn efficiency(eta: Number) -> Result<MeshEfficiency, Failure> {
-    MeshEfficiency::new(eta.get())
+fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
+    MeshEfficiency::new(eta.0.value)
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }
 
@@ -127,13 +135,16 @@ fn transmission(
 ) -> Result<Box<Subject>, Failure> {
     let transmission = &transmissions[index];
     let base = Path::root().key("transmissions").index(index);
-    let gearbox = transmission.gearbox().map_err(|error| place::problem(document, &base, &error))?;
+    let gearbox = transmission.gearbox().map_err(|error| located(document, &base, &error))?;
     let gearbox = match efficiency {
         Some(eta) => with_losses(&gearbox, eta)?,
         None => gearbox,
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
-    Ok(Box::new(Subject { gearbox, source, published }))
+    // The format of transmissions states no sizes.
+    let of_row = |place| Some(gearbox.pin(place, &RowSize::default())?.map(|pin| (place, pin)));
+    let pins = (0..gearbox.rows().len()).filter_map(of_row).collect::<Result<_, _>>()?;
+    Ok(Box::new(Subject { gearbox, source, published, pins }))
 }
 
 /// The same gearbox with this efficiency of each row; the format of transmissions states none.
