@@ -1,8 +1,10 @@
 //! The command `report`: a page about a gearbox, a drive or a motor.
 
 mod drive;
+mod gearbox;
 mod sheet;
 
+use crate::analyze::{Choice, Load};
 use crate::failure::Failure;
 use crate::output;
 use epicyclic_formats::{Document, Path, Problem};
@@ -20,9 +22,11 @@ Example:
   printf 'wheels: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
   epicyclic report drive.yaml -o drive.html")]
 pub(crate) struct Args {
-    /// The file, in YAML.
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
+    #[command(flatten)]
+    choice: Choice,
+
+    #[command(flatten)]
+    load: Load,
 
     /// File for the page, written whole or not at all. Default: standard output.
     #[arg(short, long, value_name = "FILE")]
@@ -31,11 +35,14 @@ pub(crate) struct Args {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
-    let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
+    let file = args.choice.file();
+    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
+    let document = Document::parse_one(&file.display().to_string(), &bytes)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
-    let sheet = if has("power") {
+    let sheet = if has("gearbox") || has("transmissions") {
+        gearbox::sheet(&args.choice, &args.load, text)?
+    } else if has("power") {
         drive::sheet(&document, text)?
     } else {
         let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \

@@ -1,6 +1,6 @@
 //! The gearbox of a file, whichever of the two formats it is in.
 
-use super::Args;
+use super::Choice;
 use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
@@ -23,10 +23,10 @@ pub(super) enum Content {
 }
 
 /// A gearbox, and what is published of it.
-pub(super) struct Subject {
-    pub(super) gearbox: Gearbox,
+pub(crate) struct Subject {
+    pub(crate) gearbox: Gearbox,
     /// Where its data stand.
-    pub(super) source: Option<String>,
+    pub(crate) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
     /// The planets of the rows that have any, with the row's place.
     pub(super) pins: Vec<(usize, Pin)>,
@@ -44,15 +44,15 @@ impl Subject {
     }
 }
 
-/// Reads the file, and chooses among its transmissions.
-pub(super) fn read(args: &Args) -> Result<Content, Failure> {
+/// Reads the file, and chooses among its transmissions; where `only_one` is wanted, several are refused.
+pub(super) fn read(args: &Choice, only_one: bool) -> Result<Content, Failure> {
     let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
     let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
     let efficiency = args.efficiency.map(efficiency).transpose()?;
     let has = |key: &str| document.value().get(key).is_some();
     if has("transmissions") {
         let transmissions = document.read::<TransmissionsFile>()?.transmissions;
-        return match chosen(args, &document, &transmissions)? {
+        return match chosen(args, only_one, &document, &transmissions)? {
             Some(index) => transmission(&document, &transmissions, index, efficiency).map(Content::One),
             None => Ok(Content::Several(transmissions)),
         };
@@ -89,7 +89,8 @@ fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
 
 /// The place of the transmission meant; `None` where there are several and none is named.
 fn chosen(
-    args: &Args,
+    args: &Choice,
+    only_one: bool,
     document: &Document,
     transmissions: &[Transmission],
 ) -> Result<Option<usize>, Failure> {
@@ -105,9 +106,7 @@ fn chosen(
                 Err(document.error(&Path::root().key("transmissions"), problem).into())
             }
             [only] => Ok(Some(only)),
-            _ if args.gear.is_some() || args.all_combinations => {
-                refuse(format!("the file has {}; name one of{}", all.len(), names(&all)))
-            }
+            _ if only_one => refuse(format!("the file has {}; name one of{}", all.len(), names(&all))),
             _ => Ok(None),
         };
     };

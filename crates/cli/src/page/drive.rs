@@ -83,7 +83,8 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
 /// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
 fn efficiency_over_ratio(design: &DriveDesign) -> Plot {
     let stationary = design.efficiency.stationary;
-    let points = (0..=100).map(|i| 2.2 + 0.1 * f64::from(i));
+    let most = (1.5 * design.gear.ratio).max(10.0);
+    let points = (0..=100).map(|i| 2.2 + (most - 2.2) * f64::from(i) / 100.0);
     let points = points.map(|ratio| [ratio, (1.0 + (ratio - 1.0) * stationary) / ratio]).collect();
     Plot::new("Efficiency over ratio", "ratio U", "efficiency η")
         .with(Curve::new(format!("η₀ = {stationary:.4}"), points))
