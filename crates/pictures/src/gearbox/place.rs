@@ -2,7 +2,7 @@
 
 use super::LETTERS_MM;
 use epicyclic_drawing::text::line_meets;
-use epicyclic_drawing::{Align, Bounds, LayerId, Point, Scene, Shape, Style, Text};
+use epicyclic_drawing::{Align, Bounds, Color, LayerId, Point, Scene, Shape, Style, Text};
 use std::f64::consts::TAU;
 
 /// Least distance of a label from anything.
@@ -67,8 +67,8 @@ impl Places {
                 let bounds = label(middle).bounds();
                 let leader = Shape::line(at, nearest(bounds, at));
                 if self.free(bounds) && !self.labels.iter().any(|other| line_meets(&leader, *other)) {
-                    scene.add_styled(layer, Style::line(0.1), leader.clone());
-                    self.lines.push((leader.clone(), 0.05, leader.bounds()));
+                    scene.add_styled(layer, Style::line(0.18).color(Color::GREY), leader.clone());
+                    self.lines.push((leader.clone(), 0.09, leader.bounds()));
                     return self.add(scene, layer, label(middle));
                 }
             }

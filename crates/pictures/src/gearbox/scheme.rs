@@ -33,7 +33,7 @@ use flow::Piece;
 /// Millimetres to a unit of the layout along the axis.
 pub const ALONG_MM: f64 = 13.0;
 /// Millimetres to a unit of the layout away from the axis.
-pub const UP_MM: f64 = 11.0;
+pub const UP_MM: f64 = 12.0;
 
 /// Width of shafts, and of wheels' rims.
 const SHAFT_MM: f64 = 0.7;

@@ -61,6 +61,8 @@ impl Sheet<'_> {
                 let name = format!("{letter}{number}");
                 let mut wishes: Vec<Point> = along.iter().flat_map(|at| beside(*at, &name, 0.3)).collect();
                 if letter == "g" {
+                    let pin = Point::new(x, up(stack.planet));
+                    wishes.splice(0..0, beside(pin, &name, 3.3));
                     let above = web(stack.planet, stack.ring_mesh);
                     wishes.extend(above.iter().flat_map(|at| beside(*at, &name, 0.3)));
                 }
@@ -78,7 +80,7 @@ impl Sheet<'_> {
                     wishes.extend([-dx, dx].map(|dx| Point::new(pin.x + dx, pin.y + dy)));
                 }
             }
-            wishes.splice(0..0, beside(pin, &name, 3.4));
+            wishes.splice(0..0, beside(pin, &name, 3.3));
             self.put(places, &name, Point::new(pin.x + 3.2, pin.y), &wishes);
         }
     }
