@@ -29,6 +29,7 @@ use epicyclic_schemes::drawability::Layout;
 use epicyclic_schemes::drawability::layout::Point as Place;
 use epicyclic_schemes::{Analysis, Gearbox, LinkId, LoadCase};
 use flow::Piece;
+pub(super) use flow::piece_of;
 
 /// Millimetres to a unit of the layout along the axis.
 pub const ALONG_MM: f64 = 13.0;

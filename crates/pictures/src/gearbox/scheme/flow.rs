@@ -28,7 +28,7 @@ struct Entry {
 }
 
 /// The first of the links that are one piece with a link for ever.
-pub(super) fn piece_of(gearbox: &Gearbox, link: LinkId) -> LinkId {
+pub(in crate::gearbox) fn piece_of(gearbox: &Gearbox, link: LinkId) -> LinkId {
     let mut found = vec![link];
     let mut next = 0;
     while let Some(&link) = found.get(next) {
