@@ -3,7 +3,10 @@
 use super::sheet::{Block, Section, Sheet};
 use crate::analyze::{Choice, Everything, Load, everything};
 use crate::failure::Failure;
+use epicyclic_pictures::gearbox::scheme::{self, Show};
+use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_schemes::drawability::{self, Layout, Verdict};
 use epicyclic_schemes::row::{Gearing, RowKind, RowSpec};
 use epicyclic_schemes::{Analysis, Gearbox};
 
@@ -13,10 +16,29 @@ const PLACES: u32 = 60;
 pub(super) fn sheet(choice: &Choice, load: &Load, text: String) -> Result<Sheet, Failure> {
     let Everything { subject, overview, gears } = everything(choice, load)?;
     let gearbox = &subject.gearbox;
-    let mut sections = vec![Section::new("Input", vec![Block::File(text)])];
-    sections.push(Section::new("Gears", vec![Block::Answer(overview)]));
-    for (gear, report) in gearbox.gears().iter().zip(gears) {
-        sections.push(Section::new(format!("Gear {}", gear.name()), vec![Block::Answer(report)]));
+    let analyses = gearbox
+        .gears()
+        .iter()
+        .map(|gear| gearbox.analyze(gear.name()))
+        .collect::<Result<Vec<Analysis>, _>>()?;
+    let layout = match drawability::draw(gearbox, drawability::Options::default()) {
+        Verdict::Drawable(layout) => Ok(layout),
+        Verdict::SelfCrossing(witness) => Err(witness.describe(gearbox)),
+    };
+    let mut sections = vec![
+        Section::new("Input", vec![Block::File(text)]),
+        Section::new("Drawing", structure(gearbox, &layout)?),
+    ];
+    let mut all = vec![Block::Answer(overview)];
+    if analyses.iter().any(|gear| gear.ratio().is_some()) {
+        let ladder = picture(ladder::scene(gearbox, &analyses, None))?;
+        all.push(Block::picture(ladder, "Ratios of all gears on a logarithmic scale, with their steps."));
+    }
+    sections.push(Section::new("Gears", all));
+    for (gear, report) in analyses.iter().zip(gears) {
+        let mut blocks = of_gear(gearbox, gear, layout.as_deref().ok())?;
+        blocks.push(Block::Answer(report));
+        sections.push(Section::new(format!("Gear {}", gear.gear().name()), blocks));
     }
     sections.push(Section::new("Another k", over_k(gearbox)?));
     let left_out = [
@@ -40,6 +62,60 @@ pub(super) fn sheet(choice: &Choice, load: &Load, text: String) -> Result<Sheet,
         ),
         sections,
     })
+}
+
+/// The scheme and its levers.
+fn structure(gearbox: &Gearbox, layout: &Result<Box<Layout>, String>) -> Result<Vec<Block>, Failure> {
+    let scheme = match layout {
+        Ok(layout) => {
+            let drawn = scheme::scene(gearbox, layout, Show::Structure, &scheme::Options::default());
+            Block::picture(picture(drawn)?, "Kinematic scheme, the half above the axis.")
+        }
+        Err(why) => {
+            Block::words(format!("It cannot be drawn without links that cross, and so not be built: {why}"))
+        }
+    };
+    let levers = picture(levers::scene(gearbox, None, None))?;
+    Ok(vec![
+        scheme,
+        Block::picture(levers, "Rows as levers: the speed of each link is a distance along its line."),
+    ])
+}
+
+/// Pictures of one gear, so far as its speeds and powers follow.
+fn of_gear(gearbox: &Gearbox, gear: &Analysis, layout: Option<&Layout>) -> Result<Vec<Block>, Failure> {
+    let options = scheme::Options::default();
+    let drawn = layout.and_then(|layout| {
+        let power = scheme::scene(gearbox, layout, Show::Power(gear), &options);
+        let power =
+            power.map(|scene| (scene, "Power through links and meshes as width of lines, with losses."));
+        let engaged = || {
+            let scene = scheme::scene(gearbox, layout, Show::Gear(gear), &options);
+            scene.map(|scene| (scene, "What is engaged, and what rests."))
+        };
+        known(power).or_else(|| known(engaged()))
+    });
+    let plan = known(speeds::scene(gearbox, gear, None));
+    let plan = plan.map(|scene| {
+        scene.map(|scene| {
+            (scene, "Speed plan: velocities over the radius, and the rays of the links' speeds.")
+        })
+    });
+    let all = drawn.into_iter().chain(plan);
+    all.map(|drawn| drawn.map(|(scene, caption)| Block::picture(scene, caption))).collect()
+}
+
+/// Nothing where a gear does not say what a picture needs; every other fault is one.
+fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Result<T, Failure>> {
+    use epicyclic_pictures::gearbox::Error;
+    match drawn {
+        Err(Error::SpeedsUnknown { .. } | Error::NoPower { .. }) => None,
+        drawn => Some(picture(drawn)),
+    }
+}
+
+fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T, Failure> {
+    drawn.map_err(|error| Failure::Format(error.to_string()))
 }
 
 /// Efficiency, ratio and planet speed of each gear over the `k` of each row.
