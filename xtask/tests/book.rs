@@ -82,7 +82,6 @@ fn figures_in_a_wrong_unit_are_in_the_book() {
     }
 }
 
-/// What is lost in the copy of a source and restored is said in the book.
 #[test]
 fn the_books_commands_print_what_it_shows() {
     let mut run = 0;
