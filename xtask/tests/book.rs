@@ -12,8 +12,7 @@ use xtask::verify::{self, Arguments, Format};
 const PROMPT: &str = "$ cargo xtask ";
 
 fn figures() -> Vec<Figure> {
-    let arguments =
-        Arguments { filter: String::new(), format: Format::Human, accept: false, cases: None };
+    let arguments = Arguments { filter: String::new(), format: Format::Human, accept: false, cases: None };
     verify::outcomes(&arguments).unwrap().into_iter().flat_map(|outcome| outcome.figures).collect()
 }
 
@@ -53,7 +52,8 @@ fn every_contradicted_and_lost_figure_is_in_the_book() {
         match figure.status {
             Status::Contradicted => {
                 let row = rows.remove(name).unwrap_or_else(|| panic!("{name} is not in findings.md"));
-                let (published, computed) = (figure.published.as_ref().unwrap(), figure.computed.as_ref().unwrap());
+                let (published, computed) =
+                    (figure.published.as_ref().unwrap(), figure.computed.as_ref().unwrap());
                 assert_eq!(&row[0], published, "{name}");
                 assert!(states(&row[1], computed), "{name}: {} for {computed}", row[1]);
                 *counts.get_mut("contradicted").unwrap() += 1;
