@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 use xtask::cases::figure::{Figure, Status};
 use xtask::cases::tolerance::{Printed, Rounding};
@@ -82,26 +83,33 @@ fn figures_in_a_wrong_unit_are_in_the_book() {
     }
 }
 
+/// Runs the commands of a document, and of those in a folder; how many.
+fn check(path: &Path) -> usize {
+    if path.is_dir() {
+        return fs::read_dir(path).unwrap().map(|entry| check(&entry.unwrap().path())).sum();
+    }
+    let document = fs::read_to_string(path).unwrap();
+    let mut run = 0;
+    for block in document.split("```console\n").skip(1).map(|rest| rest.split("```").next().unwrap()) {
+        let Some((command, shown)) = block.strip_prefix(PROMPT).and_then(|block| block.split_once('\n'))
+        else {
+            continue;
+        };
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_xtask")).args(command.split_whitespace()).output().unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        // A line of dots stands for what is left out before it, or after it.
+        let kept = shown.trim_start_matches("…\n").trim_end_matches("…\n");
+        let from = shown.starts_with("…\n") || printed.starts_with(kept);
+        let to = shown.ends_with("\n…\n") || printed.ends_with(kept);
+        assert!(from && to && printed.contains(kept), "{command}\n{printed}");
+        run += 1;
+    }
+    run
+}
+
 #[test]
 fn the_books_commands_print_what_it_shows() {
-    let mut run = 0;
-    for name in ["findings.md", "verification.md", "start.md"] {
-        let chapter = chapter(name);
-        for block in chapter.split("```console\n").skip(1).map(|rest| rest.split("```").next().unwrap()) {
-            let Some((command, shown)) = block.strip_prefix(PROMPT).and_then(|block| block.split_once('\n'))
-            else {
-                continue;
-            };
-            let output =
-                Command::new(env!("CARGO_BIN_EXE_xtask")).args(command.split_whitespace()).output().unwrap();
-            let printed = String::from_utf8(output.stdout).unwrap();
-            // A line of dots stands for what is left out before it, or after it.
-            let kept = shown.trim_start_matches("…\n").trim_end_matches("…\n");
-            let from = shown.starts_with("…\n") || printed.starts_with(kept);
-            let to = shown.ends_with("\n…\n") || printed.ends_with(kept);
-            assert!(from && to && printed.contains(kept), "{command}\n{printed}");
-            run += 1;
-        }
-    }
+    let run = check(&xtask::project_root().join("docs/src"));
     assert!(run >= 3, "{run}");
 }

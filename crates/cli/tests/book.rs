@@ -37,6 +37,17 @@ fn the_commands_print_what_the_book_shows() {
     assert!(run >= 40, "{run}");
 }
 
+/// Those of `cargo xtask` are run by its own tests.
+#[test]
+fn every_command_of_the_book_is_run_by_a_test() {
+    for (path, chapter) in chapters() {
+        for block in fenced(&chapter, "```console\n") {
+            let run = [console::PROMPT, "$ cargo xtask "].iter().any(|prompt| block.starts_with(prompt));
+            assert!(run && block.matches("$ cargo").count() == 1, "{}:\n{block}", path.display());
+        }
+    }
+}
+
 /// What stands between fences that open so.
 fn fenced<'a>(text: &'a str, fence: &'static str) -> impl Iterator<Item = &'a str> {
     text.split(fence).skip(1).map(|rest| rest.split("```").next().unwrap())

@@ -3,7 +3,7 @@
 use super::{program, text};
 use std::path::{Path, PathBuf};
 
-const PROMPT: &str = "$ cargo run -q -p epicyclic -- ";
+pub(crate) const PROMPT: &str = "$ cargo run -q -p epicyclic -- ";
 
 /// The project's root.
 pub(crate) fn root() -> PathBuf {
