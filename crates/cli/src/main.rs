@@ -8,6 +8,8 @@
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
+//! | [`schema`] | the command `schema`: JSON Schemas of the files |
+//! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
@@ -18,20 +20,23 @@
 //! Exit codes: see [`failure`].
 
 mod analyze;
+mod completions;
 mod drive;
 mod failure;
 mod figure;
 mod lists;
 mod machine;
+mod man;
 mod options;
 mod output;
 mod progress;
 mod report;
+mod schema;
 mod schemes;
 mod select;
 mod teeth;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
@@ -50,6 +55,9 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Schema(schema::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 fn main() -> ExitCode {
@@ -75,6 +83,9 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args, Cli::command()),
+        Command::Man(args) => man::run(&args, Cli::command()),
     }
 }
 

@@ -18,6 +18,13 @@ pub(crate) struct OutputArgs {
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(crate) format: Format,
 
+    #[command(flatten)]
+    target: Target,
+}
+
+/// Where something is written.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Target {
     /// File for the answer, written whole or not at all. Default: standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -37,22 +44,30 @@ pub(crate) enum Format {
 impl OutputArgs {
     /// Whether the answer goes to a file, out of sight.
     pub(crate) fn is_file(&self) -> bool {
-        self.output.is_some()
+        self.target.output.is_some()
     }
 
     /// Writes the answer.
     pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
+        self.target.write(answer.as_bytes())
+    }
+}
+
+impl Target {
+    /// Writes all of it.
+    pub(crate) fn write(&self, answer: &[u8]) -> Result<(), Failure> {
         match &self.output {
-            Some(file) => replace(file, answer.as_bytes())
-                .map_err(|source| Failure::Write { file: file.clone(), source }),
+            Some(file) => {
+                replace(file, answer).map_err(|source| Failure::Write { file: file.clone(), source })
+            }
             None => print(answer).map_err(Failure::StandardOutput),
         }
     }
 }
 
-fn print(text: &str) -> io::Result<()> {
+fn print(text: &[u8]) -> io::Result<()> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())?;
+    out.write_all(text)?;
     out.flush()
 }
 
