@@ -31,6 +31,8 @@ mod options;
 mod output;
 mod progress;
 mod report;
+#[cfg(test)]
+mod robustness;
 mod schema;
 mod schemes;
 mod select;
