@@ -23,8 +23,8 @@ Exit codes:
   0  answered
   1  nothing found: no design or tooth set meets the demand
   2  wrong usage, or an input that cannot be
-  3  a file or stream that cannot be read or written; also a reader that
-     leaves before the end, of which nothing is said";
+  3  a file or stream that cannot be read or written; a reader that
+     leaves before the end, as head does, is told nothing";
 
 /// A refusal, shown after `error: `.
 #[derive(Debug, thiserror::Error)]

@@ -9,6 +9,8 @@
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
+//! | [`schema`] | the command `schema`: JSON Schemas of the files |
+//! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
@@ -19,21 +21,26 @@
 //! Exit codes: see [`failure`].
 
 mod analyze;
+mod completions;
 mod drive;
 mod failure;
 mod figure;
 mod lists;
 mod machine;
+mod man;
 mod options;
 mod output;
 mod page;
 mod progress;
 mod report;
+#[cfg(test)]
+mod robustness;
+mod schema;
 mod schemes;
 mod select;
 mod teeth;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
@@ -53,6 +60,9 @@ enum Command {
     Schemes(schemes::Args),
     Machine(machine::Args),
     Report(page::Args),
+    Schema(schema::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 fn main() -> ExitCode {
@@ -79,6 +89,9 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Report(args) => page::run(&args),
+        Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args, Cli::command()),
+        Command::Man(args) => man::run(&args, Cli::command()),
     }
 }
 

@@ -58,11 +58,16 @@ fn exit_codes_tell_apart_what_went_wrong() {
 
 #[test]
 fn a_reader_that_leaves_early_is_told_nothing() {
-    for args in [&LONG[..], &["--help"]] {
-        let mut child =
-            program(here().path(), args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        drop(child.stdout.take());
-        let done = child.wait_with_output().unwrap();
+    for args in [&LONG[..], &["--help"], &["schemes"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let done = program(here().path(), args)
+            .stdout(writer)
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap()
+            .wait_with_output()
+            .unwrap();
         assert_eq!((done.status.code(), text(&done.stderr)), (Some(3), String::new()), "{args:?}");
     }
     let mut child =

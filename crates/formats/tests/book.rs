@@ -2,6 +2,7 @@
 
 use epicyclic_formats::drive::{self, DriveFile};
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use epicyclic_formats::motor::MotorFile;
 use epicyclic_formats::quantity::find_unit;
 use epicyclic_formats::{Dimension, Document};
 use schemars::schema_for;
@@ -64,6 +65,7 @@ fn the_book_names_every_key() {
     let mut all = keys_of(&schema_for!(DriveFile));
     all.extend(keys_of(&schema_for!(GearboxFile)));
     all.extend(keys_of(&schema_for!(TransmissionsFile)));
+    all.extend(keys_of(&schema_for!(MotorFile)));
     for key in all {
         let named = [format!("{key}:"), format!("`{key}`")].iter().any(|text| chapter.contains(text));
         assert!(named, "{key}");
