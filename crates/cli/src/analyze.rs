@@ -12,7 +12,7 @@ use crate::report::Report;
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
 use std::path::PathBuf;
-use subject::{Content, Subject};
+pub(crate) use subject::{Content, Subject, Wanted, read};
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
@@ -88,7 +88,13 @@ struct Input {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let report = match subject::read(args)? {
+    let wanted = Wanted {
+        file: &args.file,
+        transmission: args.transmission.as_deref(),
+        efficiency: args.efficiency,
+        one: args.gear.is_some() || args.all_combinations,
+    };
+    let report = match read(wanted)? {
         Content::Several(transmissions) => subject::list(&transmissions),
         Content::One(subject) => report(args, &subject)?,
     };
@@ -113,16 +119,21 @@ struct Worked {
     operation: Option<epicyclic_schemes::Operation>,
 }
 
-fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
-    let analysis = match gearbox.analyze(gear) {
+/// The analysis of a gear that `--gear` names.
+pub(crate) fn analysis(gearbox: &Gearbox, gear: &str) -> Result<Analysis, Failure> {
+    match gearbox.analyze(gear) {
         // With few short names, the nearest says less than all.
         Err(Error::Unknown { .. }) => {
             let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_schemes::Gear::name).collect();
             let message = format!("no gear is called `{gear}`: there are {}", all.join(", "));
-            return Err(Failure::Option { option: "--gear", message });
+            Err(Failure::Option { option: "--gear", message })
         }
-        analysis => analysis?,
-    };
+        analysis => Ok(analysis?),
+    }
+}
+
+fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
+    let analysis = analysis(gearbox, gear)?;
     // At a torque alone, powers hang on a speed that nobody gave: none is shown.
     let speed =
         input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));

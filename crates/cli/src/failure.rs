@@ -40,6 +40,21 @@ pub(crate) enum Failure {
     /// A selection that cannot be made.
     #[error(transparent)]
     Selection(epicyclic_schemes::selection::SelectionError),
+    /// A gearbox that no drawing in the half-plane exists of.
+    #[error(
+        "{gearbox} crosses itself: {why}\n  {witness};\n  without any one of these the rest can be drawn. Views without a scheme remain: speeds, levers, ladder"
+    )]
+    SelfCrossing {
+        /// The gearbox.
+        gearbox: String,
+        /// What is shut in.
+        why: String,
+        /// What stands in each other's way.
+        witness: String,
+    },
+    /// A gearbox of which a picture cannot be made.
+    #[error(transparent)]
+    Picture(#[from] epicyclic_pictures::gearbox::Error),
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {

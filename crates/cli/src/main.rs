@@ -7,6 +7,7 @@
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
+//! | [`draw`] | the command `draw`: schemes, speed plans, levers and ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`lists`] | options that take several values |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
@@ -16,6 +17,7 @@
 //! Exit codes: 0 answered, 1 refused (bad input, no answer), 2 wrong usage.
 
 mod analyze;
+mod draw;
 mod drive;
 mod failure;
 mod figure;
@@ -46,6 +48,7 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Draw(draw::Args),
 }
 
 fn main() -> ExitCode {
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Draw(args) => draw::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -42,14 +42,23 @@ impl OutputArgs {
     /// Writes the answer.
     pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
         match &self.output {
-            Some(file) => replace(file, answer.as_bytes())
-                .map_err(|source| Failure::Write { file: file.clone(), source }),
-            None => match print(answer) {
-                // The reader has seen enough: `epicyclic … | head`.
-                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-                printed => printed.map_err(Failure::StandardOutput),
-            },
+            Some(file) => save(file, answer),
+            None => show(answer),
         }
+    }
+}
+
+/// Writes a file whole or not at all.
+pub(crate) fn save(file: &Path, text: &str) -> Result<(), Failure> {
+    replace(file, text.as_bytes()).map_err(|source| Failure::Write { file: file.to_owned(), source })
+}
+
+/// Writes to standard output.
+pub(crate) fn show(text: &str) -> Result<(), Failure> {
+    match print(text) {
+        // The reader has seen enough: `epicyclic … | head`.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        printed => printed.map_err(Failure::StandardOutput),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The gearbox of a file, whichever of the two formats it is in.
 
-use super::{Args, place};
+use super::place;
 use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
@@ -11,16 +11,29 @@ use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::row::MeshLoss;
 use std::fs;
 
+/// What is to be read.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wanted<'a> {
+    /// The file.
+    pub(crate) file: &'a std::path::Path,
+    /// One transmission of a list.
+    pub(crate) transmission: Option<&'a str>,
+    /// Efficiency of rows for which the file states none.
+    pub(crate) efficiency: Option<Number>,
+    /// Whether a list of transmissions will not do.
+    pub(crate) one: bool,
+}
+
 /// What a file holds.
-pub(super) enum Content {
+pub(crate) enum Content {
     One(Box<Subject>),
     /// Transmissions of which none was chosen.
     Several(Vec<Transmission>),
 }
 
 /// A gearbox, and what is published of it.
-pub(super) struct Subject {
-    pub(super) gearbox: Gearbox,
+pub(crate) struct Subject {
+    pub(crate) gearbox: Gearbox,
     /// Where its data stand.
     pub(super) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
@@ -39,14 +52,15 @@ impl Subject {
 }
 
 /// Reads the file, and chooses among its transmissions.
-pub(super) fn read(args: &Args) -> Result<Content, Failure> {
-    let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
-    let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
-    let efficiency = args.efficiency.map(efficiency).transpose()?;
+pub(crate) fn read(wanted: Wanted<'_>) -> Result<Content, Failure> {
+    let file = wanted.file;
+    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
+    let document = Document::parse_one(&file.display().to_string(), &bytes)?;
+    let efficiency = wanted.efficiency.map(efficiency).transpose()?;
     let has = |key: &str| document.value().get(key).is_some();
     if has("transmissions") {
         let transmissions = document.read::<TransmissionsFile>()?.transmissions;
-        return match chosen(args, &document, &transmissions)? {
+        return match chosen(wanted, &document, &transmissions)? {
             Some(index) => transmission(&document, &transmissions, index, efficiency).map(Content::One),
             None => Ok(Content::Several(transmissions)),
         };
@@ -56,14 +70,14 @@ pub(super) fn read(args: &Args) -> Result<Content, Failure> {
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     }
-    if args.transmission.is_some() {
+    if wanted.transmission.is_some() {
         return Err(Failure::Option {
             option: "--transmission",
             message: "the file holds one gearbox; leave the option out".to_owned(),
         });
     }
     let mut file: GearboxFile = document.read()?;
-    if let Some(eta) = args.efficiency {
+    if let Some(eta) = wanted.efficiency {
         for row in &mut file.rows {
             if row.efficiency.is_none() && row.meshes.is_none() {
                 row.efficiency = Some(eta);
@@ -81,7 +95,7 @@ fn efficiency(eta: Number) -> Result<MeshEfficiency, Failure> {
 
 /// The place of the transmission meant; `None` where there are several and none is named.
 fn chosen(
-    args: &Args,
+    wanted: Wanted<'_>,
     document: &Document,
     transmissions: &[Transmission],
 ) -> Result<Option<usize>, Failure> {
@@ -90,20 +104,18 @@ fn chosen(
         which.iter().map(|&place| format!("\n  {}", transmissions[place].name)).collect::<String>()
     };
     let all: Vec<usize> = (0..transmissions.len()).collect();
-    let Some(name) = &args.transmission else {
+    let Some(name) = wanted.transmission else {
         return match all[..] {
             [] => {
                 let problem = Problem::Refused { message: "there is no transmission here".to_owned() };
                 Err(document.error(&Path::root().key("transmissions"), problem).into())
             }
             [only] => Ok(Some(only)),
-            _ if args.gear.is_some() || args.all_combinations => {
-                refuse(format!("the file has {}; name one of{}", all.len(), names(&all)))
-            }
+            _ if wanted.one => refuse(format!("the file has {}; name one of{}", all.len(), names(&all))),
             _ => Ok(None),
         };
     };
-    if let Some(exact) = transmissions.iter().position(|transmission| transmission.name == *name) {
+    if let Some(exact) = transmissions.iter().position(|transmission| transmission.name == name) {
         return Ok(Some(exact));
     }
     let part = name.to_lowercase();
