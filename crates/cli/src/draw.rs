@@ -72,7 +72,7 @@ pub(crate) struct Args {
     #[arg(long, allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// Efficiency, under a resting carrier, of each row for which no losses are stated.
+    /// Efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     efficiency: Option<Number>,
 

@@ -10,7 +10,8 @@ use epicyclic_schemes::{Gearbox, LinkId};
 pub(super) fn words(gearbox: &Gearbox, witness: &Witness) -> String {
     let name = |link: LinkId| format!("`{}`", gearbox.link_name(link));
     let control = |place: usize| gearbox.controls().get(place);
-    let is_brake = |element: &&Element| matches!(element, Element::Control(c) if control(*c).is_some_and(|c| c.is_brake()));
+    let brakes = |place: &usize| control(*place).is_some_and(epicyclic_schemes::Control::is_brake);
+    let is_brake = |element: &&Element| matches!(element, Element::Control(place) if brakes(place));
     let is_control = |element: &&Element| matches!(element, Element::Control(_));
     let is_shaft =
         |element: &&Element| matches!(element, Element::TakeOff(_) | Element::Input | Element::Output);
