@@ -26,7 +26,7 @@ Example:
   epicyclic draw II-3 -o ii-3.svg
   epicyclic draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --power -o flow.svg
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view speeds -o plan.dxf
-  epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder > ladder.svg")]
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder")]
 pub(crate) struct Args {
     /// A scheme of the catalogue, or the file of a gearbox in YAML.
     #[arg(value_name = "GEARBOX")]

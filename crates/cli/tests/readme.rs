@@ -9,6 +9,13 @@ const PROMPT: &str = "$ cargo run -q -p epicyclic -- ";
 fn the_readmes_commands_print_what_it_shows() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
     let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
+    // Elsewhere, so that what commands write is not left in the tree.
+    let folder = tempfile::tempdir().unwrap();
+    let examples = folder.path().join("examples");
+    std::fs::create_dir(&examples).unwrap();
+    for file in std::fs::read_dir(root.join("examples")).unwrap().map(Result::unwrap) {
+        std::fs::copy(file.path(), examples.join(file.file_name())).unwrap();
+    }
     let mut run = 0;
     for block in readme.split("```console\n").skip(1).map(|rest| rest.split("```").next().unwrap()) {
         let Some((command, shown)) = block.strip_prefix(PROMPT).and_then(|block| block.split_once('\n'))
@@ -17,7 +24,7 @@ fn the_readmes_commands_print_what_it_shows() {
         };
         let output = Command::new(env!("CARGO_BIN_EXE_epicyclic"))
             .args(words(command))
-            .current_dir(root)
+            .current_dir(folder.path())
             .output()
             .unwrap();
         let printed = String::from_utf8(output.stdout).unwrap();
