@@ -4,12 +4,15 @@
 
 mod common;
 
-use common::{Picture, catalogue, check, in_service, layout};
+use common::{Picture, catalogue, check, in_service, layout, met};
 use epicyclic_drawing::{Color, Scene, Shape};
+use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_pictures::gearbox::Error;
 use epicyclic_pictures::gearbox::scheme::{ALONG_MM, Options, Show, UP_MM, scene};
+use epicyclic_schemes::drawability::{self, Verdict};
 use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_schemes::{Gearbox, LinkId};
 
 const ENGAGED: Color = Color::new(214, 48, 32);
@@ -49,6 +52,27 @@ fn no_label_of_a_gear_meets_anything() {
             }
         }
     }
+}
+
+/// The same for all structures of two rows that can be drawn, with input and output on one side or two.
+#[test]
+fn no_label_of_any_two_row_structure_meets_anything() {
+    let eta = MeshEfficiency::new(0.97).unwrap();
+    let mut drawn = 0;
+    for structure in Structure::all() {
+        let gearbox = structure.gearbox([2.15, 3.1], eta, [Role::D, Role::B]).unwrap();
+        for same_side in [false, true] {
+            let how = drawability::Options { same_side, attempts: 20 };
+            let Verdict::Drawable(layout) = drawability::draw(&gearbox, how) else { continue };
+            drawn += 1;
+            let gear = gearbox.analyze(gearbox.gears()[0].name()).unwrap();
+            for show in [Show::Structure, Show::Gear(&gear), Show::Power(&gear)] {
+                let scene = scene(&gearbox, &layout, show, &Options::default()).unwrap();
+                assert_eq!(met(&scene), [""; 0], "{structure} {same_side}");
+            }
+        }
+    }
+    assert!(drawn > 100, "{drawn}");
 }
 
 fn in_gear(gearbox: &Gearbox, gear: &str, power: bool) -> Scene {
