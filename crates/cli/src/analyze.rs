@@ -3,17 +3,18 @@
 mod combinations;
 mod gear;
 mod overview;
-mod place;
+mod pins;
 mod subject;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::report::Report;
-use epicyclic_formats::{Number, Quantity};
+use epicyclic_formats::Quantity;
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
-use std::path::PathBuf;
-pub(crate) use subject::{Content, Subject, Wanted, read};
-use uom::si::f64::{AngularVelocity, Power, Torque};
+use std::path::{Path, PathBuf};
+use subject::Content;
+pub(crate) use subject::{Subject, efficiency};
+use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
 ///
@@ -36,20 +37,17 @@ Example:
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
   rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
-        kind, planet_teeth, planets, efficiency or meshes
+        kind, planet_teeth, planets, efficiency or meshes; for the forces on
+        planets module or carrier_radius, and planet_mass, or face_width and
+        planet_bore
   brakes: id, link            clutches: id, links: [one, other]
   gears: name, engaged, and optionally input, output
-  links, grounds, ties, shared_ring_meshes: optional
+  links, grounds, ties, shared_ring_meshes, density, pressure_angle: optional
 or a list `transmissions` with published ratios, as in
 examples/real-transmissions.yaml.")]
 pub(crate) struct Args {
-    /// The file that describes the gearbox, in YAML.
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
-
-    /// One transmission of a list: its name, or a part that no other name has.
-    #[arg(long, value_name = "NAME")]
-    transmission: Option<String>,
+    #[command(flatten)]
+    choice: Choice,
 
     /// One gear, in full.
     #[arg(long, value_name = "NAME")]
@@ -59,6 +57,48 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
     all_combinations: bool,
 
+    #[command(flatten)]
+    load: Load,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Which gearbox.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Choice {
+    /// The file that describes the gearbox, in YAML.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+
+    /// One transmission of a list: its name, or a part that no other name has.
+    #[arg(long, value_name = "NAME")]
+    transmission: Option<String>,
+
+    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97 or 97%.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    efficiency: Option<Quantity<Ratio>>,
+}
+
+impl Choice {
+    /// One gearbox of a file, all of it as its options would say.
+    pub(crate) fn new(
+        file: PathBuf,
+        transmission: Option<String>,
+        efficiency: Option<Quantity<Ratio>>,
+    ) -> Self {
+        Self { file, transmission, efficiency }
+    }
+
+    /// The file.
+    pub(crate) fn file(&self) -> &Path {
+        &self.file
+    }
+}
+
+/// What its input does.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Load {
     /// Torque on the input: 500 N·m.
     #[arg(long, conflicts_with = "power", allow_hyphen_values = true)]
     torque: Option<Quantity<Torque>>,
@@ -70,13 +110,14 @@ pub(crate) struct Args {
     /// Speed of the input: 1475 rpm.
     #[arg(long, allow_hyphen_values = true)]
     speed: Option<Quantity<AngularVelocity>>,
+}
 
-    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
-    efficiency: Option<Number>,
-
-    #[command(flatten)]
-    output: OutputArgs,
+impl Load {
+    fn input(&self) -> Input {
+        let torque = self.torque.map(|torque| InputLoad::Torque(torque.0));
+        let load = torque.or(self.power.map(|power| InputLoad::Power(power.0)));
+        Input { speed: self.speed.map(|speed| speed.0), load }
+    }
 }
 
 /// What is known of the input's motion and load.
@@ -88,23 +129,42 @@ struct Input {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let wanted = Wanted {
-        file: &args.file,
-        transmission: args.transmission.as_deref(),
-        efficiency: args.efficiency,
-        one: args.gear.is_some() || args.all_combinations,
-    };
-    let report = match read(wanted)? {
+    let report = match subject::read(&args.choice, args.gear.is_some() || args.all_combinations)? {
         Content::Several(transmissions) => subject::list(&transmissions),
         Content::One(subject) => report(args, &subject)?,
     };
     report.deliver(&args.output)
 }
 
+/// Everything about one gearbox, gear by gear.
+pub(crate) struct Everything {
+    pub(crate) subject: Subject,
+    pub(crate) overview: Report,
+    /// One a gear, in their order.
+    pub(crate) gears: Vec<Report>,
+}
+
+/// The gearbox of a file, of which only one may be meant.
+pub(crate) fn gearbox(choice: &Choice) -> Result<Gearbox, Failure> {
+    let Content::One(subject) = subject::read(choice, true)? else {
+        unreachable!("one of several is asked for");
+    };
+    Ok(subject.gearbox)
+}
+
+/// Everything about the gearbox of a file, of which only one may be meant.
+pub(crate) fn everything(choice: &Choice, load: &Load) -> Result<Everything, Failure> {
+    let Content::One(subject) = subject::read(choice, true)? else {
+        unreachable!("one of several is asked for");
+    };
+    let overview = overview::report(&subject, load.input())?;
+    let gears = subject.gearbox.gears().iter();
+    let gears = gears.map(|gear| gear::report(&subject, gear.name(), load.input()));
+    Ok(Everything { gears: gears.collect::<Result<_, _>>()?, overview, subject: *subject })
+}
+
 fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {
-    let torque = args.torque.map(|torque| InputLoad::Torque(torque.0));
-    let load = torque.or(args.power.map(|power| InputLoad::Power(power.0)));
-    let input = Input { speed: args.speed.map(|speed| speed.0), load };
+    let input = args.load.input();
     match &args.gear {
         Some(name) => gear::report(subject, name, input),
         None if args.all_combinations => combinations::report(subject),

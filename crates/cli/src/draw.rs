@@ -5,15 +5,16 @@ mod subject;
 
 use crate::analyze::analysis;
 use crate::failure::Failure;
-use crate::output::{save, show};
+use crate::output::write_to;
 use epicyclic_drawing::{Scene, dxf, svg};
-use epicyclic_formats::Number;
 use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::{Number, Quantity};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_schemes::drawability::{self, Verdict};
 use epicyclic_schemes::{Analysis, Gearbox};
 use std::path::{Path, PathBuf};
 use subject::Subject;
+use uom::si::f64::Ratio;
 
 /// A gearbox as a drawing: its scheme, speed plan, levers or ratio ladder.
 ///
@@ -26,7 +27,8 @@ Example:
   epicyclic draw II-3 -o ii-3.svg
   epicyclic draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --power -o flow.svg
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view speeds -o plan.dxf
-  epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder")]
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
 pub(crate) struct Args {
     /// A scheme of the catalogue, or the file of a gearbox in YAML.
     #[arg(value_name = "GEARBOX")]
@@ -73,8 +75,8 @@ pub(crate) struct Args {
     ratio2: Option<Number>,
 
     /// Efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
-    efficiency: Option<Number>,
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    efficiency: Option<Quantity<Ratio>>,
 
     /// Title in place of the gearbox's name and gear.
     #[arg(long)]
@@ -118,17 +120,17 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     files.extend(args.svg.as_deref().map(|file| (file, false)));
     files.extend(args.dxf.as_deref().map(|file| (file, true)));
     if files.is_empty() {
-        return show(&(svg::write(&scene).map_err(fail)? + "\n"));
+        return write_to(None, &(svg::write(&scene).map_err(fail)? + "\n"));
     }
     let mut said = String::new();
     let size = scene.bounds().grown(svg::MARGIN_MM);
     for (file, as_dxf) in files {
         let text = if as_dxf { dxf::write(&scene) } else { svg::write(&scene) };
-        save(file, &text.map_err(fail)?)?;
+        write_to(Some(file), &text.map_err(fail)?)?;
         let [width, height] = [size.width(), size.height()].map(|mm| trimmed(mm.round(), 4));
         said += &format!("{}: {}, {width} x {height} mm\n", file.display(), scene.title());
     }
-    show(&said)
+    write_to(None, &said)
 }
 
 /// Refuses options that say nothing for the view.

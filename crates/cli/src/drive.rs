@@ -4,7 +4,9 @@ mod figures;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use epicyclic_dynamics::drive::design;
+use crate::report::Report;
+use epicyclic_dynamics::Error;
+use epicyclic_dynamics::drive::{DriveDesign, design};
 use epicyclic_formats::{Document, Problem, drive};
 use std::fs;
 use std::path::PathBuf;
@@ -49,9 +51,24 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
     let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
-    let (file, spec) = drive::read(&document)?;
+    let (title, design) = calculate(&document)?;
+    answer(title, &design).deliver(&args.output)
+}
+
+/// The title of a drive's file, and the drive.
+pub(crate) fn calculate(document: &Document) -> Result<(Option<String>, DriveDesign), Failure> {
+    let (file, spec) = drive::read(document)?;
     let design = design(&spec).map_err(|error| {
-        document.error(&drive::place(&error), Problem::Refused { message: error.to_string() })
+        let at = document.error(&drive::place(&error), Problem::Refused { message: error.to_string() });
+        match error {
+            Error::Gear(epicyclic_gears::Error::NoToothSet { .. }) => Failure::NothingFound(at.to_string()),
+            _ => Failure::Document(at),
+        }
     })?;
-    figures::report(file.title, &design).deliver(&args.output)
+    Ok((file.title, design))
+}
+
+/// What there is to say of it.
+pub(crate) fn answer(title: Option<String>, design: &DriveDesign) -> Report {
+    figures::report(title, design)
 }

@@ -1,9 +1,32 @@
-//! What ends the program.
+//! What ends the program, and with which exit code.
+//!
+//! | code | means |
+//! |---|---|
+//! | 0 | answered |
+//! | 1 | nothing found: the question is sound and has no answer within its bounds |
+//! | 2 | wrong usage, or an input that cannot be |
+//! | 3 | a file or stream that cannot be read or written |
 
 use std::io;
 use std::path::PathBuf;
 
-/// A refusal, shown after `error: `; the program then exits with 1.
+/// Nothing meets the demand.
+const NOTHING_FOUND: u8 = 1;
+/// Wrong usage, or an input that cannot be.
+pub(crate) const WRONG: u8 = 2;
+/// A file or stream that fails.
+const INPUT_OUTPUT: u8 = 3;
+
+/// The exit codes, as the help tells them.
+pub(crate) const EXIT_CODES: &str = "\
+Exit codes:
+  0  answered
+  1  nothing found: no design, tooth set or scheme meets the demand
+  2  wrong usage, or an input that cannot be
+  3  a file or stream that cannot be read or written; also a reader that
+     leaves before the end, of which nothing is said";
+
+/// A refusal, shown after `error: `.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     /// A file that cannot be read.
@@ -42,7 +65,7 @@ pub(crate) enum Failure {
     Selection(epicyclic_schemes::selection::SelectionError),
     /// A gearbox that no drawing in the half-plane exists of.
     #[error(
-        "{gearbox} crosses itself: {why}\n  {witness};\n  without any one of these the rest can be drawn. Views without a scheme remain: speeds, levers, ladder"
+        "{gearbox} crosses itself: {why}\n{witness}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder"
     )]
     SelfCrossing {
         /// The gearbox.
@@ -55,6 +78,9 @@ pub(crate) enum Failure {
     /// A gearbox of which a picture cannot be made.
     #[error(transparent)]
     Picture(#[from] epicyclic_pictures::gearbox::Error),
+    /// An answer that says that there is none.
+    #[error("{0}")]
+    NothingFound(String),
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {
@@ -84,4 +110,24 @@ pub(crate) enum Failure {
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
     Format(String),
+}
+
+impl Failure {
+    /// The exit code.
+    pub(crate) fn code(&self) -> u8 {
+        match self {
+            Self::NothingFound(_)
+            | Self::SelfCrossing { .. }
+            | Self::Gear(epicyclic_gears::Error::NoToothSet { .. }) => NOTHING_FOUND,
+            Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
+                INPUT_OUTPUT
+            }
+            _ => WRONG,
+        }
+    }
+
+    /// Whether there is nothing to say: the reader has seen enough, as in `epicyclic … | head`.
+    pub(crate) fn is_quiet(&self) -> bool {
+        matches!(self, Self::StandardOutput(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
 }

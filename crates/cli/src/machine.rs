@@ -130,6 +130,10 @@ struct Rock {
 /// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the chute. Angles
 /// are about the wheel's axis from the horizontal, in the sense of rotation.
 #[derive(Debug, clap::Args)]
+#[command(override_usage = "\
+epicyclic machine rotor [OPTIONS] --boom-radius <BOOM_RADIUS>
+       --slewing <SLEWING> --chip-width <CHIP_WIDTH> --buckets <NUMBER>
+       --boom-angle <BOOM_ANGLE> --wheel-radius <WHEEL_RADIUS>")]
 #[command(after_help = "\
 Example:
   epicyclic machine rotor --boom-radius '20 m' --slewing '0.02 rad/s' \\
@@ -213,6 +217,7 @@ fn refuse(error: DesignError) -> Failure {
             "Ω" => "--discharge",
             _ => return error.into(),
         },
+        DesignError::SpeedCount { .. } | DesignError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
         DesignError::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };

@@ -9,12 +9,15 @@
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed plans, levers and ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
+//! | [`page`] | the command `report`: a page about a file |
 //! | [`lists`] | options that take several values |
+//! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
+//! | [`progress`] | how far a long search is, on a terminal |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
-//! Exit codes: 0 answered, 1 refused (bad input, no answer), 2 wrong usage.
+//! Exit codes: see [`failure`].
 
 mod analyze;
 mod draw;
@@ -23,7 +26,10 @@ mod failure;
 mod figure;
 mod lists;
 mod machine;
+mod options;
 mod output;
+mod page;
+mod progress;
 mod report;
 mod schemes;
 mod select;
@@ -34,7 +40,7 @@ use std::process::ExitCode;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
 #[derive(Parser)]
-#[command(version, max_term_width = 80)]
+#[command(version, max_term_width = 80, after_help = failure::EXIT_CODES)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -48,11 +54,27 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
-    Draw(draw::Args),
+    Draw(Box<draw::Args>),
+    Report(page::Args),
 }
 
 fn main() -> ExitCode {
-    let done = match Cli::parse().command {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        // Help and version are answers, and may fail to be written like any.
+        Err(asked) if !asked.use_stderr() => {
+            return end(asked.print().map_err(failure::Failure::StandardOutput));
+        }
+        Err(wrong) => {
+            let _ = wrong.print();
+            return ExitCode::from(failure::WRONG);
+        }
+    };
+    end(run(cli.command))
+}
+
+fn run(command: Command) -> Result<(), failure::Failure> {
+    match command {
         Command::Teeth(args) => teeth::run(&args),
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
@@ -60,12 +82,18 @@ fn main() -> ExitCode {
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Draw(args) => draw::run(&args),
-    };
+        Command::Report(args) => page::run(&args),
+    }
+}
+
+fn end(done: Result<(), failure::Failure>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            output::complain(&format!("error: {failure}"));
-            ExitCode::FAILURE
+            if !failure.is_quiet() {
+                output::complain(&format!("error: {failure}"));
+            }
+            ExitCode::from(failure.code())
         }
     }
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard};
 
 /// Columns that every table fits in, on whatever terminal.
 pub(crate) const WIDTH: u16 = 80;
@@ -41,24 +42,17 @@ impl OutputArgs {
 
     /// Writes the answer.
     pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
-        match &self.output {
-            Some(file) => save(file, answer),
-            None => show(answer),
-        }
+        write_to(self.output.as_deref(), answer)
     }
 }
 
-/// Writes a file whole or not at all.
-pub(crate) fn save(file: &Path, text: &str) -> Result<(), Failure> {
-    replace(file, text.as_bytes()).map_err(|source| Failure::Write { file: file.to_owned(), source })
-}
-
-/// Writes to standard output.
-pub(crate) fn show(text: &str) -> Result<(), Failure> {
-    match print(text) {
-        // The reader has seen enough: `epicyclic … | head`.
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        printed => printed.map_err(Failure::StandardOutput),
+/// Writes a text into a file, whole or not at all, or to standard output.
+pub(crate) fn write_to(file: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match file {
+        Some(file) => {
+            replace(file, text.as_bytes()).map_err(|source| Failure::Write { file: file.to_owned(), source })
+        }
+        None => print(text).map_err(Failure::StandardOutput),
     }
 }
 
@@ -104,6 +98,7 @@ fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
     if !folder.is_dir() {
         return Err(io::Error::new(ErrorKind::NotFound, format!("there is no folder {}", folder.display())));
     }
+    let _whole = Whole::new();
     // The reason alone: the error also names the temporary file, which nobody asked for.
     let mut temporary = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     temporary.write_all(bytes)?;
@@ -113,6 +108,29 @@ fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
     }
     temporary.persist(&file).map_err(|error| io::Error::from(error.error.kind()))?;
     Ok(())
+}
+
+/// While it lives, Ctrl-C and a request to end wait: the file is then complete and nothing lies beside it.
+///
+/// The temporary file exists only from here to the renaming, since the text is ready before. What comes earlier finds
+/// no file, and ends the program at once.
+struct Whole(#[allow(dead_code, reason = "held, not read")] Option<MutexGuard<'static, ()>>);
+
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// The exit code of a program that Ctrl-C ends.
+const INTERRUPTED: i32 = 130;
+
+impl Whole {
+    fn new() -> Self {
+        let wait_and_end = || {
+            let _written = WRITING.lock();
+            std::process::exit(INTERRUPTED);
+        };
+        // Where no handler can be set the window is as it was: short.
+        let _ = ctrlc::set_handler(wait_and_end);
+        Self(WRITING.lock().ok())
+    }
 }
 
 /// JSON of an answer, with a final line break.

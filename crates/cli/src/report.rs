@@ -1,8 +1,10 @@
-//! An answer of several parts, written three ways.
+//! An answer of several parts, written three ways, and as part of a page.
 //!
 //! A table shows figures in the units of drawings, JSON in SI units named by the keys, CSV in the units of drawings:
 //! as a list of sections, items and quantities, or, where the answer is one list of like things, as a table of them
 //! with the units in its header.
+
+mod html;
 
 use crate::failure::Failure;
 use crate::figure::{self, Figure, suffix};
@@ -214,15 +216,32 @@ impl Report {
 impl Part {
     fn tables(&self) -> Vec<String> {
         match self {
-            Self::Facts(section) => vec![section.table()],
-            Self::Records(records) => records.views.iter().map(|view| records.table(view)).collect(),
+            Self::Facts(section) => vec![section.grid().text()],
+            Self::Records(records) => records.views.iter().map(|view| records.grid(view).text()).collect(),
             Self::Words(words) => vec![words.clone()],
         }
     }
 }
 
+/// A table's cells as text, however it is written.
+struct Grid<'a> {
+    title: &'a str,
+    header: Vec<&'a str>,
+    rows: Vec<Vec<String>>,
+    /// Places of the columns whose cells stand to the right.
+    right: Vec<usize>,
+    note: &'a str,
+}
+
+impl Grid<'_> {
+    fn text(self) -> String {
+        let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note) };
+        format!("{}\n{}{note}", self.title, output::table(&self.header, self.rows, &self.right))
+    }
+}
+
 impl Section {
-    fn table(&self) -> String {
+    fn grid(&self) -> Grid<'_> {
         let remarks = self.rows.iter().any(|row| !row.remark.is_empty());
         let mut header = vec!["", ""];
         header.extend(self.columns.iter().map(|(_, heading)| *heading));
@@ -234,9 +253,8 @@ impl Section {
             }
             cells
         });
-        let right: Vec<usize> = (2..2 + self.columns.len().max(1) + usize::from(remarks)).collect();
-        let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note) };
-        format!("{}\n{}{note}", self.title, output::table(&header, rows, &right))
+        let right = (2..2 + self.columns.len().max(1) + usize::from(remarks)).collect();
+        Grid { title: self.title, rows: rows.collect(), header, right, note: self.note }
     }
 
     fn json(&self) -> Value {
@@ -265,7 +283,7 @@ impl Section {
 }
 
 impl Records {
-    fn table(&self, view: &View) -> String {
+    fn grid<'a>(&'a self, view: &'a View) -> Grid<'a> {
         let places: Vec<usize> = view
             .columns
             .iter()
@@ -277,11 +295,10 @@ impl Records {
         let cells = |row: &Vec<Figure>| {
             places.iter().zip(&decimals).map(|(&place, decimals)| row[place].in_column(*decimals)).collect()
         };
-        let rows = self.rows.iter().map(cells);
+        let rows = self.rows.iter().map(cells).collect();
         let is_number = |shown: &usize| self.columns[places[*shown]].is_number;
-        let right: Vec<usize> = (0..places.len()).filter(is_number).collect();
-        let note = if view.note.is_empty() { String::new() } else { wrapped("", &view.note) };
-        format!("{}\n{}{note}", view.title, output::table(&header, rows, &right))
+        let right = (0..places.len()).filter(is_number).collect();
+        Grid { title: &view.title, header, rows, right, note: &view.note }
     }
 
     fn json(&self) -> Value {

@@ -7,11 +7,12 @@ mod one;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use epicyclic_formats::{Number, Span};
+use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::RowParameter;
 use epicyclic_schemes::catalogue::{ParameterRange, Role, ThreeSpeed, TwoSpeed};
 use epicyclic_schemes::{DesignError, Gearbox};
+use uom::si::f64::Ratio;
 
 /// The catalogue of two- and three-speed schemes of planetary gearboxes.
 ///
@@ -46,9 +47,9 @@ pub(crate) struct Args {
     #[arg(long, requires = "scheme", allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// Efficiency of each row under a resting carrier.
-    #[arg(long, value_name = "NUMBER", default_value = "0.97", allow_negative_numbers = true)]
-    efficiency: Number,
+    /// Efficiency of each row under a resting carrier, 0.97 or 97%.
+    #[arg(long, value_name = "NUMBER", default_value = "0.97", allow_hyphen_values = true)]
+    efficiency: Quantity<Ratio>,
 
     /// Row parameters over which ranges of ratios are taken.
     #[arg(long, value_name = "RANGE", default_value = "1.7..7")]
@@ -132,7 +133,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let span = args.k.within(usual.low()..=usual.high());
     let span = span.map_err(|error| Failure::Range { option: "--k", error })?;
     let range = ParameterRange::new(*span.start(), *span.end()).map_err(refuse("--k"))?;
-    let eta0 = MeshEfficiency::new(args.efficiency.get()).map_err(refuse("--efficiency"))?;
+    let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(refuse("--efficiency"))?;
     let report = match &args.scheme {
         None => list::report(range),
         Some(name) => {
@@ -144,7 +145,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     report.deliver(&args.output)
 }
 
-pub(crate) fn refuse<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {
+fn refuse<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {
     move |error| Failure::Option { option, message: error.to_string() }
 }
 

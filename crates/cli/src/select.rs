@@ -1,6 +1,8 @@
 //! The command `select`: which gearbox gives these speeds.
 
 mod candidates;
+mod duty;
+mod measures;
 mod teeth;
 mod why;
 mod winner;
@@ -15,7 +17,7 @@ use epicyclic_schemes::selection::{
     Demand, Limits, Objective, Order, Orders, Rating, RatioSeries, SelectionError, Signs, Space, select_with,
 };
 use epicyclic_schemes::structures::Structure;
-use uom::si::f64::{Length, Pressure, Ratio, Torque, Velocity};
+use uom::si::f64::{Length, Pressure, Ratio, Velocity};
 
 /// The planetary gearbox for two or three speeds: every scheme measured, judged and compared.
 ///
@@ -29,6 +31,7 @@ Example:
   epicyclic select --speeds '0.8 m/s, 3.15 m/s'
   epicyclic select --speeds '0.76 m/s, 1.33 m/s, 1.95 m/s' --all-structures
   epicyclic select --ratios '1.465, 2.56' --teeth --ring ..90 --limit 5
+  epicyclic select --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm
 
 Objectives of --order: efficiency (the least of a gear), speed (the largest of a
 link, or of a planet on its carrier), parameter (distance of ln k from --prefer),
@@ -63,6 +66,9 @@ pub(crate) struct Args {
 
     #[command(flatten)]
     criteria: Criteria,
+
+    #[command(flatten)]
+    duty: duty::Duty,
 
     #[command(flatten)]
     size: Size,
@@ -123,13 +129,13 @@ struct Criteria {
     #[arg(long, value_name = "RANGE", default_value = "2.5..3")]
     prefer: Span<f64>,
 
-    /// Efficiency of each row under a resting carrier.
-    #[arg(long, value_name = "NUMBER", default_value = "0.9702", allow_negative_numbers = true)]
-    efficiency: Number,
+    /// Efficiency of each row under a resting carrier, 0.97 or 97%.
+    #[arg(long, value_name = "NUMBER", default_value = "0.9702", allow_hyphen_values = true)]
+    efficiency: Quantity<Ratio>,
 
     /// Least efficiency of a gear.
-    #[arg(long, value_name = "NUMBER", default_value = "0.9", allow_negative_numbers = true)]
-    least_efficiency: Number,
+    #[arg(long, value_name = "NUMBER", default_value = "0.9", allow_hyphen_values = true)]
+    least_efficiency: Quantity<Ratio>,
 
     /// Greatest speed of a link over the input's.
     #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
@@ -156,12 +162,8 @@ struct Criteria {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Size")]
 struct Size {
-    /// Torque on the input; with --load-factor sizes are lengths.
-    #[arg(long, requires = "load_factor", allow_hyphen_values = true)]
-    torque: Option<Quantity<Torque>>,
-
-    /// Load factor K of the sun's teeth: 2 MPa.
-    #[arg(long, requires = "torque", allow_hyphen_values = true)]
+    /// Load factor K of the sun's teeth, 2 MPa: with --torque or --power sizes are lengths.
+    #[arg(long, requires = "load", allow_hyphen_values = true)]
     load_factor: Option<Quantity<Pressure>>,
 
     /// Face width over the pitch diameter of the smaller of sun and planet.
@@ -177,15 +179,15 @@ struct Size {
     load_sharing: Option<Numbers>,
 
     /// Greatest pitch diameter of a ring; with --teeth.
-    #[arg(long, requires = "torque", requires = "teeth", allow_hyphen_values = true)]
+    #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
     ring_diameter: Option<Quantity<Length>>,
 
     /// Least module that a row may need; with --teeth.
-    #[arg(long, requires = "torque", requires = "teeth", allow_hyphen_values = true)]
+    #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
     least_module: Option<Quantity<Length>>,
 
     /// Greatest module that a row may need; with --teeth.
-    #[arg(long, requires = "torque", requires = "teeth", allow_hyphen_values = true)]
+    #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
     greatest_module: Option<Quantity<Length>>,
 }
 
@@ -198,7 +200,13 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
     let found = select_with(&demand, &space, order, Some(&drawable_locks)).map_err(refuse)?;
-    candidates::report(args, &demand, order, &found)?.deliver(&args.output)
+    candidates::report(args, &demand, order, &found)?.deliver(&args.output)?;
+    if found.accepted.is_empty() { Err(nothing_found()) } else { Ok(()) }
+}
+
+/// The answer says why; this says it to whoever sees only the end.
+fn nothing_found() -> Failure {
+    Failure::NothingFound("no design meets every criterion".to_owned())
 }
 
 /// The structures that the search goes through.
@@ -215,11 +223,11 @@ fn demand(args: &Args) -> Result<Demand, Failure> {
             RatioSeries::new(&ratios)
         }
     };
-    let (criteria, size) = (&args.criteria, &args.size);
+    let criteria = &args.criteria;
     let range =
         |option, span: Span<f64>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
     let usual = Limits::default();
-    let eta0 = MeshEfficiency::new(criteria.efficiency.get())
+    let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
     Ok(Demand {
         tolerance: args.wanted.tolerance.0.si(),
@@ -235,7 +243,7 @@ fn demand(args: &Args) -> Result<Demand, Failure> {
         limits: Limits {
             parameter: range("--k", criteria.k, usual.parameter)?,
             preferred: range("--prefer", criteria.prefer, usual.preferred)?,
-            efficiency: criteria.least_efficiency.get(),
+            efficiency: criteria.least_efficiency.0.si(),
             link_speed: criteria.link_speed.get(),
             planet_speed: criteria.planet_speed.get(),
             clutch_slip: criteria.clutch_slip.get(),
@@ -243,12 +251,13 @@ fn demand(args: &Args) -> Result<Demand, Failure> {
             drawable: !criteria.allow_crossing,
         },
         eta0,
-        rating: rating(size)?,
+        rating: rating(args)?,
         ..Demand::new(series.map_err(refuse)?)
     })
 }
 
-fn rating(size: &Size) -> Result<Rating, Failure> {
+fn rating(args: &Args) -> Result<Rating, Failure> {
+    let size = &args.size;
     let usual = Rating::default();
     let load_sharing = match &size.load_sharing {
         None => usual.load_sharing,
@@ -262,7 +271,7 @@ fn rating(size: &Size) -> Result<Rating, Failure> {
         }
     };
     Ok(Rating {
-        load: size.torque.zip(size.load_factor).map(|(torque, factor)| (torque.0, factor.0)),
+        load: args.duty.torque()?.zip(size.load_factor.map(|factor| factor.0)),
         face_width_ratio: size.face_width_ratio.get(),
         load_sharing,
         planets: size.planets,
@@ -286,9 +295,12 @@ fn refuse(error: SelectionError) -> Failure {
         E::Limit { what: "ring diameter", .. } | E::SizeWithoutTorque => "--ring-diameter",
         E::Rating { what: "load sharing", .. } => "--load-sharing",
         E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",
-        E::Rating { what, .. } if what.starts_with("input torque") => "--torque",
-        E::Rating { what, .. } if what.starts_with("load factor") => "--load-factor",
-        E::Rating { .. } => "--planets",
+        E::Rating { what: "load factor K", .. } => "--load-factor",
+        E::PlanetNumber { .. } => "--planets",
+        E::Row(error) => match crate::options::of_teeth(error, "--planet-count") {
+            Some(option) => option,
+            None => return Failure::Selection(SelectionError::Row(error.clone())),
+        },
         E::RepeatedObjective { .. } | E::UnknownObjective { .. } => "--order",
         _ => return Failure::Selection(error),
     };

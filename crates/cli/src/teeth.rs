@@ -3,8 +3,11 @@
 mod answer;
 
 use crate::failure::Failure;
+use crate::options;
 use crate::output::{Format, OutputArgs, complain};
+use crate::progress::Progress;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
+use epicyclic_gears::Error;
 use epicyclic_gears::row::Mode;
 use epicyclic_gears::synthesis::{Bounds, Placement, least_teeth_without_undercut};
 use std::ops::RangeInclusive;
@@ -96,7 +99,11 @@ fn mode(text: &str) -> Result<Mode, String> {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
-    let found = bounds.for_ratio(args.ratio.get(), args.mode, args.tolerance.0.si())?;
+    let shown = Progress::new();
+    let found = bounds
+        .for_ratio_watched(args.ratio.get(), args.mode, args.tolerance.0.si(), |share| shown.at(share))
+        .map_err(refuse)?;
+    drop(shown);
     let format = args.output.format;
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
     let answer = answer::Answer {
@@ -113,20 +120,26 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     Ok(())
 }
 
+fn refuse(error: Error) -> Failure {
+    match options::of_teeth(&error, "--planets") {
+        Some(option) => Failure::Option { option, message: error.to_string() },
+        None => error.into(),
+    }
+}
+
 fn bounds(args: &Args) -> Result<Bounds, Failure> {
     let usual = Bounds::default();
     let addendum = args.addendum.get();
     let least = if args.no_undercut { least_teeth_without_undercut(addendum) } else { 1 };
     let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
-        let (from, most) = closed(option, span, usual)?.into_inner();
-        // 0 is left for the bounds to refuse.
-        let from = if from == 0 { 0 } else { from.max(least) };
+        let (from, most) = options::of_wheel(option, span, usual)?.into_inner();
+        let from = from.max(least);
         if from > most { Err(Failure::AllUndercut { option, most, least }) } else { Ok(from..=most) }
     };
     Ok(Bounds {
         sun: external("--sun", args.sun, usual.sun)?,
         planet: external("--planet", args.planet, usual.planet)?,
-        ring: closed("--ring", args.ring, usual.ring)?,
+        ring: options::of_wheel("--ring", args.ring, usual.ring)?,
         planets: closed("--planets", args.planets, usual.planets)?,
         row_parameter: closed("--k", args.k, usual.row_parameter)?,
         addendum,

@@ -4,9 +4,8 @@
 
 mod common;
 
-use common::{examples, here, output, program, session, sessions, text};
+use common::{examples, here, output, session, sessions, text};
 use std::fs;
-use std::process::Stdio;
 
 const BOXES: &str = "real-transmissions.yaml";
 
@@ -36,6 +35,53 @@ fn a_gear_in_full() {
             &["analyze", "closed-by-planetary-gear.yaml", "--gear", "closed", "--torque", "-100 N·m"],
         ]
     ));
+}
+
+#[test]
+fn forces_on_the_bearings_of_planets() {
+    let folder = examples();
+    let forces = |args: &[&str]| {
+        let seen = session(&folder, &[&["analyze"], args].concat());
+        let from = seen.find("Force on").or_else(|| seen.find("Torque that the pins")).unwrap();
+        let to = seen[from..].find("\n\n").unwrap();
+        format!("$ {}\n{}\n", args.join(" "), &seen[from..from + to])
+    };
+    let sized = "sized-gearbox.yaml";
+    insta::assert_snapshot!(
+        [
+            forces(&[sized]),
+            forces(&[sized, "--torque", "500 N·m"]),
+            forces(&[sized, "--speed", "1475 rpm"]),
+            forces(&[sized, "--speed", "1475 rpm", "--power", "75 kW"]),
+            forces(&[sized, "--speed", "1475 rpm", "--power", "-75 kW", "--gear", "slow"]),
+            forces(&["scheme-ii-3.yaml", "--gear", "slow"]),
+            forces(&["real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn sizes_that_are_refused() {
+    let folder = here();
+    let sized = fs::read_to_string(examples().join("sized-gearbox.yaml")).unwrap();
+    let mut seen = String::new();
+    for (old, new) in [
+        ("module: 4 mm, face", "module: -4 mm, face"),
+        ("2.1 kg", "0 kg"),
+        ("2.1 kg", "2.1"),
+        ("planet_bore: 50 mm", "planet_bore: 500 mm"),
+        ("97 %", "970 %"),
+        ("97 %", "97"),
+        ("97 %", "97 mm"),
+        ("density: 7850 kg/m³", "pressure_angle: 90 deg"),
+    ] {
+        assert!(sized.contains(old), "{old}");
+        fs::write(folder.path().join("box.yaml"), sized.replacen(old, new, 1)).unwrap();
+        seen += &session(folder.path(), &["analyze", "box.yaml"]);
+        seen.push('\n');
+    }
+    insta::assert_snapshot!(seen);
 }
 
 #[test]
@@ -333,6 +379,52 @@ fn the_gearbox_of_a_bucket_wheel() {
 }
 
 #[test]
+fn a_gearbox_at_its_power_and_speed() {
+    let duty = |more: &[&str]| {
+        let seen = session(here().path(), &[&["select", "--speeds"], more].concat());
+        let from = seen.find(": output, rpm").or_else(|| seen.find(": torques of shafts")).unwrap();
+        format!("$ {}\n{}", more.join(" "), &seen[seen[..from].rfind('\n').unwrap()..])
+    };
+    insta::assert_snapshot!(
+        [
+            duty(&[CONVEYOR, "--power", "75 kW", "--input", "1475 rpm"]),
+            duty(&[CONVEYOR, "--input", "1475 rpm"]),
+            duty(&[CONVEYOR, "--torque", "500 N·m"]),
+            duty(&[WHEEL, "--all-structures", "--power", "75 kW", "--input", "1475 rpm"]),
+            duty(&[WHEEL, "--teeth", "--ring", "..90", "--limit", "1", "--torque", "500 N·m"]),
+        ]
+        .join("\n")
+    );
+}
+
+/// The torques at the load are those of the lists times the input's, and powers balance.
+#[test]
+fn torques_and_powers_at_a_load_agree_with_the_lists() {
+    let args = ["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm", "--format", "json"];
+    let json: serde_json::Value = serde_json::from_slice(&output(here().path(), &args).stdout).unwrap();
+    let speed = 1475.0 * std::f64::consts::PI / 30.0;
+    let torque = 75e3 / speed;
+    let near = |one: f64, other: f64| (one - other).abs() < 1e-9 * torque.max(other.abs());
+    let mut checked = 0;
+    for row in json["operation"].as_array().unwrap() {
+        let of = |key: &str| row[key].as_f64().unwrap();
+        let candidate =
+            json["candidates"].as_array().unwrap().iter().find(|one| one["no"] == row["candidate"]).unwrap();
+        assert!(near(of("input_torque_n_m"), torque));
+        assert!(near(of("entering_w"), of("leaving_w") + of("loss_w")));
+        assert!(near(of("output_torque_n_m") * of("output_speed_rad_s"), -of("leaving_w")));
+        let (key, list) = match row["gear"].as_str().unwrap() {
+            "1" => ("k1_torque_n_m", "brake_1"),
+            "2" => ("k2_torque_n_m", "brake_2"),
+            _ => ("lock_torque_n_m", "lock_torque"),
+        };
+        assert!(near(of(key), candidate[list].as_f64().unwrap() * torque), "{row} {candidate}");
+        checked += 1;
+    }
+    assert!(checked >= 6, "{checked}");
+}
+
+#[test]
 fn tooth_numbers_of_two_rows() {
     let search = ["select", "--speeds", WHEEL, "--teeth", "--all-structures", "--ring", "..90"];
     let two = |more: &[&str]| session(here().path(), &[&search, more].concat());
@@ -374,7 +466,19 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "2.5", "--efficiency", "1.2"],
             &["select", "--ratios", "2.5", "--planets", "1"],
             &["select", "--ratios", "2.5", "--load-sharing", "1, 1.1"],
-            &["select", "--ratios", "2.5", "--torque", "5 N·m"],
+            &["select", "--ratios", "2.5", "--load-factor", "2 MPa"],
+            &["select", "--ratios", "2.5", "--torque", "0 N·m"],
+            &["select", "--ratios", "2.5", "--torque", "5 N·m", "--load-factor", "-2 MPa"],
+            &["select", "--ratios", "2.5", "--face-width-ratio", "0"],
+            &["select", "--ratios", "2.5", "--load-sharing", "1, 1, 1, 1, 0, 1, 1"],
+            &["select", "--ratios", "2.5", "--power", "75 kW"],
+            &["select", "--ratios", "2.5", "--power", "75 kW", "--input", "0 rpm"],
+            &["select", "--ratios", "2.5", "--power", "-75 kW", "--input", "1475 rpm"],
+            &["select", "--ratios", "2.5", "--power", "75 kW", "--input", "1475 rpm", "--torque", "5 N·m"],
+            &["select", "--ratios", "1.5, 2.5, 3.5"],
+            &["select", "--ratios", "1.5, 2.5", "--teeth", "--planet-count", "9"],
+            &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring", "0.."],
+            &["select", "--ratios", "2.5", "--least-efficiency", "-1%"],
             &["select", "--ratios", "1.5, 2.5", "--teeth", "--ring-diameter", "100 mm"],
         ]
     ));
@@ -399,6 +503,9 @@ fn tables_fit_eighty_columns_and_json_is_json() {
         ],
         &["analyze", BOXES, "--transmission", "prius", "--speed", "15000 rpm", "--torque", "1 MN·m"],
         &["analyze", BOXES, "--transmission", "8HP", "--all-combinations"],
+        &["analyze", "sized-gearbox.yaml", "--power", "12345 kW", "--speed", "15000 rpm"],
+        &["select", "--speeds", WHEEL, "--all-structures", "--power", "12345 kW", "--input", "15000 rpm"],
+        &["select", "--ratios", "30", "--k", "..40", "--power", "99 MW", "--input", "15 rpm"],
         &["schemes", "I-1", "--k1", "9", "--k2", "9"],
         &["schemes"],
         &["machine", "list"],
@@ -448,34 +555,6 @@ fn lists_of_an_answer_count_alike() {
     for list in ["speeds", "locks", "shifts", "verdicts"] {
         assert_eq!(numbers(list, "candidate"), shown, "{list}");
     }
-}
-
-#[test]
-fn a_search_that_is_stopped_leaves_the_old_answer() {
-    let folder = here();
-    let answer = folder.path().join("answer.txt");
-    fs::write(&answer, "old").unwrap();
-    let args = [
-        "select",
-        "--ratios",
-        "1.5, 2.5",
-        "--teeth",
-        "--all-structures",
-        "--tolerance",
-        "60%",
-        "--signs",
-        "any",
-    ];
-    let mut search = program(folder.path(), &[&args[..], &["-o", "answer.txt"]].concat())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    search.kill().unwrap();
-    let stopped = search.wait_with_output().unwrap();
-    assert!(!stopped.status.success() && stopped.stderr.is_empty(), "{stopped:?}");
-    assert_eq!(fs::read_to_string(&answer).unwrap(), "old");
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
 #[test]

@@ -19,6 +19,18 @@ pub const MARGIN_MM: f64 = 4.0;
 /// # Errors
 /// As [`Scene::check`].
 pub fn write(scene: &Scene) -> Result<String, Error> {
+    image(scene, true)
+}
+
+/// The same to stand among others in one page: its groups have no `id`, and the page sets its size.
+///
+/// # Errors
+/// As [`Scene::check`].
+pub fn embed(scene: &Scene) -> Result<String, Error> {
+    image(scene, false)
+}
+
+fn image(scene: &Scene, alone: bool) -> Result<String, Error> {
     scene.check()?;
     let bounds = scene.bounds();
     let bounds = if bounds.is_empty() { Shape::line([0.0, 0.0], [0.0, 0.0]).bounds() } else { bounds };
@@ -31,9 +43,13 @@ pub fn write(scene: &Scene) -> Result<String, Error> {
         .set("width", number(width))
         .set("height", number(height))
         .set("fill", "#ffffff");
-    let mut document = Document::new()
-        .set("width", format!("{}mm", number(width)))
-        .set("height", format!("{}mm", number(height)))
+    let mut document = Document::new();
+    if alone {
+        document = document
+            .set("width", format!("{}mm", number(width)))
+            .set("height", format!("{}mm", number(height)));
+    }
+    document = document
         .set("viewBox", [left, top, width, height].map(number).join(" "))
         .set("role", "img")
         .set("aria-label", one_line(scene.title()))
@@ -44,7 +60,7 @@ pub fn write(scene: &Scene) -> Result<String, Error> {
         let Some(first) = run.first() else { continue };
         let layer = &scene.layers()[first.layer.0];
         let mut group = style_group(layer.style).set("class", class(&layer.name));
-        if !std::mem::replace(&mut seen[first.layer.0], true) {
+        if alone && !std::mem::replace(&mut seen[first.layer.0], true) {
             group = group.set("id", class(&layer.name));
         }
         document = document.add(run.iter().fold(group, |group, item| add(group, scene, item)));
@@ -204,6 +220,7 @@ mod tests {
         assert_eq!(image.matches("class=\"layer-below\"").count(), 2);
         assert_eq!(image.matches("id=\"layer-below\"").count(), 1);
         assert_eq!(image.matches("id=\"layer-above-it\"").count(), 1);
+        assert_eq!(embed(&scene).unwrap().matches("id=").count(), 0);
     }
 
     #[test]

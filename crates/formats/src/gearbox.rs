@@ -22,6 +22,9 @@
 //!   - { name: "3", engaged: [direct] }
 //! ```
 //!
+//! Efficiencies are parts of 1 or per cent. For the forces on planets a row may have `planets`, `module` or
+//! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`; the gearbox `density` and `pressure_angle`.
+//!
 //! # Real transmissions
 //! [`TransmissionsFile`]: a list `transmissions`, each with rows, nodes that join members, elements that join nodes
 //! when engaged, and gears with what is published of them.
@@ -41,15 +44,19 @@
 //! # }
 //! ```
 
-use crate::Number;
+use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::teeth::ToothCount;
+use epicyclic_schemes::pins::{Pin, RowSize};
 use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
 use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use uom::si::f64::{Angle, Length, Mass, MassDensity, Ratio};
 
+mod place;
 mod transmissions;
+pub use place::located;
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionRow, TransmissionsFile};
 
 /// A description that is no gearbox.
@@ -158,6 +165,12 @@ pub struct GearboxFile {
     /// The gears.
     #[serde(default)]
     pub gears: Vec<GearEntry>,
+    /// Density of the planets, for their mass. Default 7850 kg/m³, steel.
+    #[serde(default)]
+    pub density: Option<Quantity<MassDensity>>,
+    /// Working pressure angle, for the radial forces on planets. Default 20 deg.
+    #[serde(default)]
+    pub pressure_angle: Option<Quantity<Angle>>,
 }
 
 /// A row.
@@ -188,12 +201,27 @@ pub struct RowEntry {
     /// How many planets stand around the axis.
     #[serde(default)]
     pub planets: Option<u32>,
-    /// Efficiency `η₀` under a resting carrier; 1 unless given.
+    /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.
     #[serde(default)]
-    pub efficiency: Option<Number>,
+    pub efficiency: Option<Quantity<Ratio>>,
     /// Efficiency of each mesh from sun to ring, in place of `efficiency`.
     #[serde(default)]
-    pub meshes: Option<Vec<Number>>,
+    pub meshes: Option<Vec<Quantity<Ratio>>>,
+    /// Module of the mesh with the sun, for forces on planets.
+    #[serde(default)]
+    pub module: Option<Quantity<Length>>,
+    /// Radius of the planets' centres; goes before that of module and teeth.
+    #[serde(default)]
+    pub carrier_radius: Option<Quantity<Length>>,
+    /// Face width of a planet, for its mass.
+    #[serde(default)]
+    pub face_width: Option<Quantity<Length>>,
+    /// Bore of a planet. Default: a solid planet.
+    #[serde(default)]
+    pub planet_bore: Option<Quantity<Length>>,
+    /// Mass of a planet with what turns about its pin; goes before that of its shape.
+    #[serde(default)]
+    pub planet_mass: Option<Quantity<Mass>>,
 }
 
 /// A kind of row.
@@ -326,6 +354,35 @@ impl GearboxFile {
     }
 }
 
+impl GearboxFile {
+    /// The planets of each row that has any on their pins, as far as their size is known, with the row's place.
+    ///
+    /// # Errors
+    /// [`DescriptionError::Row`] for a size that is none.
+    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<(usize, Pin)>, DescriptionError> {
+        let of_row = |(place, size): (usize, RowSize)| {
+            let pin = gearbox.pin(place, &size)?;
+            let row = || gearbox.rows()[place].id().to_owned();
+            Some(pin.map(|pin| (place, pin)).map_err(|source| DescriptionError::Row { row: row(), source }))
+        };
+        self.row_sizes().into_iter().enumerate().filter_map(of_row).collect()
+    }
+
+    fn row_sizes(&self) -> Vec<RowSize> {
+        let usual = RowSize::default();
+        let of_row = |row: &RowEntry| RowSize {
+            module: row.module.map(|module| module.0),
+            carrier_radius: row.carrier_radius.map(|radius| radius.0),
+            face_width: row.face_width.map(|width| width.0),
+            planet_bore: row.planet_bore.map(|bore| bore.0),
+            planet_mass: row.planet_mass.map(|mass| mass.0),
+            density: self.density.map_or(usual.density, |density| density.0),
+            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+        };
+        self.rows.iter().map(of_row).collect()
+    }
+}
+
 impl RowEntry {
     fn spec(&self) -> Result<RowSpec, DescriptionError> {
         let row = || self.id.clone();
@@ -360,8 +417,8 @@ impl RowEntry {
     }
 
     fn loss(&self, kind: RowKind) -> Result<MeshLoss, DescriptionError> {
-        let eta = |eta: Number| {
-            MeshEfficiency::new(eta.get())
+        let eta = |eta: Quantity<Ratio>| {
+            MeshEfficiency::new(eta.0.value)
                 .map_err(|source| DescriptionError::Row { row: self.id.clone(), source })
         };
         let expected = match kind {

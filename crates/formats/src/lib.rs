@@ -6,6 +6,7 @@
 //! | [`document`] | what a YAML file says, and at which line and column |
 //! | [`range`] | what `12..40` means |
 //! | [`drive`] | what a drive file asks for |
+//! | [`motor`] | what a motor file asks for |
 //! | [`yaml`] | values without positions |
 //! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
@@ -40,6 +41,7 @@ pub mod document;
 pub mod drive;
 mod error;
 pub mod gearbox;
+pub mod motor;
 pub mod quantity;
 pub mod range;
 pub mod yaml;

@@ -38,3 +38,14 @@ fn closed_planetary_gears_have_the_ratios_of_their_comments() {
     assert!((by_row.ratio().unwrap() - (1.0 - k1 / k2)).abs() < 1e-13);
     assert!(by_row.ideal().unwrap().power.circulating > 1.0);
 }
+
+#[test]
+fn a_sized_gearbox_lacks_nothing_for_the_forces_on_its_planets() {
+    let file: GearboxFile = example("sized-gearbox.yaml");
+    let pins = file.pins(&file.gearbox().unwrap()).unwrap();
+    assert_eq!(pins.len(), 2);
+    assert!(pins.iter().all(|(_, pin)| pin.lacks.is_empty()), "{pins:?}");
+    let unsized_: GearboxFile = example("scheme-ii-3.yaml");
+    let pins = unsized_.pins(&unsized_.gearbox().unwrap()).unwrap();
+    assert!(pins.iter().all(|(_, pin)| pin.lacks.len() == 3), "{pins:?}");
+}

@@ -35,7 +35,7 @@ pub enum Error {
         known: usize,
     },
     /// An efficiency outside its range.
-    #[error("mesh efficiency {eta}: it lies above 0 and at or below 1")]
+    #[error("mesh efficiency {}: it lies above 0 and at or below 1", (eta * 1e12).round() / 1e12)]
     Efficiency {
         /// The value given.
         eta: f64,
@@ -53,7 +53,7 @@ pub enum Error {
         most: u32,
     },
     /// A number of planets that the synthesis does not place.
-    #[error("{from} to {to} planets: from 2 to {most}, the smaller first")]
+    #[error("{}: from 2 to {most}, the smaller first", planets(*from, *to))]
     PlanetNumber {
         /// Lower end.
         from: u32,
@@ -272,6 +272,14 @@ pub enum Error {
         /// Largest bore of the series, mm.
         largest_mm: f64,
     },
+}
+
+fn planets(from: u32, to: u32) -> String {
+    match (from, to) {
+        (1, 1) => "1 planet".to_owned(),
+        (from, to) if from == to => format!("{from} planets"),
+        (from, to) => format!("{from} to {to} planets"),
+    }
 }
 
 fn offer(same_bore: &[&str]) -> String {

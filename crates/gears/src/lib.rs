@@ -13,6 +13,7 @@
 //! | [`geometry`] | diameters of a wheel, centre distance of a pair |
 //! | [`mass`] | volume, mass and polar inertia of rings and wheels |
 //! | [`carrier`] | the same of a planet carrier |
+//! | [`pin`] | forces on the bearing and pin of a planet |
 //! | [`shaft`] | shaft diameter by reduced torsional stress, standard diameters |
 //! | [`bearing`] | deep-groove ball bearings by designation, bore or shaft |
 //!
@@ -44,6 +45,7 @@ pub mod efficiency;
 pub mod error;
 pub mod geometry;
 pub mod mass;
+pub mod pin;
 pub mod row;
 pub mod shaft;
 pub mod spacing;

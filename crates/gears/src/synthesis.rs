@@ -154,8 +154,24 @@ impl Bounds {
     /// [`Error::NoTeeth`], [`Error::ToothRange`], [`Error::PlanetNumber`],
     /// [`Error::RowParameterRange`], [`Error::Negative`] for bounds that are none.
     pub fn tooth_sets(&self) -> Result<Vec<ToothSet>, Error> {
-        self.check()?;
         let mut found = Vec::new();
+        self.visit(
+            |_| {},
+            |set| {
+                found.push(set);
+                Ok(())
+            },
+        )?;
+        Ok(found)
+    }
+
+    /// Each tooth set in turn, and after each sun the share of suns that are done.
+    fn visit(
+        &self,
+        mut done: impl FnMut(f64),
+        mut each: impl FnMut(ToothSet) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        self.check()?;
         let (low_k, high_k) = (*self.row_parameter.start(), *self.row_parameter.end());
         // By coaxiality a ring within its range leaves the planet only these.
         let most_planet = (*self.planet.end()).min(self.ring.end().saturating_sub(*self.sun.start()) / 2);
@@ -167,6 +183,7 @@ impl Bounds {
             .map(|s| self.planets.clone().filter(|n| s % n == 0).fold(0, |bits, n| bits | 1 << n))
             .collect();
 
+        let suns = f64::from(self.sun.end() - self.sun.start()) + 1.0;
         for sun in self.sun.clone() {
             let z_a = f64::from(sun);
             // One tooth of slack against rounding; the test on k itself decides.
@@ -201,12 +218,13 @@ impl Bounds {
                         }
                     };
                     if assembles {
-                        found.push(ToothSet { sun, planet, ring, planets });
+                        each(ToothSet { sun, planet, ring, planets })?;
                     }
                 }
             }
+            done((z_a - f64::from(*self.sun.start()) + 1.0) / suns);
         }
-        Ok(found)
+        Ok(())
     }
 
     /// Every tooth set whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the most
@@ -216,6 +234,20 @@ impl Bounds {
     /// As [`tooth_sets`](Self::tooth_sets); [`Error::Tolerance`]; [`Error::NoToothSet`], with the
     /// nearest ratio within the bounds, where none comes close enough.
     pub fn for_ratio(&self, wanted: f64, mode: Mode, tolerance: f64) -> Result<Vec<Candidate>, Error> {
+        self.for_ratio_watched(wanted, mode, tolerance, |_| {})
+    }
+
+    /// The same; `done` is told, from 0 to 1, how much of the bounds has been gone through.
+    ///
+    /// # Errors
+    /// As [`for_ratio`](Self::for_ratio).
+    pub fn for_ratio_watched(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        done: impl FnMut(f64),
+    ) -> Result<Vec<Candidate>, Error> {
         if !(tolerance >= 0.0 && tolerance.is_finite()) {
             return Err(Error::Tolerance { tolerance });
         }
@@ -224,7 +256,7 @@ impl Bounds {
         }
         let mut nearest: Option<(f64, f64)> = None;
         let mut found = Vec::new();
-        for teeth in self.tooth_sets()? {
+        self.visit(done, |teeth| {
             let ratio = teeth.stationary_ratio().ratio(mode)?;
             let error = ratio / wanted - 1.0;
             if nearest.is_none_or(|(_, least)| error.abs() < least) {
@@ -243,7 +275,8 @@ impl Bounds {
                     teeth,
                 });
             }
-        }
+            Ok(())
+        })?;
         if found.is_empty() {
             let nearest = nearest.map(|(ratio, _)| ratio);
             return Err(Error::NoToothSet { wanted, mode, tolerance, nearest });
@@ -380,6 +413,16 @@ mod tests {
 
     fn sun_to_carrier() -> Mode {
         Mode::new(Member::Sun, Member::Carrier).unwrap()
+    }
+
+    #[test]
+    fn who_watches_sees_the_share_rise_to_one() {
+        let mut seen = vec![];
+        let mode = Mode::new(Member::Sun, Member::Carrier).unwrap();
+        let watched = Bounds::default().for_ratio_watched(6.0, mode, 0.01, |share| seen.push(share)).unwrap();
+        assert_eq!(watched.len(), Bounds::default().for_ratio(6.0, mode, 0.01).unwrap().len());
+        assert_eq!((seen.len(), seen.last()), (189, Some(&1.0)));
+        assert!(seen.is_sorted());
     }
 
     #[test]

@@ -7,8 +7,9 @@ use std::f64::consts::FRAC_PI_2;
 use uom::si::angle::{degree, radian};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{
-    Angle, AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Pressure, Torque, Volume,
+    Angle, AngularVelocity, Force, Length, Mass, MassDensity, MomentOfInertia, Pressure, Torque, Volume,
 };
+use uom::si::force::newton;
 use uom::si::length::{meter, millimeter};
 use uom::si::mass::kilogram;
 use uom::si::mass_density::kilogram_per_cubic_meter;
@@ -33,6 +34,14 @@ pub(crate) fn n_m(torque: Torque) -> f64 {
 
 pub(crate) fn torque(torque_n_m: f64) -> Torque {
     Torque::new::<newton_meter>(torque_n_m)
+}
+
+pub(crate) fn force(force_n: f64) -> Force {
+    Force::new::<newton>(force_n)
+}
+
+pub(crate) fn newtons(force: Force) -> f64 {
+    force.get::<newton>()
 }
 
 pub(crate) fn angle(angle_rad: f64) -> Angle {

@@ -3,12 +3,14 @@
 //! | module | draws |
 //! |---|---|
 //! | [`gearbox`] | kinematic schemes, speed plans, lever diagrams, ratio ladders |
+//! | [`gear_set`] | a gear set along its axis |
 //! | [`motor`] | centrodes, teeth, chambers, a motor at an angle |
 //! | [`plot`] | curves over an axis |
 //!
 //! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here computes a speed or a curve,
 //! and nothing opens a file.
 
+pub mod gear_set;
 pub mod gearbox;
 pub mod motor;
 pub mod plot;

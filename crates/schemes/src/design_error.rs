@@ -47,7 +47,7 @@ pub enum DesignError {
         ratio: f64,
     },
     /// Too few or too many speeds.
-    #[error("{count} speeds: the series of the source have 2 to 4")]
+    #[error("{count} speed{}: the series of the source have 2 to 4", if *count == 1 { "" } else { "s" })]
     SpeedCount {
         /// How many were given.
         count: usize,

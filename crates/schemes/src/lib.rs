@@ -14,6 +14,7 @@
 //! | [`kreines`] | efficiency from the ratio alone, as a check |
 //! | [`efficiency`] | sign patterns that bear themselves out |
 //! | [`operating`] | the same as quantities at a speed and load |
+//! | [`pins`] | forces on the bearings of the planets |
 //! | [`combinations`] | every set of controls |
 //! | [`compiled`] | a gear compiled once, solved often |
 //! | [`mobility`] | Chebyshev's count |
@@ -81,6 +82,7 @@ pub mod machines;
 pub mod mobility;
 pub mod operating;
 mod pair;
+pub mod pins;
 pub mod power_flow;
 pub mod regimes;
 pub mod rotor;

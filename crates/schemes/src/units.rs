@@ -1,7 +1,7 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
 use uom::si::angular_velocity::radian_per_second;
-use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Torque, Velocity};
+use uom::si::f64::{Angle, AngularVelocity, Length, Mass, MassDensity, Power, Pressure, Torque, Velocity};
 use uom::si::length::meter;
 use uom::si::power::watt;
 use uom::si::torque::newton_meter;
@@ -55,4 +55,16 @@ pub(crate) fn metres(length_m: f64) -> Length {
 
 pub(crate) fn in_metres(length: Length) -> f64 {
     length.get::<meter>()
+}
+
+pub(crate) fn degrees(angle_deg: f64) -> Angle {
+    Angle::new::<uom::si::angle::degree>(angle_deg)
+}
+
+pub(crate) fn kg_per_m3(density_kg_m3: f64) -> MassDensity {
+    MassDensity::new::<uom::si::mass_density::kilogram_per_cubic_meter>(density_kg_m3)
+}
+
+pub(crate) fn kilograms(mass: Mass) -> f64 {
+    mass.get::<uom::si::mass::kilogram>()
 }

@@ -2,7 +2,7 @@
 
 use super::overview::{as_published, engaged, in_words, published_figure, warnings};
 use super::subject::Subject;
-use super::{Input, Worked, work};
+use super::{Input, Worked, pins, work};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
@@ -22,6 +22,7 @@ pub(super) fn report(subject: &Subject, name: &str, input: Input) -> Result<Repo
     if !planets.rows.is_empty() {
         parts.push(Part::Records(planets));
     }
+    parts.extend(pins::of_gear(subject, &worked, input)?.map(Part::Records));
     if !gearbox.controls().is_empty() {
         parts.push(Part::Records(scene.controls()));
     }

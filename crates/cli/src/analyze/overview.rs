@@ -1,7 +1,7 @@
 //! All gears of a gearbox side by side.
 
 use super::subject::Subject;
-use super::{Input, Worked, work};
+use super::{Input, Worked, pins, work};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, text};
 use crate::output;
@@ -20,10 +20,12 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .collect::<Result<Vec<Worked>, Failure>>()?;
     let source = subject.source.as_ref().map(|source| Part::Words(wrapped("Source:", source)));
     let states = states(&worked);
+    let forces = pins::of_gears(subject, &worked, input)?;
     let parts = source
         .into_iter()
         .chain([Part::Records(gears(subject, &worked, input))])
         .chain((!states.is_empty()).then_some(Part::Words(states)))
+        .chain(forces.map(Part::Records))
         .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
         .collect();
     Ok(Report { title: Some(gearbox.name().to_owned()), parts, warnings: Some(warnings(gearbox)) })

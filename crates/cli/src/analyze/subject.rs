@@ -1,31 +1,22 @@
 //! The gearbox of a file, whichever of the two formats it is in.
 
-use super::place;
+use super::Choice;
 use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_formats::gearbox::{GearboxFile, PublishedGear, Transmission, TransmissionsFile};
-use epicyclic_formats::{Document, Number, Path, Problem};
+use epicyclic_formats::gearbox::{
+    DescriptionError, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
+};
+use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
+use epicyclic_schemes::pins::{Pin, RowSize};
 use epicyclic_schemes::row::MeshLoss;
 use std::fs;
-
-/// What is to be read.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Wanted<'a> {
-    /// The file.
-    pub(crate) file: &'a std::path::Path,
-    /// One transmission of a list.
-    pub(crate) transmission: Option<&'a str>,
-    /// Efficiency of rows for which the file states none.
-    pub(crate) efficiency: Option<Number>,
-    /// Whether a list of transmissions will not do.
-    pub(crate) one: bool,
-}
+use uom::si::f64::Ratio;
 
 /// What a file holds.
-pub(crate) enum Content {
+pub(super) enum Content {
     One(Box<Subject>),
     /// Transmissions of which none was chosen.
     Several(Vec<Transmission>),
@@ -35,8 +26,10 @@ pub(crate) enum Content {
 pub(crate) struct Subject {
     pub(crate) gearbox: Gearbox,
     /// Where its data stand.
-    pub(super) source: Option<String>,
+    pub(crate) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
+    /// The planets of the rows that have any, with the row's place.
+    pub(super) pins: Vec<(usize, Pin)>,
 }
 
 impl Subject {
@@ -51,16 +44,15 @@ impl Subject {
     }
 }
 
-/// Reads the file, and chooses among its transmissions.
-pub(crate) fn read(wanted: Wanted<'_>) -> Result<Content, Failure> {
-    let file = wanted.file;
-    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
-    let document = Document::parse_one(&file.display().to_string(), &bytes)?;
-    let efficiency = wanted.efficiency.map(efficiency).transpose()?;
+/// Reads the file, and chooses among its transmissions; where `only_one` is wanted, several are refused.
+pub(super) fn read(args: &Choice, only_one: bool) -> Result<Content, Failure> {
+    let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
+    let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
+    let efficiency = args.efficiency.map(efficiency).transpose()?;
     let has = |key: &str| document.value().get(key).is_some();
     if has("transmissions") {
         let transmissions = document.read::<TransmissionsFile>()?.transmissions;
-        return match chosen(wanted, &document, &transmissions)? {
+        return match chosen(args, only_one, &document, &transmissions)? {
             Some(index) => transmission(&document, &transmissions, index, efficiency).map(Content::One),
             None => Ok(Content::Several(transmissions)),
         };
@@ -70,32 +62,36 @@ pub(crate) fn read(wanted: Wanted<'_>) -> Result<Content, Failure> {
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     }
-    if wanted.transmission.is_some() {
+    if args.transmission.is_some() {
         return Err(Failure::Option {
             option: "--transmission",
             message: "the file holds one gearbox; leave the option out".to_owned(),
         });
     }
     let mut file: GearboxFile = document.read()?;
-    if let Some(eta) = wanted.efficiency {
+    if let Some(eta) = args.efficiency {
         for row in &mut file.rows {
             if row.efficiency.is_none() && row.meshes.is_none() {
                 row.efficiency = Some(eta);
             }
         }
     }
-    let gearbox = file.gearbox().map_err(|error| place::problem(&document, &Path::root(), &error))?;
-    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![] })))
+    let at = |error: DescriptionError| located(&document, &Path::root(), &error);
+    let gearbox = file.gearbox().map_err(at)?;
+    let pins = file.pins(&gearbox).map_err(at)?;
+    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))
 }
 
-fn efficiency(eta: Number) -> Result<MeshEfficiency, Failure> {
-    MeshEfficiency::new(eta.get())
+/// The efficiency of a row that `--efficiency` gives.
+pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
+    MeshEfficiency::new(eta.0.value)
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }
 
 /// The place of the transmission meant; `None` where there are several and none is named.
 fn chosen(
-    wanted: Wanted<'_>,
+    args: &Choice,
+    only_one: bool,
     document: &Document,
     transmissions: &[Transmission],
 ) -> Result<Option<usize>, Failure> {
@@ -104,18 +100,18 @@ fn chosen(
         which.iter().map(|&place| format!("\n  {}", transmissions[place].name)).collect::<String>()
     };
     let all: Vec<usize> = (0..transmissions.len()).collect();
-    let Some(name) = wanted.transmission else {
+    let Some(name) = &args.transmission else {
         return match all[..] {
             [] => {
                 let problem = Problem::Refused { message: "there is no transmission here".to_owned() };
                 Err(document.error(&Path::root().key("transmissions"), problem).into())
             }
             [only] => Ok(Some(only)),
-            _ if wanted.one => refuse(format!("the file has {}; name one of{}", all.len(), names(&all))),
+            _ if only_one => refuse(format!("the file has {}; name one of{}", all.len(), names(&all))),
             _ => Ok(None),
         };
     };
-    if let Some(exact) = transmissions.iter().position(|transmission| transmission.name == name) {
+    if let Some(exact) = transmissions.iter().position(|transmission| transmission.name == *name) {
         return Ok(Some(exact));
     }
     let part = name.to_lowercase();
@@ -139,13 +135,16 @@ fn transmission(
 ) -> Result<Box<Subject>, Failure> {
     let transmission = &transmissions[index];
     let base = Path::root().key("transmissions").index(index);
-    let gearbox = transmission.gearbox().map_err(|error| place::problem(document, &base, &error))?;
+    let gearbox = transmission.gearbox().map_err(|error| located(document, &base, &error))?;
     let gearbox = match efficiency {
         Some(eta) => with_losses(&gearbox, eta)?,
         None => gearbox,
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
-    Ok(Box::new(Subject { gearbox, source, published }))
+    // The format of transmissions states no sizes.
+    let of_row = |place| Some(gearbox.pin(place, &RowSize::default())?.map(|pin| (place, pin)));
+    let pins = (0..gearbox.rows().len()).filter_map(of_row).collect::<Result<_, _>>()?;
+    Ok(Box::new(Subject { gearbox, source, published, pins }))
 }
 
 /// The same gearbox with this efficiency of each row; the format of transmissions states none.

@@ -1,9 +1,9 @@
 //! The gearbox that is drawn: a scheme of the catalogue, or one from a file.
 
 use super::{Args, View};
-use crate::analyze::{self, Content, Wanted};
+use crate::analyze::{self, Choice};
 use crate::failure::Failure;
-use crate::schemes::{Scheme, Sizes, dimensioned, refuse};
+use crate::schemes::{Scheme, Sizes, dimensioned};
 use epicyclic_formats::Number;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
@@ -37,7 +37,7 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
         return option("--transmission", "a scheme of the catalogue is one gearbox; leave it out".into());
     }
     let eta = match args.efficiency {
-        Some(eta) => MeshEfficiency::new(eta.get()).map_err(refuse("--efficiency"))?,
+        Some(eta) => analyze::efficiency(eta)?,
         None => MeshEfficiency::IDEAL,
     };
     let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
@@ -65,13 +65,6 @@ fn from_file(args: &Args, file: &Path) -> Result<Subject, Failure> {
         let message = "it is for schemes of the catalogue; the file says how large its rows are".to_owned();
         return Err(Failure::Option { option, message });
     }
-    let transmission = args.transmission.as_deref();
-    let wanted = Wanted { file, transmission, efficiency: args.efficiency, one: true };
-    match analyze::read(wanted)? {
-        Content::One(subject) => Ok(Subject { gearbox: subject.gearbox, gearing: true }),
-        Content::Several(_) => Err(Failure::Option {
-            option: "--transmission",
-            message: "the file has several transmissions; name one".to_owned(),
-        }),
-    }
+    let choice = Choice::new(file.to_owned(), args.transmission.clone(), args.efficiency);
+    Ok(Subject { gearbox: analyze::gearbox(&choice)?, gearing: true })
 }

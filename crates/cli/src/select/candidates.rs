@@ -1,12 +1,11 @@
 //! All candidates side by side.
 
 use super::winner::Numbered;
-use super::{Args, why, winner};
+use super::{Args, duty, measures, why, winner};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, multiple, text};
+use crate::figure::{Figure, multiple, text};
 use crate::output::Format;
 use crate::report::{Column, Part, Records, Report, View, wrapped};
-use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_schemes::locking::Lock;
 use epicyclic_schemes::selection::{
@@ -57,11 +56,13 @@ pub(super) fn report(
         parts.push(Part::Words(why::words(order, &ranked, found, accepted)));
         if let Some(best) = ranked.all.first().filter(|_| ranked.accepted > 0) {
             parts.extend(winner::parts(demand, &[(1, best)]));
+            parts.extend(duty::parts(args, demand, &[(1, best)])?);
         }
     } else {
         parts.push(Part::Records(candidates(demand, &ranked, &shown, vec![])));
         let all: Vec<Numbered> = shown.iter().map(|&place| (place as u32 + 1, ranked.all[place])).collect();
         parts.extend(winner::parts(demand, &all));
+        parts.extend(duty::parts(args, demand, &all)?);
         parts.push(Part::Records(verdicts(&all)));
         parts.push(Part::Records(unreachable(&found.unreachable)));
     }
@@ -172,44 +173,40 @@ fn candidates(demand: &Demand, ranked: &Ranked, shown: &[usize], views: Vec<View
     let criterion = |name, heading: &str| Column::words(name, heading);
     Records {
         name: "candidates",
-        columns: vec![
-            Column::number("no", "no"),
-            Column::words("scheme", "scheme"),
-            Column::words("structure", "structure"),
-            Column::words("accepted", "accepted"),
-            Column::number("wanted_1", "wanted"),
-            Column::number("wanted_2", "wanted"),
-            Column::number("ratio_1", "i₁"),
-            Column::number("ratio_2", "i₂"),
-            Column::number("k1", "k₁"),
-            Column::number("k2", "k₂"),
-            Column::number("efficiency_1", "η₁"),
-            Column::number("efficiency_2", "η₂"),
-            Column::number("efficiency", "efficiency"),
-            Column::number("speed", "speed"),
-            Column::number("parameter", "parameter"),
-            Column::number("error", "error"),
-            Column::number("size", "size"),
-            Column { heading: "ring, mm".to_owned(), ..Column::quantity("ring_diameter", Dimension::Length) },
-            Column::words("front", "front"),
-            Column::number("largest_link", "link"),
-            Column::number("largest_planet", "planet"),
-            Column::number("slip", "slip"),
-            Column::number("brake_1", "T of K1"),
-            Column::number("brake_2", "T of K2"),
-            Column::words("lock", "lock"),
-            Column::number("lock_torque", "its T"),
-            Column::words("mixes_senses", "mixed signs"),
-            criterion("meets_ratio", "ratio"),
-            criterion("meets_k", "k"),
-            criterion("meets_efficiency", "η"),
-            criterion("meets_link", "link"),
-            criterion("meets_planet", "planet"),
-            criterion("meets_slip", "slip"),
-            criterion("meets_sense", "one sense"),
-            criterion("meets_drawing", "drawable"),
-            Column::words("because", "because"),
-        ],
+        columns: [
+            vec![
+                Column::number("no", "no"),
+                Column::words("scheme", "scheme"),
+                Column::words("structure", "structure"),
+                Column::words("accepted", "accepted"),
+                Column::number("wanted_1", "wanted"),
+                Column::number("wanted_2", "wanted"),
+            ],
+            measures::columns(),
+            vec![
+                Column::words("front", "front"),
+                Column::number("largest_link", "link"),
+                Column::number("largest_planet", "planet"),
+                Column::number("slip", "slip"),
+                Column::number("brake_1", "T of K1"),
+                Column::number("brake_2", "T of K2"),
+                Column::words("lock", "lock"),
+                Column::number("lock_torque", "its T"),
+                Column::words("mixes_senses", "mixed signs"),
+                criterion("meets_ratio", "ratio"),
+                criterion("meets_k", "k"),
+                criterion("meets_efficiency", "η"),
+                criterion("meets_link", "link"),
+                criterion("meets_planet", "planet"),
+                criterion("meets_slip", "slip"),
+                criterion("meets_sense", "one sense"),
+                criterion("meets_drawing", "drawable"),
+                Column::words("because", "because"),
+            ],
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
         rows: shown.iter().map(|&place| row(demand, ranked, place)).collect(),
         views,
         is_answer: true,
@@ -229,25 +226,16 @@ fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
     };
     let objectives = &one.objectives;
     let lock = winner::lock(one);
-    vec![
+    let mut figures = vec![
         Figure::Count(place as u32 + 1),
         text(name(one.mechanism)),
         text(one.mechanism.to_string()),
         Figure::YesNo(place < ranked.accepted),
         of_gear(0, |gear| Some(gear.wanted)),
         of_gear(1, |gear| Some(gear.wanted)),
-        of_gear(0, |gear| Some(gear.ratio)),
-        of_gear(1, |gear| Some(gear.ratio)),
-        multiple(one.k.first().copied()),
-        multiple(one.k.get(1).copied()),
-        of_gear(0, |gear| gear.efficiency),
-        of_gear(1, |gear| gear.efficiency),
-        Figure::Multiple(objectives.efficiency),
-        Figure::Multiple(objectives.speed),
-        Figure::Multiple(objectives.parameter),
-        Figure::Multiple(objectives.ratio_error),
-        Figure::Multiple(objectives.size),
-        column(demand.rating.unit().map(|unit| unit * objectives.size)),
+    ];
+    figures.extend(measures::figures(demand, &one.gears, &one.k, objectives));
+    figures.extend([
         Figure::YesNo(ranked.front.contains(&place)),
         multiple(value(Criterion::LinkSpeed)),
         multiple(value(Criterion::PlanetSpeed)),
@@ -266,7 +254,8 @@ fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
         met(Criterion::OneSense),
         met(Criterion::Drawable),
         text(objections(one)),
-    ]
+    ]);
+    figures
 }
 
 /// The largest slip of an open lock.

@@ -1,29 +1,25 @@
 //! The search over tooth numbers.
 
-use super::{Args, candidates, refuse, structures, winner};
+use super::{Args, candidates, duty, measures, nothing_found, refuse, structures, winner};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, multiple, text};
+use crate::figure::{Figure, text};
+use crate::options;
 use crate::output::{Format, complain};
+use crate::progress::Progress;
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_formats::{Dimension, Span};
+use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
-use epicyclic_schemes::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_schemes::search::{Counts, Found, ToothDesign, ToothSearch};
 use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::{
     Candidate, Demand, Objectives, Order, Orders, RatioSeries, Signs, Space, select_with,
 };
-use std::io::{IsTerminal, Write as _, stderr};
 use std::ops::{ControlFlow, RangeInclusive};
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
 use uom::si::f64::Length;
 use uom::si::length::{meter, millimeter};
 
 /// Designs that a search shows unless said otherwise.
 const SHOWN: usize = 10;
-
-/// How often progress is shown.
-const SHOWN_EVERY: Duration = Duration::from_millis(100);
 
 /// Tooth numbers tried.
 #[derive(Debug, clap::Args)]
@@ -65,11 +61,17 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
         module: module(args)?,
         ..ToothSearch::new(demand.clone())
     };
-    let shown = Shown::new();
-    let found = search.best_watched(limit.max(1), &|progress| shown.at(progress));
-    shown.clear();
+    let shown = Progress::new();
+    let found = search.best_watched(limit.max(1), &|progress| {
+        shown.at(progress.done as f64 / progress.of.max(1) as f64);
+        ControlFlow::Continue(())
+    });
+    drop(shown);
     let found = found.map_err(refuse)?;
     report(args, demand, &found, limit)?.deliver(&args.output)?;
+    if found.entries().is_empty() {
+        return Err(nothing_found());
+    }
     if args.output.format != Format::Table && found.entries().len() == limit {
         complain(&format!("note: the first {limit} designs of the front; --limit shows more"));
     }
@@ -83,9 +85,9 @@ fn bounds(args: &Args) -> Result<ToothBounds, Failure> {
         |option, span: Span<u32>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
     let k = args.criteria.k.within(usual.row_parameter.clone());
     Ok(ToothBounds {
-        sun: closed("--sun", given.sun, usual.sun)?,
-        planet: closed("--planet", given.planet, usual.planet)?,
-        ring: closed("--ring", given.ring, usual.ring)?,
+        sun: options::of_wheel("--sun", given.sun, usual.sun)?,
+        planet: options::of_wheel("--planet", given.planet, usual.planet)?,
+        ring: options::of_wheel("--ring", given.ring, usual.ring)?,
         planets: closed("--planet-count", given.planet_count, usual.planets)?,
         row_parameter: k.map_err(|error| Failure::Range { option: "--k", error })?,
         ..ToothBounds::default()
@@ -105,34 +107,6 @@ fn module(args: &Args) -> Result<Option<RangeInclusive<Length>>, Failure> {
         return Err(Failure::Option { option: "--least-module", message });
     }
     Ok(Some(least..=greatest))
-}
-
-/// Progress on a terminal, and nowhere else.
-struct Shown {
-    last: Option<Mutex<Instant>>,
-}
-
-impl Shown {
-    fn new() -> Self {
-        Self { last: stderr().is_terminal().then(|| Mutex::new(Instant::now())) }
-    }
-
-    fn at(&self, progress: Progress) -> ControlFlow<()> {
-        if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock)
-            && last.elapsed() >= SHOWN_EVERY
-        {
-            *last = Instant::now();
-            let share = 100 * progress.done / progress.of.max(1);
-            let _ = write!(stderr(), "\rsearching: {share:3} %");
-        }
-        ControlFlow::Continue(())
-    }
-
-    fn clear(&self) {
-        if self.last.is_some() {
-            let _ = write!(stderr(), "\r                \r");
-        }
-    }
 }
 
 /// An entry with the first of its designs, measured.
@@ -161,9 +135,11 @@ fn report(args: &Args, demand: &Demand, found: &Found, limit: usize) -> Result<R
         if args.output.format == Format::Table {
             parts.push(Part::Words(counts(found.counts(), measured.len())));
             parts.extend(winner::parts(demand, &[(1, &first.candidate)]));
+            parts.extend(duty::parts(args, demand, &[(1, &first.candidate)])?);
         } else {
             let all: Vec<winner::Numbered> = (1..).zip(measured.iter().map(|one| &one.candidate)).collect();
             parts.extend(winner::parts(demand, &all));
+            parts.extend(duty::parts(args, demand, &all)?);
         }
     } else {
         parts =
@@ -230,27 +206,21 @@ fn designs(demand: &Demand, all: &[Measured]) -> Records {
     ];
     Records {
         name: "designs",
-        columns: vec![
-            Column::number("no", "no"),
-            Column::words("scheme", "scheme"),
-            Column::words("structure", "structure"),
-            Column::words("row_1", "row 1"),
-            Column::words("row_2", "row 2"),
-            Column::number("others", "others"),
-            Column::number("ratio_1", "i₁"),
-            Column::number("ratio_2", "i₂"),
-            Column::number("k1", "k₁"),
-            Column::number("k2", "k₂"),
-            Column::number("efficiency_1", "η₁"),
-            Column::number("efficiency_2", "η₂"),
-            Column::number("efficiency", "efficiency"),
-            Column::number("speed", "speed"),
-            Column::number("parameter", "parameter"),
-            Column::number("error", "error"),
-            Column::number("size", "size"),
-            Column { heading: "ring, mm".to_owned(), ..Column::quantity("ring_diameter", Dimension::Length) },
-            Column::words("mixes_senses", "mixed signs"),
-        ],
+        columns: [
+            vec![
+                Column::number("no", "no"),
+                Column::words("scheme", "scheme"),
+                Column::words("structure", "structure"),
+                Column::words("row_1", "row 1"),
+                Column::words("row_2", "row 2"),
+                Column::number("others", "others"),
+            ],
+            measures::columns(),
+            vec![Column::words("mixes_senses", "mixed signs")],
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
         rows: all.iter().enumerate().map(|(place, one)| row(demand, place, one)).collect(),
         views,
         is_answer: true,
@@ -261,29 +231,17 @@ fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
     let first = &one.designs[0];
     let teeth = |row: usize| first.pairs.first().map_or_else(String::new, |pair| shown(&pair[row]));
     let all: usize = one.designs.iter().map(|design| design.pairs.len()).sum();
-    let gears = &one.candidate.gears;
-    let objectives = &one.objectives;
-    vec![
+    let mut figures = vec![
         Figure::Count(place as u32 + 1),
         text(candidates::name(one.candidate.mechanism)),
         text(first.structure.to_string()),
         text(teeth(0)),
         text(teeth(1)),
         Figure::Count(u32::try_from(all.saturating_sub(1)).unwrap_or(u32::MAX)),
-        Figure::Multiple(gears[0].ratio),
-        Figure::Multiple(gears[1].ratio),
-        Figure::Multiple(first.k[0]),
-        Figure::Multiple(first.k[1]),
-        multiple(gears[0].efficiency),
-        multiple(gears[1].efficiency),
-        Figure::Multiple(objectives.efficiency),
-        Figure::Multiple(objectives.speed),
-        Figure::Multiple(objectives.parameter),
-        Figure::Multiple(objectives.ratio_error),
-        Figure::Multiple(objectives.size),
-        column(demand.rating.unit().map(|unit| unit * objectives.size)),
-        Figure::YesNo(one.candidate.mixes_senses()),
-    ]
+    ];
+    figures.extend(measures::figures(demand, &one.candidate.gears, &first.k, &one.objectives));
+    figures.push(Figure::YesNo(one.candidate.mixes_senses()));
+    figures
 }
 
 /// `20 17 54 x4`: sun, planet, ring, planets.

@@ -76,7 +76,7 @@ fn speeds(all: &[Numbered]) -> Records {
     }
 }
 
-fn heading(what: &str, all: &[Numbered]) -> String {
+pub(super) fn heading(what: &str, all: &[Numbered]) -> String {
     all.first().map_or_else(String::new, |(_, one)| format!("{}: {what}", name(one.mechanism)))
 }
 

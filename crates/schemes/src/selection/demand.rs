@@ -281,7 +281,7 @@ mod tests {
             Err(SelectionError::ParameterRange { .. })
         ));
         assert!(matches!(with(&|d| d.limits.link_speed = f64::NAN), Err(SelectionError::Limit { .. })));
-        assert!(matches!(with(&|d| d.rating.planets = 0), Err(SelectionError::Rating { .. })));
+        assert!(matches!(with(&|d| d.rating.planets = 0), Err(SelectionError::PlanetNumber { .. })));
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::objectives::Objective;
 #[non_exhaustive]
 pub enum SelectionError {
     /// Too few or too many speeds.
-    #[error("{count} speeds: gearboxes of one row have 2, of two rows 3")]
+    #[error("{}: gearboxes of one row have 2, of two rows 3", counted(*count, "speed"))]
     SpeedCount {
         /// How many were given.
         count: usize,
@@ -37,7 +37,7 @@ pub enum SelectionError {
         d: f64,
     },
     /// Too few or too many ratios.
-    #[error("{count} ratios: beside direct drive one row gives 1, two rows give 2")]
+    #[error("{}: beside direct drive one row gives 1, two rows give 2", counted(*count, "ratio"))]
     RatioCount {
         /// How many were given.
         count: usize,
@@ -79,12 +79,22 @@ pub enum SelectionError {
         value: f64,
     },
     /// A datum of the size that is none.
-    #[error("{what} {value}: finite and above 0")]
+    #[error("{what} {value}{}{unit}: finite and above 0", if unit.is_empty() { "" } else { " " })]
     Rating {
         /// Which.
         what: &'static str,
         /// The value given.
         value: f64,
+        /// Its unit; empty of a plain number.
+        unit: &'static str,
+    },
+    /// A number of planets whose load sharing is not stated.
+    #[error("{}: from 2 to {most}", counted(*planets as usize, "planet"))]
+    PlanetNumber {
+        /// The number given.
+        planets: u32,
+        /// The greatest allowed.
+        most: u32,
     },
     /// An objective named twice in an order.
     #[error("the order names `{objective}` twice")]
@@ -112,4 +122,26 @@ pub enum SelectionError {
     /// What the engine refuses.
     #[error(transparent)]
     Gearbox(#[from] crate::Error),
+}
+
+/// `1 speed`, `4 speeds`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_count_and_measure() {
+        let message = |error: SelectionError| error.to_string();
+        assert!(message(SelectionError::SpeedCount { count: 1 }).starts_with("1 speed: "));
+        assert!(message(SelectionError::RatioCount { count: 3 }).starts_with("3 ratios: "));
+        assert_eq!(message(SelectionError::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
+        let rating = SelectionError::Rating { what: "input torque", value: -1.0, unit: "N·m" };
+        assert_eq!(message(rating), "input torque -1 N·m: finite and above 0");
+        let rating = SelectionError::Rating { what: "face-width ratio", value: 0.0, unit: "" };
+        assert_eq!(message(rating), "face-width ratio 0: finite and above 0");
+    }
 }

@@ -57,26 +57,23 @@ impl Default for Rating {
 
 impl Rating {
     pub(crate) fn check(&self) -> Result<(), SelectionError> {
-        let check = |what, value: f64| {
+        let check = |what, value: f64, unit| {
             if value > 0.0 && value.is_finite() {
                 Ok(())
             } else {
-                Err(SelectionError::Rating { what, value })
+                Err(SelectionError::Rating { what, value, unit })
             }
         };
-        check("face-width ratio", self.face_width_ratio)?;
+        check("face-width ratio", self.face_width_ratio, "")?;
         for gamma in self.load_sharing {
-            check("load sharing", gamma)?;
+            check("load sharing", gamma, "")?;
         }
         if !PLANETS.contains(&self.planets) {
-            return Err(SelectionError::Rating {
-                what: "number of planets, 2 to 8:",
-                value: f64::from(self.planets),
-            });
+            return Err(SelectionError::PlanetNumber { planets: self.planets, most: MOST_PLANETS });
         }
         if let Some((torque, load_factor)) = self.load {
-            check("input torque in N·m", n_m(torque))?;
-            check("load factor K in Pa", pascal(load_factor))?;
+            check("input torque", n_m(torque), "N·m")?;
+            check("load factor K", pascal(load_factor), "Pa")?;
         }
         Ok(())
     }

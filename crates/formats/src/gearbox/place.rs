@@ -1,16 +1,31 @@
 //! Where in a file of a gearbox the fault is that an error names.
 
-use epicyclic_formats::document::Segment;
-use epicyclic_formats::gearbox::DescriptionError;
-use epicyclic_formats::yaml::Value;
-use epicyclic_formats::{Document, Error, Path, Problem};
+use super::DescriptionError;
+use crate::document::Segment;
+use crate::yaml::Value;
+use crate::{Document, Error, Path, Problem};
 use epicyclic_schemes::{Error as Engine, Named};
 
 /// The lists whose entries may bear the name of a control.
 const CONTROLS: [&str; 3] = ["brakes", "clutches", "elements"];
 
-/// The error at its place in the document; `base` is the gearbox's own.
-pub(super) fn problem(document: &Document, base: &Path, error: &DescriptionError) -> Error {
+/// The error at its place in the document; `base` is the gearbox's own path, the root of a file with one.
+///
+/// ```
+/// use epicyclic_formats::gearbox::{GearboxFile, located};
+/// use epicyclic_formats::{Document, Path};
+///
+/// # fn main() -> Result<(), epicyclic_formats::Error> {
+/// let text = b"gearbox: I\ninput: D\noutput: B\nrows:\n- { id: P, sun: D, ring: T1, carrier: B, k: 0.9 }\n";
+/// let document = Document::parse_one("box.yaml", text)?;
+/// let refused = document.read::<GearboxFile>()?.gearbox().unwrap_err();
+/// let error = located(&document, &Path::root(), &refused);
+/// assert!(error.to_string().starts_with("box.yaml:5:45: rows[0].k: k = 0.9 of row `P`"));
+/// # Ok(())
+/// # }
+/// ```
+#[must_use]
+pub fn located(document: &Document, base: &Path, error: &DescriptionError) -> Error {
     let file = File { document, base };
     document.error(&file.place(error), Problem::Refused { message: error.to_string() })
 }
@@ -35,7 +50,6 @@ impl File<'_> {
                 self.text(self.base.clone().key("nodes").key(second.as_str()), member)
             }
             E::Gearbox(error) => self.of_engine(error),
-            _ => self.base.clone(),
         }
     }
 

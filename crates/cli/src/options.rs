@@ -1,0 +1,36 @@
+//! The option that a refusal speaks of.
+
+use crate::failure::Failure;
+use epicyclic_formats::Span;
+use epicyclic_gears::Error;
+use std::ops::RangeInclusive;
+
+/// The option that a search for tooth numbers refuses; the number of planets has its own name in each command.
+pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static str> {
+    Some(match error {
+        Error::PlanetNumber { .. } => planets,
+        Error::RowParameterRange { .. } => "--k",
+        Error::Tolerance { .. } => "--tolerance",
+        Error::Ratio { .. } => "--ratio",
+        Error::ToothRange { wheel: "sun", .. } => "--sun",
+        Error::ToothRange { wheel: "planet", .. } => "--planet",
+        Error::ToothRange { wheel: "ring", .. } => "--ring",
+        Error::Negative { quantity: "tip gap", .. } => "--tip-gap",
+        Error::Negative { quantity: "addendum coefficient", .. } => "--addendum",
+        _ => return None,
+    })
+}
+
+/// A range of tooth numbers, its open ends closed as usual; a wheel has at least one tooth.
+pub(crate) fn of_wheel(
+    option: &'static str,
+    span: Span<u32>,
+    usual: RangeInclusive<u32>,
+) -> Result<RangeInclusive<u32>, Failure> {
+    let range = span.within(usual).map_err(|error| Failure::Range { option, error })?;
+    if *range.start() == 0 {
+        let message = format!("{span}: a wheel has at least 1 tooth");
+        return Err(Failure::Option { option, message });
+    }
+    Ok(range)
+}

@@ -1,0 +1,54 @@
+//! The command `report`: a page about a gearbox, a drive or a motor.
+
+mod drive;
+mod gearbox;
+mod sheet;
+
+use crate::analyze::{Choice, Load};
+use crate::failure::Failure;
+use crate::output;
+use epicyclic_formats::{Document, Path, Problem};
+use std::fs;
+use std::path::PathBuf;
+
+/// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
+///
+/// One HTML file that needs no network, to be read in a browser and printed. What the file describes shows in its keys: power and
+/// ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a motor.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  printf 'power: 30 kW\\nspeed: 1450 rpm\\nratio: 5\\n' > drive.yaml
+  printf 'wheels: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
+  epicyclic report drive.yaml -o drive.html")]
+pub(crate) struct Args {
+    #[command(flatten)]
+    choice: Choice,
+
+    #[command(flatten)]
+    load: Load,
+
+    /// File for the page, written whole or not at all. Default: standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let file = args.choice.file();
+    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
+    let document = Document::parse_one(&file.display().to_string(), &bytes)?;
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    let has = |key: &str| document.value().get(key).is_some();
+    let sheet = if has("gearbox") || has("transmissions") {
+        gearbox::sheet(&args.choice, &args.load, text)?
+    } else if has("power") {
+        drive::sheet(&document, text)?
+    } else {
+        let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \
+                       which has stator and rotor";
+        let problem = Problem::Refused { message: message.to_owned() };
+        return Err(document.error(&Path::root(), problem).into());
+    };
+    output::write_to(args.output.as_deref(), &sheet.html()?)
+}

@@ -1,0 +1,113 @@
+//! The page of a planetary drive.
+
+use super::sheet::{Block, Section, Sheet};
+use crate::drive;
+use crate::failure::Failure;
+use epicyclic_dynamics::drive::{DriveDesign, Start};
+use epicyclic_formats::Document;
+use epicyclic_pictures::gear_set::GearSet;
+use epicyclic_pictures::plot::{Curve, Plot};
+use uom::si::angular_velocity::revolution_per_minute;
+use uom::si::time::second;
+
+pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure> {
+    let (title, design) = drive::calculate(document)?;
+    let picture = |scene: Result<_, epicyclic_drawing::Error>| {
+        scene.map_err(|error| Failure::Format(error.to_string()))
+    };
+    let wheels = &design.wheels;
+    let angles = design.gear.spacing.angles();
+    let set = GearSet {
+        sun: &wheels.sun,
+        planet: &wheels.planet,
+        ring: &wheels.ring,
+        centre_distance: wheels.centre_distance,
+        angles: &angles,
+    };
+    let mut plots = vec![Block::picture(
+        picture(efficiency_over_ratio(&design).scene())?,
+        "Efficiency of such a drive over its ratio, the meshes' efficiencies as given; the mark is this drive.",
+    )];
+    if let Some(start) = start(&design) {
+        plots.push(Block::picture(
+            picture(start.scene())?,
+            "Start from rest under constant torques: the sun's speed until it reaches the nominal one.",
+        ));
+    }
+    let teeth = design.gear.teeth;
+    let about = format!(
+        "Planetary drive {}-{}-{} with {} planets, ratio {:.4}, efficiency {:.4}",
+        teeth.sun, teeth.planet, teeth.ring, teeth.planets, design.gear.ratio, design.efficiency.overall
+    );
+    Ok(Sheet {
+        title: title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
+        about,
+        sections: vec![
+            Section::new("Input", vec![Block::File(text)]),
+            Section::new(
+                "Drawing",
+                vec![Block::picture(
+                    picture(set.scene())?,
+                    "The gear set along its axis, to scale: tip, pitch and root circles, planets at their assembly angles.",
+                )],
+            ),
+            Section::new("Results and checks", vec![Block::Answer(drive::answer(title, &design))]),
+            Section::new("Plots", plots),
+            Section::new(
+                "What is left out",
+                vec![Block::List(
+                    [
+                        "Losses outside the meshes: bearings, seals, churning oil.",
+                        "Uneven load of the planets; profile shift; strength of teeth; life of bearings.",
+                        "Torques that change while the drive starts.",
+                    ]
+                    .map(str::to_owned)
+                    .to_vec(),
+                )],
+            ),
+            Section::new(
+                "Sources",
+                vec![Block::List(
+                    [
+                        "Method of the travel drive: the document excavator-dynamics, formulas (1) to (12), with the corrections listed in the project's book.",
+                        "Efficiency: M. A. Kreines' rule, equal to the balance of torques.",
+                    ]
+                    .map(str::to_owned)
+                    .to_vec(),
+                )],
+            ),
+        ],
+    })
+}
+
+/// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
+fn efficiency_over_ratio(design: &DriveDesign) -> Plot {
+    let stationary = design.efficiency.stationary;
+    let most = (1.5 * design.gear.ratio).max(10.0);
+    let points = (0..=100).map(|i| 2.2 + (most - 2.2) * f64::from(i) / 100.0);
+    let points = points.map(|ratio| [ratio, (1.0 + (ratio - 1.0) * stationary) / ratio]).collect();
+    Plot::new("Efficiency over ratio", "ratio U", "efficiency η")
+        .with(Curve::new(format!("η₀ = {stationary:.4}"), points))
+        .mark("this drive", design.gear.ratio)
+}
+
+/// Speed of the sun from rest, without and with losses; `None` where it never starts.
+fn start(design: &DriveDesign) -> Option<Plot> {
+    let speed = design.speeds.sun.get::<revolution_per_minute>();
+    let curve = |name: &str, start: Start| match start {
+        Start::After(time) => Some((Curve::new(name, vec![[0.0, 0.0], [time.get::<second>(), speed]]), time)),
+        Start::InBalance | Start::Overloaded(_) => None,
+    };
+    let curves: Vec<_> = [
+        curve("without losses", design.without_losses.start),
+        curve("with mesh losses", design.with_losses.start),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    (!curves.is_empty()).then(|| {
+        curves
+            .into_iter()
+            .fold(Plot::new("Start", "time, s", "speed of the sun, rpm"), |plot, (curve, _)| plot.with(curve))
+    })
+}

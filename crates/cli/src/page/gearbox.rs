@@ -1,0 +1,136 @@
+//! The page of a gearbox: all gears, each gear in full, and what another `k` would change.
+
+use super::sheet::{Block, Section, Sheet};
+use crate::analyze::{Choice, Everything, Load, everything};
+use crate::failure::Failure;
+use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_schemes::row::{Gearing, RowKind, RowSpec};
+use epicyclic_schemes::{Analysis, Gearbox};
+
+/// Places in a range of `k`.
+const PLACES: u32 = 60;
+
+pub(super) fn sheet(choice: &Choice, load: &Load, text: String) -> Result<Sheet, Failure> {
+    let Everything { subject, overview, gears } = everything(choice, load)?;
+    let gearbox = &subject.gearbox;
+    let mut sections = vec![Section::new("Input", vec![Block::File(text)])];
+    sections.push(Section::new("Gears", vec![Block::Answer(overview)]));
+    for (gear, report) in gearbox.gears().iter().zip(gears) {
+        sections.push(Section::new(format!("Gear {}", gear.name()), vec![Block::Answer(report)]));
+    }
+    sections.push(Section::new("Another k", over_k(gearbox)?));
+    let left_out = [
+        "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes.",
+        "Profile shift and strength of teeth; uneven load of the planets.",
+        "What happens while it shifts.",
+    ];
+    sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
+    let theory = "Speeds by Willis' equation of each row, torques by their balance with each row's loss on the side its relative \
+                  power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
+    let sources = subject.source.iter().cloned().chain([theory.to_owned()]).collect();
+    sections.push(Section::new("Sources", vec![Block::List(sources)]));
+    let count = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    Ok(Sheet {
+        title: gearbox.name().to_owned(),
+        about: format!(
+            "Planetary gearbox with {}, {} and {}",
+            count(gearbox.rows().len(), "row"),
+            count(gearbox.controls().len(), "control"),
+            count(gearbox.gears().len(), "gear")
+        ),
+        sections,
+    })
+}
+
+/// Efficiency, ratio and planet speed of each gear over the `k` of each row.
+fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
+    let mut blocks = vec![Block::words(
+        "What changes with the k of one row while the others stay as they are. Planet: speed of that row's planet on its carrier, \
+         over the input's. The mark is this gearbox.",
+    )];
+    let rows = gearbox.rows().iter().enumerate().filter(|(_, row)| !row.spec().kind.is_pair());
+    for (place, row) in rows {
+        let k = row.stationary_ratio().get().abs();
+        let studied = study(gearbox, place, range(row.spec().kind, k));
+        let across = format!("k of row {}", row.id());
+        let has_losses = row.spec().loss.row_efficiency().get() < 1.0;
+        let plots = [
+            ("Ratio", "ratio i", Some(&studied.ratios)),
+            ("Efficiency", "efficiency η", has_losses.then_some(&studied.efficiencies)),
+            ("Planet", "planet on its carrier, × input", Some(&studied.planets)),
+        ];
+        for (title, up, curves) in plots {
+            let Some(curves) = curves.filter(|curves| !curves.is_empty()) else { continue };
+            let title = format!("{title} over k of row {}", row.id());
+            let plot = curves
+                .iter()
+                .cloned()
+                .fold(Plot::new(&title, &across, up), Plot::with)
+                .mark("this gearbox", k);
+            let scene = plot.scene().map_err(|error| Failure::Format(error.to_string()))?;
+            blocks.push(Block::picture(scene, title));
+        }
+    }
+    Ok(blocks)
+}
+
+/// The `k` to look at: those usual for a row with sun and ring, and its own.
+fn range(kind: RowKind, k: f64) -> [f64; 2] {
+    match kind {
+        RowKind::Simple => [k.min(1.5), k.max(4.5)],
+        _ => [0.6 * k, 1.6 * k],
+    }
+}
+
+/// Curves of the gears that change with `k`.
+struct Study {
+    ratios: Vec<Curve>,
+    efficiencies: Vec<Curve>,
+    planets: Vec<Curve>,
+}
+
+fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
+    let samples: Vec<(f64, Option<Gearbox>)> = (0..=PLACES)
+        .map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES))
+        .map(|k| (k, with_k(gearbox, row, k)))
+        .collect();
+    let curves = |value: &dyn Fn(&Analysis) -> Option<f64>| {
+        let curve = |gear: &str| {
+            let at = |(k, other): &(f64, Option<Gearbox>)| {
+                let value = other.as_ref().and_then(|other| value(&other.analyze(gear).ok()?));
+                [*k, value.unwrap_or(f64::NAN)]
+            };
+            Curve::new(format!("gear {gear}"), samples.iter().map(at).collect())
+        };
+        let all = gearbox.gears().iter().map(|gear| curve(gear.name()));
+        all.filter(changes).collect::<Vec<_>>()
+    };
+    Study {
+        ratios: curves(&|analysis| analysis.ratio().filter(|ratio| ratio.abs() < 20.0)),
+        efficiencies: curves(&|analysis| analysis.efficiency().filter(|efficiency| *efficiency > 0.5)),
+        planets: curves(&|analysis| {
+            let planets = analysis.rows().get(row)?.planets.iter();
+            planets.map(|planet| planet.relative.abs()).reduce(f64::max).filter(|speed| *speed < 20.0)
+        }),
+    }
+}
+
+/// Whether a curve is more than a level line.
+fn changes(curve: &Curve) -> bool {
+    let values = || curve.points.iter().map(|point| point[1]).filter(|value| value.is_finite());
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    high - low > 1e-9 * high.abs().max(1.0)
+}
+
+/// The gearbox with another `k` of one row; `None` where that is no row.
+fn with_k(gearbox: &Gearbox, row: usize, k: f64) -> Option<Gearbox> {
+    let id = gearbox.rows()[row].id().to_owned();
+    let change = |spec: RowSpec| {
+        if spec.id == id {
+            RowSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
+        } else {
+            spec
+        }
+    };
+    gearbox.to_builder().map_rows(change).build().ok()
+}

@@ -1,0 +1,90 @@
+//! An answer as part of a page.
+
+use super::{Grid, Part, Report};
+use maud::{Markup, html};
+
+impl Report {
+    /// Tables, words and warnings, without the title.
+    pub(crate) fn html(&self) -> Markup {
+        html! {
+            @for part in &self.parts { (part.html()) }
+            @if let Some(warnings) = &self.warnings {
+                @if warnings.is_empty() {
+                    p.fine { "No warnings." }
+                } @else {
+                    h3 { "Warnings" }
+                    ul.warnings { @for (_, warning) in warnings { li { (warning) } } }
+                }
+            }
+        }
+    }
+}
+
+impl Part {
+    fn html(&self) -> Markup {
+        match self {
+            Self::Facts(section) => section.grid().html(),
+            Self::Records(records) => {
+                html! { @for view in &records.views { (records.grid(view).html()) } }
+            }
+            Self::Words(words) => self::words(words),
+        }
+    }
+}
+
+/// Words as they stand: a table of letters keeps its columns.
+fn words(words: &str) -> Markup {
+    let (heading, rest) = match words.split_once('\n') {
+        Some((heading, rest)) if !rest.trim().is_empty() => (heading, rest),
+        _ => ("", words),
+    };
+    let listed = rest.lines().all(|line| line.starts_with(" - ") || line.starts_with("   "));
+    html! {
+        @if !heading.is_empty() { h3 { (heading) } }
+        @if listed {
+            ul { @for point in rest.split(" - ").filter(|point| !point.trim().is_empty()) {
+                li { (point.split_whitespace().collect::<Vec<_>>().join(" ")) }
+            } }
+        } @else {
+            pre { (rest.trim_end()) }
+        }
+    }
+}
+
+impl Grid<'_> {
+    fn html(self) -> Markup {
+        let class = |place: usize| self.right.contains(&place).then_some("number");
+        let has_header = self.header.iter().any(|title| !title.is_empty());
+        html! {
+            section.table {
+                h3 { (self.title) }
+                table {
+                    @if has_header {
+                        thead { tr {
+                            @for (place, title) in self.header.iter().enumerate() {
+                                th class=[class(place)] { (title) }
+                            }
+                        } }
+                    }
+                    tbody { @for row in &self.rows { tr {
+                        @for (place, cell) in row.iter().enumerate() { td class=[class(place)] { (cell) } }
+                    } } }
+                }
+                @if !self.note.is_empty() { p.note { (self.note) } }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_are_lists_and_tables_of_letters_keep_their_columns() {
+        let list = words("Why not\n - one\n   more\n - two & three\n").into_string();
+        assert_eq!(list, "<h3>Why not</h3><ul><li>one more</li><li>two &amp; three</li></ul>");
+        let table = words("Shift table\n gear  K1\n slow  x\n").into_string();
+        assert_eq!(table, "<h3>Shift table</h3><pre> gear  K1\n slow  x</pre>");
+    }
+}

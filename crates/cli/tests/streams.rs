@@ -1,0 +1,206 @@
+//! Where answers go, and what happens where they cannot: pipes, full disks, signals; exit codes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![cfg(unix)]
+
+mod common;
+
+use common::{PROGRAM, examples, here, output, program, text};
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+const LONG: [&str; 7] = ["teeth", "--ratio", "4", "--tolerance", "50%", "--format", "json"];
+
+/// The program with its answer going into a device.
+fn into(device: &str, args: &[&str]) -> Output {
+    let device = File::options().write(true).open(device).unwrap();
+    program(here().path(), args)
+        .stdout(device)
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+        .wait_with_output()
+        .unwrap()
+}
+
+#[test]
+fn exit_codes_tell_apart_what_went_wrong() {
+    let folder = examples();
+    let code = |args: &[&str]| output(&folder, args).status.code();
+    assert_eq!(code(&["teeth", "--ratio", "6"]), Some(0));
+    for nothing in [
+        &["teeth", "--ratio", "60"][..],
+        &["select", "--ratios", "2.5", "--least-efficiency", "99.9%"],
+        &["select", "--ratios", "1.4, 9", "--teeth", "--ring", "..60"],
+    ] {
+        let done = output(&folder, nothing);
+        assert_eq!(done.status.code(), Some(1), "{nothing:?}");
+        assert!(text(&done.stderr).starts_with("error: no "), "{done:?}");
+    }
+    for wrong in [
+        &["teeth"][..],
+        &["teeth", "--ratio", "0"],
+        &["teeth", "--ratio", "6", "--planets", "9"],
+        &["analyze", "minimal-drive.yaml"],
+        &["analyze", "scheme-ii-3.yaml", "--gear", "reverse"],
+        &["machine", "list", "СП-62"],
+        &["schemes", "IV"],
+    ] {
+        assert_eq!(code(wrong), Some(2), "{wrong:?}");
+    }
+    for fails in [&["analyze", "nothing.yaml"][..], &["drive", "."], &["schemes", "-o", "no/such.txt"]] {
+        assert_eq!(code(fails), Some(3), "{fails:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_told_nothing() {
+    for args in [&LONG[..], &["--help"]] {
+        let mut child =
+            program(here().path(), args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let done = child.wait_with_output().unwrap();
+        assert_eq!((done.status.code(), text(&done.stderr)), (Some(3), String::new()), "{args:?}");
+    }
+    let mut child =
+        program(here().path(), &LONG).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut first = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut first).unwrap();
+    let done = child.wait_with_output().unwrap();
+    assert_eq!((first.as_str(), done.status.code(), done.stderr.len()), ("{\n", Some(3), 0));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    for args in
+        [&["teeth", "--ratio", "6"][..], &["schemes", "--format", "json"], &["--help"], &["--version"]]
+    {
+        let done = into("/dev/full", args);
+        assert_eq!(done.status.code(), Some(3), "{args:?}");
+        assert!(text(&done.stderr).starts_with("error: standard output: No space left"), "{done:?}");
+    }
+    let done = output(here().path(), &["schemes", "-o", "/dev/full"]);
+    assert_eq!(done.status.code(), Some(3));
+    assert!(text(&done.stderr).starts_with("error: /dev/full: cannot be written: No space left"), "{done:?}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn folders_that_take_no_file_are_told() {
+    let folder = here();
+    fs::create_dir(folder.path().join("folder")).unwrap();
+    for (target, why) in
+        [("folder", "is a directory"), ("missing/a.txt", "there is no folder missing"), ("/proc/a.txt", "")]
+    {
+        let done = output(folder.path(), &["schemes", "-o", target]);
+        assert_eq!(done.status.code(), Some(3), "{target}");
+        let message = text(&done.stderr);
+        assert!(message.starts_with(&format!("error: {target}: cannot be written: {why}")), "{message}");
+        assert!(!message.contains(".epicyclic-") && message.lines().count() == 1, "{message}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+fn interrupt(pid: u32) {
+    Command::new("kill").args(["-INT", &pid.to_string()]).status().unwrap();
+}
+
+/// Ctrl-C at many moments: the file is the old one or the new one, never a part, and nothing lies beside it.
+#[test]
+fn ctrl_c_leaves_no_broken_file() {
+    let args = [&LONG[..], &["-o", "answer.json"]].concat();
+    let whole = text(&output(here().path(), &LONG).stdout);
+    let (mut old, mut new) = (0, 0);
+    let mut delay = Duration::ZERO;
+    for _ in 0..40 {
+        let folder = here();
+        let answer = folder.path().join("answer.json");
+        fs::write(&answer, "old").unwrap();
+        let child = program(folder.path(), &args).stderr(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(delay);
+        interrupt(child.id());
+        let done = child.wait_with_output().unwrap();
+        let found = fs::read_to_string(&answer).unwrap();
+        assert!(found == "old" || found == whole, "{} of {} bytes", found.len(), whole.len());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "{delay:?}");
+        if found == "old" {
+            old += 1;
+            delay += Duration::from_micros(1500);
+        } else {
+            assert!(matches!(done.status.code(), Some(0 | 130) | None), "{done:?}");
+            new += 1;
+            // Around the moment of writing.
+            delay = delay.saturating_sub(Duration::from_micros(700));
+        }
+    }
+    assert!(old > 0, "{old} old, {new} new");
+}
+
+/// A search is long before it writes, and Ctrl-C ends it at once.
+#[test]
+fn ctrl_c_ends_a_search() {
+    let folder = here();
+    let answer = folder.path().join("answer.txt");
+    fs::write(&answer, "old").unwrap();
+    let search = [
+        "select",
+        "--ratios",
+        "1.5, 2.5",
+        "--teeth",
+        "--all-structures",
+        "--tolerance",
+        "60%",
+        "--signs",
+        "any",
+    ];
+    let child = program(folder.path(), &[&search[..], &["-o", "answer.txt"]].concat())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(50));
+    interrupt(child.id());
+    let stopped = child.wait_with_output().unwrap();
+    assert!(!stopped.status.success() && stopped.stderr.is_empty(), "{stopped:?}");
+    assert_eq!(fs::read_to_string(&answer).unwrap(), "old");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+/// What the program writes when it believes in a terminal; `None` where there is no `script` to make it one.
+fn on_a_terminal(args: &str, no_color: bool) -> Option<String> {
+    let folder = here();
+    let log = folder.path().join("log");
+    let mut script = Command::new("script");
+    script.args(["-qec", &format!("{PROGRAM} {args}")]).arg(&log).current_dir(Path::new("/"));
+    script.env("TERM", "xterm").env_remove("NO_COLOR").env_remove("CLICOLOR").stdin(Stdio::null());
+    if no_color {
+        script.env("NO_COLOR", "1");
+    }
+    script.stdout(Stdio::null()).stderr(Stdio::null()).status().ok()?;
+    let mut seen = String::new();
+    File::open(&log).ok()?.read_to_string(&mut seen).ok()?;
+    Some(seen)
+}
+
+#[test]
+fn colour_and_progress_are_for_terminals() {
+    for args in [&["--help"][..], &["teeth"], &["schemes"]] {
+        let piped = output(here().path(), args);
+        assert!(!piped.stdout.contains(&0x1b) && !piped.stderr.contains(&0x1b), "{args:?}");
+    }
+    let Some(coloured) = on_a_terminal("--help", false) else { return };
+    assert!(coloured.contains("\u{1b}["), "{coloured}");
+    assert!(!on_a_terminal("--help", true).unwrap().contains("\u{1b}["));
+    // Tables are plain everywhere.
+    assert!(!on_a_terminal("schemes", false).unwrap().contains('\u{1b}'));
+    let search = "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --ring ..110 --limit 1";
+    let seen = on_a_terminal(search, false).unwrap();
+    assert!(seen.contains("searching: "), "{seen}");
+    let teeth = "teeth --ratio 4 --sun 1..2000 --planet 1..2000 --ring 1..4000 --tolerance 9% --k 1.1..20";
+    let seen = on_a_terminal(teeth, false).unwrap();
+    assert!(seen.contains("searching: ") && seen.contains("tooth sets found"), "{seen}");
+}

@@ -1,0 +1,181 @@
+//! Forces on the bearing and pin of a planet: from the meshes and from its mass.
+//!
+//! The pins hand the carrier its torque, so the tangential force follows from the carrier's statics alone, with losses
+//! or without:
+//!
+//! ```text
+//! F_t = |T_H|/(n·r_w)
+//! F_r = Σ ±|T_i|·tan α/(n·r_i)        + a sun pushes the planet outwards, − a ring inwards
+//! F_c = m·r_w·ω_H²
+//! F   = √(F_t² + (F_r + F_c)²)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `T_H`, `T_i` | torques on the carrier and on central wheel `i` | N·m |
+//! | `n` | planets, all carrying alike | 1 |
+//! | `r_w`, `r_i` | radius of the planets' centres, pitch radius of wheel `i` | mm |
+//! | `α` | working pressure angle | deg |
+//! | `m` | mass of a planet with what turns about its pin | kg |
+//! | `ω_H` | speed of the carrier | rad/s |
+//!
+//! In a simple row without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
+//! the radial ones cancel. Left out: weight, helix angle, unequal sharing among the planets, and in a stepped planet
+//! the couple of its two planes.
+
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
+
+use crate::Error;
+use crate::geometry::Toothing;
+use crate::units::{
+    acute_angle, force, n_m, newtons, not_negative, positive_length, positive_mass, rad_per_s,
+};
+
+/// A central wheel as a planet feels it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Push {
+    /// A sun is external and pushes outwards, a ring internal and pushes inwards.
+    pub toothing: Toothing,
+    /// Pitch radius `r_i`.
+    pub pitch_radius: Length,
+    /// Torque on the wheel, `T_i`.
+    pub torque: Torque,
+}
+
+/// Tangential force on the pin of each planet, `|T_H|/(n·r_w)`.
+///
+/// # Errors
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the radius, [`Error::Negative`] for a torque that is not finite.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::pin;
+/// use uom::si::f64::{Length, Torque};
+/// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
+///
+/// let radius = Length::new::<millimeter>(60.0);
+/// let force = pin::tangential_force(Torque::new::<newton_meter>(-540.0), 3, radius)?;
+/// assert!((force.get::<newton>() - 3000.0).abs() < 1e-9);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn tangential_force(
+    carrier_torque: Torque,
+    planets: u32,
+    carrier_radius: Length,
+) -> Result<Force, Error> {
+    let count = count(planets)?;
+    let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
+    Ok(force(size("torque on the carrier", n_m(carrier_torque), "N·m")? / (count * radius_m)))
+}
+
+/// Radial force of the meshes on a planet, outwards positive: `Σ ±|T_i|·tan α/(n·r_i)`.
+///
+/// # Errors
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, [`Error::Negative`] for a torque that is not finite,
+/// [`Error::OutOfRange`] unless 0 < α < 90°.
+pub fn radial_force(wheels: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
+    let count = count(planets)?;
+    let alpha_rad = acute_angle("pressure angle", pressure_angle)?;
+    let mut sum_n = 0.0;
+    for wheel in wheels {
+        let radius_m = positive_length("pitch radius", wheel.pitch_radius)?;
+        let torque_n_m = size("torque on a central wheel", n_m(wheel.torque), "N·m")?;
+        let outwards = match wheel.toothing {
+            Toothing::External => 1.0,
+            Toothing::Internal => -1.0,
+        };
+        sum_n += outwards * torque_n_m / (count * radius_m);
+    }
+    Ok(force(sum_n * alpha_rad.tan()))
+}
+
+/// Force that keeps a planet on its circle, `m·r_w·ω_H²`; its bearing feels it outwards.
+///
+/// # Errors
+/// [`Error::NotPositive`] for mass or radius, [`Error::Negative`] for a speed that is not finite.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::pin;
+/// use uom::si::angular_velocity::radian_per_second;
+/// use uom::si::f64::{AngularVelocity, Length, Mass};
+/// use uom::si::{force::newton, length::millimeter, mass::kilogram};
+///
+/// let (mass, radius) = (Mass::new::<kilogram>(0.5), Length::new::<millimeter>(60.0));
+/// let force = pin::centrifugal_force(mass, radius, AngularVelocity::new::<radian_per_second>(100.0))?;
+/// assert!((force.get::<newton>() - 300.0).abs() < 1e-9);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn centrifugal_force(
+    planet_mass: Mass,
+    carrier_radius: Length,
+    carrier_speed: AngularVelocity,
+) -> Result<Force, Error> {
+    let mass_kg = positive_mass(planet_mass)?;
+    let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
+    let omega_rad_s = size("speed of the carrier", rad_per_s(carrier_speed), "rad/s")?;
+    Ok(force(mass_kg * radius_m * omega_rad_s.powi(2)))
+}
+
+/// What the bearing carries: the tangential force and all radial ones together.
+#[must_use]
+pub fn resultant(tangential: Force, radial: Force) -> Force {
+    force(newtons(tangential).hypot(newtons(radial)))
+}
+
+fn count(planets: u32) -> Result<f64, Error> {
+    if planets == 0 {
+        return Err(Error::TooFew { what: "planets", count: 0, at_least: 1 });
+    }
+    Ok(f64::from(planets))
+}
+
+fn size(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    not_negative(quantity, value.abs(), unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::efficiency::{MeshEfficiency, torques};
+    use crate::row::{Member, Mode, StationaryRatio};
+    use crate::units::{angle_from_degrees, angular_velocity, length_from_mm as mm, mass, torque};
+
+    /// The force of the pin from the two meshes and their geometry, as vectors, without statics of the carrier.
+    #[test]
+    fn the_carrier_and_the_two_meshes_tell_one_force() {
+        let (k, radius_mm, planets) = (3.0, 60.0, 3);
+        let sun_mm = 2.0 * radius_mm / (k + 1.0);
+        let row = StationaryRatio::new(-k).unwrap();
+        let mode = Mode::new(Member::Sun, Member::Carrier).unwrap();
+        let found = torques(row, MeshEfficiency::IDEAL, mode, torque(100.0)).unwrap();
+        let (sun, ring, carrier) = (found.sun, found.ring, found.carrier);
+        // 2·F with F = T_a/(n·r_a).
+        let of_mesh = 100.0 / (3.0 * sun_mm * 1e-3);
+        let tangential = newtons(tangential_force(carrier, planets, mm(radius_mm)).unwrap());
+        assert!((tangential / (2.0 * of_mesh) - 1.0).abs() < 1e-12);
+        let wheels = [
+            Push { toothing: Toothing::External, pitch_radius: mm(sun_mm), torque: sun },
+            Push { toothing: Toothing::Internal, pitch_radius: mm(k * sun_mm), torque: ring },
+        ];
+        let radial = newtons(radial_force(&wheels, planets, angle_from_degrees(20.0)).unwrap());
+        assert!(radial.abs() < 1e-9 * of_mesh, "{radial}");
+        let alone = newtons(radial_force(&wheels[..1], planets, angle_from_degrees(45.0)).unwrap());
+        assert!((alone / of_mesh - 1.0).abs() < 1e-12);
+        assert_eq!(newtons(resultant(force(3.0), force(-4.0))), 5.0);
+    }
+
+    #[test]
+    fn refusals_name_value_and_bounds() {
+        let refused = tangential_force(torque(1.0), 0, mm(1.0)).unwrap_err();
+        assert_eq!(refused.to_string(), "0 planets: at least 1 needed");
+        let refused = tangential_force(torque(f64::NAN), 3, mm(1.0)).unwrap_err();
+        assert!(matches!(refused, Error::Negative { quantity: "torque on the carrier", .. }));
+        let refused = tangential_force(torque(1.0), 3, mm(0.0)).unwrap_err();
+        assert!(matches!(refused, Error::NotPositive { .. }));
+        let refused = centrifugal_force(mass(-1.0), mm(1.0), angular_velocity(1.0)).unwrap_err();
+        assert!(matches!(refused, Error::NotPositive { quantity: "mass", .. }));
+        let refused = radial_force(&[], 3, angle_from_degrees(90.0)).unwrap_err();
+        assert!(matches!(refused, Error::OutOfRange { quantity: "pressure angle", .. }));
+    }
+}

@@ -1,0 +1,122 @@
+//! A planetary gear set seen along its axis, to scale: pitch, tip and root circles.
+
+use epicyclic_drawing::{Align, Color, Error, Point, Scene, Shape, Style, Text};
+use epicyclic_gears::geometry::Wheel;
+use uom::si::angle::radian;
+use uom::si::f64::{Angle, Length};
+use uom::si::length::millimeter;
+
+/// Sun, planets and ring of a simple row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GearSet<'a> {
+    /// The sun.
+    pub sun: &'a Wheel,
+    /// A planet.
+    pub planet: &'a Wheel,
+    /// The ring.
+    pub ring: &'a Wheel,
+    /// Radius of the planets' orbit.
+    pub centre_distance: Length,
+    /// Where the planets are.
+    pub angles: &'a [Angle],
+}
+
+impl GearSet<'_> {
+    /// The scene: 1 mm of it is 1 mm of the gear set.
+    ///
+    /// # Errors
+    /// As [`Scene::check`]: for wheels larger than 100 m.
+    pub fn scene(&self) -> Result<Scene, Error> {
+        let mm = |length: Length| length.get::<millimeter>();
+        let radius = |wheel: &Wheel| 0.5 * mm(wheel.tip_diameter());
+        // Lines and letters keep their proportion to the set, whatever its size.
+        let outside = 0.5 * mm(self.ring.root_diameter());
+        let unit = outside / 60.0;
+        let teeth = |wheel: &Wheel| wheel.teeth().get();
+        let mut scene = Scene::new("The gear set along its axis");
+        let axes = scene.layer("axes", Style::centre_line().width(0.15 * unit))?;
+        let body = Style::line(0.35 * unit);
+        let ring = scene.layer("ring", body.fill(Color::new(226, 226, 230)))?;
+        let planets = scene.layer("planets", body.fill(Color::new(214, 228, 242)))?;
+        let sun = scene.layer("sun", body.fill(Color::new(246, 226, 206)))?;
+        let labels = scene.layer("labels", Style::line(0.1))?;
+        let circle = |centre: Point, diameter: Length| Shape::Circle { centre, radius: 0.5 * mm(diameter) };
+        let centre = Point::default();
+        scene.add(ring, Shape::Circle { centre, radius: outside + 5.0 * unit });
+        scene.add_styled(ring, body.fill(Color::WHITE), circle(centre, self.ring.tip_diameter()));
+        let thin = Style::line(0.15 * unit);
+        scene.add_styled(ring, thin, circle(centre, self.ring.root_diameter()));
+        let orbit = Shape::Circle { centre, radius: mm(self.centre_distance) };
+        let mut wheel = |layer, centre: Point, wheel: &Wheel| {
+            scene.add(layer, circle(centre, wheel.tip_diameter()));
+            scene.add_styled(layer, thin, circle(centre, wheel.root_diameter()));
+            scene.add(axes, circle(centre, wheel.pitch_diameter()));
+            let arm = radius(wheel) + 1.5 * unit;
+            let hair = 0.25 * arm;
+            scene.add(axes, Shape::line([centre.x - hair, centre.y], [centre.x + hair, centre.y]));
+            scene.add(axes, Shape::line([centre.x, centre.y - hair], [centre.x, centre.y + hair]));
+        };
+        wheel(sun, centre, self.sun);
+        for angle in self.angles {
+            wheel(
+                planets,
+                Point::polar(centre, mm(self.centre_distance), angle.get::<radian>()),
+                self.planet,
+            );
+        }
+        scene.add(axes, circle(centre, self.ring.pitch_diameter()));
+        scene.add(axes, orbit);
+        let x = outside + 9.0 * unit;
+        let lines = [
+            format!("sun z₁ = {}", teeth(self.sun)),
+            format!("{} planets z₂ = {}", self.angles.len(), teeth(self.planet)),
+            format!("ring z₃ = {}", teeth(self.ring)),
+            format!(
+                "pitch diameters {}, {}, {} mm",
+                short(mm(self.sun.pitch_diameter())),
+                short(mm(self.planet.pitch_diameter())),
+                short(mm(self.ring.pitch_diameter()))
+            ),
+            format!("centre distance {} mm", short(mm(self.centre_distance))),
+        ];
+        for (line, y) in lines.into_iter().zip([16.0, 8.0, 0.0, -8.0, -16.0]) {
+            scene.add(labels, Text::new([x, y * unit], 3.0 * unit, line).align(Align::Left));
+        }
+        scene.check()?;
+        Ok(scene)
+    }
+}
+
+/// Millimetres to a thousandth.
+fn short(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_drawing::text::overlaps;
+    use epicyclic_gears::geometry::{BasicRack, Toothing};
+    use epicyclic_gears::teeth::ToothCount;
+
+    #[test]
+    fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {
+        let module = Length::new::<millimeter>(8.0);
+        let wheel = |toothing, teeth| {
+            Wheel::new(toothing, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
+        };
+        let [sun, planet] = [18, 36].map(|teeth| wheel(Toothing::External, teeth));
+        let ring = wheel(Toothing::Internal, 90);
+        let angles = [0.0, 2.0, 4.0].map(Angle::new::<radian>);
+        let centre_distance = Length::new::<millimeter>(216.0);
+        let set = GearSet { sun: &sun, planet: &planet, ring: &ring, centre_distance, angles: &angles };
+        let scene = set.scene().unwrap();
+        assert_eq!(overlaps(&scene), vec![]);
+        // The pitch circles of planets touch the sun's and the ring's: 216 − 144 = 72, 216 + 144 = 360.
+        let circles = scene.items().iter().filter(|item| {
+            matches!(item.shape, Shape::Circle { radius, .. } if [72.0, 144.0, 360.0].iter().any(|r: &f64| (r - radius).abs() < 1e-9))
+        });
+        assert_eq!(circles.count(), 5);
+    }
+}
