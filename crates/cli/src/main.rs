@@ -7,6 +7,7 @@
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
+//! | [`draw`] | the command `draw`: schemes, speed plans, levers and ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
@@ -22,6 +23,7 @@
 
 mod analyze;
 mod completions;
+mod draw;
 mod drive;
 mod failure;
 mod figure;
@@ -59,6 +61,7 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Draw(Box<draw::Args>),
     Report(page::Args),
     Schema(schema::Args),
     Completions(completions::Args),
@@ -88,6 +91,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Draw(args) => draw::run(&args),
         Command::Report(args) => page::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args, Cli::command()),

@@ -57,12 +57,20 @@ impl Target {
     /// Writes all of it.
     pub(crate) fn write(&self, answer: &[u8]) -> Result<(), Failure> {
         match &self.output {
-            Some(file) => {
-                replace(file, answer).map_err(|source| Failure::Write { file: file.clone(), source })
-            }
+            Some(file) => write_file(file, answer),
             None => print(answer).map_err(Failure::StandardOutput),
         }
     }
+}
+
+/// Writes a file whole or not at all.
+pub(crate) fn write_file(file: &Path, content: &[u8]) -> Result<(), Failure> {
+    replace(file, content).map_err(|source| Failure::Write { file: file.to_owned(), source })
+}
+
+/// Writes to standard output.
+pub(crate) fn say(text: &str) -> Result<(), Failure> {
+    print(text.as_bytes()).map_err(Failure::StandardOutput)
 }
 
 fn print(text: &[u8]) -> io::Result<()> {

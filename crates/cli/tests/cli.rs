@@ -37,6 +37,7 @@ fn help_says_what_there_is() {
             &["machine", "speeds", "--help"],
             &["machine", "drum", "--help"],
             &["machine", "rotor", "--help"],
+            &["draw", "--help"],
         ]
     ));
 }
@@ -50,7 +51,7 @@ fn examples_in_help(command: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    let commands: [&[&str]; 11] = [
+    let commands: [&[&str]; 12] = [
         &["teeth"],
         &["drive"],
         &["analyze"],
@@ -62,6 +63,7 @@ fn the_examples_in_the_help_work_as_printed() {
         &["schema"],
         &["completions"],
         &["man"],
+        &["draw"],
     ];
     for command in commands {
         let (folder, script) = (here(), examples_in_help(command).join("\n"));

@@ -154,8 +154,17 @@ pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
     found
 }
 
-/// Whether a shape's line runs through a box. Arcs are followed in steps of at most 3°.
-fn line_meets(shape: &Shape, bounds: Bounds) -> bool {
+/// Whether a shape's line runs through the inside of a box; never for text. Arcs are followed in steps of at most 3°.
+///
+/// ```
+/// use epicyclic_drawing::{Shape, Text, text::line_meets};
+///
+/// let label = Text::new([0.0, 0.0], 2.5, "K1").bounds();
+/// assert!(line_meets(&Shape::line([-9.0, 0.0], [9.0, 0.0]), label));
+/// assert!(!line_meets(&Shape::line([-9.0, 5.0], [9.0, 5.0]), label));
+/// ```
+#[must_use]
+pub fn line_meets(shape: &Shape, bounds: Bounds) -> bool {
     let arc = |centre: Point, radius: f64, start: f64, sweep: f64| {
         let steps = (sweep.abs() / 0.05).ceil().clamp(1.0, 200.0);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 1 to 200

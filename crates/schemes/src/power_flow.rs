@@ -35,15 +35,33 @@ pub struct PowerFlow {
     /// With one loop the value is unique; with loops that share links it is that of the order of
     /// rows and links.
     pub circulating: f64,
+    /// Where it runs: the part of each row's [`members`](RowPower::members) that belongs to loops, of their
+    /// sign; 0 where nothing follows.
+    pub circulating_members: Vec<[f64; 3]>,
+    /// The part of each control's power, torque on its first link times that link's speed, that belongs to
+    /// loops.
+    pub circulating_controls: Vec<f64>,
     /// The largest power of any member, relative or absolute, at least 1: the measure for balances.
     pub largest: f64,
 }
 
-/// Power in the sense of the arrow from one vertex to another.
+/// What power flows through.
+#[derive(Clone, Copy)]
+enum Way {
+    Member { row: usize, member: usize },
+    Control(usize),
+    Tie,
+}
+
+/// Power in the sense of the arrow from one vertex to another, and what of it was found to go round.
 struct Flow {
     from: usize,
     to: usize,
     power: f64,
+    way: Way,
+    /// Sign of the power as results count it.
+    sign: f64,
+    cancelled: f64,
 }
 
 pub(crate) fn power_flow(
@@ -67,7 +85,8 @@ pub(crate) fn power_flow(
             add(link.0, power.map(|power| power.members[member]));
             let Some(power) = power.map(|power| power.members[member]) else { continue };
             let (from, to) = if power > 0.0 { (link.0, count + place) } else { (count + place, link.0) };
-            flows.push(Flow { from, to, power: power.abs() });
+            let way = Way::Member { row: place, member };
+            flows.push(Flow { from, to, power: power.abs(), way, sign: power.signum(), cancelled: 0.0 });
         }
         if let Some(power) = power {
             largest = power.members.iter().fold(largest.max(power.relative.abs()), |m, p| m.max(p.abs()));
@@ -81,13 +100,23 @@ pub(crate) fn power_flow(
         add(second, power);
         let Some(power) = power else { continue };
         let (from, to) = if power > 0.0 { (second, first) } else { (first, second) };
-        flows.push(Flow { from, to, power: power.abs() });
+        let way = edge.control.map_or(Way::Tie, Way::Control);
+        flows.push(Flow { from, to, power: power.abs(), way, sign: power.signum(), cancelled: 0.0 });
     }
     for (terminal, torque) in scene.topology.terminals.iter().zip([input, output]) {
         add(terminal.0, torque_times(Some(torque), scene.speeds[terminal.0]));
     }
-    let circulating = cancel_loops(flows, count + gearbox.rows.len(), 1e-12 * largest);
-    PowerFlow { rows, links: through, circulating, largest }
+    let circulating = cancel_loops(&mut flows, count + gearbox.rows.len(), 1e-12 * largest);
+    let mut circulating_members = vec![[0.0; 3]; gearbox.rows.len()];
+    let mut circulating_controls = vec![0.0; gearbox.controls.len()];
+    for flow in flows {
+        match flow.way {
+            Way::Member { row, member } => circulating_members[row][member] = flow.sign * flow.cancelled,
+            Way::Control(control) => circulating_controls[control] = flow.sign * flow.cancelled,
+            Way::Tie => {}
+        }
+    }
+    PowerFlow { rows, links: through, circulating, circulating_members, circulating_controls, largest }
 }
 
 /// A torque of nothing has no power at any speed.
@@ -114,16 +143,22 @@ fn row_power(torques: Option<[f64; 3]>, speeds: [Option<f64>; 3]) -> Option<RowP
     })
 }
 
-fn cancel_loops(mut flows: Vec<Flow>, vertices: usize, nothing: f64) -> f64 {
+fn cancel_loops(flows: &mut [Flow], vertices: usize, nothing: f64) -> f64 {
     let mut cancelled = 0.0;
-    flows.retain(|flow| flow.power > nothing);
-    while let Some(cycle) = (0..vertices).find_map(|start| find_loop(&flows, start, vertices)) {
+    for flow in flows.iter_mut().filter(|flow| flow.power <= nothing) {
+        flow.power = 0.0;
+    }
+    while let Some(cycle) = (0..vertices).find_map(|start| find_loop(flows, start, vertices)) {
         let least = cycle.iter().fold(f64::INFINITY, |m, &place| m.min(flows[place].power));
         cancelled += least;
         for place in cycle {
-            flows[place].power -= least;
+            let flow = &mut flows[place];
+            flow.cancelled += least;
+            flow.power -= least;
+            if flow.power <= nothing {
+                flow.power = 0.0;
+            }
         }
-        flows.retain(|flow| flow.power > nothing);
     }
     cancelled
 }
@@ -133,7 +168,9 @@ fn find_loop(flows: &[Flow], start: usize, vertices: usize) -> Option<Vec<usize>
     let mut came_by: Vec<Option<usize>> = vec![None; vertices];
     let mut waiting = std::collections::VecDeque::from([start]);
     while let Some(vertex) = waiting.pop_front() {
-        for (place, flow) in flows.iter().enumerate().filter(|(_, flow)| flow.from == vertex) {
+        for (place, flow) in
+            flows.iter().enumerate().filter(|(_, flow)| flow.from == vertex && flow.power > 0.0)
+        {
             if flow.to == start {
                 let mut path = vec![place];
                 let mut at = vertex;

@@ -72,11 +72,22 @@ fn blocks(document: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     })
 }
 
+/// A folder with the examples alone, so that what commands write is not left in the tree.
+fn bench() -> tempfile::TempDir {
+    let folder = super::here();
+    let examples = folder.path().join("examples");
+    std::fs::create_dir(&examples).unwrap();
+    for file in std::fs::read_dir(root().join("examples")).unwrap().map(Result::unwrap) {
+        std::fs::copy(file.path(), examples.join(file.file_name())).unwrap();
+    }
+    folder
+}
+
 /// What a command prints. A refusal is shown too: where the program ends with an error, what it says of it follows.
 fn printed(command: &str) -> String {
     let words = words(command);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let output = program(&root(), &words).output().unwrap();
+    let output = program(bench().path(), &words).output().unwrap();
     let mut printed = text(&output.stdout);
     if !output.status.success() {
         printed.push_str(&text(&output.stderr));

@@ -1,0 +1,113 @@
+//! Rows as levers, and levers with two links in common as one.
+
+use crate::gearbox::scheme::piece_of;
+use epicyclic_schemes::{Gearbox, LinkId};
+
+/// A lever: links and where they stand along it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lever {
+    /// Places of its rows in the gearbox, the first of them the one whose units it is in.
+    pub rows: Vec<usize>,
+    /// Links, of those joined for ever the first, and their places.
+    pub nodes: Vec<(LinkId, f64)>,
+}
+
+impl Lever {
+    /// The lever of one row: carrier at 0, wheel 2 at −1, wheel 1 at `−i₀`.
+    #[must_use]
+    pub fn of_row(gearbox: &Gearbox, row: usize) -> Self {
+        let members = gearbox.rows()[row].members().map(|link| piece_of(gearbox, link));
+        let at = [-gearbox.rows()[row].stationary_ratio().get(), -1.0, 0.0];
+        let mut nodes: Vec<(LinkId, f64)> = vec![];
+        for node in members.into_iter().zip(at) {
+            if nodes.iter().all(|(link, _)| *link != node.0) {
+                nodes.push(node);
+            }
+        }
+        Self { rows: vec![row], nodes }
+    }
+
+    /// Its lower and its upper end.
+    #[must_use]
+    pub fn ends(&self) -> (f64, f64) {
+        let at = || self.nodes.iter().map(|node| node.1);
+        (at().fold(f64::INFINITY, f64::min), at().fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    fn place(&self, link: LinkId) -> Option<f64> {
+        self.nodes.iter().find(|node| node.0 == link).map(|node| node.1)
+    }
+
+    /// The members of its rows at a node, `a` wheel 1, `b` wheel 2, `H` carrier, with the numbers of their rows.
+    pub(super) fn members(&self, gearbox: &Gearbox, link: LinkId) -> String {
+        let of_row = |&row: &usize| {
+            let members = gearbox.rows()[row].members().map(|member| piece_of(gearbox, member));
+            let here = members.into_iter().zip(["a", "b", "H"]).filter(move |(member, _)| *member == link);
+            here.map(move |(_, letter)| format!("{letter}{}", row + 1))
+        };
+        self.rows.iter().flat_map(of_row).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Both as one lever, in the units of this one; `None` without two links in common that stand apart, or where a third does not fit.
+    ///
+    /// Speeds are linear along each lever, so two common links fix how the places of the other are scaled and shifted.
+    fn with(&self, other: &Self) -> Option<Self> {
+        let common: Vec<(f64, f64)> =
+            other.nodes.iter().filter_map(|&(link, theirs)| Some((self.place(link)?, theirs))).collect();
+        let [(one, theirs), (next, their_next), ..] = common[..] else { return None };
+        let scale = (next - one) / (their_next - theirs);
+        let fits = |place: f64| one + scale * (place - theirs);
+        let size = self.ends().1 - self.ends().0;
+        if scale == 0.0
+            || !scale.is_finite()
+            || common.iter().any(|&(ours, theirs)| (fits(theirs) - ours).abs() > 1e-9 * size)
+        {
+            return None;
+        }
+        let mut nodes = self.nodes.clone();
+        nodes.extend(
+            other
+                .nodes
+                .iter()
+                .filter(|node| self.place(node.0).is_none())
+                .map(|&(link, place)| (link, fits(place))),
+        );
+        Some(Self { rows: [self.rows.clone(), other.rows.clone()].concat(), nodes })
+    }
+}
+
+/// The levers of a gearbox: one a row, joined while two have two links in common.
+///
+/// ```
+/// use epicyclic_pictures::gearbox::levers::levers;
+/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// # fn main() -> Result<(), epicyclic_schemes::Error> {
+/// // Simpson: common suns, the first carrier with the second ring.
+/// let gearbox = Gearbox::builder("Simpson")
+///     .links(["S", "R1", "out", "C2"])
+///     .row(RowSpec::simple("1", ["S", "R1", "out"], 2.0))
+///     .row(RowSpec::simple("2", ["S", "out", "C2"], 2.0))
+///     .input("R1")
+///     .output("out")
+///     .build()?;
+/// let [lever] = &levers(&gearbox)[..] else { panic!("one lever of four links") };
+/// assert_eq!(lever.nodes.len(), 4);
+/// // Row 2 is twice from sun to carrier what row 1 leaves between its sun and carrier, so 2/3 of it.
+/// let carrier = lever.nodes[3].1;
+/// assert!((carrier - 2.0 / 3.0).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+#[must_use]
+pub fn levers(gearbox: &Gearbox) -> Vec<Lever> {
+    let mut levers: Vec<Lever> = (0..gearbox.rows().len()).map(|row| Lever::of_row(gearbox, row)).collect();
+    let pair = |levers: &[Lever]| {
+        (0..levers.len())
+            .find_map(|a| (a + 1..levers.len()).find_map(|b| Some((a, b, levers[a].with(&levers[b])?))))
+    };
+    while let Some((a, b, joined)) = pair(&levers) {
+        levers[a] = joined;
+        levers.remove(b);
+    }
+    levers
+}

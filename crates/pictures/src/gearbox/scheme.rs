@@ -1,0 +1,376 @@
+//! The kinematic scheme: the section of a gearbox by the half-plane above its axis, in the field's signs.
+//!
+//! | sign | is |
+//! |---|---|
+//! | thick line | a shaft, drum or web |
+//! | T | a wheel: its rim at the contact, its web at right angles to the axis |
+//! | two rims a little apart | wheels in mesh |
+//! | web between two short lines on a shaft | a planet that turns on its pin |
+//! | two plates apart | a clutch; a brake, where one plate is the housing's |
+//! | hatched line | the housing |
+//! | dashes and dots | the axis |
+//! | circle at the end of a shaft | a machine or train beside the housing, where power enters or leaves in some gears |
+//!
+//! Wheels stand where the [layout](epicyclic_schemes::drawability::Layout) puts them; heights are no radii. Planets of a stepped row
+//! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
+//! suns or rings, meshing suns and bevel rows are drawn as sun, planet and ring; the line of their row below the drawing names the kind.
+//!
+//! In a gear the engaged controls are filled and what rests is grey. With the power flow each line is as wide as the power that passes
+//! it, `|Σ T·ω|` over the power that enters; what of it goes round in loops stands inside in another colour.
+
+mod flow;
+mod names;
+mod signs;
+
+use super::words::{self, decimal};
+use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
+use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text};
+use epicyclic_schemes::drawability::Layout;
+use epicyclic_schemes::drawability::layout::Point as Place;
+use epicyclic_schemes::{Analysis, Gearbox, LinkId, LoadCase};
+use flow::Piece;
+pub(super) use flow::piece_of;
+
+/// Millimetres to a unit of the layout along the axis.
+pub const ALONG_MM: f64 = 13.0;
+/// Millimetres to a unit of the layout away from the axis.
+pub const UP_MM: f64 = 12.0;
+
+/// Width of shafts, and of wheels' rims.
+const SHAFT_MM: f64 = 0.7;
+/// Width of webs and plates.
+const WEB_MM: f64 = 0.5;
+/// Width of a line for the power that enters, unless others are so much larger that they get [`WIDEST_MM`].
+const ENTERING_MM: f64 = 2.2;
+const WIDEST_MM: f64 = 4.5;
+/// Width of what turns without power.
+const IDLE_MM: f64 = 0.3;
+
+/// What is shown of a gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Show<'a> {
+    /// No gear: the structure alone.
+    Structure,
+    /// What is engaged and what rests.
+    Gear(&'a Analysis),
+    /// The same with the power as width of lines: with losses, where they follow.
+    Power(&'a Analysis),
+}
+
+/// How a scheme is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The title; `None` for the gearbox's name and the gear's ratio.
+    pub title: Option<String>,
+    /// Both halves, the lower a mirror image.
+    pub whole: bool,
+    /// Whether the lines of the rows say `k` or teeth.
+    pub gearing: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { title: None, whole: false, gearing: true }
+    }
+}
+
+/// The scheme of a gearbox as it is laid out.
+///
+/// ```
+/// use epicyclic_pictures::gearbox::scheme::{Options, Show, scene};
+/// use epicyclic_schemes::drawability::{self, Verdict};
+/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let gearbox = Gearbox::builder("I")
+///     .links(["D", "B", "T1"])
+///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .brake("K1", "T1")
+///     .input("D")
+///     .output("B")
+///     .gear("slow", ["K1"])
+///     .build()?;
+/// let Verdict::Drawable(layout) = drawability::draw(&gearbox, drawability::Options::default()) else {
+///     unreachable!("I can be drawn");
+/// };
+/// let slow = gearbox.analyze("slow")?;
+/// let image = epicyclic_drawing::svg::write(&scene(&gearbox, &layout, Show::Power(&slow), &Options::default())?)?;
+/// assert!(image.contains("K1"));
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow, [`Error::NoPower`] where no power flow does.
+pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Options) -> Result<Scene, Error> {
+    let gear = match show {
+        Show::Structure => None,
+        Show::Gear(gear) | Show::Power(gear) => Some(gear),
+    };
+    if let Some(gear) = gear {
+        known(gearbox, gear)?;
+    }
+    let load = match show {
+        Show::Power(gear) => Some(load(gear).ok_or_else(|| Error::NoPower {
+            gear: gear.gear().name().into(),
+            state: gear.state().to_string(),
+        })?),
+        _ => None,
+    };
+    let title = options.title.clone().unwrap_or_else(|| title(gearbox, gear));
+    let mut sheet = Sheet::new(gearbox, layout, gear, load, &title)?;
+    sheet.housing();
+    sheet.controls();
+    sheet.links();
+    sheet.rows();
+    if options.whole {
+        sheet.mirror();
+    }
+    sheet.shaft_ends();
+    sheet.names();
+    sheet.legend(options);
+    sheet.scene.check()?;
+    Ok(sheet.scene)
+}
+
+/// The load case that is drawn.
+fn load(gear: &Analysis) -> Option<&LoadCase> {
+    gear.driving().or_else(|| gear.ideal())
+}
+
+/// Refuses a gear with speeds that do not follow.
+pub(super) fn known(gearbox: &Gearbox, gear: &Analysis) -> Result<(), Error> {
+    let free: Vec<&str> = gearbox
+        .links()
+        .iter()
+        .zip(gear.speeds())
+        .filter(|(_, speed)| speed.is_none())
+        .map(|(link, _)| link.as_str())
+        .collect();
+    if free.is_empty() {
+        return Ok(());
+    }
+    Err(Error::SpeedsUnknown {
+        gear: gear.gear().name().into(),
+        state: gear.state().name().into(),
+        links: free.join(", "),
+    })
+}
+
+/// The gearbox, and of a gear its name and ratio.
+pub(super) fn title(gearbox: &Gearbox, gear: Option<&Analysis>) -> String {
+    let Some(gear) = gear else { return gearbox.name().into() };
+    let ratio =
+        gear.ratio().map_or_else(|| gear.state().name().to_owned(), |i| format!("i = {}", decimal(i)));
+    format!("{}, gear {}: {ratio}", gearbox.name(), gear.gear().name())
+}
+
+/// How a line of a link looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Look {
+    color: Color,
+    width_mm: f64,
+    /// Width of what goes round, inside.
+    inner_mm: f64,
+}
+
+struct Layers {
+    axis: LayerId,
+    housing: LayerId,
+    links: LayerId,
+    wheels: LayerId,
+    controls: LayerId,
+    power: LayerId,
+    labels: LayerId,
+}
+
+/// The scheme while it is drawn.
+struct Sheet<'a> {
+    gearbox: &'a Gearbox,
+    layout: &'a Layout,
+    gear: Option<&'a Analysis>,
+    load: Option<&'a LoadCase>,
+    pieces: Vec<Piece>,
+    /// Width of the power that enters.
+    entering_mm: f64,
+    scene: Scene,
+    layers: Layers,
+}
+
+/// A place of the layout on paper.
+fn at(place: Place) -> Point {
+    Point::new(ALONG_MM * place.x, UP_MM * place.y)
+}
+
+impl<'a> Sheet<'a> {
+    fn new(
+        gearbox: &'a Gearbox,
+        layout: &'a Layout,
+        gear: Option<&'a Analysis>,
+        load: Option<&'a LoadCase>,
+        title: &str,
+    ) -> Result<Self, Error> {
+        let mut scene = Scene::new(title);
+        let layers = Layers {
+            axis: scene.layer("axis", Style::centre_line())?,
+            housing: scene.layer("housing", Style::line(WEB_MM))?,
+            controls: scene.layer("controls", Style::line(WEB_MM))?,
+            links: scene.layer("links", Style::line(SHAFT_MM))?,
+            wheels: scene.layer("wheels", Style::line(WEB_MM))?,
+            power: scene.layer("power", Style::filled(POWER))?,
+            labels: scene.layer("labels", Style::line(0.1))?,
+        };
+        let pieces = flow::pieces(gearbox, layout, gear.zip(load));
+        let members =
+            load.iter().flat_map(|case| case.power.rows.iter().flatten()).flat_map(|row| row.members);
+        let powers = pieces.iter().filter_map(|piece| piece.power).chain(members).map(f64::abs);
+        let largest = powers.fold(1.0, f64::max);
+        let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
+        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, scene, layers })
+    }
+
+    /// Whether a link rests in the gear shown.
+    fn rests(&self, link: LinkId) -> bool {
+        self.gear.and_then(|gear| gear.speed(link)).is_some_and(|speed| speed.abs() < 1e-9)
+    }
+
+    fn engaged(&self, control: usize) -> bool {
+        self.gear.is_some_and(|gear| gear.gear().engaged().contains(&control))
+    }
+
+    /// How a line looks that is `width` wide without powers and passes this power, of which some goes round.
+    fn look(&self, link: LinkId, width: f64, power: Option<f64>, circulating: f64) -> Look {
+        let color = if self.rests(link) { RESTING } else { Color::BLACK };
+        if self.load.is_none() || link == LinkId::GROUND {
+            return Look { color, width_mm: width, inner_mm: 0.0 };
+        }
+        match power {
+            None => Look { color, width_mm: width, inner_mm: 0.0 },
+            Some(power) if power.abs() < 1e-9 => Look { color, width_mm: IDLE_MM, inner_mm: 0.0 },
+            Some(power) => Look {
+                color: POWER,
+                width_mm: power.abs() * self.entering_mm,
+                inner_mm: circulating.abs() * self.entering_mm,
+            },
+        }
+    }
+
+    fn line(&mut self, layer: LayerId, look: Look, from: Point, to: Point) {
+        let style = Style::line(look.width_mm).color(look.color);
+        self.scene.add_styled(layer, style, Shape::line(from, to));
+        if look.inner_mm > 0.0 {
+            let style = Style::line(look.inner_mm).color(CIRCULATING);
+            self.scene.add_styled(self.layers.power, style, Shape::line(from, to));
+        }
+    }
+
+    /// Power of a member into its row, and the part of it that goes round.
+    fn member(&self, row: usize, member: usize) -> (Option<f64>, f64) {
+        let Some(case) = self.load else { return (None, 0.0) };
+        let power = case.power.rows[row].as_ref().map(|row| row.members[member]);
+        (power, case.power.circulating_members[row][member])
+    }
+
+    fn links(&mut self) {
+        let pieces = std::mem::take(&mut self.pieces);
+        for piece in &pieces {
+            let look = self.look(piece.link, SHAFT_MM, piece.power, piece.circulating);
+            for [from, to] in signs::without_forks(self, piece.link, [piece.from, piece.to]) {
+                self.line(self.layers.links, look, at(from), at(to));
+            }
+        }
+        for piece in &pieces {
+            self.arrow(piece);
+        }
+        self.pieces = pieces;
+    }
+
+    /// The sense of a power that is not small, where there is room for an arrow.
+    fn arrow(&mut self, piece: &Piece) {
+        let (from, to) = (at(piece.from), at(piece.to));
+        let length = (to.x - from.x).hypot(to.y - from.y);
+        let Some(power) = piece.power.filter(|power| power.abs() > 0.02) else { return };
+        let size = 1.6 + 0.75 * power.abs() * self.entering_mm;
+        if length < 2.2 * size {
+            return;
+        }
+        let sense = power.signum() / length;
+        let (dx, dy) = (sense * (to.x - from.x), sense * (to.y - from.y));
+        let middle = Point::new(f64::midpoint(from.x, to.x), f64::midpoint(from.y, to.y));
+        let corner = |ahead: f64, aside: f64| {
+            [middle.x + size * (ahead * dx - aside * dy), middle.y + size * (ahead * dy + aside * dx)]
+        };
+        let head = Shape::polygon([corner(0.9, 0.0), corner(-0.7, 0.8), corner(-0.7, -0.8)]);
+        let color = if piece.circulating.abs() > 0.5 * power.abs() { CIRCULATING } else { POWER };
+        self.scene.add_styled(self.layers.power, Style::filled(color), head);
+    }
+
+    /// Everything so far once more below the axis.
+    fn mirror(&mut self) {
+        let down = |p: Point| Point::new(p.x, -p.y);
+        for item in self.scene.items().to_vec() {
+            let mut shape = item.shape;
+            match &mut shape {
+                Shape::Line { from, to } => (*from, *to) = (down(*from), down(*to)),
+                Shape::Polyline { vertices, .. } => {
+                    for vertex in vertices {
+                        (vertex.at, vertex.bulge) = (down(vertex.at), -vertex.bulge);
+                    }
+                }
+                Shape::Circle { centre, .. } => *centre = down(*centre),
+                _ => continue,
+            }
+            match item.style {
+                Some(style) => self.scene.add_styled(item.layer, style, shape),
+                None => self.scene.add(item.layer, shape),
+            }
+        }
+    }
+
+    /// The title above, the rows and what the colours mean below.
+    fn legend(&mut self, options: &Options) {
+        let bounds = self.scene.bounds();
+        let layer = self.layers.labels;
+        let title =
+            Text::new([bounds.left, bounds.top + 6.0], TITLE_MM, self.scene.title()).align(Align::Left);
+        self.scene.add(layer, title);
+        let mut y = bounds.bottom - 6.0;
+        let mut write = |scene: &mut Scene, x: f64, words: String| {
+            scene.add(layer, Text::new([bounds.left + x, y], super::LETTERS_MM, words).align(Align::Left));
+            y -= 4.6;
+            y + 4.6
+        };
+        for (place, row) in self.gearbox.rows().iter().enumerate() {
+            write(&mut self.scene, 0.0, words::row(place, row, options.gearing));
+        }
+        let Some(gear) = self.gear else { return };
+        let controls = gear.gear().engaged().iter().map(|&place| self.gearbox.controls()[place].id());
+        let engaged: Vec<&str> = controls.collect();
+        if !engaged.is_empty() {
+            let y = write(&mut self.scene, 10.0, format!("engaged: {}", engaged.join(", ")));
+            let sample = Shape::rectangle([bounds.left, y - 1.2], [bounds.left + 7.0, y + 1.2]);
+            self.scene.add_styled(self.layers.controls, Style::filled(ENGAGED), sample);
+        }
+        let line = |scene: &mut Scene, y: f64, style: Style| {
+            scene.add_styled(layer, style, Shape::line([bounds.left + 1.0, y], [bounds.left + 6.0, y]));
+        };
+        if self.layout.links.iter().any(|shape| shape.link != LinkId::GROUND && self.rests(shape.link)) {
+            let y = write(&mut self.scene, 10.0, "at rest".into());
+            line(&mut self.scene, y, Style::line(SHAFT_MM).color(RESTING));
+        }
+        let Some(case) = self.load else { return };
+        let eta = case.efficiency;
+        let losses = if eta < 1.0 { format!("; efficiency {}", decimal(eta)) } else { String::new() };
+        let y =
+            write(&mut self.scene, 10.0, format!("the power that enters{losses}; other lines in proportion"));
+        line(&mut self.scene, y, Style::line(self.entering_mm).color(POWER));
+        if case.power.circulating > 1e-6 {
+            let words =
+                format!("of it goes round, in all {} of what enters", decimal(case.power.circulating));
+            let y = write(&mut self.scene, 10.0, words);
+            line(&mut self.scene, y, Style::line(0.6 * self.entering_mm).color(CIRCULATING));
+        }
+        if self.pieces.iter().any(|piece| piece.power.is_none()) {
+            write(&mut self.scene, 0.0, "black lines of full width: their power does not follow".into());
+        }
+    }
+}

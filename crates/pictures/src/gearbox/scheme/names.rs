@@ -1,0 +1,144 @@
+//! Names: controls, wheels, links.
+
+use super::{Sheet, UP_MM, WEB_MM, at};
+use crate::gearbox::place::{Places, beside};
+use epicyclic_drawing::Point;
+use epicyclic_schemes::LinkId;
+use epicyclic_schemes::drawability::layout::{LinkShape, Point as Place, RowStack};
+
+/// From a shaft to the middle of its name.
+const OFF_MM: f64 = 2.6;
+
+impl Sheet<'_> {
+    /// All names: first those with the fewest places to stand in.
+    pub(super) fn names(&mut self) {
+        let mut places = Places::around(&self.scene);
+        self.control_names(&mut places);
+        self.wheel_names(&mut places);
+        self.link_names(&mut places);
+    }
+
+    fn put(&mut self, places: &mut Places, words: &str, at: Point, wishes: &[Point]) {
+        places.put(&mut self.scene, self.layers.labels, words, at, wishes);
+    }
+
+    fn control_names(&mut self, places: &mut Places) {
+        let clutches = self.layout.clutches.iter().map(|mark| (mark.control, mark.lower.1, mark.upper.1));
+        let brakes = self.layout.brakes.iter().map(|mark| (mark.control, mark.link_end, mark.housing));
+        let marks: Vec<_> = clutches.chain(brakes).collect();
+        for (control, one, other) in marks {
+            let name = self.gearbox.controls().get(control).map_or("lock", |control| control.id()).to_owned();
+            let (one, other) = (at(one), at(other));
+            let middle = Point::new(one.x, f64::midpoint(one.y, other.y));
+            let mut wishes = vec![];
+            for dy in [0.0, -1.5, 1.5, -3.0, 3.0] {
+                wishes.extend(beside(Point::new(middle.x, middle.y + dy), &name, 2.9));
+            }
+            for dy in [-3.5, 3.5, -5.0, 5.0] {
+                wishes.extend(beside(Point::new(middle.x, middle.y + dy), &name, 0.5));
+            }
+            let edge = Point::new(middle.x + 2.6, middle.y);
+            self.put(places, &name, edge, &wishes);
+        }
+    }
+
+    fn wheel_names(&mut self, places: &mut Places) {
+        for stack in self.layout.rows.clone() {
+            let number = stack.row + 1;
+            let kind = self.gearbox.rows()[stack.row].spec().kind;
+            let (sun_rim, ring_rim) =
+                if kind.is_pair() { (stack.planet, stack.planet) } else { (stack.sun_mesh, stack.ring_mesh) };
+            let x = at(Place { x: stack.x, y: 0.0 }).x;
+            let up = |y: f64| UP_MM * y;
+            let web = |from: f64, to: f64| {
+                [0.5, 0.35, 0.65, 0.2, 0.8].map(|part| Point::new(x, up(from) + part * (up(to) - up(from))))
+            };
+            let mut members = vec![("a", web(stack.sun, sun_rim)), ("b", web(stack.ring, ring_rim))];
+            if !kind.is_pair() {
+                members.push(("g", web(stack.sun_mesh, stack.planet)));
+            }
+            for (letter, along) in members {
+                let name = format!("{letter}{number}");
+                let gap = 0.1 + self.web_half(&stack, letter);
+                let mut wishes: Vec<Point> = along.iter().flat_map(|at| beside(*at, &name, gap)).collect();
+                if letter == "g" {
+                    let pin = Point::new(x, up(stack.planet));
+                    wishes.splice(0..0, beside(pin, &name, 3.3));
+                    let above = web(stack.planet, stack.ring_mesh);
+                    wishes.extend(above.iter().flat_map(|at| beside(*at, &name, gap)));
+                }
+                wishes.extend(along.iter().flat_map(|at| beside(*at, &name, 2.7)));
+                self.put(places, &name, along[0], &wishes);
+            }
+            if kind.is_pair() || stack.members[2] == LinkId::GROUND {
+                continue;
+            }
+            let name = format!("H{number}");
+            let pin = Point::new(x, up(stack.planet));
+            let mut wishes = vec![];
+            for dx in [4.5, 6.0, 7.5] {
+                for dy in [OFF_MM, -OFF_MM, 1.6, -1.6] {
+                    wishes.extend([-dx, dx].map(|dx| Point::new(pin.x + dx, pin.y + dy)));
+                }
+            }
+            wishes.splice(0..0, beside(pin, &name, 3.3));
+            self.put(places, &name, Point::new(pin.x + 3.2, pin.y), &wishes);
+        }
+    }
+
+    /// Half the width of a wheel's web.
+    fn web_half(&self, stack: &RowStack, letter: &str) -> f64 {
+        let member = usize::from(letter == "b");
+        let (power, circulating) = self.member(stack.row, member);
+        0.5 * self.look(stack.members[member], WEB_MM, power, circulating).width_mm
+    }
+
+    fn link_names(&mut self, places: &mut Places) {
+        for shaft in [self.layout.input, self.layout.output] {
+            let name = self.gearbox.link_name(shaft.link).to_owned();
+            let outward = if shaft.at.x <= self.layout.axis.from.x { -1.0 } else { 1.0 };
+            let end = at(shaft.at);
+            let tip = Point::new(end.x + 5.4 * outward, end.y);
+            let half = 0.5 * epicyclic_drawing::Text::new(tip, 2.5, &*name).width_mm();
+            let mut wishes = vec![Point::new(tip.x, tip.y + 3.2), Point::new(tip.x, tip.y - 3.6)];
+            let outer = end.x + outward * (1.0 + half);
+            wishes.extend([Point::new(outer, tip.y + 3.2), Point::new(outer, tip.y - 3.6)]);
+            wishes.extend([3.0, 6.0, 10.0].map(|dx| Point::new(outer + outward * dx, tip.y + 3.2)));
+            self.put(places, &name, tip, &wishes);
+        }
+        let named = [self.layout.input.link, self.layout.output.link];
+        for shape in &self.layout.links.clone() {
+            if shape.link == LinkId::GROUND || named.contains(&shape.link) {
+                continue;
+            }
+            let name = self.gearbox.link_name(shape.link).to_owned();
+            let wishes = wishes(shape, &name);
+            if let Some(&(anchor, _)) = wishes.first() {
+                let wishes: Vec<Point> = wishes.into_iter().map(|(_, wish)| wish).collect();
+                self.put(places, &name, anchor, &wishes);
+            }
+        }
+    }
+}
+
+/// Along the shafts of a link, the longest first, and then its webs; each with the point of the link it stands at.
+fn wishes(shape: &LinkShape, name: &str) -> Vec<(Point, Point)> {
+    let mut segments: Vec<[Point; 2]> = shape.segments.iter().map(|s| [at(s.from), at(s.to)]).collect();
+    let length = |[from, to]: &[Point; 2]| (to.x - from.x) + (to.y - from.y);
+    segments.sort_by(|one, other| {
+        let level = |[from, to]: &[Point; 2]| from.y == to.y;
+        level(other).cmp(&level(one)).then(length(other).total_cmp(&length(one)))
+    });
+    let mut wishes = vec![];
+    for [from, to] in segments {
+        for part in [0.5, 0.35, 0.65, 0.2, 0.8, 0.1, 0.9] {
+            let on = Point::new(from.x + part * (to.x - from.x), from.y + part * (to.y - from.y));
+            if from.y == to.y {
+                wishes.extend([OFF_MM, -OFF_MM].map(|dy| (on, Point::new(on.x, on.y + dy))));
+            } else {
+                wishes.extend(beside(on, name, 0.6).map(|wish| (on, wish)));
+            }
+        }
+    }
+    wishes
+}

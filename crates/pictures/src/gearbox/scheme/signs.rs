@@ -1,0 +1,324 @@
+//! Signs: housing, wheels, planets on their pins, brakes and clutches, ends of shafts.
+
+use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM, at};
+use crate::gearbox::{ENGAGED, RESTING};
+use epicyclic_drawing::{Color, Point, Shape, Style};
+use epicyclic_schemes::LinkId;
+use epicyclic_schemes::drawability::layout::{Point as Place, RowStack, Segment};
+use epicyclic_schemes::row::RowKind;
+
+/// Half the length of a rim, and of a plate.
+const RIM_MM: f64 = 2.6;
+/// Half the room between two rims in mesh.
+const MESH_MM: f64 = 0.55;
+/// From the middle of a row to a carrier's fork, and to what is left of a pair's bearings.
+const FORK_MM: f64 = 4.2;
+/// How far a pin stands out of its planet.
+const PIN_MM: f64 = 3.2;
+/// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and above level ones.
+const HATCH_MM: f64 = 1.8;
+
+/// Whether the carrier of a row is not drawn straight through its planet.
+fn is_cut(kind: RowKind) -> bool {
+    matches!(kind, RowKind::DoublePlanet | RowKind::MeshingSuns) || kind.is_pair()
+}
+
+/// What is left of a line of a link where carriers fork around double planets, and bearings of pairs end.
+pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -> Vec<[Place; 2]> {
+    let [from, to] = line;
+    let mut left = vec![line];
+    if from.y != to.y {
+        return left;
+    }
+    let half = FORK_MM / super::ALONG_MM;
+    for stack in &sheet.layout.rows {
+        let kind = sheet.gearbox.rows()[stack.row].spec().kind;
+        if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
+            continue;
+        }
+        let (low, high) = (stack.x - half, stack.x + half);
+        left = left
+            .into_iter()
+            .flat_map(|[from, to]| {
+                let (a, b) = (from.x.min(to.x), from.x.max(to.x));
+                let y = from.y;
+                let place = move |x: f64| Place { x, y };
+                [[a, b.min(low)], [a.max(high), b]]
+                    .into_iter()
+                    .filter(|[a, b]| a < b)
+                    .map(move |[a, b]| [place(a), place(b)])
+            })
+            .collect();
+    }
+    left
+}
+
+impl Sheet<'_> {
+    /// Axis and wall, and what stands out of the wall.
+    pub(super) fn housing(&mut self) {
+        let (axis, wall) = (self.layout.axis, self.layout.housing);
+        let (left, right) = (at(axis.from), at(axis.to));
+        self.scene.add(self.layers.axis, Shape::line([left.x - 13.0, 0.0], [right.x + 13.0, 0.0]));
+        self.hatched(wall);
+        let ground = self.layout.links.iter().filter(|shape| shape.link == LinkId::GROUND);
+        let segments: Vec<Segment> = ground.flat_map(|shape| shape.segments.clone()).collect();
+        for segment in segments {
+            for [from, to] in without_forks(self, LinkId::GROUND, [segment.from, segment.to]) {
+                self.hatched(Segment { from, to });
+            }
+        }
+    }
+
+    fn hatched(&mut self, segment: Segment) {
+        let (from, to) = (at(segment.from), at(segment.to));
+        self.scene.add_styled(self.layers.housing, Style::line(SHAFT_MM), Shape::line(from, to));
+        let upright = from.x == to.x;
+        let length = (to.x - from.x).max(to.y - from.y);
+        let mut along = 0.8;
+        while along < length - 0.2 {
+            let (x, y) = if upright { (from.x, from.y + along) } else { (from.x + along, from.y) };
+            let stroke = Shape::line([x, y], [x + HATCH_MM, y + HATCH_MM]);
+            self.scene.add_styled(self.layers.housing, Style::line(0.18), stroke);
+            along += 2.2;
+        }
+    }
+
+    /// Brakes and clutches: plates, filled between where engaged.
+    pub(super) fn controls(&mut self) {
+        for mark in self.layout.clutches.clone() {
+            let ends = [mark.lower, mark.upper].map(|(link, place)| (Some(link), at(place)));
+            self.plates(mark.control, ends);
+        }
+        for mark in self.layout.brakes.clone() {
+            self.plates(mark.control, [(Some(mark.link), at(mark.link_end)), (None, at(mark.housing))]);
+            if mark.housing.y != self.layout.housing.from.y {
+                // A plate of its own on what stands out of the wall, hatched on its far side.
+                let (plate, away) = (at(mark.housing), (mark.housing.y - mark.link_end.y).signum());
+                for i in -1..=1 {
+                    let x = plate.x + 1.7 * f64::from(i) - 0.6;
+                    let stroke = Shape::line([x, plate.y], [x + 1.2, plate.y + 1.2 * away]);
+                    self.scene.add_styled(self.layers.housing, Style::line(0.18), stroke);
+                }
+            }
+        }
+    }
+
+    fn plates(&mut self, control: usize, ends: [(Option<LinkId>, Point); 2]) {
+        let engaged = self.engaged(control);
+        let [low, high] = ends.map(|(_, point)| point);
+        if engaged {
+            let box_between = Shape::rectangle([low.x - RIM_MM, low.y], [high.x + RIM_MM, high.y]);
+            self.scene.add_styled(self.layers.controls, Style::filled(ENGAGED), box_between);
+        }
+        for (link, point) in ends {
+            let color = match link {
+                _ if engaged => ENGAGED,
+                Some(link) if self.rests(link) => RESTING,
+                _ => Color::BLACK,
+            };
+            let plate = Shape::line([point.x - RIM_MM, point.y], [point.x + RIM_MM, point.y]);
+            self.scene.add_styled(self.layers.controls, Style::line(SHAFT_MM).color(color), plate);
+        }
+    }
+
+    /// Wheels and planets of all rows.
+    pub(super) fn rows(&mut self) {
+        for stack in self.layout.rows.clone() {
+            let kind = self.gearbox.rows()[stack.row].spec().kind;
+            let x = at(Place { x: stack.x, y: 0.0 }).x;
+            // Rims of stepped planets' wheels stand on two sides.
+            let aside = if kind.is_stepped() { 3.2 } else { 0.0 };
+            let (sun_mesh, ring_mesh) = match kind.is_pair() {
+                true => (UP_MM * stack.planet, UP_MM * stack.planet),
+                false => (UP_MM * stack.sun_mesh, UP_MM * stack.ring_mesh),
+            };
+            self.wheel(&stack, 0, [x, UP_MM * stack.sun], sun_mesh - MESH_MM, -aside);
+            self.wheel(&stack, 1, [x, UP_MM * stack.ring], ring_mesh + MESH_MM, aside);
+            match kind {
+                _ if kind.is_pair() => {}
+                RowKind::DoublePlanet | RowKind::MeshingSuns => self.double_planet(&stack, x),
+                _ if kind.is_stepped() => self.stepped_planet(&stack, x, aside),
+                _ => {
+                    let rims = [sun_mesh + MESH_MM, ring_mesh - MESH_MM];
+                    self.pin(&stack, x, UP_MM * stack.planet);
+                    self.planet(&stack, x, UP_MM * stack.planet, rims);
+                }
+            }
+        }
+    }
+
+    /// The look of a member of a row in its wheel.
+    fn member_look(&self, stack: &RowStack, member: usize, width: f64) -> Look {
+        let (power, circulating) = self.member(stack.row, member);
+        self.look(stack.members[member], width, power, circulating)
+    }
+
+    /// A wheel: its web from where it sits to its rim, the rim `aside` of the web.
+    fn wheel(&mut self, stack: &RowStack, member: usize, [x, seat]: [f64; 2], rim: f64, aside: f64) {
+        let look = self.member_look(stack, member, WEB_MM);
+        self.line(self.layers.wheels, look, Point::new(x, seat), Point::new(x, rim));
+        let color = if look.color == RESTING { RESTING } else { Color::BLACK };
+        let reach = [x.min(x + aside) - RIM_MM, x.max(x + aside) + RIM_MM];
+        let reach = if aside < 0.0 {
+            [reach[0], x + 0.5]
+        } else if aside > 0.0 {
+            [x - 0.5, reach[1]]
+        } else {
+            reach
+        };
+        self.rim(color, reach, rim);
+    }
+
+    fn rim(&mut self, color: Color, [left, right]: [f64; 2], y: f64) {
+        let style = Style::line(SHAFT_MM).color(color);
+        self.scene.add_styled(self.layers.wheels, style, Shape::line([left, y], [right, y]));
+    }
+
+    /// Colour of planets: grey where neither carrier nor wheels turn.
+    fn planet_color(&self, stack: &RowStack) -> Color {
+        if stack.members.iter().all(|link| self.rests(*link)) { RESTING } else { Color::BLACK }
+    }
+
+    /// Half the width of the carrier's line, from which the planet's bearing keeps away.
+    fn pin_half(&self, stack: &RowStack) -> f64 {
+        0.5 * self.member_look(stack, 2, SHAFT_MM).width_mm
+    }
+
+    fn pin(&mut self, stack: &RowStack, x: f64, y: f64) {
+        let color = if self.rests(stack.members[2]) { RESTING } else { Color::BLACK };
+        let look = Look { color, width_mm: WEB_MM, inner_mm: 0.0 };
+        self.line(self.layers.wheels, look, Point::new(x - PIN_MM, y), Point::new(x + PIN_MM, y));
+    }
+
+    /// A planet about a pin at `y`: bearing, webs, rims.
+    fn planet(&mut self, stack: &RowStack, x: f64, y: f64, [low, high]: [f64; 2]) {
+        let color = self.planet_color(stack);
+        let hub = (self.pin_half(stack) + 0.55).min(0.4 * (high - low));
+        let style = Style::line(WEB_MM).color(color);
+        for (member, side, rim) in [(0, -1.0, low), (1, 1.0, high)] {
+            let bearing = y + side * hub;
+            let look = Look { color, ..self.member_look(stack, member, WEB_MM) };
+            let look = match self.member(stack.row, member).0 {
+                Some(power) if power.abs() > 1e-9 => self.member_look(stack, member, WEB_MM),
+                _ => look,
+            };
+            self.line(self.layers.wheels, look, Point::new(x, bearing), Point::new(x, rim));
+            self.scene.add_styled(
+                self.layers.wheels,
+                style,
+                Shape::line([x - 1.5, bearing], [x + 1.5, bearing]),
+            );
+            self.rim(color, [x - RIM_MM, x + RIM_MM], rim);
+        }
+    }
+
+    /// Two planets in mesh on the arms of a fork.
+    fn double_planet(&mut self, stack: &RowStack, x: f64) {
+        let middle = UP_MM * stack.planet;
+        let rims = [
+            [UP_MM * stack.sun_mesh + MESH_MM, middle - MESH_MM],
+            [middle + MESH_MM, UP_MM * stack.ring_mesh - MESH_MM],
+        ];
+        let pins = rims.map(|[low, high]| f64::midpoint(low, high));
+        let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(stack, 2, SHAFT_MM) };
+        for side in self.carrier_sides(stack) {
+            let fork = x + side * FORK_MM;
+            self.line(self.layers.wheels, look, Point::new(fork, pins[0]), Point::new(fork, pins[1]));
+            for pin in pins {
+                self.line(self.layers.wheels, look, Point::new(fork, pin), Point::new(x - side * 1.8, pin));
+            }
+        }
+        let color = self.planet_color(stack);
+        let style = Style::line(WEB_MM).color(color);
+        for ([low, high], pin) in rims.into_iter().zip(pins) {
+            for (side, rim) in [(-1.0, low), (1.0, high)] {
+                let bearing = pin + 0.8 * side;
+                self.scene.add_styled(self.layers.wheels, style, Shape::line([x, bearing], [x, rim]));
+                let hub = Shape::line([x - 1.2, bearing], [x + 1.2, bearing]);
+                self.scene.add_styled(self.layers.wheels, style, hub);
+                self.rim(color, [x - RIM_MM, x + RIM_MM], rim);
+            }
+        }
+    }
+
+    /// Sides on which a carrier reaches the planet of a row.
+    fn carrier_sides(&self, stack: &RowStack) -> Vec<f64> {
+        let ground = self.layout.links.iter().filter(|shape| shape.link == stack.members[2]);
+        let level = ground
+            .flat_map(|shape| &shape.segments)
+            .filter(|s| s.from.y == stack.planet && s.to.y == stack.planet);
+        let here: Vec<&Segment> = level.filter(|s| (s.from.x..=s.to.x).contains(&stack.x)).collect();
+        let mut sides = vec![];
+        if here.iter().any(|s| s.from.x < stack.x) {
+            sides.push(-1.0);
+        }
+        if here.iter().any(|s| s.to.x > stack.x) {
+            sides.push(1.0);
+        }
+        sides
+    }
+
+    /// Two steps on one shaft, the one in mesh with the first wheel on the left.
+    fn stepped_planet(&mut self, stack: &RowStack, x: f64, aside: f64) {
+        let y = UP_MM * stack.planet;
+        self.pin(stack, x, y);
+        let color = self.planet_color(stack);
+        let style = Style::line(WEB_MM).color(color);
+        let hub = self.pin_half(stack) + 0.55;
+        let reach =
+            [UP_MM * stack.sun_mesh + MESH_MM - y, UP_MM * stack.ring_mesh - MESH_MM - y].map(f64::abs);
+        // The step in mesh below is the larger one, so that both are seen.
+        for (x, size, meshes) in [(x - aside, reach[0], -1.0), (x + aside, reach[1], 1.0)] {
+            for side in [-1.0, 1.0] {
+                let rim = y + side * if side == meshes { size } else { 0.72 * size };
+                self.scene.add_styled(self.layers.wheels, style, Shape::line([x, y + side * hub], [x, rim]));
+                self.rim(color, [x - 1.7, x + 1.7], rim);
+            }
+        }
+        for side in [-1.0, 1.0] {
+            let tube = Shape::line([x - aside - 0.8, y + side * hub], [x + aside + 0.8, y + side * hub]);
+            self.scene.add_styled(self.layers.wheels, style, tube);
+        }
+    }
+
+    /// Arrows at input and output, circles where power enters or leaves in some gears only.
+    pub(super) fn shaft_ends(&mut self) {
+        let gear = self.gear.map(epicyclic_schemes::Analysis::gear);
+        let of = |link: LinkId| super::flow::piece_of(self.gearbox, link);
+        let [input, output] = match gear {
+            Some(gear) => [of(gear.input()), of(gear.output())],
+            None => [self.layout.input.link, self.layout.output.link],
+        };
+        for shaft in [self.layout.input, self.layout.output] {
+            let end = at(shaft.at);
+            let outward = if shaft.at.x <= self.layout.axis.from.x { -1.0 } else { 1.0 };
+            let sense = if shaft.link == input {
+                -outward
+            } else if shaft.link == output {
+                outward
+            } else {
+                continue;
+            };
+            let (near, far) = (end.x + 1.8 * outward, end.x + 9.0 * outward);
+            let (tail, head) = if sense == outward { (near, far) } else { (far, near) };
+            let style = Style::line(WEB_MM);
+            self.scene.add_styled(
+                self.layers.links,
+                style,
+                Shape::line([tail, end.y], [head - 2.0 * sense, end.y]),
+            );
+            let tip = [[head, end.y], [head - 2.8 * sense, end.y + 1.1], [head - 2.8 * sense, end.y - 1.1]];
+            self.scene.add_styled(self.layers.links, Style::filled(Color::BLACK), Shape::polygon(tip));
+        }
+        for shaft in self.layout.take_offs.clone() {
+            let rests = self.rests(shaft.link);
+            let color = if rests { RESTING } else { Color::BLACK };
+            let style = Style::line(WEB_MM).color(color).fill(Color::WHITE);
+            self.scene.add_styled(
+                self.layers.links,
+                style,
+                Shape::Circle { centre: at(shaft.at), radius: 1.2 },
+            );
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Radii of a row's wheels, and the lines of its links and planets over them.
+
+use epicyclic_schemes::row::{Gearing, Row, RowKind};
+use epicyclic_schemes::{Analysis, Gearbox, LinkId};
+
+/// A line of the plan between two points `[radius, velocity]`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Line {
+    pub(super) name: String,
+    /// Its link; none of a planet.
+    pub(super) link: Option<LinkId>,
+    pub(super) from: [f64; 2],
+    pub(super) to: [f64; 2],
+    /// Whether a planet's speed is its real one.
+    pub(super) has_ray: bool,
+}
+
+/// What is drawn of a row, radii in units of wheel 1.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Plan {
+    pub(super) lines: Vec<Line>,
+    /// Radii with their names.
+    pub(super) levels: Vec<(String, f64)>,
+    /// Wheels and planets from radius to radius, for the picture beside the plan.
+    pub(super) wheels: Vec<[f64; 2]>,
+    pub(super) pins: Vec<f64>,
+    /// The largest radius.
+    pub(super) height: f64,
+}
+
+/// Radii of wheels 1 and 2, and of planets' pins.
+#[derive(Debug, Clone, PartialEq)]
+struct Radii {
+    wheels: [f64; 2],
+    pins: Vec<f64>,
+}
+
+/// `None` for the pins' radii where the row's kind or missing teeth leave them open.
+fn radii(row: &Row) -> Radii {
+    let i0 = row.stationary_ratio().get();
+    let size = i0.abs();
+    match row.spec().kind {
+        RowKind::Simple => Radii { wheels: [1.0, size], pins: vec![0.5 * (1.0 + size)] },
+        // One beside the other, of equal sizes: a quarter and three quarters of the way.
+        RowKind::DoublePlanet => {
+            let pins = [0.25, 0.75].map(|part| 1.0 + part * (size - 1.0));
+            Radii { wheels: [1.0, size], pins: pins.to_vec() }
+        }
+        kind if kind.is_stepped() => stepped(row).unwrap_or(Radii { wheels: [1.0, size], pins: vec![] }),
+        _ => Radii { wheels: [1.0, size], pins: vec![] },
+    }
+}
+
+/// Radii of a stepped row: its pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
+fn stepped(row: &Row) -> Option<Radii> {
+    let Gearing::Teeth(first, second) = row.spec().gearing else { return None };
+    let (g, f) = (row.spec().planet?.as_f64(), row.spec().second_planet?.as_f64());
+    let [outside_first, outside_second] = match row.spec().kind {
+        RowKind::SteppedSunRing => [1.0, -1.0],
+        RowKind::SteppedSuns => [1.0, 1.0],
+        _ => [-1.0, -1.0],
+    };
+    let pin = 1.0 + outside_first * g / first.as_f64();
+    let second_radius = pin / (1.0 + outside_second * f / second.as_f64());
+    (pin > 0.0 && second_radius > 0.0).then(|| Radii { wheels: [1.0, second_radius], pins: vec![pin] })
+}
+
+impl Plan {
+    /// The plan of a row in a gear all of whose speeds are known.
+    pub(super) fn of(gearbox: &Gearbox, gear: &Analysis, row: usize) -> Self {
+        let number = row + 1;
+        let members = gearbox.rows()[row].members();
+        let speeds = members.map(|link| gear.speed(link).unwrap_or(0.0));
+        let kind = gearbox.rows()[row].spec().kind;
+        if kind.is_pair() {
+            return Self::of_pair(gearbox, row, [speeds[0], speeds[1]]);
+        }
+        let Radii { wheels: [first, second], pins } = radii(&gearbox.rows()[row]);
+        let carrier = pins.iter().copied().fold(0.0, f64::max);
+        let carrier = if carrier > 0.0 { carrier } else { first.max(second) };
+        let line = |member: usize, letter: &str, radius: f64| Line {
+            name: format!("{letter}{number}"),
+            link: Some(members[member]),
+            from: [0.0, 0.0],
+            to: [radius, speeds[member] * radius],
+            has_ray: true,
+        };
+        let mut lines = vec![line(0, "a", first), line(1, "b", second), line(2, "H", carrier)];
+        let mut levels = vec![(format!("a{number}"), first), (format!("b{number}"), second)];
+        let planet = |name: String, ends: [[f64; 2]; 2], has_ray: bool| Line {
+            name,
+            link: None,
+            from: ends[0],
+            to: ends[1],
+            has_ray,
+        };
+        let on = |member: usize, radius: f64| [radius, speeds[member] * radius];
+        match pins[..] {
+            [pin] => {
+                // Through the pin and both contacts, whatever their order.
+                let mut points = [on(0, first), on(1, second), on(2, pin)];
+                points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+                lines.push(planet(format!("g{number}"), [points[0], points[2]], true));
+                levels.push((format!("H{number}"), pin));
+            }
+            [one, other] => {
+                let contact = f64::midpoint(first, second);
+                // Velocity of the contact between the planets, from the one and its pin.
+                let v = 2.0 * speeds[2] * one - speeds[0] * first;
+                lines.push(planet(format!("g{number}"), [on(0, first), [contact, v]], false));
+                lines.push(planet(format!("f{number}"), [[contact, v], on(1, second)], false));
+                levels.extend([(format!("g{number}"), one), (format!("f{number}"), other)]);
+            }
+            _ => {}
+        }
+        let wheels = match (kind, &pins[..]) {
+            (RowKind::Simple, _) => vec![[0.0, first], [first, second]],
+            (RowKind::DoublePlanet, _) => {
+                let contact = f64::midpoint(first, second);
+                vec![[0.0, first], [first, contact], [contact, second]]
+            }
+            _ => vec![],
+        };
+        let pins_drawn = if wheels.is_empty() { vec![] } else { pins.clone() };
+        let height = pins.iter().copied().fold(first.max(second), f64::max);
+        Self { lines, levels, wheels, pins: pins_drawn, height }
+    }
+
+    /// A pair: wheel 1 about the axis, wheel 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
+    fn of_pair(gearbox: &Gearbox, row: usize, speeds: [f64; 2]) -> Self {
+        let number = row + 1;
+        let members = gearbox.rows()[row].members();
+        let size = gearbox.rows()[row].stationary_ratio().get().abs();
+        let outside = gearbox.rows()[row].spec().kind == RowKind::ExternalPair;
+        // Wheel 1 inside a ring stands above the ring's axis.
+        let (first, second) =
+            if outside { (0.0, 1.0 + size) } else { ((size - 1.0).max(0.0), (1.0 - size).max(0.0)) };
+        let contact = first + 1.0;
+        let line = |member: usize, letter: &str, axis: f64| Line {
+            name: format!("{letter}{number}"),
+            link: Some(members[member]),
+            from: [axis, 0.0],
+            to: [contact, speeds[member] * (contact - axis)],
+            has_ray: true,
+        };
+        let name = |letter: &str| format!("axis {letter}{number}");
+        Self {
+            lines: vec![line(0, "a", first), line(1, "b", second)],
+            levels: vec![(name("a"), first), ("contact".into(), contact), (name("b"), second)],
+            wheels: if outside { vec![[first, contact], [contact, second]] } else { vec![] },
+            pins: vec![],
+            height: contact.max(second).max(first),
+        }
+    }
+
+    /// The largest `|v|/height`: the widest point of a plan drawn to one height.
+    pub(super) fn widest(&self) -> f64 {
+        let ends = self.lines.iter().flat_map(|line| [line.from, line.to]);
+        ends.map(|[_, v]| v.abs() / self.height).fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_gears::teeth::ToothCount;
+    use epicyclic_schemes::row::RowSpec;
+
+    /// A row of a kind between D, T1 and B, T1 held.
+    fn gearbox(kind: RowKind, teeth: [u32; 4]) -> Gearbox {
+        let [first, second, g, f] = teeth;
+        let count = |z| ToothCount::new(z).unwrap();
+        let row = RowSpec::teeth("1", kind, ["D", "T1", "B"], first, second).unwrap();
+        let row = row.planet_teeth(count(g), (f > 0).then(|| count(f)));
+        let builder = Gearbox::builder("one row").links(["D", "B", "T1"]).row(row).brake("K1", "T1");
+        builder.input("D").output("B").gear("1", ["K1"]).build().unwrap()
+    }
+
+    /// The planet's line, drawn through the wheels' velocities, has the slope that the mechanics gives; the pin lies on it.
+    #[test]
+    fn a_planets_slope_is_its_speed() {
+        for (kind, teeth) in [
+            (RowKind::Simple, [20, 70, 25, 0]),
+            (RowKind::SteppedSunRing, [20, 80, 30, 18]),
+            (RowKind::SteppedSuns, [30, 24, 20, 26]),
+            (RowKind::SteppedRings, [90, 80, 25, 22]),
+        ] {
+            let gearbox = gearbox(kind, teeth);
+            let gear = gearbox.analyze("1").unwrap();
+            let plan = Plan::of(&gearbox, &gear, 0);
+            let planet = plan.lines.iter().find(|line| line.link.is_none()).unwrap();
+            let [[r, v], [further, faster]] = [planet.from, planet.to];
+            let slope = (faster - v) / (further - r);
+            let speed = gear.rows()[0].planets[0].absolute.unwrap();
+            assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
+            let carrier = plan.lines.iter().find(|line| line.name == "H1").unwrap();
+            let on_line = v + slope * (carrier.to[0] - r);
+            assert!((on_line - carrier.to[1]).abs() < 1e-9, "{kind}");
+        }
+    }
+
+    /// Both planets of a pair in mesh have one velocity where they touch, and their pins lie on their lines.
+    #[test]
+    fn planets_in_mesh_agree_where_they_touch() {
+        let gearbox = gearbox(RowKind::DoublePlanet, [30, 72, 16, 18]);
+        let gear = gearbox.analyze("1").unwrap();
+        let plan = Plan::of(&gearbox, &gear, 0);
+        let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
+        let planets: Vec<&Line> = plan.lines.iter().filter(|line| line.link.is_none()).collect();
+        assert_eq!(planets[0].to, planets[1].from);
+        for (line, pin) in planets.iter().zip(&plan.pins) {
+            let middle = f64::midpoint(line.from[1], line.to[1]);
+            assert!((middle - carrier * pin).abs() < 1e-9);
+        }
+    }
+
+    /// Wheels of a pair have one velocity in contact, outside each other and one in the other.
+    #[test]
+    fn a_pair_meets_in_its_contact() {
+        for kind in [RowKind::ExternalPair, RowKind::InternalPair] {
+            let row = RowSpec::teeth("1", kind, ["D", "B", "ground"], 20, 50).unwrap();
+            let gearbox = Gearbox::builder("pair").links(["D", "B"]).row(row).input("D").output("B");
+            let gearbox = gearbox.gear("1", [""; 0]).build().unwrap();
+            let plan = Plan::of(&gearbox, &gearbox.analyze("1").unwrap(), 0);
+            let [one, other] = [plan.lines[0].to, plan.lines[1].to];
+            assert!((one[0] - other[0]).abs() < 1e-12 && (one[1] - other[1]).abs() < 1e-12, "{kind}");
+        }
+    }
+}
