@@ -129,6 +129,36 @@ pub(crate) trait Conjugate {
         (contact.flow(), contact.flow_slope(self.satellite_radius()))
     }
 
+    /// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` along the half-lobe, by samples.
+    fn curvature_extremes(&self) -> [f64; 4] {
+        let end = self.trough().phase;
+        let places = (0..=PLACES).map(|i| end * f64::from(i) / f64::from(PLACES));
+        greatest_curvatures(places.map(|phase| self.within(By::Phase, phase)))
+    }
+
+    /// The satellite's centre at a phase between 0 and that of the trough, in the stator's frame.
+    fn centre_within(&self, phase: f64) -> [f64; 2] {
+        let contact = self.within(By::Phase, phase);
+        let r = self.satellite_radius();
+        let (sin, cos) = contact.theta3.sin_cos();
+        let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+        [contact.rho3 * cos - r * normal_cos, contact.rho3 * sin - r * normal_sin]
+    }
+
+    /// The satellite's centre at any phase, in the stator's frame.
+    fn centre(&self, phase: f64) -> [f64; 2] {
+        let trough = self.trough();
+        let lobes = (phase / (2.0 * trough.phase)).round();
+        let rest = phase - 2.0 * lobes * trough.phase;
+        let [x, y] = self.centre_within(rest.abs().min(trough.phase));
+        let y = if rest < 0.0 { -y } else { y };
+        if lobes == 0.0 {
+            return [x, y];
+        }
+        let (sin, cos) = (2.0 * lobes * trough.theta3).sin_cos();
+        [x * cos - y * sin, x * sin + y * cos]
+    }
+
     /// `f` and `df/dΦ` at any phase.
     fn flow(&self, phase: f64) -> (f64, f64) {
         let end = self.trough().phase;
@@ -147,6 +177,17 @@ pub(crate) trait Conjugate {
         let contact = if rest < 0.0 { contact.mirrored() } else { contact };
         if lobes == 0.0 { contact } else { contact.shifted(lobes, trough) }
     }
+}
+
+/// Places along the half-lobe at which curvatures are looked at where their extremes are not known.
+const PLACES: u32 = 256;
+
+/// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` of some contacts; 0 of those that are negative throughout.
+pub(crate) fn greatest_curvatures(contacts: impl Iterator<Item = Contact>) -> [f64; 4] {
+    contacts.fold([0.0_f64; 4], |greatest, contact| {
+        let curvatures = [-contact.kappa3, contact.kappa3, contact.kappa1, -contact.kappa1];
+        std::array::from_fn(|i| greatest[i].max(curvatures[i]))
+    })
 }
 
 /// The argument between 0 and `end` at which a growing function has a value: Newton's method kept within a bracket.
