@@ -84,6 +84,22 @@ pub struct Envelope {
     pub displacement_by_volume: f64,
 }
 
+/// Heights that are finite and not below 0.
+pub(crate) fn finite_heights(heights: ToothHeights) -> Result<(), Error> {
+    for (quantity, value) in [("addendum", heights.addendum), ("dedendum", heights.dedendum)] {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(Error::OutOfRange {
+                quantity,
+                value,
+                low: 0.0,
+                high: f64::INFINITY,
+                unit: "modules",
+            });
+        }
+    }
+    Ok(())
+}
+
 impl Motor {
     /// Every check that applies: of a curve that is nowhere hollow there is none of its hollow.
     ///
@@ -105,17 +121,7 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn checks(&self, heights: ToothHeights) -> Result<Vec<Check>, Error> {
-        for (quantity, value) in [("addendum", heights.addendum), ("dedendum", heights.dedendum)] {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(Error::OutOfRange {
-                    quantity,
-                    value,
-                    low: 0.0,
-                    high: f64::INFINITY,
-                    unit: "modules",
-                });
-            }
-        }
+        finite_heights(heights)?;
         let r = self.shape.satellite_radius();
         let trough = self.shape.trough();
         let extremes = self.shape.curvature_extremes();

@@ -222,6 +222,40 @@ pub(crate) fn inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> (f64,
     x
 }
 
+/// As [`inverse`], of a function that returns value, slope and second derivative: Halley's method kept within a bracket.
+pub(crate) fn smooth_inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> [f64; 3]) -> f64 {
+    let (mut low, mut high) = (0.0, end);
+    let mut x = start.clamp(low, high);
+    let mut last = f64::INFINITY;
+    for _ in 0..100 {
+        let [y, slope, bend] = f(x);
+        let error = y - value;
+        if error == 0.0 {
+            return x;
+        }
+        if error < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = error / slope;
+        let curved = 0.5 * newton * bend / slope;
+        let mut next = x - newton / (1.0 - curved);
+        let sound = next >= low && next <= high && error.abs() <= 0.5 * last;
+        if !sound {
+            next = 0.5 * (low + high);
+        }
+        last = error.abs();
+        let step = (next - x).abs();
+        // Thrice as many digits with each step: what is left is of the order of step · curved².
+        if step <= 2.0 * f64::EPSILON * end || (sound && curved.abs() < 1e-5 && step < 1e-5 * end) {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -239,5 +273,11 @@ mod tests {
         assert!((inverse(8.0, 3.0, 0.0, cube) - 2.0).abs() < 1e-15);
         assert!((inverse(0.0, 3.0, 1.0, cube)).abs() < 1e-4);
         assert!((inverse(27.0, 3.0, 1.0, cube) - 3.0).abs() < 1e-15);
+        let bent = |x: f64| [x * x * x, 3.0 * x * x, 6.0 * x];
+        for start in [0.0, 0.1, 1.9, 3.0] {
+            assert!((smooth_inverse(8.0, 3.0, start, bent) - 2.0).abs() < 1e-15);
+            assert!((smooth_inverse(0.0, 3.0, start, bent)).abs() < 1e-4);
+            assert!((smooth_inverse(27.0, 3.0, start, bent) - 3.0).abs() < 1e-15);
+        }
     }
 }

@@ -21,7 +21,9 @@
 
 use crate::arcs::Arcs;
 use crate::closure::{crest_term, trough_term};
-use crate::contact::{By, Conjugate, Contact, conjugate_curvature, greatest_curvatures, inverse};
+use crate::contact::{
+    By, Conjugate, Contact, conjugate_curvature, greatest_curvatures, inverse, smooth_inverse,
+};
 
 /// A half-lobe of a closed motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +36,8 @@ pub(crate) struct TwoArcs {
     end_swept: f64,
     trough: Contact,
     junction: Contact,
+    crest_start: Start,
+    trough_start: Start,
 }
 
 impl TwoArcs {
@@ -57,9 +61,23 @@ impl TwoArcs {
             kappa1: 0.0,
             swept: 0.0,
         };
-        let mut lobe = Self { arcs: *arcs, r, end_phase, end_swept, trough: nothing, junction: nothing };
+        let start = Start { linear: 0.0, square: 0.0, cube: 0.0 };
+        let mut lobe = Self {
+            arcs: *arcs,
+            r,
+            end_phase,
+            end_swept,
+            trough: nothing,
+            junction: nothing,
+            crest_start: start,
+            trough_start: start,
+        };
         lobe.trough = lobe.on_trough(0.0, 0.0);
         lobe.junction = lobe.on_crest(beta, tan_beta);
+        let crest_slopes = [0.0, tan_beta].map(|t| lobe.crest_rates(t)[0]);
+        lobe.crest_start = Start::new(tan_beta, lobe.junction.phase, crest_slopes);
+        let trough_slopes = [0.0, tan_gamma].map(|t| lobe.trough_rates(t)[0]);
+        lobe.trough_start = Start::new(tan_gamma, end_phase - lobe.junction.phase, trough_slopes);
         lobe
     }
 
@@ -113,28 +131,67 @@ impl TwoArcs {
 
     /// `t = tan(x/2)` on arc 2 at a phase.
     fn crest_tangent(&self, phase: f64) -> f64 {
-        let Arcs { a, r2, tan_beta, .. } = self.arcs;
-        let (squares, twice) = (a * a + r2 * r2 - 2.0 * r2 * self.r, 2.0 * a * (r2 - self.r));
-        let start = tan_beta * phase / self.junction.phase;
-        inverse(phase, tan_beta, start, |t| {
-            let scale = 1.0 / (1.0 + t * t);
-            let cos = (1.0 - t * t) * scale;
-            let slope = 4.0 * scale * (r2 + a * cos) * (r2 - self.r) / (squares + twice * cos);
-            (2.0 * t.atan() + crest_term(&self.arcs, self.r, t), slope)
+        let start = self.crest_start.at(phase / self.junction.phase);
+        smooth_inverse(phase, self.arcs.tan_beta, start, |t| {
+            let [slope, bend] = self.crest_rates(t);
+            [2.0 * t.atan() + crest_term(&self.arcs, self.r, t), slope, bend]
         })
+    }
+
+    /// `dΦ/dt` and `d²Φ/dt²` on arc 2.
+    fn crest_rates(&self, t: f64) -> [f64; 2] {
+        let Arcs { a, r2, .. } = self.arcs;
+        let scale = 1.0 / (1.0 + t * t);
+        let cos = (1.0 - t * t) * scale;
+        let (normal, reach) = (r2 + a * cos, r2 - self.r);
+        let per_product = 1.0 / (a * a + r2 * r2 - 2.0 * r2 * self.r + 2.0 * a * reach * cos);
+        let by_x = 2.0 * normal * reach * per_product;
+        let by_x_and_cos = 2.0 * reach * a * per_product - 2.0 * a * reach * by_x * per_product;
+        let bend = -8.0 * t * scale * scale * scale * by_x_and_cos - 4.0 * t * scale * scale * by_x;
+        [2.0 * scale * by_x, bend]
     }
 
     /// `t = tan(x/2)` on arc 1 at a phase, counted back from the trough.
     fn trough_tangent(&self, back: f64) -> f64 {
-        let Arcs { l, r1, least, tan_gamma, .. } = self.arcs;
-        let start = tan_gamma * back / (self.end_phase - self.junction.phase);
-        inverse(back, tan_gamma, start, |t| {
-            let scale = 1.0 / (1.0 + t * t);
-            let versine = 2.0 * t * t * scale;
-            let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
-            let slope = 4.0 * scale * (least - l * versine) * (r1 + self.r) / product;
-            (trough_term(&self.arcs, self.r, t) - 2.0 * t.atan(), slope)
+        let start = self.trough_start.at(back / (self.end_phase - self.junction.phase));
+        smooth_inverse(back, self.arcs.tan_gamma, start, |t| {
+            let [slope, bend] = self.trough_rates(t);
+            [trough_term(&self.arcs, self.r, t) - 2.0 * t.atan(), slope, bend]
         })
+    }
+
+    /// `dΦ/dt` and `d²Φ/dt²` on arc 1, counted back.
+    fn trough_rates(&self, t: f64) -> [f64; 2] {
+        let Arcs { l, r1, least, .. } = self.arcs;
+        let scale = 1.0 / (1.0 + t * t);
+        let versine = 2.0 * t * t * scale;
+        let (normal, reach) = (least - l * versine, r1 + self.r);
+        let per_product = 1.0 / (least * (least - 2.0 * self.r) + 2.0 * l * reach * versine);
+        let by_x = 2.0 * normal * reach * per_product;
+        let by_x_and_versine = -2.0 * reach * l * per_product - 2.0 * l * reach * by_x * per_product;
+        let bend = 8.0 * t * scale * scale * scale * by_x_and_versine - 4.0 * t * scale * scale * by_x;
+        [2.0 * scale * by_x, bend]
+    }
+}
+
+/// A monotone cubic from 0 at 0 to `end` at 1: where to start the search for an argument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Start {
+    linear: f64,
+    square: f64,
+    cube: f64,
+}
+
+impl Start {
+    /// From the slopes, over `value`, of the inverse at either end.
+    fn new(end: f64, value: f64, slopes: [f64; 2]) -> Self {
+        // At most three times the chord's, so that it stays monotone.
+        let [first, last] = slopes.map(|slope| (value / slope).clamp(0.0, 3.0 * end));
+        Self { linear: first, square: 3.0 * end - 2.0 * first - last, cube: first + last - 2.0 * end }
+    }
+
+    fn at(&self, part: f64) -> f64 {
+        part * (self.linear + part * (self.square + part * self.cube))
     }
 }
 
