@@ -103,7 +103,7 @@ impl Motor {
 
     /// The least distance of neighbouring satellites' centres over a revolution, and the rotation at which one pair has it.
     ///
-    /// It must exceed the satellite's diameter. Looked at for 32 rotations of half a chamber's period and refined by golden
+    /// It must exceed the satellite's diameter. Looked at for 16 rotations of half a chamber's period and refined by golden
     /// section.
     #[must_use]
     pub fn least_neighbour_distance(&self) -> (Length, Angle) {
@@ -111,15 +111,17 @@ impl Motor {
         (self.length(distance), angle(phase))
     }
 
+    /// The distance of two neighbours, the one behind at a phase, in units of the module.
+    pub(crate) fn neighbour_distance(&self, phase: f64) -> f64 {
+        let [one, other] = [phase, phase + self.chamber_phase()].map(|phase| self.shape.centre(phase));
+        (one[0] - other[0]).hypot(one[1] - other[1])
+    }
+
     /// In units of the module: the distance, and the phase of the satellite behind.
     pub(crate) fn least_neighbour_kernel(&self) -> (f64, f64) {
-        let step = self.chamber_phase();
-        let distance = |phase: f64| {
-            let [one, other] = [phase, phase + step].map(|phase| self.shape.centre(phase));
-            (one[0] - other[0]).hypot(one[1] - other[1])
-        };
+        let distance = |phase: f64| self.neighbour_distance(phase);
         // A pair's distance is even about the middle of a crest and of a trough: phases −π/n and −π/n + half a period.
-        let (start, width) = (-0.5 * step, self.shape.trough().phase);
+        let (start, width) = (-0.5 * self.chamber_phase(), self.shape.trough().phase);
         let at = |i: u32| start + width * f64::from(i) / f64::from(ROTATIONS);
         let (least, i) = (0..=ROTATIONS)
             .map(|i| (distance(at(i)), i))
@@ -152,7 +154,7 @@ impl Motor {
 }
 
 /// Rotations at which the distance of neighbours is looked at before it is refined.
-const ROTATIONS: u32 = 32;
+const ROTATIONS: u32 = 16;
 
 #[cfg(test)]
 mod tests {

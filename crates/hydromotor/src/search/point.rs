@@ -113,7 +113,11 @@ impl Point {
         if self.refused.is_some() {
             return;
         }
-        self.check(Subject::Neighbours, motor.least_neighbour_kernel().0, 2.0 * (r + addendum));
+        // Most that are too near are so about a crest.
+        let limit = 2.0 * (r + addendum);
+        let about_crest = motor.neighbour_distance(-0.5 * motor.chamber_phase());
+        let least = if about_crest > limit { motor.least_neighbour_kernel().0 } else { about_crest };
+        self.check(Subject::Neighbours, least, limit);
         self.limit(Reason::LeastRadius, at_least(self.radius, yardstick.least_radius));
         if self.refused.is_some() {
             return;
