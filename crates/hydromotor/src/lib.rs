@@ -20,11 +20,12 @@
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
+//! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
 //!
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-//! Tooth profiles with undercut and interference, search for designs, drawings; leaks, friction, contact forces, strength.
+//! Tooth profiles with undercut and interference, drawings; leaks, friction, contact forces, strength.
 //!
 //! # Example
 //!
@@ -63,6 +64,7 @@ pub mod numbers;
 mod real;
 mod roots;
 pub mod satellites;
+pub mod search;
 pub mod two_arc_fit;
 mod two_arcs;
 mod units;
