@@ -8,5 +8,8 @@
 //! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here computes a speed or a curve,
 //! and nothing opens a file.
 
+mod error;
 pub mod gearbox;
 pub mod motor;
+
+pub use error::Error;
