@@ -1,0 +1,1 @@
+//! Checks of the profiles by ways that do not share their formulas.
