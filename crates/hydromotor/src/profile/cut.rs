@@ -32,6 +32,7 @@ use super::form::Teeth;
 use super::track::{Frame, Side, Track};
 use crate::Error;
 use crate::motor::Shape;
+use crate::roots::bracketed;
 use std::f64::consts::PI;
 
 /// A formula of the outline.
@@ -75,6 +76,8 @@ pub(super) struct Flank {
     /// Contact of its end at the tip, and the foot of that end on the centrode.
     pub(super) tip: f64,
     pub(super) foot: f64,
+    /// What is missing to the tip where the flank ends in a cusp before; the tooth goes on there along the centrode's normal.
+    pub(super) missing: f64,
     /// Contact of its end at the fillet, and that of the fillet's end there.
     pub(super) end: f64,
     pub(super) fillet: f64,
@@ -234,14 +237,14 @@ impl Cut {
     /// A flank of the space with its middle at `middle`.
     fn flank(track: &Track<'_>, teeth: &Teeth, middle: f64, sign: f64) -> Result<Flank, Error> {
         let pitch = middle + sign * teeth.half_space;
-        let Some([tip, foot]) = Self::tip(track, teeth, pitch, sign, teeth.wheel_addendum) else {
+        let Some((tip, foot, missing)) = Self::tip(track, teeth, pitch, sign, teeth.wheel_addendum) else {
             return Err(Error::NoTip {
                 wheel: if track.side == Side::Stator { "stator" } else { "rotor" },
                 addendum: teeth.wheel_addendum,
             });
         };
         let end = pitch + sign * teeth.cutter_roll;
-        let mut flank = Flank { sign, pitch, tip, foot, end, fillet: end, undercut: false };
+        let mut flank = Flank { sign, pitch, tip, foot, missing, end, fillet: end, undercut: false };
         flank.undercut = track
             .frames(pitch, end, 16)
             .chain([track.at(end)])
@@ -255,27 +258,59 @@ impl Cut {
         Ok(flank)
     }
 
-    /// Where a flank meets the parallel of the centrode at the addendum: contact, and foot on the centrode.
-    fn tip(track: &Track<'_>, teeth: &Teeth, pitch: f64, sign: f64, addendum: f64) -> Option<[f64; 2]> {
+    /// Where a flank meets the parallel of the centrode at the addendum, or ends in a cusp before: contact, foot on the centrode,
+    /// and what is missing.
+    fn tip(
+        track: &Track<'_>,
+        teeth: &Teeth,
+        pitch: f64,
+        sign: f64,
+        addendum: f64,
+    ) -> Option<(f64, f64, f64)> {
         let roll = sign * addendum / (teeth.sin * teeth.cos);
-        let curves = [Curve::Flank { sign, pitch }, Curve::Parallel { across: addendum }];
+        let flank = Curve::Flank { sign, pitch };
+        let curves = [flank, Curve::Parallel { across: addendum }];
         let start = [pitch + roll, pitch + roll * teeth.sin * teeth.sin];
-        let met = meeting(teeth, track, curves, start)?;
-        (sign * (met[0] - pitch) > 0.0).then_some(met)
+        let regular = |s: f64| teeth.sin - sign * (s - pitch) * track.at(s).curvature * teeth.cos;
+        if let Some([tip, foot]) = meeting(teeth, track, curves, start)
+            && sign * (tip - pitch) > 0.0
+            && (1..=8).all(|i| regular(pitch + (tip - pitch) * f64::from(i) / 8.0) > 0.0)
+        {
+            return Some((tip, foot, 0.0));
+        }
+        let step = |i: u32| pitch + sign * 0.05 * f64::from(i);
+        let beyond = (1..400).find(|&i| regular(step(i)) <= 0.0)?;
+        let cusp = bracketed(step(beyond - 1), step(beyond), regular);
+        let point = point(teeth, flank, &track.at(cusp));
+        // Its foot on the centrode, by Newton's method.
+        let mut foot = pitch + (cusp - pitch) * teeth.sin * teeth.sin;
+        for _ in 0..60 {
+            let frame = track.at(foot);
+            let [x, y] = apart(point, frame.at);
+            let [tx, ty] = frame.along;
+            let (along, height) = (x * tx + y * ty, y * tx - x * ty);
+            let move_by = along / (1.0 - height * frame.curvature);
+            if move_by.abs() < 1e-13 * (1.0 + foot.abs()) {
+                return (height > 0.0 && height < addendum).then_some((cusp, foot, addendum - height));
+            }
+            foot += move_by.clamp(-0.25 * PI, 0.25 * PI);
+        }
+        None
     }
 
     /// The addendum at which the tooth after the space with its middle at `middle` is pointed.
     fn greatest_addendum(track: &Track<'_>, teeth: &Teeth, middle: f64) -> f64 {
         let land = |addendum: f64| {
-            let foot =
-                |pitch: f64, sign: f64| Self::tip(track, teeth, pitch, sign, addendum).map(|[_, foot]| foot);
+            let foot = |pitch: f64, sign: f64| {
+                Self::tip(track, teeth, pitch, sign, addendum).map(|(_, foot, _)| foot)
+            };
             let (after, next) = (middle + teeth.half_space, middle + PI - teeth.half_space);
             match (foot(after, 1.0), foot(next, -1.0)) {
                 (Some(after), Some(next)) => next - after,
                 _ => f64::NAN,
             }
         };
-        crate::roots::bracketed(1e-6, teeth.wheel_addendum, |addendum| -land(addendum))
+        bracketed(1e-6, teeth.wheel_addendum, |addendum| -land(addendum))
     }
 
     /// Where the fillet cuts an undercut flank: the contacts on flank and fillet.

@@ -52,7 +52,7 @@ pub struct ToothForm {
 }
 
 impl ToothForm {
-    /// The standard 20° full-depth form: `h_a* = 1`, `c* = 0.25`, `ρ* = 0.2`, no shift.
+    /// The standard 20° full-depth form: `h_a* = 1`, `c* = 0.25`, `ρ* = 0.15`, no shift.
     ///
     /// A satellite of fewer than 17 teeth is undercut by it.
     #[must_use]
@@ -62,7 +62,7 @@ impl ToothForm {
             addendum: 1.0,
             clearance: 0.25,
             shift: 0.0,
-            fillet: 0.2,
+            fillet: 0.15,
             ..Self::default()
         }
     }
@@ -233,15 +233,17 @@ impl Teeth {
 }
 
 impl Default for ToothForm {
+    /// 25°, `h_a* = 0.85`, `c* = 0.25`, `x = 0.2`, `j* = 0.04` on the satellite alone, `ρ* = 0.1`, a space in the crest; why, see
+    /// [`crate::profile`].
     fn default() -> Self {
         Self {
             pressure_angle: Angle::new::<degree>(25.0),
-            addendum: 0.8,
-            clearance: 0.2,
-            shift: 0.15,
+            addendum: 0.85,
+            clearance: 0.25,
+            shift: 0.2,
             backlash: 0.04,
             satellite_share: 1.0,
-            fillet: 0.15,
+            fillet: 0.1,
             crest: Crest::Space,
         }
     }

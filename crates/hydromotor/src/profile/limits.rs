@@ -16,6 +16,8 @@
 //! | neighbours | satellite | least distance of satellites' centres | at least the tip circle's diameter |
 //! | wheels | rotor | stator's least radius less rotor's greatest | at least both addenda |
 //!
+//! Of a flank that ends in a cusp below the tip, the value of *cusp at the tip* is the cusp's path and what is missing to the tip.
+//!
 //! Values and bounds are lengths; of each kind and wheel the place is returned where value and bound are nearest or the bound is most
 //! exceeded.
 
@@ -214,6 +216,9 @@ impl Profile {
                 }
             }
             let wheel_tip = flank.roll(flank.tip) * teeth.cos;
+            if flank.missing > 0.0 {
+                Worst::keep(&mut cusp, Bound::AtMost, wheel_tip + flank.missing, wheel_tip, at);
+            }
             Worst::keep(&mut foreign, Bound::AtMost, wheel_tip, satellite_path, at);
             let satellite_tip = -teeth.tip_roll() * teeth.cos;
             let begins = -flank.roll(flank.end) * teeth.cos;

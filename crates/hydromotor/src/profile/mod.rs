@@ -20,10 +20,12 @@
 //! [`crate::MotorNumbers`].
 //!
 //! # Why these defaults
-//! On the wheels' strongest bends the satellite is the smaller wheel of every mesh, and its 10 teeth decide: with the standard 20° and
-//! full depth the rack undercuts it, and tips of the wheels reach below its base circle. 25° moves the base circle down to `r·cos²`
-//! of what 20° leaves, `h_a* = 0.8` shortens the tips, and a shift of 0.15 brings the wheels' tips further out of its root without
-//! pointing the cutter. The result passes every limit for 5×3 and 6×4 at `l = 40` modules and in the middle of the families.
+//! A satellite of 10 teeth is the smaller wheel of every mesh, and decides. In the standard form of 20° and full depth its rack
+//! undercuts it (`h_f − ρ·(1 − sin α) = 1.15` modules where `r·sin² α = 0.58` are allowed) and the wheels' tips reach below its base circle.
+//! Of the forms on a grid of 20° to 30°, `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0 to 0.4 and `ρ*` from 0.1 to 0.25,
+//! 327 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of their families. The lower the teeth, the wider the
+//! margins, but the shorter the path of contact, down to one base pitch: the default trades them, with a path of 1.12 base
+//! pitches, tips of half a module, and 0.12 modules left to undercut and roots.
 //!
 //! # Left out
 //! Loads, and with them contact and root stress; modifications of the flank; the thickness across the face.

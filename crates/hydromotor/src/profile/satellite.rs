@@ -17,7 +17,7 @@ use super::Part;
 use super::form::{Teeth, involute};
 use crate::Error;
 use crate::roots::bracketed;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// Chords of a fillet for distances.
 const CHORDS: u32 = 64;
@@ -210,11 +210,6 @@ impl SatelliteTooth {
     /// The greatest radius.
     pub(super) fn tip_radius(&self) -> f64 {
         self.teeth.tip
-    }
-
-    /// Angle between neighbouring teeth.
-    pub(super) fn pitch_angle(&self) -> f64 {
-        TAU * self.half_pitch / PI
     }
 }
 
