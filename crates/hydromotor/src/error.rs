@@ -182,6 +182,42 @@ pub enum Error {
         /// What the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
     },
+    /// A tooth whose flanks meet below its tip.
+    #[error("a tooth of the {wheel} is pointed at an addendum of {addendum} modules: below {most:.4}")]
+    PointedTip {
+        /// The wheel or tool concerned.
+        wheel: &'static str,
+        /// The addendum, modules.
+        addendum: f64,
+        /// Where the flanks meet, modules.
+        most: f64,
+    },
+    /// A rounding for which the tip of the tool has no room.
+    #[error("a fillet of {fillet} modules: the tip of the {tool} has room for at most {most:.4}")]
+    FilletTooLarge {
+        /// The tool that is rounded.
+        tool: &'static str,
+        /// The radius given, modules.
+        fillet: f64,
+        /// The greatest radius, modules.
+        most: f64,
+    },
+    /// A flank that ends before the tip.
+    #[error("a flank of the {wheel} does not reach an addendum of {addendum} modules: it has a cusp before")]
+    NoTip {
+        /// The wheel concerned.
+        wheel: &'static str,
+        /// The addendum, modules.
+        addendum: f64,
+    },
+    /// Teeth whose flanks are cut away up to the tip.
+    #[error(
+        "the {wheel}'s flanks are cut away by its tool up to the tip: take a greater pressure angle or shift"
+    )]
+    NoFlank {
+        /// The wheel concerned.
+        wheel: &'static str,
+    },
 }
 
 fn ranges(intervals_mm: &[(f64, f64)]) -> String {
