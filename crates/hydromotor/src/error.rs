@@ -165,6 +165,14 @@ pub enum Error {
         /// The family's intervals, mm; the last may be infinite, where it goes on to a straight arc 1.
         intervals_mm: Vec<(f64, f64)>,
     },
+    /// A distance `a` that no motor of these numbers has.
+    #[error("a = {a_mm} mm: a motor of these numbers closes for a {}", ranges(.intervals_mm))]
+    OutsideFamilyByCrest {
+        /// The distance given, mm.
+        a_mm: f64,
+        /// The family's intervals of it, mm.
+        intervals_mm: Vec<(f64, f64)>,
+    },
     /// Numbers for which no pair of arcs closes.
     #[error(
         "no motor of two arcs closes with these numbers: where R_1 vanishes, the rotor already has cusps or \

@@ -1,12 +1,17 @@
 //! Pictures of motors: no label on a line, areas and curves that are the motor's, pixels of the right colour.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 use epicyclic_drawing::{Color, Point, Scene, Shape, Vertex, svg, text};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
-use epicyclic_pictures::motor::{Phase, TOLERANCE_MM, centrodes, chambers, outline, whole};
+use epicyclic_pictures::motor::{Phase, TOLERANCE_MM, centrodes, chambers, outline, teeth, whole};
 use proptest::prelude::*;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -30,7 +35,7 @@ fn two_arcs([stator, rotor, teeth, satellite]: [u32; 4], module_mm: f64, l_mm: f
 }
 
 fn known() -> [Motor; 4] {
-    let cosine = MotorNumbers::new(6, 4, 66, 10).unwrap();
+    let cosine = MotorNumbers::new(7, 5, 84, 11).unwrap();
     [
         two_arcs([5, 3, 55, 10], 2.0, 80.0),
         two_arcs([5, 3, 55, 10], 1.0, 30.0),
@@ -56,19 +61,21 @@ fn any_motor() -> impl Strategy<Value = Motor> {
     )
 }
 
+fn no_label_meets_a_line(view: &str, scene: &Scene) -> Result<(), TestCaseError> {
+    let met = text::overlaps(scene);
+    let label = met.first().map(|met| &scene.items()[met.label].shape);
+    prop_assert!(met.is_empty(), "{view}: {label:?}");
+    prop_assert!(scene.check().is_ok());
+    Ok(())
+}
+
 fn nothing_overlaps(motor: &Motor, rotation: Angle) -> Result<(), TestCaseError> {
     let views = [
         ("centrodes", centrodes(motor, rotation).unwrap()),
         ("motor", whole(motor, rotation).unwrap()),
         ("chambers", chambers(motor, rotation).unwrap()),
     ];
-    for (view, scene) in views {
-        let met = text::overlaps(&scene);
-        let label = met.first().map(|met| &scene.items()[met.label].shape);
-        prop_assert!(met.is_empty(), "{view}: {label:?}");
-        prop_assert!(scene.check().is_ok());
-    }
-    Ok(())
+    views.iter().try_for_each(|(view, scene)| no_label_meets_a_line(view, scene))
 }
 
 #[test]
@@ -125,6 +132,13 @@ proptest! {
     #[test]
     fn no_label_of_any_motor_meets_a_line(motor in any_motor(), rotation in -400.0..400.0_f64) {
         nothing_overlaps(&motor, turned(rotation))?;
+    }
+
+    #[test]
+    fn teeth_of_any_motor_that_has_them_can_be_drawn(motor in any_motor(), rotation in -400.0..400.0_f64) {
+        if let Ok(profile) = Profile::new(&motor, ToothForm::default()) {
+            no_label_meets_a_line("teeth", &teeth(&profile, turned(rotation)).unwrap())?;
+        }
     }
 
     #[test]
@@ -234,7 +248,9 @@ fn bodies_are_drawn_over_the_ports() {
     for satellite in motor.satellites(rotation).unwrap() {
         let [x, y] = [satellite.centre.x, satellite.centre.y].map(|x| x.get::<millimeter>());
         // Beside the mark in its middle.
-        assert!(grey(picture.at(Point::new(x + 1.0, y + 1.0))) || grey(picture.at(Point::new(x - 1.0, y - 1.0))));
+        assert!(
+            grey(picture.at(Point::new(x + 1.0, y + 1.0))) || grey(picture.at(Point::new(x - 1.0, y - 1.0)))
+        );
     }
     assert!(grey(picture.at(Point::new(3.0, 3.0))));
     let ports = motor.ports();
@@ -248,10 +264,47 @@ fn bodies_are_drawn_over_the_ports() {
 }
 
 #[test]
-fn at_the_start_the_chamber_about_the_far_trough_changes_over() {
-    // Five crests: opposite the first lies a trough, and there a chamber in its middle.
-    let all = two_arcs([5, 3, 55, 10], 2.0, 80.0).chambers(turned(0.0)).unwrap();
-    let at_extreme: Vec<u32> =
-        all.iter().filter(|c| Phase::of(c, &all) == Phase::AtExtreme).map(|c| c.index).collect();
-    assert_eq!(at_extreme.len(), 0, "{at_extreme:?}");
+fn every_tooth_is_drawn_once_and_satellites_leave_the_others_visible() {
+    for motor in &known()[..3] {
+        let profile = Profile::new(motor, ToothForm::default()).unwrap();
+        let scene = teeth(&profile, turned(20.0)).unwrap();
+        no_label_meets_a_line("teeth", &scene).unwrap();
+        let vertices = |layer: &str| -> Vec<usize> {
+            let of_layer = scene.items().iter().filter(|item| scene.layer_of(item).name == layer);
+            of_layer
+                .map(|item| match &item.shape {
+                    Shape::Polyline { vertices, closed: true } => vertices.len(),
+                    other => panic!("{other:?}"),
+                })
+                .collect()
+        };
+        let numbers = motor.numbers();
+        assert_eq!(vertices("stator teeth"), [120 * numbers.stator_teeth() as usize]);
+        assert_eq!(vertices("rotor teeth"), [120 * numbers.rotor_teeth() as usize]);
+        let satellites = vertices("satellite teeth");
+        assert_eq!(satellites, vec![120 * numbers.satellite_teeth() as usize; numbers.satellites() as usize]);
+    }
+}
+
+#[test]
+fn the_sides_of_the_teeth_miss_the_curves_by_what_the_picture_says() {
+    let profile = Profile::new(&known()[0], ToothForm::default()).unwrap();
+    let scene = teeth(&profile, turned(0.0)).unwrap();
+    let said = scene.items().iter().find_map(|item| match &item.shape {
+        Shape::Text(text) => text.content.strip_prefix("about ")?.split(' ').next()?.parse::<f64>().ok(),
+        _ => None,
+    });
+    let points = |count| {
+        let outline = profile.outline(Wheel::Rotor, count).unwrap();
+        let points = outline.points.iter().map(|point| [point.x, point.y].map(|x| x.get::<millimeter>()));
+        points.collect::<Vec<_>>()
+    };
+    let drawn: Vec<Vertex> =
+        points(120 * 33).into_iter().map(|at| Vertex { at: at.into(), bulge: 0.0 }).collect();
+    let missed = points(1000 * 33)[..11_000]
+        .iter()
+        .step_by(7)
+        .map(|&point| distance(&drawn, point))
+        .fold(0.0, f64::max);
+    assert!(missed <= said.unwrap() && missed > 0.02 * said.unwrap(), "{missed} {said:?}");
 }

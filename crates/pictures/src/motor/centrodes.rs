@@ -138,9 +138,8 @@ fn junctions(
                 let polar = turn + side * rad(angle) + TAU * f64::from(lobe) / f64::from(lobes);
                 let at = Point::polar(Point::default(), mm(radius), polar);
                 // A stroke across the curve, radial: short enough to stay on it.
-                let [inner, outside] = [-0.9, 0.9].map(|by| {
-                    Point::polar(Point::default(), mm(radius) + by * sheet.unit, polar)
-                });
+                let [inner, outside] =
+                    [-0.9, 0.9].map(|by| Point::polar(Point::default(), mm(radius) + by * sheet.unit, polar));
                 sheet.circle(layer, at, 0.5 * sheet.unit);
                 sheet.line(layer, inner, outside);
             }
@@ -195,7 +194,9 @@ fn construct(
         let start = theta + PI;
         let to_p = (p.y - o1.y).atan2(p.x - o1.x);
         let sweep = if turned_from(start, to_p) > 0.0 { gamma } else { -gamma };
-        sheet.scene.add(layer, Shape::Arc { centre: o1, radius: arc_radius, start_rad: start, sweep_rad: sweep });
+        sheet
+            .scene
+            .add(layer, Shape::Arc { centre: o1, radius: arc_radius, start_rad: start, sweep_rad: sweep });
         labels.push((o1, "O₁"));
         labels.push((middle(p, o1), "R₁"));
         labels.push((Point::polar(o1, arc_radius, start + 0.5 * sweep), "Γ"));
@@ -223,6 +224,10 @@ fn say_arcs(sheet: &mut Sheet, arcs: &StatorArcs, outer: f64) {
     sheet.say(&format!("a = {}", millimetres(mm(arcs.crest_distance()))));
     sheet.say(&format!("R₁ = {}, about O₁ at the troughs", millimetres(mm(arcs.trough_radius()))));
     sheet.say(&format!("R₂ = {}, about O₂ at the crests", millimetres(mm(arcs.crest_radius()))));
-    sheet.say(&format!("Γ = {}°, B = {}°", number(deg(arcs.trough_angle())), number(deg(arcs.crest_angle()))));
+    sheet.say(&format!(
+        "Γ = {}°, B = {}°",
+        number(deg(arcs.trough_angle())),
+        number(deg(arcs.crest_angle()))
+    ));
     sheet.say("P and its like: where arcs meet");
 }

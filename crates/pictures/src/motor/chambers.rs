@@ -74,7 +74,8 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     }
     let stator = sheet.layer("stator", Style::line(0.45))?;
     let rotor = sheet.layer("rotor", Style::line(0.45).fill(STEEL))?;
-    let satellite_layer = sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
+    let satellite_layer =
+        sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
     let marks = sheet.layer("marks", Style::line(0.2).color(AUXILIARY))?;
     let leaders = sheet.layer("numbers", Style::line(0.12).color(AUXILIARY))?;
 
@@ -133,7 +134,11 @@ pub(super) fn direction(sheet: &mut Sheet, layer: epicyclic_drawing::LayerId, in
     let centre = Point::default();
     sheet.circle(layer, centre, 0.4 * sheet.unit);
     let radius = 0.55 * inner;
-    sheet.line(layer, Point::polar(centre, 0.7 * inner, rotation), Point::polar(centre, 0.95 * inner, rotation));
+    sheet.line(
+        layer,
+        Point::polar(centre, 0.7 * inner, rotation),
+        Point::polar(centre, 0.95 * inner, rotation),
+    );
     let (start, sweep) = (rotation - 0.9, 1.8);
     sheet.scene.add(layer, Shape::Arc { centre, radius, start_rad: start, sweep_rad: sweep });
     let end = start + sweep;

@@ -25,8 +25,8 @@ pub const TOLERANCE_MM: f64 = 1e-4;
 /// Places of a piece at which its distance is looked at.
 const PLACES: u32 = 9;
 
-/// The greatest number of pieces of an arc's image.
-const MOST_PIECES: u32 = 1024;
+/// How often a piece is halved at most.
+const MOST_HALVINGS: u32 = 24;
 
 /// A closed curve of arcs, counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,16 +113,7 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     ends.push(half);
     let (mut nodes, mut deviation_mm) = (vec![], 0.0_f64);
     for pair in ends.windows(2) {
-        let mut pieces = 2;
-        let missed = loop {
-            let missed = deviation(&curve, pair[0], pair[1], pieces)?;
-            if missed <= TOLERANCE_MM || pieces >= MOST_PIECES {
-                break missed;
-            }
-            pieces *= 2;
-        };
-        deviation_mm = deviation_mm.max(missed);
-        nodes.extend((0..pieces).map(|i| between(pair[0], pair[1], i, pieces)));
+        deviation_mm = deviation_mm.max(pieces(&curve, pair[0], pair[1], 0, &mut nodes)?);
     }
     nodes.push(half);
     // There and back for each lobe.
@@ -140,25 +131,30 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     Ok(Outline { vertices: vertices.collect(), deviation_mm })
 }
 
-fn between(from: f64, to: f64, i: u32, count: u32) -> f64 {
-    from + (to - from) * f64::from(i) / f64::from(count)
-}
-
-/// How far the curve lies from biarcs of so many pieces.
-fn deviation(curve: &Centrode<'_>, from: f64, to: f64, pieces: u32) -> Result<f64, Error> {
-    let mut most = 0.0_f64;
-    let mut start = curve.at(of_mm(from))?;
-    for piece in 0..pieces {
-        let [low, high] = [piece, piece + 1].map(|i| between(from, to, i, pieces));
-        let end = curve.at(of_mm(high))?;
+/// Where pieces of the curve begin, halved until each is near enough or [`MOST_HALVINGS`] are reached; how far the curve is from them.
+fn pieces(
+    curve: &Centrode<'_>,
+    from: f64,
+    to: f64,
+    halvings: u32,
+    nodes: &mut Vec<f64>,
+) -> Result<f64, Error> {
+    if halvings > 0 {
+        let (start, end) = (curve.at(of_mm(from))?, curve.at(of_mm(to))?);
         let biarc = Biarc::new(&start, &end);
+        let mut missed = 0.0_f64;
         for place in 1..=PLACES {
-            let point = curve.at(of_mm(between(low, high, place, PLACES + 1)))?;
-            most = most.max(biarc.distance([mm(point.x), mm(point.y)]));
+            let point = curve.at(of_mm(from + (to - from) * f64::from(place) / f64::from(PLACES + 1)))?;
+            missed = missed.max(biarc.distance([mm(point.x), mm(point.y)]));
         }
-        start = end;
+        if missed <= TOLERANCE_MM || halvings > MOST_HALVINGS {
+            nodes.push(from);
+            return Ok(missed);
+        }
     }
-    Ok(most)
+    let middle = 0.5 * (from + to);
+    let first = pieces(curve, from, middle, halvings + 1, nodes)?;
+    Ok(first.max(pieces(curve, middle, to, halvings + 1, nodes)?))
 }
 
 type Vector = [f64; 2];

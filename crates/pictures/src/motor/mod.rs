@@ -1,10 +1,11 @@
-//! Pictures of hydromotors: centrodes with their construction, the motor at an angle, its chambers by pressure.
+//! Pictures of hydromotors: centrodes with their construction, the motor at an angle, its teeth, its chambers by pressure.
 //!
 //! | function | draws |
 //! |---|---|
 //! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
 //! | [`whole`] | the motor at an angle in its housing, with its ports |
 //! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
+//! | [`teeth`] | outlines of all teeth in mesh at an angle |
 //! | [`outline`] | a centrode as a closed polyline of arcs |
 //!
 //! One unit is a millimetre; the frame is that of [`epicyclic_hydromotor::motor`]: a stator crest on the x axis, angles
@@ -28,10 +29,12 @@ mod centrodes;
 mod chambers;
 mod curve;
 mod sheet;
+mod teeth;
 mod units;
 mod whole;
 
 pub use centrodes::centrodes;
 pub use chambers::{Phase, STEPS, chambers};
 pub use curve::{Outline, TOLERANCE_MM, outline};
+pub use teeth::{SIDES, teeth};
 pub use whole::whole;

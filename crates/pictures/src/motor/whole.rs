@@ -12,7 +12,7 @@ use super::units::{deg, mm, rad};
 use crate::Error;
 
 /// Wall of the housing that is drawn, outside the stator's roots, in modules.
-const WALL: f64 = 3.0;
+pub(super) const WALL: f64 = 3.0;
 
 /// The motor after a rotation of the rotor; the ports for running counter-clockwise.
 ///
@@ -29,10 +29,15 @@ pub fn whole(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     let mut sheet = Sheet::new(motor, "motor");
     let housing = sheet.layer("housing", Style::line(0.5).fill(STEEL.towards(Color::BLACK, 0.12)))?;
     let stator = sheet.layer("stator", Style::line(0.45).fill(Color::WHITE))?;
-    let high = sheet.layer("ports at high pressure", Style::line(0.2).color(HIGH).fill(HIGH.towards(Color::WHITE, 0.35)))?;
-    let low = sheet.layer("ports at low pressure", Style::line(0.2).color(LOW).fill(LOW.towards(Color::WHITE, 0.35)))?;
+    let high = sheet.layer(
+        "ports at high pressure",
+        Style::line(0.2).color(HIGH).fill(HIGH.towards(Color::WHITE, 0.35)),
+    )?;
+    let low = sheet
+        .layer("ports at low pressure", Style::line(0.2).color(LOW).fill(LOW.towards(Color::WHITE, 0.35)))?;
     let rotor = sheet.layer("rotor", Style::line(0.45).fill(STEEL))?;
-    let satellite_layer = sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
+    let satellite_layer =
+        sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
     let marks = sheet.layer("marks", Style::line(0.2).color(AUXILIARY))?;
 
     let wall = outer + (1.25 + WALL) * mm(motor.module());
