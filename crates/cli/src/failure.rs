@@ -40,6 +40,12 @@ pub(crate) enum Failure {
     /// A selection that cannot be made.
     #[error(transparent)]
     Selection(epicyclic_schemes::selection::SelectionError),
+    /// A hydromotor that cannot be.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
+    /// A drawing that cannot be made.
+    #[error(transparent)]
+    Picture(#[from] epicyclic_pictures::Error),
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {

@@ -8,6 +8,7 @@
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
+//! | [`motor`] | the command `motor`: a hydromotor and its drawings |
 //! | [`lists`] | options that take several values |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`output`] | formats, and files written whole or not at all |
@@ -21,6 +22,7 @@ mod failure;
 mod figure;
 mod lists;
 mod machine;
+mod motor;
 mod output;
 mod report;
 mod schemes;
@@ -30,7 +32,7 @@ mod teeth;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
+/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
 #[derive(Parser)]
 #[command(version, max_term_width = 80)]
 struct Cli {
@@ -46,6 +48,7 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Motor(Box<motor::Args>),
 }
 
 fn main() -> ExitCode {
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Motor(args) => motor::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -53,6 +53,11 @@ impl OutputArgs {
     }
 }
 
+/// Writes a file whole or not at all.
+pub(crate) fn save(file: &Path, content: &str) -> Result<(), Failure> {
+    replace(file, content.as_bytes()).map_err(|source| Failure::Write { file: file.to_owned(), source })
+}
+
 fn print(text: &str) -> io::Result<()> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())?;

@@ -34,6 +34,7 @@ fn help_says_what_there_is() {
             &["machine", "speeds", "--help"],
             &["machine", "drum", "--help"],
             &["machine", "rotor", "--help"],
+            &["motor", "--help"],
         ]
     ));
 }
@@ -47,7 +48,7 @@ fn examples_in_help(command: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    let commands: [&[&str]; 8] = [
+    let commands: [&[&str]; 9] = [
         &["teeth"],
         &["drive"],
         &["analyze"],
@@ -56,6 +57,7 @@ fn the_examples_in_the_help_work_as_printed() {
         &["machine"],
         &["machine", "speeds"],
         &["machine", "rotor"],
+        &["motor"],
     ];
     for command in commands {
         let (folder, script) = (here(), examples_in_help(command).join("\n"));

@@ -114,7 +114,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity that must be finite.
-    #[error("{quantity} is {value} {unit}; it must be finite")]
+    #[error("{quantity} is {value}{}; it must be finite", spaced(.unit))]
     NotFinite {
         /// The quantity's name.
         quantity: &'static str,
@@ -124,7 +124,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity outside its range.
-    #[error("{quantity} is {value} {unit}; it must lie between {low} and {high} {unit}")]
+    #[error("{quantity} is {value}{0}; it must lie between {low} and {high}{0}", spaced(.unit))]
     OutOfRange {
         /// The quantity's name.
         quantity: &'static str,
@@ -226,6 +226,11 @@ pub enum Error {
         /// The wheel concerned.
         wheel: &'static str,
     },
+}
+
+/// A unit after its number.
+fn spaced(unit: &str) -> String {
+    if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") }
 }
 
 fn ranges(intervals_mm: &[(f64, f64)]) -> String {
