@@ -156,7 +156,7 @@ impl Profile {
         }
         let teeth = &self.teeth;
         let mut add = |kind, wheel, value, sense, bound| {
-            limits.push(self.limit(kind, wheel, value, sense, bound, None))
+            limits.push(self.limit(kind, wheel, value, sense, bound, None));
         };
         let path = -teeth.rack_roll * teeth.cos;
         add(LimitKind::Undercut, Wheel::Satellite, path, Bound::AtMost, teeth.r * teeth.sin);

@@ -81,14 +81,15 @@ fn from_cutter(profile: &Profile, [x, y]: [f64; 2]) -> f64 {
 fn least_from_cutter(profile: &Profile, wheel: Wheel, point: [f64; 2]) -> f64 {
     let motor = &profile.motor;
     let at = |rotation: f64| {
-        let satellite = motor.satellites(angle(rotation)).unwrap()[0];
+        let place = motor.place_at(rotation);
         let turn = if wheel == Wheel::Rotor { rotation } else { 0.0 };
         let [x, y] = turned(point, turn);
-        let [cx, cy] = xy(satellite.centre);
-        from_cutter(profile, turned([x - cx, y - cy], -radians(satellite.rotation)))
+        let [cx, cy] = place.centre;
+        let spin = place.contact.theta3 - place.contact.mu - place.contact.s3 / profile.teeth.r;
+        from_cutter(profile, turned([x - cx, y - cy], -spin))
     };
     let end = TAU / f64::from(motor.numbers().stator_lobes()) + motor.chamber_phase();
-    let steps = 1500;
+    let steps = 800;
     let phase = |i: i32| end * f64::from(i) / f64::from(steps);
     let (least, i) = (-steps / 4..=steps + steps / 4)
         .map(|i| (at(phase(i)), i))
@@ -135,7 +136,7 @@ fn the_cutter_touches_every_point_of_flank_fillet_and_root_and_enters_none() {
             let lobe = motor.numbers().teeth_per_lobe() as usize * 16;
             for (i, segment) in outline.segments.iter().enumerate() {
                 let end = outline.segments.get(i + 1).map_or(outline.points.len(), |next| next.start);
-                for k in (segment.start..end.min(lobe)).step_by(3) {
+                for k in (segment.start..end.min(lobe)).step_by(5) {
                     // The rotor's track runs clockwise: the mirrored lobe is the one that contact goes along.
                     let [x, y] = xy(outline.points[k]);
                     let point = if wheel == Wheel::Rotor { [x, -y] } else { [x, y] };
@@ -379,6 +380,20 @@ fn any_form() -> impl Strategy<Value = ToothForm> {
     )
 }
 
+/// Forms of which most keep their limits on most motors.
+fn moderate_form() -> impl Strategy<Value = ToothForm> {
+    (any_form(), 23.0..28.0, 0.5..0.85, 0.2..0.3, 0.05..0.25, 0.0..0.12).prop_map(
+        |(form, alpha, addendum, clearance, shift, fillet)| ToothForm {
+            pressure_angle: Angle::new::<degree>(alpha),
+            addendum,
+            clearance,
+            shift,
+            fillet,
+            ..form
+        },
+    )
+}
+
 fn ask(profile: &Profile, rotation: f64) {
     let _ = profile.limits();
     for wheel in [Wheel::Stator, Wheel::Rotor, Wheel::Satellite] {
@@ -425,12 +440,15 @@ proptest! {
     }
 
     #[test]
-    fn kept_limits_mean_free_teeth(motor in any_motor(), form in any_form()) {
-        if let Ok(profile) = Profile::new(&motor, form) && failing(&profile).is_empty() {
+    fn kept_limits_mean_free_teeth(motor in any_motor(), form in moderate_form()) {
+        // A short path of contact makes no overlap; there may then be no flanks in contact.
+        let free = |limit: &Limit| limit.holds() || limit.kind == LimitKind::ContactPath;
+        if let Ok(profile) = Profile::new(&motor, form) && profile.limits().iter().all(free) {
             let clearances = profile.clearances(24).unwrap();
             let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
             for nearest in [clearances.stator, clearances.rotor] {
-                prop_assert!(nearest.clearance.get::<meter>() > expected - 1e-3, "{nearest:?} {expected}");
+                let excess = nearest.clearance.get::<meter>() - expected;
+                prop_assert!(excess > -1e-6, "{nearest:?} {excess:e}");
             }
         }
     }
