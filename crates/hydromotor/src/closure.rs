@@ -367,6 +367,15 @@ impl Family {
         self.at(length(inverse.max(GREATEST_DISTANCE.recip()).recip(), self.module))
     }
 
+    /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves no root.
+    pub(crate) fn within(&self, interval: &Interval, part: f64) -> Option<StatorArcs> {
+        let (from, to) = (interval.lower.inverse(), interval.upper.inverse());
+        let inverse = (from + (to - from) * part).max(GREATEST_DISTANCE.recip());
+        let kernel = Kernel::of(self.numbers);
+        let arcs = kernel.solve(inverse.recip()).filter(|arcs| kernel.is_regular(arcs))?;
+        Some(StatorArcs { arcs, module: self.module })
+    }
+
     fn outside(&self, trough_distance: Length) -> Error {
         let mm = |end: &End| end.arcs.map_or(f64::INFINITY, |arcs| millimetres(arcs.trough_distance()));
         let intervals = self.intervals.iter().map(|interval| (mm(&interval.lower), mm(&interval.upper)));

@@ -104,7 +104,7 @@ pub enum Error {
         to: u32,
     },
     /// A quantity that must be finite and above 0.
-    #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
+    #[error("{quantity} is {value}{}; it must be finite and above 0", spaced(.unit))]
     NotPositive {
         /// The quantity's name.
         quantity: &'static str,
@@ -124,7 +124,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity outside its range.
-    #[error("{quantity} is {value}{0}; it must lie between {low} and {high}{0}", spaced(.unit))]
+    #[error("{quantity} is {value}{unit}; it must lie between {low} and {high}{unit}", unit = spaced(.unit))]
     OutOfRange {
         /// The quantity's name.
         quantity: &'static str,
@@ -226,9 +226,32 @@ pub enum Error {
         /// The wheel concerned.
         wheel: &'static str,
     },
+    /// A search without a module to choose from.
+    #[error("no modules to choose from: give at least one, or a width, or a width over the diameter")]
+    NoModules,
+    /// Limits written the wrong way round, or below 0.
+    #[error("{what} from {from} to {to}{}: write the smaller first, neither below 0", spaced(.unit))]
+    EmptyLimits {
+        /// What is limited.
+        what: &'static str,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+        /// Unit of both.
+        unit: &'static str,
+    },
+    /// More sets of numbers than a search takes.
+    #[error("{sets} sets of numbers within the bounds: a search takes at most {most}; narrow the bounds")]
+    TooManySets {
+        /// Sets within the bounds.
+        sets: u64,
+        /// The greatest number allowed.
+        most: u64,
+    },
 }
 
-/// A unit after its number.
+/// A unit after its number, and a space but for degrees; of a plain number none.
 fn spaced(unit: &str) -> String {
     if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") }
 }

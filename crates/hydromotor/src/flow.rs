@@ -90,7 +90,8 @@ impl Motor {
         }
     }
 
-    fn flow_extremes(&self) -> (f64, f64) {
+    /// The least and the greatest `Q/b` in units of the module.
+    pub(crate) fn flow_extremes(&self) -> (f64, f64) {
         let numbers = self.numbers();
         let product = f64::from(numbers.stator_lobes() * numbers.rotor_lobes());
         let half = TAU * f64::from(numbers.common_divisor()) / product / 2.0;
@@ -108,22 +109,21 @@ impl Motor {
             greatest = greatest.max(value);
         };
         for pair in ends.windows(2) {
-            // Slopes jump at the ends: taken a hair within.
+            // Slopes jump at the ends: taken a hair within. The end's own value follows, but for the square of the hair.
             let hair = 1e-7 * (pair[1] - pair[0]);
             let (from, to) = (pair[0] + hair, pair[1] - hair);
             let mut before = (from, self.flow_kernel(from));
-            meet(self.flow_kernel(pair[0]).0);
+            meet(before.1.0 - hair * before.1.1);
             for i in 1..=PIECES {
                 let place = from + (to - from) * f64::from(i) / f64::from(PIECES);
                 let here = (place, self.flow_kernel(place));
                 meet(here.1.0);
                 if before.1.1 * here.1.1 < 0.0 {
-                    let root = flat(before, here, |place| self.flow_kernel(place));
-                    meet(root);
+                    meet(flat(before, here, |place| self.flow_kernel(place)));
                 }
                 before = here;
             }
-            meet(self.flow_kernel(pair[1]).0);
+            meet(before.1.0 + hair * before.1.1);
         }
         (least, greatest)
     }
@@ -193,16 +193,25 @@ impl Motor {
 
 /// The value of a function where its slope vanishes between two places.
 fn flat(before: (f64, (f64, f64)), here: (f64, (f64, f64)), f: impl Fn(f64) -> (f64, f64)) -> f64 {
-    // The value is flat there: a place to a millionth of the piece gives it to its last digits.
+    // The value is flat there: a place to a hundred-thousandth of the piece gives it to its last digits. Each place is where the
+    // cubic through values and slopes at the bracket's ends is flat.
     let ((mut low, mut at_low), (mut high, mut at_high)) = (before, here);
-    for _ in 0..60 {
-        let secant = low - at_low.1 * (high - low) / (at_high.1 - at_low.1);
-        // Kept off the ends, so that both close in.
-        let margin = 0.1 * (high - low);
-        let place = secant.clamp(low + margin, high - margin);
+    let near = 1e-5 * (high - low);
+    let mut best = f64::NAN;
+    for step in 0..60 {
+        let width = high - low;
+        let mean = 3.0 * (at_high.0 - at_low.0) / width;
+        let middle = at_low.1 + at_high.1 - mean;
+        let root = (middle * middle - at_low.1 * at_high.1).max(0.0).sqrt().copysign(at_high.1 - at_low.1);
+        let part = 1.0 - (at_high.1 + root - middle) / (at_high.1 - at_low.1 + 2.0 * root);
+        // Halved now and then, should a bracket not close in.
+        let part = if part > 0.0 && part < 1.0 && step % 8 != 7 { part } else { 0.5 };
+        let place = low + part * width;
         let at_place = f(place);
-        if (high - low) < 1e-6 * (here.0 - before.0) {
-            return at_place.0;
+        let moved = (place - low).min(high - place);
+        best = at_place.0;
+        if moved < near || at_place.1 == 0.0 {
+            break;
         }
         if (at_place.1 < 0.0) == (at_low.1 < 0.0) {
             (low, at_low) = (place, at_place);
@@ -210,7 +219,7 @@ fn flat(before: (f64, (f64, f64)), here: (f64, (f64, f64)), f: impl Fn(f64) -> (
             (high, at_high) = (place, at_place);
         }
     }
-    f(0.5 * (low + high)).0
+    best
 }
 
 #[cfg(test)]

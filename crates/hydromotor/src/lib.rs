@@ -21,11 +21,12 @@
 //! | [`forces`] | forces of the pressure on the satellites, ports |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
+//! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
 //!
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-//! Search for designs, drawings; leaks, friction, contact forces, strength.
+//! Drawings; leaks, friction, contact forces, strength.
 //!
 //! # Example
 //!
@@ -65,6 +66,7 @@ pub mod profile;
 mod real;
 mod roots;
 pub mod satellites;
+pub mod search;
 pub mod two_arc_fit;
 mod two_arcs;
 mod units;
