@@ -43,6 +43,12 @@ pub(crate) enum Failure {
     /// A hydromotor that cannot be.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),
+    /// A search that no hydromotor passes.
+    #[error("no motor within the limits: {funnel}")]
+    NoMotor {
+        /// What refused them.
+        funnel: String,
+    },
     /// A drawing that cannot be made.
     #[error(transparent)]
     Picture(#[from] epicyclic_pictures::Error),

@@ -4,6 +4,7 @@ mod design;
 mod facts;
 mod files;
 mod lists;
+mod search;
 mod teeth;
 
 use crate::failure::Failure;
@@ -26,10 +27,20 @@ Example:
   epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
       --angle '30 deg' --view chambers --svg chambers.svg
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
-      --view teeth --dxf teeth.dxf --csv centrodes.csv --format json")]
+      --view teeth --dxf teeth.dxf --csv centrodes.csv --format json
+  epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
+      --stator 5..6 --z3 ..66")]
 pub(crate) struct Args {
+    #[command(subcommand)]
+    command: Option<Command>,
+
     #[command(flatten)]
     design: Design,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Search(Box<search::Args>),
 }
 
 /// A motor and what is wanted of it.
@@ -155,6 +166,12 @@ struct Files {
     points: u32,
 }
 
+impl Files {
+    fn are_wanted(&self) -> bool {
+        self.svg.is_some() || self.dxf.is_some() || self.csv.is_some()
+    }
+}
+
 /// What is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum View {
@@ -170,6 +187,9 @@ enum View {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    if let Some(Command::Search(args)) = &args.command {
+        return search::run(args);
+    }
     let design = design::read(&args.design)?;
     let files = files::content(&args.design.files, &design)?;
     let report = facts::report(&design)?;

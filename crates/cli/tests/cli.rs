@@ -35,6 +35,7 @@ fn help_says_what_there_is() {
             &["machine", "drum", "--help"],
             &["machine", "rotor", "--help"],
             &["motor", "--help"],
+            &["motor", "search", "--help"],
         ]
     ));
 }
@@ -48,7 +49,7 @@ fn examples_in_help(command: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    let commands: [&[&str]; 9] = [
+    let commands: [&[&str]; 10] = [
         &["teeth"],
         &["drive"],
         &["analyze"],
@@ -58,6 +59,7 @@ fn the_examples_in_the_help_work_as_printed() {
         &["machine", "speeds"],
         &["machine", "rotor"],
         &["motor"],
+        &["motor", "search"],
     ];
     for command in commands {
         let (folder, script) = (here(), examples_in_help(command).join("\n"));

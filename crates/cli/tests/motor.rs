@@ -188,3 +188,85 @@ fn a_file_that_cannot_be_written_leaves_the_answer_unsaid() {
     assert!(!done.status.success() && done.stdout.is_empty());
     assert!(text(&done.stderr).contains("taken: cannot be written"));
 }
+
+const SEARCH: [&str; 10] =
+    ["motor", "search", "--torque", "600 N·m", "--pressure", "20 MPa", "--stator", "5..6", "--z3", "55..66"];
+
+#[test]
+fn a_search_as_tables() {
+    let wanted = ["--module", "2 mm", "--ripple", "10 %", "--zs", "10", "--speed", "60 rpm"];
+    insta::assert_snapshot!(said(&with(&SEARCH, &wanted)));
+    let modules = ["--divisor", "common", "--by", "ripple", "--limit", "2", "--every"];
+    insta::assert_snapshot!("several_modules", said(&with(&SEARCH, &modules)));
+}
+
+#[test]
+fn a_search_for_programs() {
+    let wanted =
+        ["motor", "search", "--displacement", "250 cm3/rev", "--stator", "5", "--z3", "55", "--zs", "10"];
+    let json = ["--width-over-diameter", "0.5", "--limit", "1", "--format", "json"];
+    insta::assert_snapshot!(said(&with(&wanted, &json)));
+    let csv = ["--module", "2 mm", "--width", "45 mm", "--tolerance", "5 %", "--format", "csv"];
+    insta::assert_snapshot!("search_csv", said(&with(&wanted, &csv)));
+}
+
+#[test]
+fn searches_that_find_nothing_or_make_no_sense() {
+    let more: [&[&str]; 16] = [
+        &["--ripple", "0.1 %"],
+        &["--outer-diameter", "10 mm"],
+        &["--ripple", "-1 %"],
+        &["--ripple", "0"],
+        &["--outer-diameter", "0 mm"],
+        &["--module", "0 mm"],
+        &["--module", "2"],
+        &["--width", "-3 mm"],
+        &["--module", "2 mm", "--width", "50 mm", "--tolerance", "0"],
+        &["--module", "2 mm", "--width-over-diameter", "0.5"],
+        &["--places", "2"],
+        &["--resolution", "0"],
+        &["--displacement", "250 cm3"],
+        &["--zs", "70..80"],
+        &["--stator", "6..5"],
+        &["--design", "5000"],
+    ];
+    let mut all: Vec<Vec<&str>> = more.iter().map(|more| with(&SEARCH, more)).collect();
+    all.push(vec!["motor", "search"]);
+    all.push(vec!["motor", "search", "--torque", "600 N·m"]);
+    all.push(vec!["motor", "search", "--torque", "0 N·m", "--pressure", "20 MPa"]);
+    all.push(vec!["motor", "search", "--displacement", "250 mm"]);
+    all.push(vec!["motor", "search", "--displacement", "-250 cm3/rev"]);
+    let folder = here();
+    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
+    insta::assert_snapshot!(sessions(folder.path(), &all));
+}
+
+#[test]
+fn the_design_that_is_drawn_is_the_motor_listed() {
+    let folder = here();
+    let wanted =
+        ["--module", "2 mm", "--design", "2", "--format", "json", "--view", "centrodes", "--dxf", "best.dxf"];
+    let done = output(folder.path(), &with(&SEARCH, &wanted));
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let answer: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let (design, size) = (&answer["designs"][1], &answer["sizes"][1]);
+    let drawing = Drawing::load_file(folder.path().join("best.dxf").to_str().unwrap()).unwrap();
+    let stator = drawing.entities().find(|entity| entity.common.layer == "stator").unwrap();
+    let EntityType::LwPolyline(stator) = &stator.specific else { panic!("a polyline") };
+    assert_eq!(stator.vertices.len() as u64, 2 * design["stator_lobes"].as_u64().unwrap());
+    let (one, next) = (&stator.vertices[0], &stator.vertices[1]);
+    let r2 = 0.5 * (next.x - one.x).hypot(next.y - one.y) / (2.0 * one.bulge.atan()).sin();
+    assert!((r2 - 1e3 * size["r2_m"].as_f64().unwrap()).abs() < 1e-6);
+    // And `motor` at its distance l gives the same displacement.
+    let text_of = |key: &str| design[key].as_u64().unwrap().to_string();
+    let [stator, rotor, z3, zs] =
+        ["stator_lobes", "rotor_lobes", "stator_teeth", "satellite_teeth"].map(text_of);
+    let [l, b] = ["l_m", "width_m"].map(|key| format!("{:?} m", size[key].as_f64().unwrap()));
+    let again =
+        ["motor", "--stator", &stator, "--rotor", &rotor, "--z3", &z3, "--zs", &zs, "--module", "2 mm"];
+    let again = output(folder.path(), &with(&again, &["--l", &l, "--width", &b, "--format", "json"]));
+    let again: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    let [found, wanted] =
+        [&again["work"]["displacement_m3"], &size["displacement_m3"]].map(|value| value.as_f64().unwrap());
+    assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
+}

@@ -115,6 +115,8 @@ pub(super) fn refuse(error: Error) -> Failure {
         Error::OutsideFamily { .. } => Some("--l"),
         Error::OutsideFamilyByCrest { .. } => Some("--a"),
         Error::NoCosineRotor { .. } => Some("--cosine"),
+        Error::NoModules => Some("--module"),
+        Error::TooManySets { .. } => Some("--stator, --z3, --zs"),
         Error::NotPositive { quantity, .. }
         | Error::NotFinite { quantity, .. }
         | Error::OutOfRange { quantity, .. } => quantity_option(quantity),
@@ -142,6 +144,14 @@ fn quantity_option(quantity: &str) -> Option<&'static str> {
         "profile shift" => "--shift",
         "backlash" => "--backlash",
         "fillet" => "--fillet",
+        "displacement" => "--displacement",
+        "torque" => "--torque",
+        "tolerance of the displacement" => "--tolerance",
+        "width over diameter" => "--width-over-diameter",
+        "outer diameter" => "--outer-diameter",
+        "ripple" => "--ripple",
+        "points of a family" => "--places",
+        "resolution" => "--resolution",
         _ => return None,
     })
 }

@@ -24,7 +24,7 @@ pub(super) fn verdict(holds: bool, margin: Length, bound: Length) -> Figure {
     }
 }
 
-const fn subject(subject: Subject) -> (&'static str, &'static str) {
+pub(super) const fn subject(subject: Subject) -> (&'static str, &'static str) {
     match subject {
         Subject::StatorBulge => ("stator-bulge", "stator, radius of inward bulges"),
         Subject::StatorHollow => ("stator-hollow", "stator, radius of hollows"),
