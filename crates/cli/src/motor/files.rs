@@ -47,7 +47,10 @@ fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
         View::Chambers => motor::chambers(&drawn.motor, drawn.angle),
         View::Teeth => match &drawn.profile {
             Ok(profile) => motor::teeth(profile, drawn.angle),
-            Err(error) => return Err(refuse(error.clone())),
+            Err(error) => {
+                let message = format!("the motor has no teeth of this form: {error}");
+                return Err(Failure::Option { option: "--view teeth", message });
+            }
         },
     };
     scene.map_err(|error| match error {

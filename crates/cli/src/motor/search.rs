@@ -13,6 +13,7 @@ use epicyclic_formats::{Dimension, Number, Physical, Quantity, Span};
 use epicyclic_hydromotor::checks::ToothHeights;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::numbers::Bounds;
+use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::search::{
     Demand, Design, Dimensions, Found, Limits, LobeDivisor, MotorSearch, Reason, Size, SizeLimits,
@@ -141,7 +142,7 @@ impl FromStr for Displacement {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let volume = text.trim();
-        let volume = ["/rev", "/r", "/U"].iter().find_map(|mark| volume.strip_suffix(mark)).unwrap_or(volume);
+        let volume = ["/rev", "/r"].iter().find_map(|mark| volume.strip_suffix(mark)).unwrap_or(volume);
         let volume: Quantity<Volume> =
             volume.parse().map_err(|error| format!("{error}; as in 250 cm3/rev"))?;
         Ok(Self(volume.0))
@@ -359,6 +360,7 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
             Figure::Multiple(design.displacement_by_volume),
             Figure::Share(design.ripple),
             Figure::Multiple(design.least_radius),
+            teeth(design),
             Figure::Answer(subject(design.nearest_check).0, short(design.nearest_check)),
             Figure::Share(design.nearest_margin),
             count(found.designs.iter().filter(|other| other.numbers == numbers).count()),
@@ -388,6 +390,7 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
             Column::number("displacement_by_volume", "q/V"),
             Column::number("ripple", "ripple"),
             Column::number("least_radius_in_modules", "ϱ/m"),
+            Column::words("teeth_limits", "teeth"),
             Column::words("nearest_check", "nearest limit"),
             Column::number("nearest_margin", "spare"),
             Column::number("designs_of_the_set", "of set"),
@@ -399,9 +402,9 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
         rows: shown.iter().map(row).collect(),
         views: vec![View {
             note: format!(
-                "q/V: displacement over the cylinder about the stator's centrode. ϱ: least curvature \
-                 radius of both centrodes. Spare: by how much the nearest limit is kept. Of set: designs of these \
-                 numbers, of which the first is shown unless --every is given.{hidden}"
+                "q/V: displacement over the cylinder about the stator's centrode. ϱ: least curvature radius of \
+                 both centrodes. Teeth: whether the default form keeps its limits, which the search does not ask. \
+                 Of set: designs of these numbers, of which the first is shown unless --every is given.{hidden}"
             ),
             ..View::new(
                 "Designs",
@@ -413,12 +416,23 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
                     "ripple",
                     "least_radius_in_modules",
                     "nearest_check",
-                    "nearest_margin",
+                    "teeth_limits",
                     "designs_of_the_set",
                 ],
             )
         }],
         is_answer: true,
+    }
+}
+
+/// Whether the default teeth keep their limits on a design.
+fn teeth(design: &Design) -> Figure {
+    let Some(size) = shown_size(design) else { return Figure::None };
+    let profile = design.motor(size.module).and_then(|motor| Profile::new(&motor, ToothForm::default()));
+    match profile {
+        Ok(profile) if profile.limits().iter().all(Limit::holds) => Figure::Answer("hold", "hold"),
+        Ok(_) => Figure::Answer("fail", "fail"),
+        Err(_) => Figure::Answer("none", "none"),
     }
 }
 
@@ -548,7 +562,7 @@ fn funnel(found: &Found) -> Vec<Row> {
     }
     rows.push(row("accepted", "motors that pass", funnel.accepted));
     rows.push(row("front", "… that no other surpasses", funnel.front));
-    rows.push(row("listed", "designs, like ones left out", found.designs.len()));
+    rows.push(row("listed", "designs, alike ones once", found.designs.len()));
     rows
 }
 

@@ -133,8 +133,11 @@ fn clearances(profile: &Profile, warnings: &mut Warnings) -> Result<Records, Fai
         ]);
     };
     let mut wheel = |name, words, nearest: &Nearest| {
-        let point = [Some(nearest.at.x), Some(nearest.at.y)];
-        add(name, words, nearest.clearance, part(nearest.part), Some(nearest.rotation), point);
+        // Flanks in mesh are equally near all along: where rounding finds them nearest says nothing.
+        let in_mesh = nearest.part == ToothPart::Flank && nearest.clearance >= Length::default();
+        let [x, y] = [nearest.at.x, nearest.at.y].map(|x| (!in_mesh).then_some(x));
+        let rotation = (!in_mesh).then_some(nearest.rotation);
+        add(name, words, nearest.clearance, part(nearest.part), rotation, [x, y]);
     };
     wheel("stator", "satellites and stator", &found.stator);
     wheel("rotor", "satellites and rotor", &found.rotor);
@@ -164,10 +167,13 @@ fn clearances(profile: &Profile, warnings: &mut Warnings) -> Result<Records, Fai
             quantity("y", "y, mm", Dimension::Length),
         ],
         rows,
-        views: vec![View::new(
-            "Clearances of the teeth over a revolution, satellites amid their backlash",
-            &["between", "clearance", "clearance_in_modules", "part", "rotation"],
-        )],
+        views: vec![View {
+            note: "Flanks in mesh keep their distance all along.".to_owned(),
+            ..View::new(
+                "Clearances of the teeth over a revolution, satellites amid their backlash",
+                &["between", "clearance", "clearance_in_modules", "part", "rotation"],
+            )
+        }],
         is_answer: false,
     })
 }
