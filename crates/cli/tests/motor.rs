@@ -212,8 +212,9 @@ fn a_search_for_programs() {
 
 #[test]
 fn searches_that_find_nothing_or_make_no_sense() {
-    let more: [&[&str]; 16] = [
+    let more: [&[&str]; 17] = [
         &["--ripple", "0.1 %"],
+        &["--zs", "8", "--with-teeth"],
         &["--outer-diameter", "10 mm"],
         &["--ripple", "-1 %"],
         &["--ripple", "0"],
@@ -269,4 +270,15 @@ fn the_design_that_is_drawn_is_the_motor_listed() {
     let [found, wanted] =
         [&again["work"]["displacement_m3"], &size["displacement_m3"]].map(|value| value.as_f64().unwrap());
     assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
+}
+
+#[test]
+fn the_picture_in_the_readme_is_what_the_program_draws() {
+    let folder = here();
+    let args = ["--l", "80 mm", "--angle", "20 deg", "--view", "chambers", "--svg", "motor-chambers.svg"];
+    assert!(output(folder.path(), &with(&FIVE_THREE, &args)).status.success());
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures/motor-chambers.svg");
+    let [drawn, kept] =
+        [folder.path().join("motor-chambers.svg"), kept].map(|file| fs::read_to_string(file).unwrap());
+    assert!(drawn == kept, "to renew it: epicyclic motor {} {}", FIVE_THREE[1..].join(" "), args.join(" "));
 }

@@ -98,6 +98,11 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t = Divisor::Any)]
     divisor: Divisor,
 
+    /// Only designs on which the default teeth of `motor` keep their limits. They are taken from the front: motors that it
+    /// surpasses are not brought back for their teeth.
+    #[arg(long)]
+    with_teeth: bool,
+
     /// What the designs are ordered by; the first is the one that is drawn.
     #[arg(long, value_enum, default_value_t = Order::Volume)]
     by: Order,
@@ -178,6 +183,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if found.designs.is_empty() {
         return Err(Failure::NoMotor { funnel: in_short(&found) });
     }
+    let all = found.designs.len();
+    if args.with_teeth {
+        found.designs.retain(|design| teeth(design) == Teeth::Hold);
+        if found.designs.is_empty() {
+            let funnel =
+                format!("on none of the {all} designs that pass do the default teeth keep their limits");
+            return Err(Failure::NoMotor { funnel });
+        }
+    }
     match args.by {
         Order::Volume => {}
         Order::Ripple => found.designs.sort_by(|one, other| one.ripple.total_cmp(&other.ripple)),
@@ -200,7 +214,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let listed: Shown = numbered.filter(|(_, design)| !apart || seen.insert(design.numbers)).collect();
     let shown = &listed[..limit.min(listed.len())];
     let hidden = listed.len() - shown.len();
-    let report = report(&search, &found, shown, hidden);
+    let report = report(&search, &found, shown, hidden, all);
     for (file, content) in &files {
         save(file, content)?;
     }
@@ -292,7 +306,13 @@ fn drawn(args: &Args, design: &Design) -> Result<Drawn, Failure> {
     })
 }
 
-fn report(search: &MotorSearch, found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Report {
+fn report(
+    search: &MotorSearch,
+    found: &Found,
+    shown: &[(usize, &Design)],
+    hidden: usize,
+    all: usize,
+) -> Report {
     let wanted = format::quantity(search.demand.displacement, 5);
     let count = match found.designs.len() {
         1 => "1 design".to_owned(),
@@ -303,7 +323,7 @@ fn report(search: &MotorSearch, found: &Found, shown: &[(usize, &Design)], hidde
         name: "funnel",
         title: "Motors tried, and where the others fell: the first reason counts",
         columns: &[],
-        rows: funnel(found),
+        rows: funnel(found, all),
         note: "",
     }));
     parts.push(Part::Facts(Section {
@@ -360,7 +380,11 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
             Figure::Multiple(design.displacement_by_volume),
             Figure::Share(design.ripple),
             Figure::Multiple(design.least_radius),
-            teeth(design),
+            match teeth(design) {
+                Teeth::Hold => Figure::Answer("hold", "hold"),
+                Teeth::Fail => Figure::Answer("fail", "fail"),
+                Teeth::None => Figure::Answer("none", "none"),
+            },
             Figure::Answer(subject(design.nearest_check).0, short(design.nearest_check)),
             Figure::Share(design.nearest_margin),
             count(found.designs.iter().filter(|other| other.numbers == numbers).count()),
@@ -426,13 +450,20 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
 }
 
 /// Whether the default teeth keep their limits on a design.
-fn teeth(design: &Design) -> Figure {
-    let Some(size) = shown_size(design) else { return Figure::None };
-    let profile = design.motor(size.module).and_then(|motor| Profile::new(&motor, ToothForm::default()));
-    match profile {
-        Ok(profile) if profile.limits().iter().all(Limit::holds) => Figure::Answer("hold", "hold"),
-        Ok(_) => Figure::Answer("fail", "fail"),
-        Err(_) => Figure::Answer("none", "none"),
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Teeth {
+    Hold,
+    Fail,
+    /// There are none of that form.
+    None,
+}
+
+fn teeth(design: &Design) -> Teeth {
+    let Some(size) = shown_size(design) else { return Teeth::None };
+    match design.motor(size.module).and_then(|motor| Profile::new(&motor, ToothForm::default())) {
+        Ok(profile) if profile.limits().iter().all(Limit::holds) => Teeth::Hold,
+        Ok(_) => Teeth::Fail,
+        Err(_) => Teeth::None,
     }
 }
 
@@ -543,7 +574,7 @@ const fn reason(reason: Reason) -> (&'static str, &'static str) {
     }
 }
 
-fn funnel(found: &Found) -> Vec<Row> {
+fn funnel(found: &Found, all: usize) -> Vec<Row> {
     let funnel = &found.funnel;
     let row = |name, label, value| Row::new(name, label, "", [count(value)]);
     let mut rows = vec![
@@ -562,7 +593,10 @@ fn funnel(found: &Found) -> Vec<Row> {
     }
     rows.push(row("accepted", "motors that pass", funnel.accepted));
     rows.push(row("front", "… that no other surpasses", funnel.front));
-    rows.push(row("listed", "designs, alike ones once", found.designs.len()));
+    rows.push(row("apart", "designs, alike ones once", all));
+    if found.designs.len() < all {
+        rows.push(row("with_teeth", "… on which the default teeth hold", found.designs.len()));
+    }
     rows
 }
 
