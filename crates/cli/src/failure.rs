@@ -21,7 +21,7 @@ const INPUT_OUTPUT: u8 = 3;
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  answered
-  1  nothing found: no design, tooth set or scheme meets the demand
+  1  nothing found: no design, tooth set, scheme or motor meets the demand
   2  wrong usage, or an input that cannot be
   3  a file or stream that cannot be read or written; a reader that
      leaves before the end, as head does, is told nothing";
@@ -75,12 +75,21 @@ pub(crate) enum Failure {
         /// What stands in each other's way.
         witness: String,
     },
-    /// A gearbox of which a picture cannot be made.
+    /// A picture that cannot be made.
     #[error(transparent)]
-    Picture(#[from] epicyclic_pictures::gearbox::Error),
+    Picture(#[from] epicyclic_pictures::Error),
     /// An answer that says that there is none.
     #[error("{0}")]
     NothingFound(String),
+    /// A hydromotor that cannot be.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
+    /// A search that no hydromotor passes.
+    #[error("no motor within the limits: {funnel}")]
+    NoMotor {
+        /// What refused them.
+        funnel: String,
+    },
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {
@@ -118,6 +127,7 @@ impl Failure {
         match self {
             Self::NothingFound(_)
             | Self::SelfCrossing { .. }
+            | Self::NoMotor { .. }
             | Self::Gear(epicyclic_gears::Error::NoToothSet { .. }) => NOTHING_FOUND,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
                 INPUT_OUTPUT

@@ -189,6 +189,12 @@ pub(crate) const fn suffix(dimension: Dimension, format: Format) -> &'static str
     match (dimension, format) {
         (Dimension::Length, Format::Json) => "_m",
         (Dimension::Length, _) => "_mm",
+        (Dimension::Area, Format::Json) => "_m2",
+        (Dimension::Area, _) => "_mm2",
+        (Dimension::Volume, Format::Json) => "_m3",
+        (Dimension::Volume, _) => "_cm3",
+        (Dimension::VolumeRate, Format::Json) => "_m3_s",
+        (Dimension::VolumeRate, _) => "_l_min",
         (Dimension::Mass, _) => "_kg",
         (Dimension::Inertia, _) => "_kg_m2",
         (Dimension::Speed, _) => "_m_s",

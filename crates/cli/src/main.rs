@@ -12,6 +12,7 @@
 //! | [`page`] | the command `report`: a page about a file |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
+//! | [`motor`] | the command `motor`: a hydromotor and its drawings |
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
@@ -30,6 +31,7 @@ mod figure;
 mod lists;
 mod machine;
 mod man;
+mod motor;
 mod options;
 mod output;
 mod page;
@@ -45,7 +47,7 @@ mod teeth;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
+/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
 #[derive(Parser)]
 #[command(version, max_term_width = 80, after_help = failure::EXIT_CODES)]
 struct Cli {
@@ -61,6 +63,7 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Motor(Box<motor::Args>),
     Draw(Box<draw::Args>),
     Report(page::Args),
     Schema(schema::Args),
@@ -91,6 +94,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Motor(args) => motor::run(&args),
         Command::Draw(args) => draw::run(&args),
         Command::Report(args) => page::run(&args),
         Command::Schema(args) => schema::run(&args),

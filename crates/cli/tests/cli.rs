@@ -38,6 +38,8 @@ fn help_says_what_there_is() {
             &["machine", "drum", "--help"],
             &["machine", "rotor", "--help"],
             &["draw", "--help"],
+            &["motor", "--help"],
+            &["motor", "search", "--help"],
         ]
     ));
 }
@@ -51,7 +53,7 @@ fn examples_in_help(command: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_examples_in_the_help_work_as_printed() {
-    let commands: [&[&str]; 12] = [
+    let commands: [&[&str]; 14] = [
         &["teeth"],
         &["drive"],
         &["analyze"],
@@ -64,6 +66,8 @@ fn the_examples_in_the_help_work_as_printed() {
         &["completions"],
         &["man"],
         &["draw"],
+        &["motor"],
+        &["motor", "search"],
     ];
     for command in commands {
         let (folder, script) = (here(), examples_in_help(command).join("\n"));

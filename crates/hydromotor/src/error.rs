@@ -165,6 +165,14 @@ pub enum Error {
         /// The family's intervals, mm; the last may be infinite, where it goes on to a straight arc 1.
         intervals_mm: Vec<(f64, f64)>,
     },
+    /// A distance `a` that no motor of these numbers has.
+    #[error("a = {a_mm} mm: a motor of these numbers closes for a {}", ranges(.intervals_mm))]
+    OutsideFamilyByCrest {
+        /// The distance given, mm.
+        a_mm: f64,
+        /// The family's intervals of it, mm.
+        intervals_mm: Vec<(f64, f64)>,
+    },
     /// Numbers for which no pair of arcs closes.
     #[error(
         "no motor of two arcs closes with these numbers: where R_1 vanishes, the rotor already has cusps or \
@@ -181,6 +189,42 @@ pub enum Error {
         cusp_amplitude: f64,
         /// What the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
+    },
+    /// A tooth whose flanks meet below its tip.
+    #[error("a tooth of the {wheel} is pointed at an addendum of {addendum} modules: below {most:.4}")]
+    PointedTip {
+        /// The wheel or tool concerned.
+        wheel: &'static str,
+        /// The addendum, modules.
+        addendum: f64,
+        /// Where the flanks meet, modules.
+        most: f64,
+    },
+    /// A rounding for which the tip of the tool has no room.
+    #[error("a fillet of {fillet} modules: the tip of the {tool} has room for at most {most:.4}")]
+    FilletTooLarge {
+        /// The tool that is rounded.
+        tool: &'static str,
+        /// The radius given, modules.
+        fillet: f64,
+        /// The greatest radius, modules.
+        most: f64,
+    },
+    /// A flank that ends before the tip.
+    #[error("a flank of the {wheel} does not reach an addendum of {addendum} modules: it has a cusp before")]
+    NoTip {
+        /// The wheel concerned.
+        wheel: &'static str,
+        /// The addendum, modules.
+        addendum: f64,
+    },
+    /// Teeth whose flanks are cut away up to the tip.
+    #[error(
+        "the {wheel}'s flanks are cut away by its tool up to the tip: take a greater pressure angle or shift"
+    )]
+    NoFlank {
+        /// The wheel concerned.
+        wheel: &'static str,
     },
     /// A search without a module to choose from.
     #[error("no modules to choose from: give at least one, or a width, or a width over the diameter")]
@@ -207,9 +251,9 @@ pub enum Error {
     },
 }
 
-/// A unit after a space; of a plain number none.
+/// A unit after its number, and a space but for degrees; of a plain number none.
 fn spaced(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+    if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") }
 }
 
 fn ranges(intervals_mm: &[(f64, f64)]) -> String {
