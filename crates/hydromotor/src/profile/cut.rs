@@ -94,6 +94,22 @@ impl Flank {
     pub(super) fn roll(&self, s: f64) -> f64 {
         self.sign * (s - self.pitch)
     }
+
+    /// Mirrored in a crest, and whole lobes further on into the space with its middle at `middle`.
+    fn mirrored(self, middle: f64, lobe: f64) -> Self {
+        let shift = lobe * ((middle + self.pitch) / lobe).round();
+        let mirror = |s: f64| shift - s;
+        Self {
+            sign: -self.sign,
+            pitch: mirror(self.pitch),
+            tip: mirror(self.tip),
+            foot: mirror(self.foot),
+            end: mirror(self.end),
+            fillet: mirror(self.fillet),
+            again: self.again.map(mirror),
+            ..self
+        }
+    }
 }
 
 /// The teeth of a lobe.
@@ -196,13 +212,21 @@ impl Cut {
         offset: f64,
     ) -> Result<Self, Error> {
         let track = Track { shape, side };
-        let mut flanks = Vec::with_capacity(teeth_per_lobe as usize);
-        for i in 0..teeth_per_lobe {
-            let middle = offset + PI * f64::from(i);
-            flanks
-                .push([Self::flank(&track, teeth, middle, -1.0)?, Self::flank(&track, teeth, middle, 1.0)?]);
-        }
         let lobe = track.lobe();
+        let middle = |i: u32| offset + PI * f64::from(i);
+        let after = (0..teeth_per_lobe)
+            .map(|i| Self::flank(&track, teeth, middle(i), 1.0))
+            .collect::<Result<Vec<_>, _>>()?;
+        // The flanks before the middles are the mirror images, in the crest, of those after the middles of other spaces.
+        let opposite = if offset == 0.0 { teeth_per_lobe } else { teeth_per_lobe - 1 };
+        let flanks: Vec<[Flank; 2]> = (0..teeth_per_lobe)
+            .map(|i| {
+                [
+                    after[((opposite - i) % teeth_per_lobe) as usize].mirrored(middle(i), lobe),
+                    after[i as usize],
+                ]
+            })
+            .collect();
         let mut pieces = Vec::with_capacity(7 * flanks.len());
         for (i, [before, after]) in flanks.iter().enumerate() {
             let middle = offset + PI * i as f64;
@@ -334,7 +358,7 @@ impl Cut {
     /// Where the flank, followed from the tip to its first cusp, is cut by what comes after: by itself or by the fillet. The curve that
     /// cuts it, and the contacts on both.
     fn undercut(track: &Track<'_>, teeth: &Teeth, flank: &Flank, middle: f64) -> Option<(Curve, [f64; 2])> {
-        const COUNT: u32 = 128;
+        const COUNT: u32 = 40;
         let on_flank = Curve::Flank { sign: flank.sign, pitch: flank.pitch };
         let on_fillet = Curve::Fillet { sign: flank.sign, middle };
         // Evenly in the arc length: where the rotor is nearly straight the shape's own parameter has few places.
@@ -352,7 +376,7 @@ impl Cut {
                 let part = f64::from(i) / f64::from(COUNT);
                 start + (to - start) * part * part
             };
-            (0..=COUNT).map(|i| place(i)).map(|s| (curve, s, point(teeth, curve, &track.at(s)))).collect()
+            (0..=COUNT).map(place).map(|s| (curve, s, point(teeth, curve, &track.at(s)))).collect()
         };
         let cusp = frames.iter().position(|frame| !regular(frame)).filter(|&cusp| cusp > 0)?;
         let mut upper = from(on_flank, edge(cusp), flank.tip);
