@@ -39,7 +39,7 @@ Keys of the file:
   rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
         kind, planet_teeth, planets, efficiency or meshes; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
-        planet_bore
+        planet_bore; for their bearings' life bearing_capacity, bearing_rolling
   brakes: id, link            clutches: id, links: [one, other]
   gears: name, engaged, and optionally input, output
   links, grounds, ties, shared_ring_meshes, density, pressure_angle: optional

@@ -79,7 +79,8 @@ fn the_examples_in_the_help_work_as_printed() {
         let printed = text(&output.stdout);
         let written = fs::read_dir(folder.path()).unwrap().count();
         assert!(printed.len() > 200 || written == 1, "{script}");
-        for line in printed.lines() {
+        // Tables: JSON has lines of its own.
+        for line in printed.lines().take_while(|line| *line != "{") {
             assert!(line.chars().count() <= 80, "{script}\n{line}");
         }
         let help = text(&common::output(folder.path(), &[command, &["--help"]].concat()).stdout);
