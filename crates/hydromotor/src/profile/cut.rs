@@ -35,6 +35,9 @@ use crate::motor::Shape;
 use crate::roots::bracketed;
 use std::f64::consts::PI;
 
+/// Places of a flank at which it is looked at for cusps.
+const PLACES: u32 = 24;
+
 /// A formula of the outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Curve {
@@ -81,13 +84,31 @@ pub(super) struct Flank {
     /// Contact of its end at the fillet, and that of the fillet's end there.
     pub(super) end: f64,
     pub(super) fillet: f64,
-    /// Whether the fillet cuts off a part of the flank.
+    /// Where the flank goes on to the fillet after a loop at its end, if a loop is all that is cut off.
+    pub(super) again: Option<f64>,
+    /// Whether the cutter removes a part of the flank.
     pub(super) undercut: bool,
 }
 
 impl Flank {
     pub(super) fn roll(&self, s: f64) -> f64 {
         self.sign * (s - self.pitch)
+    }
+
+    /// Mirrored in a crest, and whole lobes further on into the space with its middle at `middle`.
+    fn mirrored(self, middle: f64, lobe: f64) -> Self {
+        let shift = lobe * ((middle + self.pitch) / lobe).round();
+        let mirror = |s: f64| shift - s;
+        Self {
+            sign: -self.sign,
+            pitch: mirror(self.pitch),
+            tip: mirror(self.tip),
+            foot: mirror(self.foot),
+            end: mirror(self.end),
+            fillet: mirror(self.fillet),
+            again: self.again.map(mirror),
+            ..self
+        }
     }
 }
 
@@ -191,13 +212,21 @@ impl Cut {
         offset: f64,
     ) -> Result<Self, Error> {
         let track = Track { shape, side };
-        let mut flanks = Vec::with_capacity(teeth_per_lobe as usize);
-        for i in 0..teeth_per_lobe {
-            let middle = offset + PI * f64::from(i);
-            flanks
-                .push([Self::flank(&track, teeth, middle, -1.0)?, Self::flank(&track, teeth, middle, 1.0)?]);
-        }
         let lobe = track.lobe();
+        let middle = |i: u32| offset + PI * f64::from(i);
+        let after = (0..teeth_per_lobe)
+            .map(|i| Self::flank(&track, teeth, middle(i), 1.0))
+            .collect::<Result<Vec<_>, _>>()?;
+        // The flanks before the middles are the mirror images, in the crest, of those after the middles of other spaces.
+        let opposite = if offset == 0.0 { teeth_per_lobe } else { teeth_per_lobe - 1 };
+        let flanks: Vec<[Flank; 2]> = (0..teeth_per_lobe)
+            .map(|i| {
+                [
+                    after[((opposite - i) % teeth_per_lobe) as usize].mirrored(middle(i), lobe),
+                    after[i as usize],
+                ]
+            })
+            .collect();
         let mut pieces = Vec::with_capacity(7 * flanks.len());
         for (i, [before, after]) in flanks.iter().enumerate() {
             let middle = offset + PI * i as f64;
@@ -217,8 +246,12 @@ impl Cut {
             let flank = |flank: &Flank| Curve::Flank { sign: flank.sign, pitch: flank.pitch };
             let fillet = |sign: f64| Curve::Fillet { sign, middle };
             let piece = |part, curve, from, to| Piece { part, curve, from, to };
+            let cutter_end = |flank: &Flank| flank.pitch + flank.sign * teeth.cutter_roll;
+            pieces.push(piece(Part::Flank, flank(before), before.tip, before.end));
+            pieces.extend(
+                before.again.map(|again| piece(Part::Flank, flank(before), again, cutter_end(before))),
+            );
             pieces.extend([
-                piece(Part::Flank, flank(before), before.tip, before.end),
                 piece(Part::Fillet, fillet(-1.0), before.fillet, middle - round),
                 piece(
                     Part::Root,
@@ -227,6 +260,10 @@ impl Cut {
                     middle + round,
                 ),
                 piece(Part::Fillet, fillet(1.0), middle + round, after.fillet),
+            ]);
+            pieces
+                .extend(after.again.map(|again| piece(Part::Flank, flank(after), cutter_end(after), again)));
+            pieces.extend([
                 piece(Part::Flank, flank(after), after.end, after.tip),
                 piece(Part::Tip, Curve::Parallel { across: teeth.wheel_addendum }, after.foot, next),
             ]);
@@ -244,16 +281,21 @@ impl Cut {
             });
         };
         let end = pitch + sign * teeth.cutter_roll;
-        let mut flank = Flank { sign, pitch, tip, foot, missing, end, fillet: end, undercut: false };
-        flank.undercut = track
-            .frames(pitch, end, 16)
-            .chain([track.at(end)])
+        let mut flank =
+            Flank { sign, pitch, tip, foot, missing, end, fillet: end, again: None, undercut: false };
+        flank.undercut = (1..=PLACES)
+            .map(|i| pitch + (end - pitch) * f64::from(i) / f64::from(PLACES))
+            .chain(track.jumps(pitch, end))
+            .map(|s| track.at(s))
             .any(|frame| regularity(teeth, &flank, &frame) <= 0.0);
         if flank.undercut
-            && let Some([on_flank, on_fillet]) = Self::undercut(track, teeth, &flank, middle)
+            && let Some((curve, [leaves, onto])) = Self::undercut(track, teeth, &flank, middle)
         {
-            flank.end = on_flank;
-            flank.fillet = on_fillet;
+            flank.end = leaves;
+            match curve {
+                Curve::Fillet { .. } => flank.fillet = onto,
+                _ => flank.again = Some(onto),
+            }
         }
         Ok(flank)
     }
@@ -313,33 +355,83 @@ impl Cut {
         bracketed(1e-6, teeth.wheel_addendum, |addendum| -land(addendum))
     }
 
-    /// Where the fillet cuts an undercut flank: the contacts on flank and fillet.
-    fn undercut(track: &Track<'_>, teeth: &Teeth, flank: &Flank, middle: f64) -> Option<[f64; 2]> {
-        const COUNT: u32 = 64;
-        let curves = [
-            Curve::Flank { sign: flank.sign, pitch: flank.pitch },
-            Curve::Fillet { sign: flank.sign, middle },
-        ];
-        // The flank from the tip to its cusp, the fillet from its beginning to the root.
-        let points = |curve: Curve, frames: Vec<Frame>| -> Vec<(f64, [f64; 2])> {
-            frames.iter().map(|frame| (frame.s, point(teeth, curve, frame))).collect()
+    /// Where the flank, followed from the tip to its first cusp, is cut by what comes after: by itself or by the fillet. The curve that
+    /// cuts it, and the contacts on both.
+    fn undercut(track: &Track<'_>, teeth: &Teeth, flank: &Flank, middle: f64) -> Option<(Curve, [f64; 2])> {
+        const COUNT: u32 = 40;
+        let on_flank = Curve::Flank { sign: flank.sign, pitch: flank.pitch };
+        let on_fillet = Curve::Fillet { sign: flank.sign, middle };
+        // Evenly in the arc length: where the rotor is nearly straight the shape's own parameter has few places.
+        let step = (flank.end - flank.tip) / f64::from(COUNT);
+        let mut places: Vec<f64> = (0..=COUNT).map(|i| flank.tip + step * f64::from(i)).collect();
+        places.extend(track.jumps(flank.tip, flank.end));
+        places.sort_by(|a, b| (flank.sign * b).total_cmp(&(flank.sign * a)));
+        let frames: Vec<Frame> = places.into_iter().map(|s| track.at(s)).collect();
+        let regular = |frame: &Frame| regularity(teeth, flank, frame) > 0.0;
+        let edge =
+            |i: usize| bracketed(frames[i - 1].s, frames[i].s, |s| regularity(teeth, flank, &track.at(s)));
+        // Ever denser towards the start: loops are small where the limit is hardly exceeded.
+        let from = |curve: Curve, start: f64, to: f64| -> Vec<(Curve, f64, [f64; 2])> {
+            let place = |i: u32| {
+                let part = f64::from(i) / f64::from(COUNT);
+                start + (to - start) * part * part
+            };
+            (0..=COUNT).map(place).map(|s| (curve, s, point(teeth, curve, &track.at(s)))).collect()
         };
-        let flank_frames = track.frames(flank.tip, flank.end, COUNT);
-        let upper = points(
-            curves[0],
-            flank_frames.take_while(|frame| regularity(teeth, flank, frame) > 0.0).collect(),
-        );
-        let root = middle + flank.sign * teeth.r * teeth.round_angle;
-        let lower = points(curves[1], track.frames(flank.fillet, root, COUNT).collect());
+        let cusp = frames.iter().position(|frame| !regular(frame)).filter(|&cusp| cusp > 0)?;
+        let mut upper = from(on_flank, edge(cusp), flank.tip);
+        upper.reverse();
+        // After the cusp the flank runs backwards, up to a second one if the track bends less there.
+        let mut lower = match frames[cusp..].iter().position(regular) {
+            Some(back) => from(on_flank, edge(cusp + back), flank.end),
+            None => Vec::new(),
+        };
+        lower.extend(from(on_fillet, flank.end, middle + flank.sign * teeth.r * teeth.round_angle));
         for one in upper.windows(2) {
-            for other in lower.windows(2) {
-                if cross(one[0].1, one[1].1, other[0].1, other[1].1) {
-                    return meeting(teeth, track, curves, [one[0].0, other[0].0]);
+            for other in lower.windows(2).filter(|other| other[0].0 == other[1].0) {
+                if cross(one[0].2, one[1].2, other[0].2, other[1].2) {
+                    let curves = [on_flank, other[0].0];
+                    let ranges = [[one[0].1, one[1].1], [other[0].1, other[1].1]];
+                    if let Some(met) = crossing(teeth, track, curves, ranges) {
+                        return Some((other[0].0, met));
+                    }
                 }
             }
         }
         None
     }
+}
+
+/// Where two curves whose chords cross do so themselves: Newton's method, from ever shorter chords if it leaves them.
+fn crossing(
+    teeth: &Teeth,
+    track: &Track<'_>,
+    curves: [Curve; 2],
+    mut ranges: [[f64; 2]; 2],
+) -> Option<[f64; 2]> {
+    const PARTS: u32 = 8;
+    for _ in 0..12 {
+        let met = meeting(teeth, track, curves, ranges.map(|[a, b]| 0.5 * (a + b)));
+        let near = |s: f64, [a, b]: [f64; 2]| (s - 0.5 * (a + b)).abs() <= (a - b).abs();
+        if let Some(met) = met
+            && near(met[0], ranges[0])
+            && near(met[1], ranges[1])
+        {
+            return Some(met);
+        }
+        let chains = [0, 1].map(|i| -> Vec<(f64, [f64; 2])> {
+            let [a, b] = ranges[i];
+            (0..=PARTS)
+                .map(|k| a + (b - a) * f64::from(k) / f64::from(PARTS))
+                .map(|s| (s, point(teeth, curves[i], &track.at(s))))
+                .collect()
+        });
+        let pairs = chains[0].windows(2).flat_map(|one| chains[1].windows(2).map(move |other| (one, other)));
+        let (one, other) =
+            pairs.into_iter().find(|(one, other)| cross(one[0].1, one[1].1, other[0].1, other[1].1))?;
+        ranges = [[one[0].0, one[1].0], [other[0].0, other[1].0]];
+    }
+    None
 }
 
 /// Whether two segments cross.

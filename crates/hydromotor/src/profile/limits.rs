@@ -257,7 +257,8 @@ impl Profile {
     }
 }
 
-/// Places of a flank from its tip to the cutter's end, both included.
-fn flank_frames(track: &Track<'_>, flank: &Flank, end: f64) -> impl Iterator<Item = Frame> {
-    track.frames(flank.tip, end, PLACES).chain([track.at(end)])
+/// Places of a flank from its tip to the cutter's end, both included, and on either side of the arcs' junction.
+fn flank_frames<'a>(track: &'a Track<'_>, flank: &Flank, end: f64) -> impl Iterator<Item = Frame> + 'a {
+    let ends = track.jumps(flank.tip, end).into_iter().chain([end]).map(|s| track.at(s));
+    track.frames(flank.tip, end, PLACES).chain(ends)
 }

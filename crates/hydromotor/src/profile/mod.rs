@@ -25,7 +25,9 @@
 //! Of the forms on a grid of 20° to 30°, `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0 to 0.4 and `ρ*` from 0.1 to 0.25,
 //! 327 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of their families. The lower the teeth, the wider the
 //! margins, but the shorter the path of contact, down to one base pitch: the default trades them, with a path of 1.12 base
-//! pitches, tips of half a module, and 0.12 modules left to undercut and roots.
+//! pitches, tips of half a module, and 0.12 modules left to undercut and roots. Towards the ends of a family the centrodes bend more
+//! sharply and the default is undercut, at first by the cutter's clearance alone; a satellite of 9 teeth needs `ρ* ≤ 0.0698`, a smaller one lower
+//! teeth.
 //!
 //! # Left out
 //! Loads, and with them contact and root stress; modifications of the flank; the thickness across the face.
@@ -160,7 +162,8 @@ impl Profile {
         [self.teeth.tip, self.teeth.root].map(|radius| self.motor.length(radius))
     }
 
-    /// The outline of a wheel in its own frame, with at least so many points: equally many of each tooth, at least 6.
+    /// The outline of a wheel in its own frame, with at least so many points: equally many of each tooth, at least 6, and
+    /// a few more where an undercut flank has a loop removed.
     ///
     /// The frames are those of [`crate::centrode`]. In place, a satellite's is turned by its
     /// [`rotation`](crate::satellites::Satellite::rotation) and moved to its centre, the rotor's is turned by the rotation of the rotor.

@@ -454,6 +454,21 @@ proptest! {
     }
 
     #[test]
+    fn an_undercut_wheel_is_as_free(motor in any_motor(), form in moderate_form()) {
+        // The satellite is the cutter less the backlash, whatever the cutter does to the wheel.
+        let free = |limit: &Limit| limit.holds() || [LimitKind::Undercut, LimitKind::WheelRoot, LimitKind::ContactPath, LimitKind::TipThickness].contains(&limit.kind);
+        if let Ok(profile) = Profile::new(&motor, form) && profile.limits().iter().all(free) {
+            outline_holds_together(&profile);
+            let clearances = profile.clearances(24).unwrap();
+            let expected = 0.5 * profile.teeth.backlash * profile.teeth.cos;
+            for nearest in [clearances.stator, clearances.rotor] {
+                let excess = nearest.clearance.get::<meter>() - expected;
+                prop_assert!(excess > -1e-6, "{nearest:?} {excess:e}");
+            }
+        }
+    }
+
+    #[test]
     fn no_finite_form_panics(
         motor in any_motor(), form in any_form(), which in 0..7_usize, x in any::<f64>(), rotation in any::<f64>(),
     ) {

@@ -74,6 +74,21 @@ impl Track<'_> {
         2.0 * self.shape.trough().get(self.arc())
     }
 
+    /// Arc lengths just before and behind each jump of the curvature between two arc lengths, in no order.
+    pub(super) fn jumps(&self, from: f64, to: f64) -> Vec<f64> {
+        let Some(phase) = self.shape.kink() else { return Vec::new() };
+        let (kink, lobe) = (self.shape.within(By::Phase, phase).get(self.arc()), self.lobe());
+        let (low, high) = (from.min(to), from.max(to));
+        let near = |s: f64| [s * (1.0 - 1e-9), s * (1.0 + 1e-9)];
+        let first = (low / lobe).floor() as i64;
+        let last = (high / lobe).ceil() as i64;
+        (first..=last)
+            .flat_map(|k| [kink + lobe * k as f64, lobe * k as f64 - kink])
+            .flat_map(near)
+            .filter(|s| (low..=high).contains(s))
+            .collect()
+    }
+
     pub(super) fn at(&self, s: f64) -> Frame {
         self.frame(&self.shape.at(self.arc(), s))
     }
