@@ -37,7 +37,7 @@
 //! than any at the evenly spaced places.
 //!
 //! # Cost and threads
-//! With the default bounds some 6·10⁴ motors, below 3 s on one core (`hydromotor/search`). Results do not depend on the number of
+//! With the default bounds some 5·10⁴ motors, a second or two of one core (`hydromotor/search`). Results do not depend on the number of
 //! threads: each set is worked by itself, and rounds of refinement see the same front. Run it within a `rayon::ThreadPool` of your
 //! own to choose their number.
 //!
