@@ -28,6 +28,29 @@ fn said(args: &[&str]) -> String {
     session(here().path(), args)
 }
 
+/// What a program sees, numbers to nine digits; without the places where limits of the teeth are nearest, as many are alike.
+fn seen_by_programs(args: &[&str]) -> String {
+    let is_of_number = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '+' | '_');
+    let rounded = |token: &str| match token.parse::<f64>() {
+        Ok(value) if token.contains('.') => format!("{:.8e}", value).parse::<f64>().unwrap().to_string(),
+        _ => token.to_owned(),
+    };
+    let line = |line: &str| -> String {
+        let mut out = String::new();
+        let mut token = String::new();
+        for c in line.chars().chain(['\n']) {
+            if is_of_number(c) {
+                token.push(c);
+            } else {
+                out += &rounded(&std::mem::take(&mut token));
+                out.push(c);
+            }
+        }
+        out
+    };
+    said(args).lines().filter(|line| !line.contains("at_arc")).map(line).collect()
+}
+
 #[test]
 fn a_motor_as_tables() {
     let loads = ["--l", "80 mm", "--width", "50 mm", "--pressure", "20 MPa", "--speed", "60 rpm"];
@@ -38,8 +61,11 @@ fn a_motor_as_tables() {
 #[test]
 fn a_motor_for_programs() {
     let loads = ["--a", "30.6126 mm", "--width", "50 mm", "--pressure", "200 bar", "--format", "json"];
-    insta::assert_snapshot!(said(&with(&FIVE_THREE, &loads)));
-    insta::assert_snapshot!("csv", said(&with(&FIVE_THREE, &["--part", "0.4", "--format", "csv"])));
+    insta::assert_snapshot!(seen_by_programs(&with(&FIVE_THREE, &loads)));
+    insta::assert_snapshot!(
+        "csv",
+        seen_by_programs(&with(&FIVE_THREE, &["--part", "0.4", "--format", "csv"]))
+    );
 }
 
 #[test]
@@ -205,9 +231,9 @@ fn a_search_for_programs() {
     let wanted =
         ["motor", "search", "--displacement", "250 cm3/rev", "--stator", "5", "--z3", "55", "--zs", "10"];
     let json = ["--width-over-diameter", "0.5", "--limit", "1", "--format", "json"];
-    insta::assert_snapshot!(said(&with(&wanted, &json)));
+    insta::assert_snapshot!(seen_by_programs(&with(&wanted, &json)));
     let csv = ["--module", "2 mm", "--width", "45 mm", "--tolerance", "5 %", "--format", "csv"];
-    insta::assert_snapshot!("search_csv", said(&with(&wanted, &csv)));
+    insta::assert_snapshot!("search_csv", seen_by_programs(&with(&wanted, &csv)));
 }
 
 #[test]

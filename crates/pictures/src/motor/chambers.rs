@@ -1,6 +1,6 @@
 //! The motor with its chambers coloured by pressure.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use epicyclic_drawing::{Color, Point, Scene, Shape, Style, Text};
 use epicyclic_hydromotor::Motor;
@@ -132,6 +132,7 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
 /// The rotor's crest, and an arrow the way that it turns.
 pub(super) fn direction(sheet: &mut Sheet, layer: epicyclic_drawing::LayerId, inner: f64, rotation: f64) {
     let centre = Point::default();
+    let rotation = rotation.rem_euclid(TAU);
     sheet.circle(layer, centre, 0.4 * sheet.unit);
     let radius = 0.55 * inner;
     sheet.line(

@@ -19,14 +19,15 @@ use epicyclic_hydromotor::centrode::{Centrode, CurvePoint, Wheel};
 use super::units::{mm, of_mm, rad};
 use crate::Error;
 
-/// The greatest distance between a curve that is no arc and the arcs drawn for it.
+/// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a kilometre
+/// a ten-billionth of its length, which no coordinate holds better.
 pub const TOLERANCE_MM: f64 = 1e-4;
 
 /// Places of a piece at which its distance is looked at.
 const PLACES: u32 = 9;
 
 /// How often a piece is halved at most.
-const MOST_HALVINGS: u32 = 24;
+const MOST_HALVINGS: u32 = 16;
 
 /// A closed curve of arcs, counter-clockwise.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,6 +105,7 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
         _ => motor.numbers().rotor_lobes(),
     };
     let half = mm(curve.length()) / f64::from(2 * lobes);
+    let tolerance_mm = TOLERANCE_MM.max(1e-10 * mm(curve.length()));
     // The curvature jumps where the images of the stator's arcs meet: a piece ends there.
     let mut ends = vec![0.0];
     if let Some(arcs) = motor.arcs() {
@@ -113,7 +115,7 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
     ends.push(half);
     let (mut nodes, mut deviation_mm) = (vec![], 0.0_f64);
     for pair in ends.windows(2) {
-        deviation_mm = deviation_mm.max(pieces(&curve, pair[0], pair[1], 0, &mut nodes)?);
+        deviation_mm = deviation_mm.max(pieces(&curve, [pair[0], pair[1]], tolerance_mm, 0, &mut nodes)?);
     }
     nodes.push(half);
     // There and back for each lobe.
@@ -134,8 +136,8 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
 /// Where pieces of the curve begin, halved until each is near enough or [`MOST_HALVINGS`] are reached; how far the curve is from them.
 fn pieces(
     curve: &Centrode<'_>,
-    from: f64,
-    to: f64,
+    [from, to]: [f64; 2],
+    tolerance_mm: f64,
     halvings: u32,
     nodes: &mut Vec<f64>,
 ) -> Result<f64, Error> {
@@ -147,14 +149,14 @@ fn pieces(
             let point = curve.at(of_mm(from + (to - from) * f64::from(place) / f64::from(PLACES + 1)))?;
             missed = missed.max(biarc.distance([mm(point.x), mm(point.y)]));
         }
-        if missed <= TOLERANCE_MM || halvings > MOST_HALVINGS {
+        if missed <= tolerance_mm || halvings > MOST_HALVINGS {
             nodes.push(from);
             return Ok(missed);
         }
     }
     let middle = 0.5 * (from + to);
-    let first = pieces(curve, from, middle, halvings + 1, nodes)?;
-    Ok(first.max(pieces(curve, middle, to, halvings + 1, nodes)?))
+    let first = pieces(curve, [from, middle], tolerance_mm, halvings + 1, nodes)?;
+    Ok(first.max(pieces(curve, [middle, to], tolerance_mm, halvings + 1, nodes)?))
 }
 
 type Vector = [f64; 2];
