@@ -20,6 +20,10 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 /// friction.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+#[command(override_usage = "\
+epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
+           --zs <TEETH> --module <MODULE>
+       epicyclic motor search [OPTIONS]")]
 #[command(after_help = "\
 Example:
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\

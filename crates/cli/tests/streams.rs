@@ -62,7 +62,8 @@ fn a_reader_that_leaves_early_is_told_nothing() {
         let into_nothing = || {
             let (reader, writer) = std::io::pipe().unwrap();
             drop(reader);
-            let mut command = program(here().path(), args);
+            let folder = here();
+            let mut command = program(folder.path(), args);
             command.stdout(writer).stderr(Stdio::piped()).spawn().unwrap().wait_with_output().unwrap()
         };
         // A program that another test starts at this moment holds the reading end too until it runs; the little that

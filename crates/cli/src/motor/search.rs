@@ -32,6 +32,9 @@ const SHOWN_IN_TABLE: usize = 12;
 /// estimated and said. Checks take the default teeth of `motor`. Ranges include both ends and may be open: 3..6, ..90.
 #[derive(Debug, clap::Args)]
 #[command(group = clap::ArgGroup::new("wanted").required(true))]
+#[command(override_usage = "\
+epicyclic motor search [OPTIONS] --displacement <DISPLACEMENT>
+       epicyclic motor search [OPTIONS] --torque <TORQUE> --pressure <PRESSURE>")]
 #[command(after_help = "\
 Example:
   epicyclic motor search --torque '600 N·m' --pressure '20 MPa' \\
