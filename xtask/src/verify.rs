@@ -13,7 +13,7 @@ use std::process::ExitCode;
 /// Exit code 0 if everything holds, 1 if something does not, 2 if there was nothing to run.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  cargo xtask verify\n  cargo xtask verify excavator-dynamics\n  \
-    cargo xtask verify shafts --format json\n  cargo xtask verify --accept")]
+    cargo xtask verify shaft --format json\n  cargo xtask verify --accept")]
 pub struct Arguments {
     /// Only sources or cases whose name contains this.
     #[arg(default_value = "")]

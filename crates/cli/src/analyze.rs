@@ -13,7 +13,7 @@ use epicyclic_formats::Quantity;
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
 use std::path::{Path, PathBuf};
 use subject::Content;
-pub(crate) use subject::Subject;
+pub(crate) use subject::{Subject, efficiency};
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
@@ -39,7 +39,7 @@ Keys of the file:
   rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
         kind, planet_teeth, planets, efficiency or meshes; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
-        planet_bore
+        planet_bore; for their bearings' life bearing_capacity, bearing_rolling
   brakes: id, link            clutches: id, links: [one, other]
   gears: name, engaged, and optionally input, output
   links, grounds, ties, shared_ring_meshes, density, pressure_angle: optional
@@ -81,6 +81,15 @@ pub(crate) struct Choice {
 }
 
 impl Choice {
+    /// One gearbox of a file, all of it as its options would say.
+    pub(crate) fn new(
+        file: PathBuf,
+        transmission: Option<String>,
+        efficiency: Option<Quantity<Ratio>>,
+    ) -> Self {
+        Self { file, transmission, efficiency }
+    }
+
     /// The file.
     pub(crate) fn file(&self) -> &Path {
         &self.file
@@ -135,6 +144,14 @@ pub(crate) struct Everything {
     pub(crate) gears: Vec<Report>,
 }
 
+/// The gearbox of a file, of which only one may be meant.
+pub(crate) fn gearbox(choice: &Choice) -> Result<Gearbox, Failure> {
+    let Content::One(subject) = subject::read(choice, true)? else {
+        unreachable!("one of several is asked for");
+    };
+    Ok(subject.gearbox)
+}
+
 /// Everything about the gearbox of a file, of which only one may be meant.
 pub(crate) fn everything(choice: &Choice, load: &Load) -> Result<Everything, Failure> {
     let Content::One(subject) = subject::read(choice, true)? else {
@@ -162,16 +179,21 @@ struct Worked {
     operation: Option<epicyclic_schemes::Operation>,
 }
 
-fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
-    let analysis = match gearbox.analyze(gear) {
+/// The analysis of a gear that `--gear` names.
+pub(crate) fn analysis(gearbox: &Gearbox, gear: &str) -> Result<Analysis, Failure> {
+    match gearbox.analyze(gear) {
         // With few short names, the nearest says less than all.
         Err(Error::Unknown { .. }) => {
             let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_schemes::Gear::name).collect();
             let message = format!("no gear is called `{gear}`: there are {}", all.join(", "));
-            return Err(Failure::Option { option: "--gear", message });
+            Err(Failure::Option { option: "--gear", message })
         }
-        analysis => analysis?,
-    };
+        analysis => Ok(analysis?),
+    }
+}
+
+fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
+    let analysis = analysis(gearbox, gear)?;
     // At a torque alone, powers hang on a speed that nobody gave: none is shown.
     let speed =
         input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));

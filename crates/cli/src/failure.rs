@@ -21,10 +21,10 @@ const INPUT_OUTPUT: u8 = 3;
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  answered
-  1  nothing found: no design or tooth set meets the demand
+  1  nothing found: no design, tooth set, scheme or motor meets the demand
   2  wrong usage, or an input that cannot be
-  3  a file or stream that cannot be read or written; also a reader that
-     leaves before the end, of which nothing is said";
+  3  a file or stream that cannot be read or written; a reader that
+     leaves before the end, as head does, is told nothing";
 
 /// A refusal, shown after `error: `.
 #[derive(Debug, thiserror::Error)]
@@ -63,9 +63,33 @@ pub(crate) enum Failure {
     /// A selection that cannot be made.
     #[error(transparent)]
     Selection(epicyclic_schemes::selection::SelectionError),
+    /// A gearbox that no drawing in the half-plane exists of.
+    #[error(
+        "{gearbox} crosses itself: {why}\n{witness}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder"
+    )]
+    SelfCrossing {
+        /// The gearbox.
+        gearbox: String,
+        /// What is shut in.
+        why: String,
+        /// What stands in each other's way.
+        witness: String,
+    },
+    /// A picture that cannot be made.
+    #[error(transparent)]
+    Picture(#[from] epicyclic_pictures::Error),
     /// An answer that says that there is none.
     #[error("{0}")]
     NothingFound(String),
+    /// A hydromotor that cannot be.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
+    /// A search that no hydromotor passes.
+    #[error("no motor within the limits: {funnel}")]
+    NoMotor {
+        /// What refused them.
+        funnel: String,
+    },
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {
@@ -101,7 +125,10 @@ impl Failure {
     /// The exit code.
     pub(crate) fn code(&self) -> u8 {
         match self {
-            Self::NothingFound(_) | Self::Gear(epicyclic_gears::Error::NoToothSet { .. }) => NOTHING_FOUND,
+            Self::NothingFound(_)
+            | Self::SelfCrossing { .. }
+            | Self::NoMotor { .. }
+            | Self::Gear(epicyclic_gears::Error::NoToothSet { .. }) => NOTHING_FOUND,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
                 INPUT_OUTPUT
             }

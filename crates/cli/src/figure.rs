@@ -19,6 +19,8 @@ const DECIMALS: usize = 4;
 pub(crate) enum Figure {
     /// Nothing to say.
     None,
+    /// A quantity that there is not, whose key keeps its unit.
+    Without(Dimension),
     Count(u32),
     Number(f64),
     /// A multiple of the input's speed, torque or power, an efficiency, a ratio: in a table with as many decimals as
@@ -60,6 +62,11 @@ pub(crate) fn quantity<T: Physical>(value: T) -> Figure {
     Figure::Quantity { si: value.si(), dimension: T::DIMENSION }
 }
 
+/// The same, if there is one.
+pub(crate) fn optional<T: Physical>(value: Option<T>) -> Figure {
+    value.map_or(Figure::Without(T::DIMENSION), quantity)
+}
+
 /// A figure of a quantity below a heading with its unit.
 pub(crate) fn column<T: Physical>(value: Option<T>) -> Figure {
     value.map_or(Figure::None, |value| Figure::Column { si: value.si(), dimension: T::DIMENSION })
@@ -78,7 +85,7 @@ pub(crate) fn text(text: impl Into<String>) -> Figure {
 impl Figure {
     pub(crate) fn table(&self) -> String {
         match self {
-            Self::None => "-".to_owned(),
+            Self::None | Self::Without(_) => "-".to_owned(),
             Self::Count(count) => count.to_string(),
             Self::Number(value) => trimmed(*value, DIGITS),
             Self::Multiple(value) => shown_multiple(*value),
@@ -122,7 +129,7 @@ impl Figure {
         let joined = |values: &[f64]| values.iter().map(|value| exact(*value)).collect::<Vec<_>>().join(" ");
         let plain = |value: String| (value, String::new());
         match self {
-            Self::None => plain(String::new()),
+            Self::None | Self::Without(_) => plain(String::new()),
             Self::Count(count) => plain(count.to_string()),
             Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) | Self::Share(value) => {
                 plain(exact(*value))
@@ -144,7 +151,7 @@ impl Figure {
 
     pub(crate) fn json(&self) -> Value {
         match self {
-            Self::None => Value::Null,
+            Self::None | Self::Without(_) => Value::Null,
             Self::Count(count) => json!(count),
             Self::Number(value)
             | Self::Multiple(value)
@@ -165,7 +172,8 @@ impl Figure {
         match self {
             Self::Quantity { dimension, .. }
             | Self::Column { dimension, .. }
-            | Self::List { dimension, .. } => Some(*dimension),
+            | Self::List { dimension, .. }
+            | Self::Without(dimension) => Some(*dimension),
             _ => None,
         }
     }
@@ -181,6 +189,12 @@ pub(crate) const fn suffix(dimension: Dimension, format: Format) -> &'static str
     match (dimension, format) {
         (Dimension::Length, Format::Json) => "_m",
         (Dimension::Length, _) => "_mm",
+        (Dimension::Area, Format::Json) => "_m2",
+        (Dimension::Area, _) => "_mm2",
+        (Dimension::Volume, Format::Json) => "_m3",
+        (Dimension::Volume, _) => "_cm3",
+        (Dimension::VolumeRate, Format::Json) => "_m3_s",
+        (Dimension::VolumeRate, _) => "_l_min",
         (Dimension::Mass, _) => "_kg",
         (Dimension::Inertia, _) => "_kg_m2",
         (Dimension::Speed, _) => "_m_s",

@@ -7,8 +7,12 @@
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
+//! | [`draw`] | the command `draw`: schemes, speed plans, levers and ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
+//! | [`schema`] | the command `schema`: JSON Schemas of the files |
+//! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
+//! | [`motor`] | the command `motor`: a hydromotor and its drawings |
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
@@ -19,24 +23,31 @@
 //! Exit codes: see [`failure`].
 
 mod analyze;
+mod completions;
+mod draw;
 mod drive;
 mod failure;
 mod figure;
 mod lists;
 mod machine;
+mod man;
+mod motor;
 mod options;
 mod output;
 mod page;
 mod progress;
 mod report;
+#[cfg(test)]
+mod robustness;
+mod schema;
 mod schemes;
 mod select;
 mod teeth;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds.
+/// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
 #[derive(Parser)]
 #[command(version, max_term_width = 80, after_help = failure::EXIT_CODES)]
 struct Cli {
@@ -52,7 +63,12 @@ enum Command {
     Select(Box<select::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
+    Motor(Box<motor::Args>),
+    Draw(Box<draw::Args>),
     Report(page::Args),
+    Schema(schema::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 fn main() -> ExitCode {
@@ -78,7 +94,12 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Select(args) => select::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Motor(args) => motor::run(&args),
+        Command::Draw(args) => draw::run(&args),
         Command::Report(args) => page::run(&args),
+        Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args, Cli::command()),
+        Command::Man(args) => man::run(&args, Cli::command()),
     }
 }
 

@@ -18,6 +18,13 @@ pub(crate) struct OutputArgs {
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub(crate) format: Format,
 
+    #[command(flatten)]
+    target: Target,
+}
+
+/// Where something is written.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Target {
     /// File for the answer, written whole or not at all. Default: standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -37,33 +44,47 @@ pub(crate) enum Format {
 impl OutputArgs {
     /// Whether the answer goes to a file, out of sight.
     pub(crate) fn is_file(&self) -> bool {
-        self.output.is_some()
+        self.target.output.is_some()
     }
 
     /// Writes the answer.
     pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
-        write_to(self.output.as_deref(), answer)
+        self.target.write(answer.as_bytes())
     }
 }
 
-/// Writes a text into a file, whole or not at all, or to standard output.
-pub(crate) fn write_to(file: Option<&Path>, text: &str) -> Result<(), Failure> {
-    match file {
-        Some(file) => {
-            replace(file, text.as_bytes()).map_err(|source| Failure::Write { file: file.to_owned(), source })
+impl Target {
+    /// Writes all of it.
+    pub(crate) fn write(&self, answer: &[u8]) -> Result<(), Failure> {
+        match &self.output {
+            Some(file) => write_file(file, answer),
+            None => print(answer).map_err(Failure::StandardOutput),
         }
-        None => print(text).map_err(Failure::StandardOutput),
     }
 }
 
-fn print(text: &str) -> io::Result<()> {
+/// Writes a file whole or not at all.
+pub(crate) fn write_file(file: &Path, content: &[u8]) -> Result<(), Failure> {
+    replace(file, content).map_err(|source| Failure::Write { file: file.to_owned(), source })
+}
+
+/// Writes to standard output.
+pub(crate) fn say(text: &str) -> Result<(), Failure> {
+    print(text.as_bytes()).map_err(Failure::StandardOutput)
+}
+
+fn print(text: &[u8]) -> io::Result<()> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())?;
+    out.write_all(text)?;
     out.flush()
 }
 
 /// A line on standard error. Nothing can be done where that fails.
 pub(crate) fn complain(line: &str) {
+    // The tests of whole command lines have no reader for it.
+    if cfg!(test) {
+        return;
+    }
     let _ = writeln!(io::stderr(), "{line}");
 }
 

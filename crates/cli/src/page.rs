@@ -6,10 +6,9 @@ mod sheet;
 
 use crate::analyze::{Choice, Load};
 use crate::failure::Failure;
-use crate::output;
+use crate::output::Target;
 use epicyclic_formats::{Document, Path, Problem};
 use std::fs;
-use std::path::PathBuf;
 
 /// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
 ///
@@ -28,9 +27,8 @@ pub(crate) struct Args {
     #[command(flatten)]
     load: Load,
 
-    /// File for the page, written whole or not at all. Default: standard output.
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    target: Target,
 }
 
 /// Runs the command.
@@ -50,5 +48,5 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     };
-    output::write_to(args.output.as_deref(), &sheet.html()?)
+    args.target.write(sheet.html()?.as_bytes())
 }

@@ -61,7 +61,7 @@ pub(crate) struct Args {
 
 /// Any scheme of the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Scheme {
+pub(crate) enum Scheme {
     Two(TwoSpeed),
     Three(ThreeSpeed),
 }
@@ -72,14 +72,14 @@ impl Scheme {
         TwoSpeed::ALL.into_iter().map(Self::Two).chain(ThreeSpeed::ALL.into_iter().map(Self::Three))
     }
 
-    fn named(name: &str) -> Result<Self, Failure> {
+    pub(crate) fn named(name: &str) -> Result<Self, Failure> {
         Self::all().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
             let known = Self::all().map(Self::name).collect::<Vec<_>>().join(", ");
             DesignError::UnknownScheme { name: name.to_owned(), known }.into()
         })
     }
 
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Two(scheme) => scheme.name(),
             Self::Three(scheme) => scheme.name(),
@@ -113,9 +113,18 @@ impl Scheme {
 }
 
 /// A scheme with its numbers.
-struct Dimensioned {
+pub(crate) struct Dimensioned {
     k: Vec<RowParameter>,
-    gearbox: Gearbox,
+    pub(crate) gearbox: Gearbox,
+}
+
+/// What says how large the rows of a scheme are: the options of these names.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Sizes {
+    pub(crate) k1: Option<Number>,
+    pub(crate) k2: Option<Number>,
+    pub(crate) ratio1: Option<Number>,
+    pub(crate) ratio2: Option<Number>,
 }
 
 /// Runs the command.
@@ -129,7 +138,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         None => list::report(range),
         Some(name) => {
             let scheme = Scheme::named(name)?;
-            one::report(scheme, range, eta0, dimensioned(args, scheme, eta0)?.as_ref())?
+            let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
+            one::report(scheme, range, eta0, dimensioned(sizes, scheme, eta0)?.as_ref())?
         }
     };
     report.deliver(&args.output)
@@ -140,15 +150,19 @@ fn refuse<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {
 }
 
 /// The scheme with the parameters or ratios that were given, if any were.
-fn dimensioned(args: &Args, scheme: Scheme, eta0: MeshEfficiency) -> Result<Option<Dimensioned>, Failure> {
+pub(crate) fn dimensioned(
+    sizes: Sizes,
+    scheme: Scheme,
+    eta0: MeshEfficiency,
+) -> Result<Option<Dimensioned>, Failure> {
     let missing = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
-    let first = match (args.k1, args.ratio1) {
+    let first = match (sizes.k1, sizes.ratio1) {
         (Some(k), _) => RowParameter::new(k.get()).map_err(refuse("--k1"))?,
         (None, Some(ratio)) => scheme.first().parameter(ratio.get()).map_err(refuse("--ratio1"))?,
-        (None, None) if args.ratio2.is_some() => return missing("--ratio2", "give --ratio1 or --k1 too"),
+        (None, None) if sizes.ratio2.is_some() => return missing("--ratio2", "give --ratio1 or --k1 too"),
         (None, None) => return Ok(None),
     };
-    let second = match (scheme, args.k2, args.ratio2) {
+    let second = match (scheme, sizes.k2, sizes.ratio2) {
         (Scheme::Two(_), None, None) => None,
         (Scheme::Two(_), Some(_), _) => {
             return missing("--k2", &format!("scheme {} has one row", scheme.name()));

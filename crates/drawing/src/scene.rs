@@ -342,6 +342,12 @@ impl Scene {
         &self.layers
     }
 
+    /// The layer of one of its shapes.
+    #[must_use]
+    pub fn layer_of(&self, item: &Item) -> &Layer {
+        &self.layers[item.layer.0]
+    }
+
     /// The shapes.
     #[must_use]
     pub fn items(&self) -> &[Item] {

@@ -154,6 +154,16 @@ pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
     found
 }
 
+/// Whether a text, with a margin about it, meets nothing that a scene has: no label, line or circle. Fills do not count.
+#[must_use]
+pub fn is_free(scene: &Scene, text: &Text, margin_mm: f64) -> bool {
+    let bounds = text.bounds().grown(margin_mm);
+    scene.items().iter().all(|item| match &item.shape {
+        Shape::Text(other) => other.content.trim().is_empty() || !bounds.overlaps(other.bounds()),
+        shape => scene.style(item).width_mm <= 0.0 || !line_meets(shape, bounds),
+    })
+}
+
 /// Whether a shape's line runs through the inside of a box; never for text. Arcs are followed in steps of at most 3°.
 ///
 /// ```
@@ -252,5 +262,17 @@ mod tests {
         scene.add(layer, around);
         scene.add(layer, label(9.0));
         assert!(overlaps(&scene).is_empty());
+    }
+
+    #[test]
+    fn a_place_is_free_where_the_label_would_overlap_nothing() {
+        let mut scene = Scene::new("room");
+        let layer = scene.layer("all", Style::line(0.2)).unwrap();
+        scene.add(layer, label(0.0));
+        let text = |x: f64| Text::new([x, 0.0], 3.58, "00");
+        assert!(!is_free(&scene, &text(5.5), 0.0));
+        assert!(is_free(&scene, &text(5.6), 0.0) && !is_free(&scene, &text(5.6), 0.1));
+        scene.add(layer, Shape::line([9.0, -9.0], [9.0, 9.0]));
+        assert!(!is_free(&scene, &text(8.0), 0.0));
     }
 }

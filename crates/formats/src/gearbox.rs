@@ -23,7 +23,8 @@
 //! ```
 //!
 //! Efficiencies are parts of 1 or per cent. For the forces on planets a row may have `planets`, `module` or
-//! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`; the gearbox `density` and `pressure_angle`.
+//! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life
+//! of their bearings `bearing_capacity`; the gearbox `density` and `pressure_angle`.
 //!
 //! # Real transmissions
 //! [`TransmissionsFile`]: a list `transmissions`, each with rows, nodes that join members, elements that join nodes
@@ -46,13 +47,14 @@
 
 use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::life::Rolling;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_schemes::pins::{Pin, RowSize};
 use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
 use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::f64::{Angle, Length, Mass, MassDensity, Ratio};
+use uom::si::f64::{Angle, Force, Length, Mass, MassDensity, Ratio};
 
 mod place;
 mod transmissions;
@@ -222,6 +224,32 @@ pub struct RowEntry {
     /// Mass of a planet with what turns about its pin; goes before that of its shape.
     #[serde(default)]
     pub planet_mass: Option<Quantity<Mass>>,
+    /// Dynamic load rating of the bearings of one planet together, for their life.
+    #[serde(default)]
+    pub bearing_capacity: Option<Quantity<Force>>,
+    /// What rolls in these bearings. Default balls.
+    #[serde(default)]
+    pub bearing_rolling: RollingEntry,
+}
+
+/// What rolls in a bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RollingEntry {
+    /// Balls.
+    #[default]
+    Balls,
+    /// Rollers or needles.
+    Rollers,
+}
+
+impl From<RollingEntry> for Rolling {
+    fn from(rolling: RollingEntry) -> Self {
+        match rolling {
+            RollingEntry::Balls => Self::Balls,
+            RollingEntry::Rollers => Self::Rollers,
+        }
+    }
 }
 
 /// A kind of row.
@@ -376,6 +404,7 @@ impl GearboxFile {
             face_width: row.face_width.map(|width| width.0),
             planet_bore: row.planet_bore.map(|bore| bore.0),
             planet_mass: row.planet_mass.map(|mass| mass.0),
+            bearing: row.bearing_capacity.map(|capacity| (capacity.0, row.bearing_rolling.into())),
             density: self.density.map_or(usual.density, |density| density.0),
             pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
         };

@@ -34,10 +34,18 @@ impl MeshEfficiency {
     /// An efficiency.
     ///
     /// # Errors
-    /// [`Error::Efficiency`] unless `0 < η ≤ 1`.
+    /// [`Error::Efficiency`] unless `0 < η ≤ 1`, [`Error::EfficiencyTooSmall`] below [`LEAST`](Self::LEAST).
     pub fn new(eta: f64) -> Result<Self, Error> {
-        if eta > 0.0 && eta <= 1.0 { Ok(Self(eta)) } else { Err(Error::Efficiency { eta }) }
+        match eta {
+            _ if !(eta > 0.0 && eta <= 1.0) => Err(Error::Efficiency { eta }),
+            _ if eta < Self::LEAST => Err(Error::EfficiencyTooSmall { eta, least: Self::LEAST }),
+            _ => Ok(Self(eta)),
+        }
     }
+
+    /// The least that is taken: far below any gear, and large enough that products and reciprocals over all rows of a
+    /// gearbox stay numbers.
+    pub const LEAST: f64 = 1e-6;
 
     /// The efficiency as a number.
     #[must_use]
@@ -165,6 +173,12 @@ mod tests {
     fn impossible_efficiencies_are_refused() {
         for bad in [0.0, -0.1, 1.0001, f64::NAN] {
             assert!(MeshEfficiency::new(bad).is_err());
+        }
+        for tiny in [1e-7, 1e-310, f64::MIN_POSITIVE] {
+            assert_eq!(
+                MeshEfficiency::new(tiny),
+                Err(Error::EfficiencyTooSmall { eta: tiny, least: MeshEfficiency::LEAST })
+            );
         }
     }
 

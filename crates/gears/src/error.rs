@@ -40,6 +40,14 @@ pub enum Error {
         /// The value given.
         eta: f64,
     },
+    /// An efficiency so small that nothing can be computed with it.
+    #[error("mesh efficiency {eta:e}: at least {least} and at most 1")]
+    EfficiencyTooSmall {
+        /// The value given.
+        eta: f64,
+        /// The least taken.
+        least: f64,
+    },
     /// A range of teeth that holds no wheel.
     #[error("{wheel} teeth from {from} to {to}: write the smaller first, and at most {most}")]
     ToothRange {

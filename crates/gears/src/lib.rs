@@ -15,6 +15,7 @@
 //! | [`carrier`] | the same of a planet carrier |
 //! | [`pin`] | forces on the bearing and pin of a planet |
 //! | [`shaft`] | shaft diameter by reduced torsional stress, standard diameters |
+//! | [`life`] | how long a rolling bearing lasts |
 //! | [`bearing`] | deep-groove ball bearings by designation, bore or shaft |
 //!
 //! Quantities are `uom` quantities; nothing here prints, reads or writes.
@@ -44,6 +45,7 @@ pub mod carrier;
 pub mod efficiency;
 pub mod error;
 pub mod geometry;
+pub mod life;
 pub mod mass;
 pub mod pin;
 pub mod row;

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 use uom::si::angle::{degree, radian};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{
-    Angle, AngularVelocity, Force, Length, Mass, MassDensity, MomentOfInertia, Pressure, Torque, Volume,
+    Angle, AngularVelocity, Force, Length, Mass, MassDensity, MomentOfInertia, Pressure, Time, Torque, Volume,
 };
 use uom::si::force::newton;
 use uom::si::length::{meter, millimeter};
@@ -15,6 +15,7 @@ use uom::si::mass::kilogram;
 use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::moment_of_inertia::kilogram_square_meter;
 use uom::si::pressure::{megapascal, pascal};
+use uom::si::time::second;
 use uom::si::torque::newton_meter;
 use uom::si::volume::cubic_meter;
 
@@ -38,6 +39,10 @@ pub(crate) fn torque(torque_n_m: f64) -> Torque {
 
 pub(crate) fn force(force_n: f64) -> Force {
     Force::new::<newton>(force_n)
+}
+
+pub(crate) fn seconds(time_s: f64) -> Time {
+    Time::new::<second>(time_s)
 }
 
 pub(crate) fn newtons(force: Force) -> f64 {

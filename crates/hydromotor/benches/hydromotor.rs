@@ -1,12 +1,19 @@
-//! A closed motor from its numbers and a distance, with displacement and ripple.
+//! A closed motor from its numbers and a distance, with displacement and ripple; its tooth profiles; the search for designs on one core.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::numbers::Bounds;
+use epicyclic_hydromotor::profile::limits::Limit;
+use epicyclic_hydromotor::profile::{Profile, ToothForm};
+use epicyclic_hydromotor::search::{Demand, MotorSearch, Size};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::hint::black_box;
 use uom::si::area::square_millimeter;
-use uom::si::f64::Length;
-use uom::si::length::millimeter;
+use uom::si::f64::{Length, Pressure, Torque};
+use uom::si::length::{meter, millimeter};
+use uom::si::{pressure::megapascal, torque::newton_meter};
 
 fn closed_motor(c: &mut Criterion) {
     let mm = Length::new::<millimeter>;
@@ -21,5 +28,106 @@ fn closed_motor(c: &mut Criterion) {
     c.bench_function("hydromotor/family", |b| b.iter(|| Family::new(black_box(numbers), mm(1.0))));
 }
 
-criterion_group!(benches, closed_motor);
+fn profiles(c: &mut Criterion) {
+    let mm = Length::new::<millimeter>;
+    let of = |n: (u32, u32, u32, u32)| {
+        let numbers = MotorNumbers::new(n.0, n.1, n.2, n.3).expect("admissible");
+        Motor::of_two_arcs(numbers, mm(1.0), mm(40.0)).expect("within the family")
+    };
+    // 10⁵ points, evenly among the teeth of all wheels.
+    let outlines = |motor: &Motor| {
+        let profile = Profile::new(motor, ToothForm::default()).expect("within the limits");
+        let numbers = motor.numbers();
+        let wheels = [
+            (Wheel::Stator, numbers.stator_teeth()),
+            (Wheel::Rotor, numbers.rotor_teeth()),
+            (Wheel::Satellite, numbers.satellite_teeth()),
+        ];
+        let a_tooth = 100_000_u32.div_ceil(wheels.iter().map(|(_, teeth)| teeth).sum());
+        wheels.map(|(wheel, teeth)| profile.outline(wheel, a_tooth * teeth).expect("in range"))
+    };
+    for (name, numbers) in [("5x3", (5, 3, 55, 10)), ("6x4", (6, 4, 66, 10))] {
+        let motor = of(numbers);
+        assert!(outlines(&motor).iter().map(|outline| outline.points.len()).sum::<usize>() >= 100_000);
+        c.bench_function(&format!("hydromotor/profile/outlines_1e5/{name}"), |b| {
+            b.iter(|| outlines(black_box(&motor)));
+        });
+    }
+    let cosine = Motor::of_cosine_law(MotorNumbers::new(8, 6, 88, 10).expect("admissible"), mm(1.0));
+    let cosine = cosine.expect("closes");
+    c.bench_function("hydromotor/profile/outlines_1e5/cosine_8x6", |b| {
+        b.iter(|| outlines(black_box(&cosine)));
+    });
+    let motor = of((5, 3, 55, 10));
+    let profile = Profile::new(&motor, ToothForm::default()).expect("within the limits");
+    assert!(profile.limits().iter().all(Limit::holds));
+    c.bench_function("hydromotor/profile/limits", |b| b.iter(|| black_box(&profile).limits()));
+    assert!(profile.clearances(120).expect("in range").free());
+    let mut slow = c.benchmark_group("hydromotor/profile");
+    slow.sample_size(10);
+    slow.bench_function("clearances_120", |b| b.iter(|| black_box(&profile).clearances(120)));
+    slow.finish();
+}
+
+/// The demand of the benches: 900 N·m at 20 MPa.
+fn order() -> MotorSearch {
+    let pressure = Pressure::new::<megapascal>(20.0);
+    let demand = Demand::of_torque(Torque::new::<newton_meter>(900.0), pressure).expect("positive");
+    MotorSearch::new(demand)
+}
+
+fn search(c: &mut Criterion) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
+    let found = |search: &MotorSearch| pool.install(|| search.front()).expect("sound");
+    let mut group = c.benchmark_group("hydromotor/search");
+    group.sample_size(10);
+    // Every set with N ≤ 10, Z_3 ≤ 120, Z_s ≥ 8, refined to 2 %; and the evenly spaced places alone.
+    let all = order();
+    let places = MotorSearch { resolution: None, ..all.clone() };
+    let answer = found(&all);
+    assert!(answer.funnel.sets == 3061 && answer.funnel.points > 16 * 2800);
+    let error = answer.spacing_error;
+    assert!(error.displacement_by_volume.max(error.ripple).max(error.least_radius) <= 0.02);
+    group.bench_function("all", |b| b.iter(|| found(black_box(&all))));
+    group.bench_function("all_places_only", |b| b.iter(|| found(black_box(&places))));
+    // On few numbers beside the plain way: each motor by itself with all its checks, each held against each.
+    let mut few = places;
+    few.bounds = Bounds { stator_lobes: 4..=6, stator_teeth: 40..=66, satellite_teeth: 8..=60 };
+    few.demand.size = Size::WidthOverDiameter(0.5);
+    assert_eq!(found(&few).designs.len(), trial(&few));
+    group.bench_function("few_places_only", |b| b.iter(|| found(black_box(&few))));
+    group.bench_function("few_by_trial", |b| b.iter(|| trial(black_box(&few))));
+    group.finish();
+}
+
+/// The number of motors that no other dominates, the plain way.
+fn trial(search: &MotorSearch) -> usize {
+    let module = Length::new::<meter>(1.0);
+    let mut motors = Vec::new();
+    for numbers in search.bounds.all().expect("sound") {
+        let Ok(family) = Family::new(numbers, module) else { continue };
+        for interval in family.intervals() {
+            let [from, to] = [interval.lower, interval.upper]
+                .map(|end| end.arcs().map_or(0.0, |arcs| arcs.trough_distance().get::<meter>().recip()));
+            for i in 0..16 {
+                let part = (f64::from(i) / 15.0).clamp(1e-6, 1.0 - 1e-6);
+                let l = module / (from + (to - from) * part);
+                let motor = Motor::of_two_arcs(numbers, module, l).expect("within the family");
+                let checks = motor.checks(search.heights).expect("sound");
+                if checks.iter().any(|check| !check.holds()) {
+                    continue;
+                }
+                let radii = checks.iter().filter(|check| {
+                    !matches!(check.subject, Subject::RotorLeastRadius | Subject::Neighbours)
+                });
+                let least = radii.map(|check| check.value.get::<meter>()).fold(f64::INFINITY, f64::min);
+                motors.push([motor.envelope().displacement_by_volume, -motor.ripple().delta, least]);
+            }
+        }
+    }
+    let dominates = |one: &[f64; 3], other: &[f64; 3]| (0..3).all(|i| one[i] >= other[i]) && one != other;
+    motors.iter().filter(|one| !motors.iter().any(|other| dominates(other, one))).count()
+}
+
+criterion_group!(benches, closed_motor, profiles, search);
 criterion_main!(benches);

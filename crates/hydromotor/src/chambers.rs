@@ -242,7 +242,7 @@ mod tests {
                 let lobes = f64::from(motor.numbers().stator_lobes() * motor.numbers().rotor_lobes());
                 let displacement = lobes * (fine + (fine - coarse) / 3.0);
                 let closed = get(motor.displacement_per_width());
-                prop_assert!((displacement - closed).abs() < 1e-4 * closed, "{displacement} {closed}");
+                prop_assert!((displacement - closed).abs() < 1e-6 * closed, "{displacement} {closed}");
             }
 
             #[test]

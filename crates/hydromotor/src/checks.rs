@@ -84,13 +84,27 @@ pub struct Envelope {
     pub displacement_by_volume: f64,
 }
 
-/// Places along the half-lobe at which curvatures are looked at.
-const PLACES: u32 = 256;
+/// Heights that are finite and not below 0.
+pub(crate) fn finite_heights(heights: ToothHeights) -> Result<(), Error> {
+    for (quantity, value) in [("addendum", heights.addendum), ("dedendum", heights.dedendum)] {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(Error::OutOfRange {
+                quantity,
+                value,
+                low: 0.0,
+                high: f64::INFINITY,
+                unit: "modules",
+            });
+        }
+    }
+    Ok(())
+}
 
 impl Motor {
     /// Every check that applies: of a curve that is nowhere hollow there is none of its hollow.
     ///
-    /// Curvatures are sampled at 257 places of the half-lobe and on either side of the arcs' junction, where they jump.
+    /// Of a motor of two arcs the extremes of the curvatures are exact: they are monotone on either arc's image. Of a
+    /// cosine law they are sampled at 257 places of the half-lobe.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the heights are finite and not below 0.
@@ -107,29 +121,10 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn checks(&self, heights: ToothHeights) -> Result<Vec<Check>, Error> {
-        for (quantity, value) in [("addendum", heights.addendum), ("dedendum", heights.dedendum)] {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(Error::OutOfRange {
-                    quantity,
-                    value,
-                    low: 0.0,
-                    high: f64::INFINITY,
-                    unit: "modules",
-                });
-            }
-        }
+        finite_heights(heights)?;
         let r = self.shape.satellite_radius();
-        let trough = *self.shape.trough();
-        let mut phases: Vec<f64> =
-            (0..=PLACES).map(|i| trough.phase * f64::from(i) / f64::from(PLACES)).collect();
-        phases.extend(self.shape.kink().iter().flat_map(|kink| [kink * (1.0 - 1e-12), kink * (1.0 + 1e-12)]));
-        let mut extremes = [0.0_f64; 4];
-        for contact in phases.iter().map(|&phase| self.shape.within(By::Phase, phase)) {
-            let curvatures = [-contact.kappa3, contact.kappa3, contact.kappa1, -contact.kappa1];
-            for (extreme, curvature) in extremes.iter_mut().zip(curvatures) {
-                *extreme = extreme.max(curvature);
-            }
-        }
+        let trough = self.shape.trough();
+        let extremes = self.shape.curvature_extremes();
         let subjects =
             [Subject::StatorBulge, Subject::StatorHollow, Subject::RotorBulge, Subject::RotorHollow];
         let limits = [heights.dedendum, r, heights.dedendum, r];

@@ -297,6 +297,48 @@ impl Family {
         }
     }
 
+    /// The motor's arcs at a distance `a`, the other name of a motor: it grows with `l` along the family.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`]; [`Error::OutsideFamilyByCrest`] with the family's intervals of `a`.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::MotorNumbers;
+    /// use epicyclic_hydromotor::closure::Family;
+    /// use uom::si::{f64::Length, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let family = Family::new(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0))?;
+    /// let arcs = family.at_crest_distance(mm(15.30631008))?;
+    /// assert!((arcs.trough_distance().get::<millimeter>() - 40.0).abs() < 1e-6);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn at_crest_distance(&self, crest_distance: Length) -> Result<StatorArcs, Error> {
+        let a = positive_modules("a", crest_distance, self.module)?;
+        let kernel = Kernel::of(self.numbers);
+        let mut intervals_mm = Vec::new();
+        for interval in &self.intervals {
+            let ends = [&interval.lower, &interval.upper].map(|end| match end.arcs {
+                Some(arcs) => Some((arcs.arcs.l.recip(), arcs.arcs.a)),
+                None => kernel.solve(GREATEST_DISTANCE).map(|arcs| (arcs.l.recip(), arcs.a)),
+            });
+            let [Some(lower), Some(upper)] = ends else { continue };
+            if a > lower.1 && a < upper.1 {
+                let off = |inverse: f64| kernel.solve(inverse.recip()).map_or(f64::NAN, |arcs| arcs.a - a);
+                let at = |inverse: f64| match inverse {
+                    end if end >= lower.0 => lower.1 - a,
+                    end if end <= upper.0 => upper.1 - a,
+                    inside => off(inside),
+                };
+                return self.at(length(bracketed(upper.0, lower.0, at).recip(), self.module));
+            }
+            let [low, high] = [lower.1, upper.1].map(|a| millimetres(length(a, self.module)));
+            intervals_mm.push((low, high));
+        }
+        Err(Error::OutsideFamilyByCrest { a_mm: millimetres(crest_distance), intervals_mm })
+    }
+
     /// The motor's arcs at a part `0 < t < 1` of the family, even in `1/l` over its intervals, from the least `l` on.
     ///
     /// # Errors
@@ -323,6 +365,15 @@ impl Family {
             }
         }
         self.at(length(inverse.max(GREATEST_DISTANCE.recip()).recip(), self.module))
+    }
+
+    /// The arcs at a part of one of the intervals, even in `1/l`; none where rounding at its very end leaves no root.
+    pub(crate) fn within(&self, interval: &Interval, part: f64) -> Option<StatorArcs> {
+        let (from, to) = (interval.lower.inverse(), interval.upper.inverse());
+        let inverse = (from + (to - from) * part).max(GREATEST_DISTANCE.recip());
+        let kernel = Kernel::of(self.numbers);
+        let arcs = kernel.solve(inverse.recip()).filter(|arcs| kernel.is_regular(arcs))?;
+        Some(StatorArcs { arcs, module: self.module })
     }
 
     fn outside(&self, trough_distance: Length) -> Error {

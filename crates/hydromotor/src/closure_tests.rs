@@ -210,6 +210,19 @@ proptest! {
     }
 
     #[test]
+    fn either_distance_names_the_motor(motor in any_motor(), module in 0.3..20.0) {
+        let family = Family::new(motor.0, mm(module)).unwrap();
+        let arcs = family.at_part(motor.1).unwrap();
+        let back = family.at_crest_distance(arcs.crest_distance()).unwrap();
+        // As arc 1 becomes straight, a hardly changes with l.
+        prop_assert!((back.arcs.a - arcs.arcs.a).abs() < 1e-9 * arcs.arcs.a, "{:e}", back.arcs.a - arcs.arcs.a);
+        prop_assert!((back.arcs.l.recip() - arcs.arcs.l.recip()).abs() < 1e-6 * family.intervals()[0].lower.inverse());
+        let refused = family.at_crest_distance(arcs.crest_distance() * 1e3);
+        let named = matches!(refused, Err(Error::OutsideFamilyByCrest { intervals_mm, .. }) if !intervals_mm.is_empty());
+        prop_assert!(named);
+    }
+
+    #[test]
     fn the_sensitivity_is_that_of_differences(motor in any_motor()) {
         let (numbers, part) = motor;
         let arcs = Family::new(numbers, mm(1.0)).unwrap().at_part(part.min(0.9)).unwrap();

@@ -129,6 +129,36 @@ pub(crate) trait Conjugate {
         (contact.flow(), contact.flow_slope(self.satellite_radius()))
     }
 
+    /// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` along the half-lobe, by samples.
+    fn curvature_extremes(&self) -> [f64; 4] {
+        let end = self.trough().phase;
+        let places = (0..=PLACES).map(|i| end * f64::from(i) / f64::from(PLACES));
+        greatest_curvatures(places.map(|phase| self.within(By::Phase, phase)))
+    }
+
+    /// The satellite's centre at a phase between 0 and that of the trough, in the stator's frame.
+    fn centre_within(&self, phase: f64) -> [f64; 2] {
+        let contact = self.within(By::Phase, phase);
+        let r = self.satellite_radius();
+        let (sin, cos) = contact.theta3.sin_cos();
+        let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+        [contact.rho3 * cos - r * normal_cos, contact.rho3 * sin - r * normal_sin]
+    }
+
+    /// The satellite's centre at any phase, in the stator's frame.
+    fn centre(&self, phase: f64) -> [f64; 2] {
+        let trough = self.trough();
+        let lobes = (phase / (2.0 * trough.phase)).round();
+        let rest = phase - 2.0 * lobes * trough.phase;
+        let [x, y] = self.centre_within(rest.abs().min(trough.phase));
+        let y = if rest < 0.0 { -y } else { y };
+        if lobes == 0.0 {
+            return [x, y];
+        }
+        let (sin, cos) = (2.0 * lobes * trough.theta3).sin_cos();
+        [x * cos - y * sin, x * sin + y * cos]
+    }
+
     /// `f` and `df/dΦ` at any phase.
     fn flow(&self, phase: f64) -> (f64, f64) {
         let end = self.trough().phase;
@@ -147,6 +177,17 @@ pub(crate) trait Conjugate {
         let contact = if rest < 0.0 { contact.mirrored() } else { contact };
         if lobes == 0.0 { contact } else { contact.shifted(lobes, trough) }
     }
+}
+
+/// Places along the half-lobe at which curvatures are looked at where their extremes are not known.
+const PLACES: u32 = 256;
+
+/// The greatest of `−κ₃`, `κ₃`, `κ₁`, `−κ₁` of some contacts; 0 of those that are negative throughout.
+pub(crate) fn greatest_curvatures(contacts: impl Iterator<Item = Contact>) -> [f64; 4] {
+    contacts.fold([0.0_f64; 4], |greatest, contact| {
+        let curvatures = [-contact.kappa3, contact.kappa3, contact.kappa1, -contact.kappa1];
+        std::array::from_fn(|i| greatest[i].max(curvatures[i]))
+    })
 }
 
 /// The argument between 0 and `end` at which a growing function has a value: Newton's method kept within a bracket.
@@ -181,6 +222,40 @@ pub(crate) fn inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> (f64,
     x
 }
 
+/// As [`inverse`], of a function that returns value, slope and second derivative: Halley's method kept within a bracket.
+pub(crate) fn smooth_inverse(value: f64, end: f64, start: f64, f: impl Fn(f64) -> [f64; 3]) -> f64 {
+    let (mut low, mut high) = (0.0, end);
+    let mut x = start.clamp(low, high);
+    let mut last = f64::INFINITY;
+    for _ in 0..100 {
+        let [y, slope, bend] = f(x);
+        let error = y - value;
+        if error == 0.0 {
+            return x;
+        }
+        if error < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = error / slope;
+        let curved = 0.5 * newton * bend / slope;
+        let mut next = x - newton / (1.0 - curved);
+        let sound = next >= low && next <= high && error.abs() <= 0.5 * last;
+        if !sound {
+            next = 0.5 * (low + high);
+        }
+        last = error.abs();
+        let step = (next - x).abs();
+        // Thrice as many digits with each step: what is left is of the order of step · curved².
+        if step <= 2.0 * f64::EPSILON * end || (sound && curved.abs() < 1e-5 && step < 1e-5 * end) {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -198,5 +273,11 @@ mod tests {
         assert!((inverse(8.0, 3.0, 0.0, cube) - 2.0).abs() < 1e-15);
         assert!((inverse(0.0, 3.0, 1.0, cube)).abs() < 1e-4);
         assert!((inverse(27.0, 3.0, 1.0, cube) - 3.0).abs() < 1e-15);
+        let bent = |x: f64| [x * x * x, 3.0 * x * x, 6.0 * x];
+        for start in [0.0, 0.1, 1.9, 3.0] {
+            assert!((smooth_inverse(8.0, 3.0, start, bent) - 2.0).abs() < 1e-15);
+            assert!((smooth_inverse(0.0, 3.0, start, bent)).abs() < 1e-4);
+            assert!((smooth_inverse(27.0, 3.0, start, bent) - 3.0).abs() < 1e-15);
+        }
     }
 }

@@ -31,7 +31,7 @@ use crate::Error;
 use crate::arcs::half_length;
 use crate::contact::{By, Conjugate, Contact, conjugate_curvature, inverse};
 use crate::numbers::MotorNumbers;
-use crate::roots::{bracketed, quadrature};
+use crate::roots::{bracketed, quadrature, quadratures};
 use crate::units::degrees;
 
 const PANELS: u32 = 48;
@@ -61,25 +61,30 @@ impl Law {
         Self { c: half_length / quadrature(0.0, PI / n, PANELS, |theta| unit.rates(theta)[0]), ..unit }
     }
 
-    /// `ρ₁`, `μ`, `κ₁`.
-    fn shape(&self, theta: f64) -> (f64, f64, f64) {
+    /// `ρ₁`, `dρ₁/dθ₁`, `ds₁/dθ₁`, `κ₁`.
+    fn curve(&self, theta: f64) -> (f64, f64, f64, f64) {
         let (sin, cos) = (self.n * theta).sin_cos();
         let swing = self.c * self.amplitude;
         let rho = self.c + swing * cos;
         let (slope, bend) = (-swing * self.n * sin, -swing * self.n * self.n * cos);
         let square = rho * rho + slope * slope;
-        let kappa = (square + slope * slope - rho * bend) / (square * square.sqrt());
+        let speed = square.sqrt();
+        (rho, slope, speed, (square + slope * slope - rho * bend) / (square * speed))
+    }
+
+    /// `ρ₁`, `μ`, `κ₁`.
+    fn shape(&self, theta: f64) -> (f64, f64, f64) {
+        let (rho, slope, _, kappa) = self.curve(theta);
         (rho, slope.atan2(rho), kappa)
     }
 
     /// `ds₁/dθ₁`, `dΦ/dθ₁`, `dG/dθ₁`.
     fn rates(&self, theta: f64) -> [f64; 3] {
-        let (rho1, mu, kappa1) = self.shape(theta);
-        let cos_mu = mu.cos();
-        let rho3 = rho1 + 2.0 * self.r * cos_mu;
-        let bend = 1.0 + self.r * kappa1;
+        let (rho1, _, speed, kappa1) = self.curve(theta);
         // cos μ·ds₁ = ρ₁·dθ₁
-        [rho1 / cos_mu, 2.0 * bend * rho1 / rho3, bend * rho1 * rho1]
+        let rho3 = rho1 + 2.0 * self.r * rho1 / speed;
+        let bend = 1.0 + self.r * kappa1;
+        [speed, 2.0 * bend * rho1 / rho3, bend * rho1 * rho1]
     }
 
     fn span(&self) -> f64 {
@@ -115,8 +120,9 @@ impl Cosine {
         let mut sum = [0.0; 3];
         for panel in 0..PANELS {
             let from = width * f64::from(panel);
-            for (i, sum) in sum.iter_mut().enumerate() {
-                *sum += quadrature(from, from + width, 1, |theta| law.rates(theta)[i]);
+            let more = quadratures(from, from + width, |theta| law.rates(theta));
+            for (sum, more) in sum.iter_mut().zip(more) {
+                *sum += more;
             }
             edges.push(sum);
         }
@@ -146,8 +152,9 @@ impl Cosine {
         let panel = ((theta1 / width) as usize).min(PANELS as usize - 1);
         let from = width * panel as f64;
         let mut sums = self.edges[panel];
-        for (i, sum) in sums.iter_mut().enumerate() {
-            *sum += quadrature(from, theta1, 1, |theta| self.law.rates(theta)[i]);
+        let rest = quadratures(from, theta1, |theta| self.law.rates(theta));
+        for (sum, rest) in sums.iter_mut().zip(rest) {
+            *sum += rest;
         }
         contact(&self.law, theta1, sums)
     }

@@ -104,7 +104,7 @@ pub enum Error {
         to: u32,
     },
     /// A quantity that must be finite and above 0.
-    #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
+    #[error("{quantity} is {value}{}; it must be finite and above 0", spaced(.unit))]
     NotPositive {
         /// The quantity's name.
         quantity: &'static str,
@@ -114,7 +114,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity that must be finite.
-    #[error("{quantity} is {value} {unit}; it must be finite")]
+    #[error("{quantity} is {value}{}; it must be finite", spaced(.unit))]
     NotFinite {
         /// The quantity's name.
         quantity: &'static str,
@@ -124,7 +124,7 @@ pub enum Error {
         unit: &'static str,
     },
     /// A quantity outside its range.
-    #[error("{quantity} is {value} {unit}; it must lie between {low} and {high} {unit}")]
+    #[error("{quantity} is {value}{unit}; it must lie between {low} and {high}{unit}", unit = spaced(.unit))]
     OutOfRange {
         /// The quantity's name.
         quantity: &'static str,
@@ -165,6 +165,14 @@ pub enum Error {
         /// The family's intervals, mm; the last may be infinite, where it goes on to a straight arc 1.
         intervals_mm: Vec<(f64, f64)>,
     },
+    /// A distance `a` that no motor of these numbers has.
+    #[error("a = {a_mm} mm: a motor of these numbers closes for a {}", ranges(.intervals_mm))]
+    OutsideFamilyByCrest {
+        /// The distance given, mm.
+        a_mm: f64,
+        /// The family's intervals of it, mm.
+        intervals_mm: Vec<(f64, f64)>,
+    },
     /// Numbers for which no pair of arcs closes.
     #[error(
         "no motor of two arcs closes with these numbers: where R_1 vanishes, the rotor already has cusps or \
@@ -182,6 +190,70 @@ pub enum Error {
         /// What the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
     },
+    /// A tooth whose flanks meet below its tip.
+    #[error("a tooth of the {wheel} is pointed at an addendum of {addendum} modules: below {most:.4}")]
+    PointedTip {
+        /// The wheel or tool concerned.
+        wheel: &'static str,
+        /// The addendum, modules.
+        addendum: f64,
+        /// Where the flanks meet, modules.
+        most: f64,
+    },
+    /// A rounding for which the tip of the tool has no room.
+    #[error("a fillet of {fillet} modules: the tip of the {tool} has room for at most {most:.4}")]
+    FilletTooLarge {
+        /// The tool that is rounded.
+        tool: &'static str,
+        /// The radius given, modules.
+        fillet: f64,
+        /// The greatest radius, modules.
+        most: f64,
+    },
+    /// A flank that ends before the tip.
+    #[error("a flank of the {wheel} does not reach an addendum of {addendum} modules: it has a cusp before")]
+    NoTip {
+        /// The wheel concerned.
+        wheel: &'static str,
+        /// The addendum, modules.
+        addendum: f64,
+    },
+    /// Teeth whose flanks are cut away up to the tip.
+    #[error(
+        "the {wheel}'s flanks are cut away by its tool up to the tip: take a greater pressure angle or shift"
+    )]
+    NoFlank {
+        /// The wheel concerned.
+        wheel: &'static str,
+    },
+    /// A search without a module to choose from.
+    #[error("no modules to choose from: give at least one, or a width, or a width over the diameter")]
+    NoModules,
+    /// Limits written the wrong way round, or below 0.
+    #[error("{what} from {from} to {to}{}: write the smaller first, neither below 0", spaced(.unit))]
+    EmptyLimits {
+        /// What is limited.
+        what: &'static str,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+        /// Unit of both.
+        unit: &'static str,
+    },
+    /// More sets of numbers than a search takes.
+    #[error("{sets} sets of numbers within the bounds: a search takes at most {most}; narrow the bounds")]
+    TooManySets {
+        /// Sets within the bounds.
+        sets: u64,
+        /// The greatest number allowed.
+        most: u64,
+    },
+}
+
+/// A unit after its number, and a space but for degrees; of a plain number none.
+fn spaced(unit: &str) -> String {
+    if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") }
 }
 
 fn ranges(intervals_mm: &[(f64, f64)]) -> String {

@@ -19,12 +19,14 @@
 //! | [`chambers`] | areas and outlines of the chambers, displacement |
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
+//! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
+//! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
 //!
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-//! Tooth profiles with undercut and interference, search for designs, drawings; leaks, friction, contact forces, strength.
+//! Drawings; leaks, friction, contact forces, strength.
 //!
 //! # Example
 //!
@@ -60,9 +62,11 @@ pub mod forces;
 pub mod junction;
 pub mod motor;
 pub mod numbers;
+pub mod profile;
 mod real;
 mod roots;
 pub mod satellites;
+pub mod search;
 pub mod two_arc_fit;
 mod two_arcs;
 mod units;

@@ -52,9 +52,13 @@ impl Motor {
         module: Length,
         trough_distance: Length,
     ) -> Result<Self, Error> {
-        let arcs = arcs_at(numbers, module, trough_distance)?;
+        Ok(Self::of_closed_arcs(numbers, arcs_at(numbers, module, trough_distance)?))
+    }
+
+    /// From arcs known to close.
+    pub(crate) fn of_closed_arcs(numbers: MotorNumbers, arcs: StatorArcs) -> Self {
         let lobe = TwoArcs::new(&arcs.arcs, f64::from(numbers.satellite_teeth()) / 2.0);
-        Ok(Self { numbers, module, shape: Shape::Arcs(arcs, lobe) })
+        Self { numbers, module: arcs.module, shape: Shape::Arcs(arcs, lobe) }
     }
 
     /// The motor with a cosine-law rotor ([`crate::cosine`]).
@@ -216,6 +220,20 @@ impl Conjugate for Shape {
         match self {
             Self::Arcs(_, lobe) => lobe.flow_within(phase),
             Self::Cosine(lobe) => lobe.flow_within(phase),
+        }
+    }
+
+    fn curvature_extremes(&self) -> [f64; 4] {
+        match self {
+            Self::Arcs(_, lobe) => lobe.curvature_extremes(),
+            Self::Cosine(lobe) => lobe.curvature_extremes(),
+        }
+    }
+
+    fn centre_within(&self, phase: f64) -> [f64; 2] {
+        match self {
+            Self::Arcs(_, lobe) => lobe.centre_within(phase),
+            Self::Cosine(lobe) => lobe.centre_within(phase),
         }
     }
 

@@ -244,6 +244,28 @@ impl Bounds {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn all(&self) -> Result<Vec<MotorNumbers>, Error> {
+        let mut sets = Vec::new();
+        for (stator, rotor, per_lobe, satellites) in self.lobes()? {
+            for satellite in satellites {
+                sets.push(MotorNumbers::new(stator, rotor, per_lobe * stator, satellite)?);
+            }
+        }
+        Ok(sets)
+    }
+
+    /// How many sets [`all`](Self::all) returns, without making them.
+    ///
+    /// # Errors
+    /// As [`all`](Self::all).
+    pub fn count(&self) -> Result<u64, Error> {
+        let of = |satellites: RangeInclusive<u32>| {
+            u64::from((satellites.end() + 1).saturating_sub(*satellites.start()))
+        };
+        Ok(self.lobes()?.map(|(_, _, _, satellites)| of(satellites)).sum())
+    }
+
+    /// `N`, `n`, teeth per lobe, and the range of `Z_s`, which may be empty.
+    fn lobes(&self) -> Result<impl Iterator<Item = (u32, u32, u32, RangeInclusive<u32>)>, Error> {
         for (what, range) in [
             ("stator lobes", &self.stator_lobes),
             ("stator teeth", &self.stator_teeth),
@@ -254,27 +276,23 @@ impl Bounds {
                 return Err(Error::EmptyRange { what, from, to });
             }
         }
-        if *self.stator_teeth.end() > MOST_TEETH {
-            let teeth = *self.stator_teeth.end();
-            return Err(Error::TooManyTeeth { wheel: "stator", teeth, most: MOST_TEETH });
+        let [least_teeth, most_teeth] = [*self.stator_teeth.start(), *self.stator_teeth.end()];
+        if most_teeth > MOST_TEETH {
+            return Err(Error::TooManyTeeth { wheel: "stator", teeth: most_teeth, most: MOST_TEETH });
         }
-        let mut sets = Vec::new();
+        let [least_satellite, most_satellite] = [*self.satellite_teeth.start(), *self.satellite_teeth.end()];
         // A lobe has at least one tooth: no more lobes than teeth.
         let (least, most) = (*self.stator_lobes.start(), *self.stator_lobes.end());
-        for stator in least.max(2)..=most.min(*self.stator_teeth.end()) {
-            for rotor in stator.saturating_sub(MOST_LOBE_DIFFERENCE).max(1)..stator {
-                let first = self.stator_teeth.start().div_ceil(stator).max(1);
-                for per_lobe in first..=self.stator_teeth.end() / stator {
-                    let twice_limit = per_lobe * (stator - rotor);
-                    let largest =
-                        (*self.satellite_teeth.end()).min(twice_limit.div_ceil(2).saturating_sub(1));
-                    for satellite in (*self.satellite_teeth.start()).max(1)..=largest {
-                        sets.push(MotorNumbers::new(stator, rotor, per_lobe * stator, satellite)?);
-                    }
-                }
-            }
-        }
-        Ok(sets)
+        let pairs = (least.max(2)..=most.min(most_teeth)).flat_map(|stator| {
+            (stator.saturating_sub(MOST_LOBE_DIFFERENCE).max(1)..stator).map(move |rotor| (stator, rotor))
+        });
+        Ok(pairs.flat_map(move |(stator, rotor)| {
+            (least_teeth.div_ceil(stator).max(1)..=most_teeth / stator).map(move |per_lobe| {
+                let twice_limit = per_lobe * (stator - rotor);
+                let largest = most_satellite.min(twice_limit.div_ceil(2).saturating_sub(1));
+                (stator, rotor, per_lobe, least_satellite.max(1)..=largest)
+            })
+        }))
     }
 }
 
@@ -343,6 +361,7 @@ mod tests {
                     }
                 }
             }
+            prop_assert_eq!(bounds.count().unwrap(), trial.len() as u64);
             prop_assert_eq!(bounds.all().unwrap(), trial);
         }
 

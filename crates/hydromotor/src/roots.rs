@@ -72,6 +72,19 @@ pub(crate) fn quadrature(from: f64, to: f64, panels: u32, f: impl Fn(f64) -> f64
     half * (0..panels).map(panel).sum::<f64>()
 }
 
+/// The integrals of several functions at once by the eight-point rule on one panel.
+pub(crate) fn quadratures<const N: usize>(from: f64, to: f64, f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
+    let (half, middle) = (0.5 * (to - from), 0.5 * (to + from));
+    let mut sums = [0.0; N];
+    for &(x, w) in &GAUSS {
+        let (before, after) = (f(middle - half * x), f(middle + half * x));
+        for ((sum, before), after) in sums.iter_mut().zip(before).zip(after) {
+            *sum += w * half * (before + after);
+        }
+    }
+    sums
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -90,5 +103,8 @@ mod tests {
         let exact = (2.0_f64.powi(16) - 1.0) / 16.0;
         assert!((quadrature(1.0, 2.0, 1, |x| x.powi(15)) / exact - 1.0).abs() < 1e-14);
         assert!((quadrature(0.0, 1.0, 4, f64::exp) - (1.0_f64.exp() - 1.0)).abs() < 1e-15);
+        let [exponential, power] = quadratures(1.0, 2.0, |x: f64| [x.exp(), x.powi(15)]);
+        assert!((exponential - (2.0_f64.exp() - 1.0_f64.exp())).abs() < 1e-14);
+        assert!((power / exact - 1.0).abs() < 1e-14);
     }
 }

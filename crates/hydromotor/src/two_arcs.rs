@@ -8,10 +8,22 @@
 //! ```
 //!
 //! and `Φ` by [`crate::closure`]. `G` is elementary because `ρ₁·ρ₃` cancels in `f·dΦ`.
+//!
+//! # The rotor's curvature is monotone on the image of either arc
+//! On arc 2, with `c = cos x`, `P = ρ₁·ρ₃` and `Q = R₂·ρ₃²·ds₁/ds₃`, both linear in `c`, Euler and Savary give
+//!
+//! ```text
+//! κ₁ = (R₂ + a·c)/P + a·(a + R₂·c)/Q       dκ₁/dc = a·(R₂² − a²)·(R₂²/Q² − 1/P²)       Q/R₂ − P = 2·r·(R₂² − a²)/R₂
+//! ```
+//!
+//! so that the slope keeps its sign; on arc 1 likewise with `−R₁` for `R₂` and `l` for `a`. The extremes are at the crest, on
+//! either side of the junction, and at the trough.
 
 use crate::arcs::Arcs;
 use crate::closure::{crest_term, trough_term};
-use crate::contact::{By, Conjugate, Contact, conjugate_curvature, inverse};
+use crate::contact::{
+    By, Conjugate, Contact, conjugate_curvature, greatest_curvatures, inverse, smooth_inverse,
+};
 
 /// A half-lobe of a closed motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +36,8 @@ pub(crate) struct TwoArcs {
     end_swept: f64,
     trough: Contact,
     junction: Contact,
+    crest_start: Start,
+    trough_start: Start,
 }
 
 impl TwoArcs {
@@ -47,9 +61,23 @@ impl TwoArcs {
             kappa1: 0.0,
             swept: 0.0,
         };
-        let mut lobe = Self { arcs: *arcs, r, end_phase, end_swept, trough: nothing, junction: nothing };
+        let start = Start { linear: 0.0, square: 0.0, cube: 0.0 };
+        let mut lobe = Self {
+            arcs: *arcs,
+            r,
+            end_phase,
+            end_swept,
+            trough: nothing,
+            junction: nothing,
+            crest_start: start,
+            trough_start: start,
+        };
         lobe.trough = lobe.on_trough(0.0, 0.0);
         lobe.junction = lobe.on_crest(beta, tan_beta);
+        let crest_slopes = [0.0, tan_beta].map(|t| lobe.crest_rates(t)[0]);
+        lobe.crest_start = Start::new(tan_beta, lobe.junction.phase, crest_slopes);
+        let trough_slopes = [0.0, tan_gamma].map(|t| lobe.trough_rates(t)[0]);
+        lobe.trough_start = Start::new(tan_gamma, end_phase - lobe.junction.phase, trough_slopes);
         lobe
     }
 
@@ -103,28 +131,67 @@ impl TwoArcs {
 
     /// `t = tan(x/2)` on arc 2 at a phase.
     fn crest_tangent(&self, phase: f64) -> f64 {
-        let Arcs { a, r2, tan_beta, .. } = self.arcs;
-        let (squares, twice) = (a * a + r2 * r2 - 2.0 * r2 * self.r, 2.0 * a * (r2 - self.r));
-        let start = tan_beta * phase / self.junction.phase;
-        inverse(phase, tan_beta, start, |t| {
-            let scale = 1.0 / (1.0 + t * t);
-            let cos = (1.0 - t * t) * scale;
-            let slope = 4.0 * scale * (r2 + a * cos) * (r2 - self.r) / (squares + twice * cos);
-            (2.0 * t.atan() + crest_term(&self.arcs, self.r, t), slope)
+        let start = self.crest_start.at(phase / self.junction.phase);
+        smooth_inverse(phase, self.arcs.tan_beta, start, |t| {
+            let [slope, bend] = self.crest_rates(t);
+            [2.0 * t.atan() + crest_term(&self.arcs, self.r, t), slope, bend]
         })
+    }
+
+    /// `dΦ/dt` and `d²Φ/dt²` on arc 2.
+    fn crest_rates(&self, t: f64) -> [f64; 2] {
+        let Arcs { a, r2, .. } = self.arcs;
+        let scale = 1.0 / (1.0 + t * t);
+        let cos = (1.0 - t * t) * scale;
+        let (normal, reach) = (r2 + a * cos, r2 - self.r);
+        let per_product = 1.0 / (a * a + r2 * r2 - 2.0 * r2 * self.r + 2.0 * a * reach * cos);
+        let by_x = 2.0 * normal * reach * per_product;
+        let by_x_and_cos = 2.0 * reach * a * per_product - 2.0 * a * reach * by_x * per_product;
+        let bend = -8.0 * t * scale * scale * scale * by_x_and_cos - 4.0 * t * scale * scale * by_x;
+        [2.0 * scale * by_x, bend]
     }
 
     /// `t = tan(x/2)` on arc 1 at a phase, counted back from the trough.
     fn trough_tangent(&self, back: f64) -> f64 {
-        let Arcs { l, r1, least, tan_gamma, .. } = self.arcs;
-        let start = tan_gamma * back / (self.end_phase - self.junction.phase);
-        inverse(back, tan_gamma, start, |t| {
-            let scale = 1.0 / (1.0 + t * t);
-            let versine = 2.0 * t * t * scale;
-            let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
-            let slope = 4.0 * scale * (least - l * versine) * (r1 + self.r) / product;
-            (trough_term(&self.arcs, self.r, t) - 2.0 * t.atan(), slope)
+        let start = self.trough_start.at(back / (self.end_phase - self.junction.phase));
+        smooth_inverse(back, self.arcs.tan_gamma, start, |t| {
+            let [slope, bend] = self.trough_rates(t);
+            [trough_term(&self.arcs, self.r, t) - 2.0 * t.atan(), slope, bend]
         })
+    }
+
+    /// `dΦ/dt` and `d²Φ/dt²` on arc 1, counted back.
+    fn trough_rates(&self, t: f64) -> [f64; 2] {
+        let Arcs { l, r1, least, .. } = self.arcs;
+        let scale = 1.0 / (1.0 + t * t);
+        let versine = 2.0 * t * t * scale;
+        let (normal, reach) = (least - l * versine, r1 + self.r);
+        let per_product = 1.0 / (least * (least - 2.0 * self.r) + 2.0 * l * reach * versine);
+        let by_x = 2.0 * normal * reach * per_product;
+        let by_x_and_versine = -2.0 * reach * l * per_product - 2.0 * l * reach * by_x * per_product;
+        let bend = 8.0 * t * scale * scale * scale * by_x_and_versine - 4.0 * t * scale * scale * by_x;
+        [2.0 * scale * by_x, bend]
+    }
+}
+
+/// A monotone cubic from 0 at 0 to `end` at 1: where to start the search for an argument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Start {
+    linear: f64,
+    square: f64,
+    cube: f64,
+}
+
+impl Start {
+    /// From the slopes, over `value`, of the inverse at either end.
+    fn new(end: f64, value: f64, slopes: [f64; 2]) -> Self {
+        // At most three times the chord's, so that it stays monotone.
+        let [first, last] = slopes.map(|slope| (value / slope).clamp(0.0, 3.0 * end));
+        Self { linear: first, square: 3.0 * end - 2.0 * first - last, cube: first + last - 2.0 * end }
+    }
+
+    fn at(&self, part: f64) -> f64 {
+        part * (self.linear + part * (self.square + part * self.cube))
     }
 }
 
@@ -168,6 +235,31 @@ impl Conjugate for TwoArcs {
             let (sin, versine) = (2.0 * t * scale, 2.0 * t * t * scale);
             let product = least * (least - 2.0 * self.r) + 2.0 * l * (r1 + self.r) * versine;
             (0.5 * product, -0.5 * l * sin * product / (least - l * versine))
+        }
+    }
+
+    fn curvature_extremes(&self) -> [f64; 4] {
+        let Arcs { gamma, tan_gamma, .. } = self.arcs;
+        let contacts =
+            [self.on_crest(0.0, 0.0), self.junction, self.on_trough(gamma, tan_gamma), self.trough];
+        greatest_curvatures(contacts.into_iter())
+    }
+
+    fn centre_within(&self, phase: f64) -> [f64; 2] {
+        // On a circle about O₂ or O₁, whose radius the satellite's takes from or adds to that of the arc.
+        let Arcs { theta3, a, r1, r2, least, .. } = self.arcs;
+        if phase <= self.junction.phase {
+            let t = self.crest_tangent(phase);
+            let scale = 1.0 / (1.0 + t * t);
+            [a + (r2 - self.r) * (1.0 - t * t) * scale, (r2 - self.r) * 2.0 * t * scale]
+        } else {
+            let t = self.trough_tangent(self.end_phase - phase);
+            let scale = 1.0 / (1.0 + t * t);
+            // Along the ray of the trough and across it, back towards the crest.
+            let along = least - self.r + (r1 + self.r) * 2.0 * t * t * scale;
+            let across = (r1 + self.r) * 2.0 * t * scale;
+            let (sin, cos) = theta3.sin_cos();
+            [along * cos + across * sin, along * sin - across * cos]
         }
     }
 
@@ -237,6 +329,35 @@ mod tests {
             let (flow, slope) = lobe.flow_within(phase);
             prop_assert!((flow - contact.flow()).abs() < 1e-12 * flow);
             prop_assert!((slope - contact.flow_slope(r)).abs() < 1e-10 * flow);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn the_ends_of_the_arcs_have_the_extremes_of_the_curvature(motor in any_motor()) {
+            let arcs = Family::new(motor.0, Length::new::<meter>(1.0)).unwrap().at_part(motor.1).unwrap();
+            let lobe = TwoArcs::new(&arcs.arcs, f64::from(motor.0.satellite_teeth()) / 2.0);
+            let kink = lobe.junction.phase;
+            let places = (0..=4000).map(|i| lobe.end_phase * f64::from(i) / 4000.0);
+            let places = places.chain([kink * (1.0 - 1e-12), kink * (1.0 + 1e-12)]);
+            let sampled = greatest_curvatures(places.map(|phase| lobe.within(By::Phase, phase)));
+            for (exact, sampled) in lobe.curvature_extremes().into_iter().zip(sampled) {
+                // A millionth: the hair beside the junction, where with a nearly radial flank the curvature changes fast.
+                prop_assert!((sampled - exact).abs() <= 1e-6 * exact + 1e-12, "{exact} {sampled}");
+            }
+        }
+
+        #[test]
+        fn the_short_way_to_the_centre_is_that_of_the_contact(motor in any_motor(), phase in -20.0..20.0) {
+            let arcs = Family::new(motor.0, Length::new::<meter>(1.0)).unwrap().at_part(motor.1).unwrap();
+            let r = f64::from(motor.0.satellite_teeth()) / 2.0;
+            let lobe = TwoArcs::new(&arcs.arcs, r);
+            let contact = lobe.at(By::Phase, phase);
+            let [x, y] = lobe.centre(phase);
+            let (sin, cos) = contact.theta3.sin_cos();
+            let (normal_sin, normal_cos) = (contact.theta3 - contact.mu).sin_cos();
+            prop_assert!((x - contact.rho3 * cos + r * normal_cos).abs() < 1e-10);
+            prop_assert!((y - contact.rho3 * sin + r * normal_sin).abs() < 1e-10);
         }
     }
 

@@ -14,7 +14,7 @@ use uom::si::length::{meter, millimeter};
 use uom::si::power::watt;
 use uom::si::pressure::{megapascal, pascal};
 use uom::si::torque::newton_meter;
-use uom::si::volume::cubic_meter;
+use uom::si::volume::{cubic_centimeter, cubic_meter};
 use uom::si::volume_rate::cubic_meter_per_second;
 
 use crate::Error;
@@ -131,4 +131,35 @@ pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Er
     } else {
         Err(Error::NotFinite { quantity: "speed", value: value_rad_s, unit: "rad/s" })
     }
+}
+
+pub(crate) fn metres(value: Length) -> f64 {
+    value.get::<meter>()
+}
+
+pub(crate) fn length_of_metres(value: f64) -> Length {
+    Length::new::<meter>(value)
+}
+
+pub(crate) fn cubic_metres(value: Volume) -> f64 {
+    value.get::<cubic_meter>()
+}
+
+pub(crate) fn cubic_centimetres(value: Volume) -> f64 {
+    value.get::<cubic_centimeter>()
+}
+
+pub(crate) fn newton_metres(value: Torque) -> f64 {
+    value.get::<newton_meter>()
+}
+
+pub(crate) fn megapascals(value: Pressure) -> f64 {
+    value.get::<megapascal>()
+}
+
+/// `q = 2π·M/Δp`.
+pub(crate) fn displacement_of_torque(torque: Torque, pressure: Pressure) -> Volume {
+    Volume::new::<cubic_meter>(
+        std::f64::consts::TAU * (torque.get::<newton_meter>() / pressure.get::<pascal>()),
+    )
 }

@@ -10,7 +10,10 @@
 //! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here computes a speed or a curve,
 //! and nothing opens a file.
 
+mod error;
 pub mod gear_set;
 pub mod gearbox;
 pub mod motor;
 pub mod plot;
+
+pub use error::Error;

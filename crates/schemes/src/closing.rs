@@ -28,8 +28,8 @@
 //! - **The other eleven are the source's I-1…III-3**: those that split the power and can slow down.
 //!
 //! The source states neither condition; it says that eleven schemes exist for any pair of ratios. That does not
-//! follow from its rule. Of the 20 that circulate power six give ratios of the sign of `i₁` that can slow down,
-//! for all k, and lose little while the circulating power is small ([`Use::Slows`]); four of those whose ratio
+//! follow from its rule. Of the 20 that circulate power six keep the sign of `i₁` for all k and can slow down
+//! (five of them do at every k), and lose little while the circulating power is small ([`Use::Slows`]); four of those whose ratio
 //! changes its sign do so for some k; the others only reverse or speed up.
 //!
 //! # Source

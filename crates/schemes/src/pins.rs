@@ -19,11 +19,12 @@ use crate::row::{Gearing, Row, RowKind};
 use crate::units::{degrees, in_metres, kg_per_m3, kilograms, metres, rad_per_s};
 use crate::{Gearbox, LinkId};
 use epicyclic_gears::geometry::{Toothing, Wheel};
+use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::mass::{self, WheelBody};
 use epicyclic_gears::pin::{self, Push};
 use epicyclic_gears::{Error, ToothCount};
 use std::fmt;
-use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
 
 /// What is known of the size of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,6 +39,8 @@ pub struct RowSize {
     pub planet_bore: Option<Length>,
     /// Mass of a planet with what turns about its pin; goes before that of its shape.
     pub planet_mass: Option<Mass>,
+    /// Dynamic load rating of the bearings of one planet together, and what rolls in them.
+    pub bearing: Option<(Force, Rolling)>,
     /// Density of the planets.
     pub density: MassDensity,
     /// Working pressure angle.
@@ -53,6 +56,7 @@ impl Default for RowSize {
             face_width: None,
             planet_bore: None,
             planet_mass: None,
+            bearing: None,
             density: kg_per_m3(7850.0),
             pressure_angle: degrees(20.0),
         }
@@ -105,6 +109,8 @@ pub struct Pin {
     pub wheels: Option<[(Toothing, Length); 2]>,
     /// Mass of one planet.
     pub mass: Option<Mass>,
+    /// Dynamic load rating of its bearings together, and what rolls in them.
+    pub bearing: Option<(Force, Rolling)>,
     /// Working pressure angle.
     pub pressure_angle: Angle,
     /// What is missing.
@@ -152,6 +158,7 @@ impl Row {
             radius: None,
             wheels: None,
             mass: None,
+            bearing: size.bearing,
             pressure_angle: size.pressure_angle,
             lacks: vec![],
         };
@@ -269,6 +276,10 @@ impl RowSize {
         {
             return Err(Error::NotPositive { quantity: "mass of a planet", value, unit: "kg" });
         }
+        if let Some((capacity, _)) = self.bearing {
+            // The capacity's own limits.
+            life::basic_rating_life(Rolling::Balls, capacity, capacity, AngularVelocity::default())?;
+        }
         // The angle's own limits.
         pin::radial_force(&[], 1, self.pressure_angle)?;
         Ok(())
@@ -305,6 +316,15 @@ impl Pin {
             .zip(forces.radial.zip(forces.centrifugal))
             .map(|(tangential, (radial, centrifugal))| pin::resultant(tangential, radial + centrifugal));
         Ok(forces)
+    }
+
+    /// Basic rating life of the bearings under this force, at this speed of the planet on its carrier.
+    ///
+    /// # Errors
+    /// Those of [`basic_rating_life`](life::basic_rating_life).
+    pub fn life(&self, force: Force, planet_on_carrier: AngularVelocity) -> Result<Option<Time>, Error> {
+        let Some((capacity, rolling)) = self.bearing else { return Ok(None) };
+        life::basic_rating_life(rolling, capacity, force, planet_on_carrier)
     }
 }
 

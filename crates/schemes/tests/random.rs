@@ -151,6 +151,36 @@ fn numbers_are_finite(found: &Analysis) -> bool {
         && found.rows().iter().flat_map(|row| &row.planets).all(|p| p.relative.is_finite())
 }
 
+/// What goes round is a part of each power, in balance in every row, and in every link but for what its ties pass on.
+fn circulation(gearbox: &Gearbox, case: &LoadCase) -> Result<(), TestCaseError> {
+    let power = &case.power;
+    let tolerance = 1e-9 * power.largest;
+    for (row, round) in power.rows.iter().zip(&power.circulating_members) {
+        prop_assert!(round.iter().sum::<f64>().abs() < tolerance);
+        for (member, round) in round.iter().enumerate() {
+            let whole = row.map_or(0.0, |row| row.members[member]);
+            prop_assert!(round * whole >= 0.0 && round.abs() <= whole.abs() + tolerance);
+        }
+    }
+    if gearbox.permanent().is_empty() {
+        let mut given = vec![0.0; gearbox.links().len()];
+        for (row, round) in gearbox.rows().iter().zip(&power.circulating_members) {
+            for (link, round) in row.members().iter().zip(round) {
+                given[link.index()] += round;
+            }
+        }
+        for (control, round) in gearbox.controls().iter().zip(&power.circulating_controls) {
+            let [first, second] = control.links();
+            given[first.index()] -= round;
+            given[second.index()] += round;
+        }
+        prop_assert!(given.iter().all(|sum| sum.abs() < tolerance), "{given:?}");
+    }
+    let any = power.circulating_members.iter().flatten().any(|round| round.abs() > tolerance);
+    prop_assert_eq!(any, power.circulating > tolerance, "{}", power.circulating);
+    Ok(())
+}
+
 /// The laws of a driven gear.
 fn laws(gearbox: &Gearbox, found: &Analysis) -> Result<(), TestCaseError> {
     let ideal = found.ideal().unwrap();
@@ -163,6 +193,7 @@ fn laws(gearbox: &Gearbox, found: &Analysis) -> Result<(), TestCaseError> {
     }
     for case in [Some(ideal), found.driving(), found.overrun()].into_iter().flatten() {
         let largest = case.power.largest;
+        circulation(gearbox, case)?;
         let lost: f64 = case.power.rows.iter().flatten().map(|row| row.loss).sum();
         prop_assert!(
             (lost - (1.0 - case.efficiency)).abs() < 1e-11 * largest,

@@ -258,4 +258,12 @@ fn a_gear_closed_by_a_planetary_gear_has_one_ratio() {
     let ideal = found.ideal().unwrap();
     assert!((ideal.power.rows[0].unwrap().members[1].abs() - through_ring).abs() < 1e-11);
     assert!(ideal.power.circulating > 1.0);
+    // One loop, from the ring of one row to that of the other and back by the carriers; nothing of it in the suns.
+    let round = &ideal.power.circulating_members;
+    let loop_power = ideal.power.circulating;
+    for [sun, ring, carrier] in round {
+        assert!(
+            sun.abs() < 1e-12 && (ring.abs() - loop_power).abs() < 1e-11 && (carrier + ring).abs() < 1e-11
+        );
+    }
 }

@@ -9,6 +9,7 @@ use epicyclic_formats::Dimension;
 use epicyclic_schemes::pins::{Lack, Pin};
 use epicyclic_schemes::{Direction, LoadCase};
 use uom::si::f64::Torque;
+use uom::si::time::hour;
 use uom::si::torque::newton_meter;
 
 /// The planets of one gear, where it has any.
@@ -62,6 +63,13 @@ fn rows(
         let speed = input.speed.zip(carrier).map(|(speed, of)| speed * of);
         let torques = worked.operation.as_ref().and_then(|operation| operation.members[*place]);
         let forces = pin.forces(torques, speed)?;
+        // A row with a pin has one planet: of kinds with more no force follows.
+        let planet = analysis.rows()[*place].planets.first();
+        let turning = input.speed.zip(planet).map(|(speed, planet)| speed * planet.relative);
+        let life = match forces.total.zip(turning) {
+            Some((force, turning)) => pin.life(force, turning)?,
+            None => None,
+        };
         rows.push(vec![
             text(row.id()),
             text(analysis.gear().name()),
@@ -77,6 +85,9 @@ fn rows(
             column(forces.radial),
             column(forces.centrifugal),
             column(forces.total),
+            column(pin.bearing.map(|(capacity, _)| capacity)),
+            column(turning),
+            life.map_or(Figure::None, |life| Figure::Number(life.get::<hour>())),
         ]);
     }
     Ok(rows)
@@ -118,6 +129,20 @@ fn records(
         (true, false) => "Force on the bearing of each planet at 1 N·m on the input, N",
         (true, true) => "Force on the bearing of each planet, N",
     };
+    let mut views = vec![View {
+        note: note(subject, pins, sized, input.speed.is_some()),
+        ..View::new(title, &[first, shown].concat())
+    }];
+    let has_capacity = pins.iter().any(|(_, pin)| pin.bearing.is_some());
+    if has_capacity && loaded && input.speed.is_some() {
+        let shown: &[&'static str] = &["force", "bearing_capacity", "bearing_speed", "bearing_life_h"];
+        views.push(View {
+            note:
+                "Basic rating life, 90 % reach it; turns: on its carrier. None where a planet does not turn."
+                    .to_owned(),
+            ..View::new("Life of the bearings of the planets", &[first, shown].concat())
+        });
+    }
     Records {
         name: "planet_bearings",
         columns: vec![
@@ -134,12 +159,12 @@ fn records(
             headed("radial_force", "radial", Dimension::Force),
             headed("centrifugal_force", "centrifugal", Dimension::Force),
             headed("force", "together", Dimension::Force),
+            headed("bearing_capacity", "capacity, N", Dimension::Force),
+            headed("bearing_speed", "turns, rpm", Dimension::AngularSpeed),
+            Column::number("bearing_life_h", "life, h"),
         ],
         rows,
-        views: vec![View {
-            note: note(subject, pins, sized, input.speed.is_some()),
-            ..View::new(title, &[first, shown].concat())
-        }],
+        views,
         is_answer: false,
     }
 }

@@ -82,7 +82,8 @@ pub(super) fn read(args: &Choice, only_one: bool) -> Result<Content, Failure> {
     Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))
 }
 
-fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
+/// The efficiency of a row that `--efficiency` gives.
+pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
     MeshEfficiency::new(eta.0.value)
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }

@@ -1,11 +1,11 @@
 //! The figures of a drive, by the names that the library gives them.
 
-use crate::figure::{Figure, quantity};
+use crate::figure::{Figure, optional, quantity};
 use crate::report::{Part, Report, Row, Section};
 use epicyclic_dynamics::drive::{Choice, DriveDesign, Motion, ShaftDesign, Start, WheelMass};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
-use uom::si::f64::{AngularVelocity, MomentOfInertia};
+use uom::si::f64::{AngularVelocity, Length, MomentOfInertia, Time};
 
 const WHEELS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
 const SHAFTS: &[(&str, &str)] =
@@ -175,13 +175,13 @@ fn shafts(design: &DriveDesign) -> Vec<Row> {
             "bearing_outside_diameter",
             "its outside diameter",
             "D",
-            of(|shaft| shaft.used.bearing.map_or(Figure::None, |bearing| quantity(bearing.outside_diameter))),
+            of(|shaft| optional(shaft.used.bearing.map(|bearing| bearing.outside_diameter))),
         ),
         Row::new(
             "bearing_width",
             "its width",
             "B",
-            of(|shaft| shaft.used.bearing.map_or(Figure::None, |bearing| quantity(bearing.width))),
+            of(|shaft| optional(shaft.used.bearing.map(|bearing| bearing.width))),
         ),
     ]
 }
@@ -191,9 +191,9 @@ fn masses(design: &DriveDesign) -> Vec<Row> {
     let wheels = |figure: fn(&WheelMass) -> Figure, carrier: Figure| {
         [figure(&masses.sun), figure(&masses.planet), carrier]
     };
-    let carrier = masses.carrier.map_or(Figure::None, quantity);
+    let carrier = optional(masses.carrier);
     vec![
-        Row::new("bore", "bore", "", wheels(|wheel| quantity(wheel.bore), Figure::None)),
+        Row::new("bore", "bore", "", wheels(|wheel| quantity(wheel.bore), optional::<Length>(None))),
         Row::new("mass", "mass", "m", wheels(|wheel| quantity(wheel.body.total().mass), carrier)),
         Row::new(
             "inertia",
@@ -274,7 +274,7 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
             "t",
             of(|motion| match motion.start {
                 Start::After(time) => quantity(time),
-                Start::InBalance | Start::Overloaded(_) => Figure::None,
+                Start::InBalance | Start::Overloaded(_) => optional::<Time>(None),
             }),
         ),
     ]

@@ -39,10 +39,10 @@ impl File<'_> {
     fn place(&self, error: &DescriptionError) -> Path {
         use DescriptionError as E;
         match error {
-            E::RowKnownInOneWay { row }
-            | E::Losses { row, .. }
-            | E::Missing { row, .. }
-            | E::Row { row, .. } => self.row(row),
+            E::RowKnownInOneWay { row } | E::Losses { row, .. } | E::Missing { row, .. } => self.row(row),
+            E::Row { row, source } => {
+                keys_of(source).iter().fold(self.row(row), |path, key| self.key(path, key))
+            }
             E::Carrier { row, .. } => self.key(self.row(row), "carrier"),
             E::PlanetTeeth { row, .. } => self.key(self.row(row), "planet_teeth"),
             E::MemberInNoNode { row, member } => self.text(self.row(row), member),
@@ -135,6 +135,25 @@ impl File<'_> {
     fn first_that_exists(&self, paths: [Path; 2]) -> Path {
         let exists = |path: &Path| self.document.value_at(path).is_some_and(|value| value.as_str().is_some());
         paths.into_iter().find(exists).unwrap_or_else(|| self.base.clone())
+    }
+}
+
+/// The keys of a row that may hold what a gear refuses.
+fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
+    use epicyclic_gears::Error as E;
+    match error {
+        E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes"],
+        E::NoTeeth => &["teeth"],
+        E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match *quantity {
+            "module" => &["module"],
+            "radius of the planets' centres" => &["carrier_radius"],
+            "face width" | "width" => &["face_width"],
+            "bore of a planet" | "bore diameter" => &["planet_bore"],
+            "mass of a planet" => &["planet_mass"],
+            "capacity of the bearing" => &["bearing_capacity"],
+            _ => &[],
+        },
+        _ => &[],
     }
 }
 

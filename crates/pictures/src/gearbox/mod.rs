@@ -10,7 +10,6 @@
 //! Sizes are those of a drawing on paper: letters of 2.5 mm, shafts of 0.7 mm. No label meets another or a line; the tests hold every
 //! picture of the catalogue and of five gearboxes in service to that.
 
-mod error;
 pub mod ladder;
 pub mod levers;
 mod place;
@@ -18,7 +17,7 @@ pub mod scheme;
 pub mod speeds;
 mod words;
 
-pub use error::Error;
+pub use crate::Error;
 
 use epicyclic_drawing::Color;
 

@@ -13,12 +13,14 @@ pub(super) struct Places {
     /// Lines, and half their widths.
     lines: Vec<(Shape, f64, Bounds)>,
     labels: Vec<Bounds>,
+    /// Boxes of fills, which a leader may cross.
+    fills: Vec<Bounds>,
 }
 
 impl Places {
     /// Around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
-        let mut places = Self { lines: vec![], labels: vec![] };
+        let mut places = Self { lines: vec![], labels: vec![], fills: vec![] };
         for item in scene.items() {
             match &item.shape {
                 Shape::Text(text) => places.labels.push(text.bounds()),
@@ -28,7 +30,7 @@ impl Places {
                         places.lines.push((shape.clone(), half, shape.bounds()));
                     } else {
                         // A fill covers its whole box.
-                        places.labels.push(shape.bounds());
+                        places.fills.push(shape.bounds());
                     }
                 }
             }
@@ -38,7 +40,7 @@ impl Places {
 
     fn free(&self, bounds: Bounds) -> bool {
         let clear = bounds.grown(CLEAR_MM);
-        !self.labels.iter().any(|label| label.overlaps(clear))
+        !self.labels.iter().chain(&self.fills).any(|label| label.overlaps(clear))
             && !self.lines.iter().any(|(line, half, around)| {
                 let clear = clear.grown(*half);
                 around.grown(1e-9).overlaps(clear) && line_meets(line, clear)

@@ -185,7 +185,7 @@ fn rays(scene: &mut Scene, layers: &Layers, gearbox: &Gearbox, gear: &Analysis, 
     let most = speeds.last().map_or(0.0, |speed| speed.0).max(0.0);
 
     let labels: Vec<String> =
-        speeds.iter().map(|(speed, names, _)| format!("{} {}", names.join(", "), decimal(*speed))).collect();
+        speeds.iter().map(|(speed, names, _)| format!("{}: {}", decimal(*speed), names.join(", "))).collect();
     let longest =
         labels.iter().map(|label| Text::new([0.0, 0.0], LETTERS_MM, label).width_mm()).fold(0.0, f64::max);
     let bounds = scene.bounds();
@@ -207,6 +207,11 @@ fn rays(scene: &mut Scene, layers: &Layers, gearbox: &Gearbox, gear: &Analysis, 
     }
     scene.add_styled(layers.lines, Style::filled(Color::BLACK), Shape::Circle { centre: pole, radius: 0.9 });
     scene.add(layers.labels, Text::new([pole.x + 4.0, pole.y - 2.6], LETTERS_MM, "pole"));
-    let words = "rays parallel to the lines above; their ends: speeds over the input's";
-    scene.add(layers.labels, Text::new([bounds.left, pole.y - 8.0], LETTERS_MM, words).align(Align::Left));
+    let words = [
+        "above: velocities over radius, radii over that of the row's wheel 1",
+        "rays parallel to the lines above; at their ends the speeds over the input's",
+    ];
+    for (words, y) in words.into_iter().zip([pole.y - 8.0, pole.y - 12.6]) {
+        scene.add(layers.labels, Text::new([bounds.left, y], LETTERS_MM, words).align(Align::Left));
+    }
 }

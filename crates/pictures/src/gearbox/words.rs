@@ -2,10 +2,15 @@
 
 use epicyclic_schemes::row::{Gearing, Row, RowKind};
 
-/// A number to three decimals, its minus a real one; what rounds to 0 has none.
+/// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is 0.
 pub(super) fn decimal(value: f64) -> String {
-    let text = format!("{value:.3}");
-    if text == "-0.000" { "0.000".into() } else { text.replace('-', "−") }
+    let size = value.abs();
+    if size < 1e-6 {
+        return "0.000".into();
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 3 to 9
+    let decimals = if size < 0.1 { (3.0 - size.log10().floor()) as usize } else { 3 };
+    format!("{value:.decimals$}").replace('-', "−")
 }
 
 /// A row by its number, name, kind and gearing: `1 (P1): simple, z 48/96, k = 2.000`.
@@ -24,4 +29,15 @@ pub(super) fn row(place: usize, row: &Row, gearing: bool) -> String {
         words += &format!(", {symbol} = {}", decimal(size));
     }
     words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn small_numbers_keep_their_digits() {
+        let values = [2.0, -0.5, 0.012_345_6, -1e-9, 81.491_2];
+        assert_eq!(values.map(decimal), ["2.000", "−0.500", "0.01235", "0.000", "81.491"]);
+    }
 }

@@ -1,1 +1,40 @@
-//! Pictures of hydromotors.
+//! Pictures of hydromotors: centrodes with their construction, the motor at an angle, its teeth, its chambers by pressure.
+//!
+//! | function | draws |
+//! |---|---|
+//! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
+//! | [`whole`] | the motor at an angle in its housing, with its ports |
+//! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
+//! | [`teeth`] | outlines of all teeth in mesh at an angle |
+//! | [`outline`] | a centrode as a closed polyline of arcs |
+//!
+//! One unit is a millimetre; the frame is that of [`epicyclic_hydromotor::motor`]: a stator crest on the x axis, angles
+//! counter-clockwise. The stator of two arcs is drawn with its exact arcs; a curve that is none, the rotor above all, with
+//! biarcs within [`TOLERANCE_MM`]. Text and lines are as large as the motor asks for.
+//!
+//! # Example
+//! ```
+//! use epicyclic_hydromotor::{Motor, MotorNumbers};
+//! use epicyclic_pictures::motor::chambers;
+//! use uom::si::{angle::degree, f64::{Angle, Length}, length::millimeter};
+//!
+//! let mm = Length::new::<millimeter>;
+//! let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(2.0), mm(80.0))?;
+//! let scene = chambers(&motor, Angle::new::<degree>(30.0))?;
+//! assert!(epicyclic_drawing::svg::write(&scene)?.contains("high pressure"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod centrodes;
+mod chambers;
+mod curve;
+mod sheet;
+mod teeth;
+mod units;
+mod whole;
+
+pub use centrodes::centrodes;
+pub use chambers::{Phase, STEPS, chambers};
+pub use curve::{Outline, TOLERANCE_MM, outline};
+pub use teeth::{SIDES, teeth};
+pub use whole::whole;

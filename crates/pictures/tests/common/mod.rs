@@ -38,7 +38,9 @@ pub(crate) fn in_service() -> Vec<Gearbox> {
 pub(crate) fn layout(gearbox: &Gearbox) -> Layout {
     match drawability::draw(gearbox, drawability::Options::default()) {
         Verdict::Drawable(layout) => *layout,
-        Verdict::SelfCrossing(witness) => panic!("{}: {}", gearbox.name(), witness.describe(gearbox)),
+        Verdict::SelfCrossing(witness) => {
+            unreachable!("{}: {}", gearbox.name(), witness.describe(gearbox))
+        }
     }
 }
 

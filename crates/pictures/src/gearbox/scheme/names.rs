@@ -1,10 +1,10 @@
 //! Names: controls, wheels, links.
 
-use super::{Sheet, UP_MM, at};
+use super::{Sheet, UP_MM, WEB_MM, at};
 use crate::gearbox::place::{Places, beside};
 use epicyclic_drawing::Point;
 use epicyclic_schemes::LinkId;
-use epicyclic_schemes::drawability::layout::{LinkShape, Point as Place};
+use epicyclic_schemes::drawability::layout::{LinkShape, Point as Place, RowStack};
 
 /// From a shaft to the middle of its name.
 const OFF_MM: f64 = 2.6;
@@ -59,12 +59,13 @@ impl Sheet<'_> {
             }
             for (letter, along) in members {
                 let name = format!("{letter}{number}");
-                let mut wishes: Vec<Point> = along.iter().flat_map(|at| beside(*at, &name, 0.3)).collect();
+                let gap = 0.1 + self.web_half(&stack, letter);
+                let mut wishes: Vec<Point> = along.iter().flat_map(|at| beside(*at, &name, gap)).collect();
                 if letter == "g" {
                     let pin = Point::new(x, up(stack.planet));
                     wishes.splice(0..0, beside(pin, &name, 3.3));
                     let above = web(stack.planet, stack.ring_mesh);
-                    wishes.extend(above.iter().flat_map(|at| beside(*at, &name, 0.3)));
+                    wishes.extend(above.iter().flat_map(|at| beside(*at, &name, gap)));
                 }
                 wishes.extend(along.iter().flat_map(|at| beside(*at, &name, 2.7)));
                 self.put(places, &name, along[0], &wishes);
@@ -83,6 +84,13 @@ impl Sheet<'_> {
             wishes.splice(0..0, beside(pin, &name, 3.3));
             self.put(places, &name, Point::new(pin.x + 3.2, pin.y), &wishes);
         }
+    }
+
+    /// Half the width of a wheel's web.
+    fn web_half(&self, stack: &RowStack, letter: &str) -> f64 {
+        let member = usize::from(letter == "b");
+        let (power, circulating) = self.member(stack.row, member);
+        0.5 * self.look(stack.members[member], WEB_MM, power, circulating).width_mm
     }
 
     fn link_names(&mut self, places: &mut Places) {

@@ -15,7 +15,7 @@ const MESH_MM: f64 = 0.55;
 const FORK_MM: f64 = 4.2;
 /// How far a pin stands out of its planet.
 const PIN_MM: f64 = 3.2;
-/// Length of hatching strokes along the axis and away from it.
+/// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and above level ones.
 const HATCH_MM: f64 = 1.8;
 
 /// Whether the carrier of a row is not drawn straight through its planet.
@@ -77,8 +77,8 @@ impl Sheet<'_> {
         let mut along = 0.8;
         while along < length - 0.2 {
             let (x, y) = if upright { (from.x, from.y + along) } else { (from.x + along, from.y) };
-            let stroke = if upright { [x + HATCH_MM, y + HATCH_MM] } else { [x + HATCH_MM, y + HATCH_MM] };
-            self.scene.add_styled(self.layers.housing, Style::line(0.18), Shape::line([x, y], stroke));
+            let stroke = Shape::line([x, y], [x + HATCH_MM, y + HATCH_MM]);
+            self.scene.add_styled(self.layers.housing, Style::line(0.18), stroke);
             along += 2.2;
         }
     }

@@ -159,3 +159,71 @@ impl Plan {
         ends.map(|[_, v]| v.abs() / self.height).fold(0.0, f64::max)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_gears::teeth::ToothCount;
+    use epicyclic_schemes::row::RowSpec;
+
+    /// A row of a kind between D, T1 and B, T1 held.
+    fn gearbox(kind: RowKind, teeth: [u32; 4]) -> Gearbox {
+        let [first, second, g, f] = teeth;
+        let count = |z| ToothCount::new(z).unwrap();
+        let row = RowSpec::teeth("1", kind, ["D", "T1", "B"], first, second).unwrap();
+        let row = row.planet_teeth(count(g), (f > 0).then(|| count(f)));
+        let builder = Gearbox::builder("one row").links(["D", "B", "T1"]).row(row).brake("K1", "T1");
+        builder.input("D").output("B").gear("1", ["K1"]).build().unwrap()
+    }
+
+    /// The planet's line, drawn through the wheels' velocities, has the slope that the mechanics gives; the pin lies on it.
+    #[test]
+    fn a_planets_slope_is_its_speed() {
+        for (kind, teeth) in [
+            (RowKind::Simple, [20, 70, 25, 0]),
+            (RowKind::SteppedSunRing, [20, 80, 30, 18]),
+            (RowKind::SteppedSuns, [30, 24, 20, 26]),
+            (RowKind::SteppedRings, [90, 80, 25, 22]),
+        ] {
+            let gearbox = gearbox(kind, teeth);
+            let gear = gearbox.analyze("1").unwrap();
+            let plan = Plan::of(&gearbox, &gear, 0);
+            let planet = plan.lines.iter().find(|line| line.link.is_none()).unwrap();
+            let [[r, v], [further, faster]] = [planet.from, planet.to];
+            let slope = (faster - v) / (further - r);
+            let speed = gear.rows()[0].planets[0].absolute.unwrap();
+            assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
+            let carrier = plan.lines.iter().find(|line| line.name == "H1").unwrap();
+            let on_line = v + slope * (carrier.to[0] - r);
+            assert!((on_line - carrier.to[1]).abs() < 1e-9, "{kind}");
+        }
+    }
+
+    /// Both planets of a pair in mesh have one velocity where they touch, and their pins lie on their lines.
+    #[test]
+    fn planets_in_mesh_agree_where_they_touch() {
+        let gearbox = gearbox(RowKind::DoublePlanet, [30, 72, 16, 18]);
+        let gear = gearbox.analyze("1").unwrap();
+        let plan = Plan::of(&gearbox, &gear, 0);
+        let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
+        let planets: Vec<&Line> = plan.lines.iter().filter(|line| line.link.is_none()).collect();
+        assert_eq!(planets[0].to, planets[1].from);
+        for (line, pin) in planets.iter().zip(&plan.pins) {
+            let middle = f64::midpoint(line.from[1], line.to[1]);
+            assert!((middle - carrier * pin).abs() < 1e-9);
+        }
+    }
+
+    /// Wheels of a pair have one velocity in contact, outside each other and one in the other.
+    #[test]
+    fn a_pair_meets_in_its_contact() {
+        for kind in [RowKind::ExternalPair, RowKind::InternalPair] {
+            let row = RowSpec::teeth("1", kind, ["D", "B", "ground"], 20, 50).unwrap();
+            let gearbox = Gearbox::builder("pair").links(["D", "B"]).row(row).input("D").output("B");
+            let gearbox = gearbox.gear("1", [""; 0]).build().unwrap();
+            let plan = Plan::of(&gearbox, &gearbox.analyze("1").unwrap(), 0);
+            let [one, other] = [plan.lines[0].to, plan.lines[1].to];
+            assert!((one[0] - other[0]).abs() < 1e-12 && (one[1] - other[1]).abs() < 1e-12, "{kind}");
+        }
+    }
+}

@@ -1,9 +1,7 @@
-//! What of a gearbox cannot be drawn.
+//! What cannot be drawn.
 
-use thiserror::Error;
-
-/// What of a gearbox cannot be drawn.
-#[derive(Debug, Clone, PartialEq, Error)]
+/// What cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A gear whose speeds do not all follow from the input's.
@@ -32,7 +30,10 @@ pub enum Error {
         /// How many gears it has.
         gears: usize,
     },
-    /// What no drawing takes.
+    /// A drawing that no file can hold: a motor of a hundred metres, say.
     #[error(transparent)]
     Drawing(#[from] epicyclic_drawing::Error),
+    /// An angle at which a motor is nowhere.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
 }

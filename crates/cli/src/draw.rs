@@ -1,0 +1,187 @@
+//! The command `draw`: pictures of gearboxes as SVG and DXF.
+
+mod crossing;
+mod subject;
+
+use crate::analyze::analysis;
+use crate::failure::Failure;
+use crate::output::{say, write_file};
+use epicyclic_drawing::{Scene, dxf, svg};
+use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::{Number, Quantity};
+use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
+use epicyclic_schemes::drawability::{self, Verdict};
+use epicyclic_schemes::{Analysis, Gearbox};
+use std::path::{Path, PathBuf};
+use subject::Subject;
+use uom::si::f64::Ratio;
+
+/// A gearbox as a drawing: its scheme, speed plan, levers or ratio ladder.
+///
+/// The gearbox is one of the catalogue (I … III-3), where no file has that name, or one from a file as for `analyze`. The scheme is the
+/// section by the half-plane above the axis, in the usual signs; its layout is made so that no link crosses another, and a gearbox for
+/// which there is none is refused with the parts that stand in each other's way. Drawings are in millimetres.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  epicyclic draw II-3 -o ii-3.svg
+  epicyclic draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --power -o flow.svg
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view speeds -o plan.dxf
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
+pub(crate) struct Args {
+    /// A scheme of the catalogue, or the file of a gearbox in YAML.
+    #[arg(value_name = "GEARBOX")]
+    gearbox: String,
+
+    /// What is drawn.
+    #[arg(long, value_enum, default_value_t = View::Scheme)]
+    view: View,
+
+    /// One transmission of a list: its name, or a part that no other name has.
+    #[arg(long, value_name = "NAME")]
+    transmission: Option<String>,
+
+    /// One gear: engaged controls filled, resting links grey.
+    #[arg(long, value_name = "NAME")]
+    gear: Option<String>,
+
+    /// Lines of the scheme as wide as the power they pass.
+    #[arg(long, requires = "gear")]
+    power: bool,
+
+    /// Both halves of the scheme, the lower a mirror image.
+    #[arg(long)]
+    whole: bool,
+
+    /// Input and output of the scheme on the left.
+    #[arg(long)]
+    same_side: bool,
+
+    /// Row parameter of row 1 of a catalogue scheme, ring over sun.
+    #[arg(long, allow_negative_numbers = true)]
+    k1: Option<Number>,
+
+    /// Row parameter of row 2.
+    #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_negative_numbers = true)]
+    k2: Option<Number>,
+
+    /// Ratio of gear 1, in place of --k1.
+    #[arg(long, conflicts_with = "k1", allow_negative_numbers = true)]
+    ratio1: Option<Number>,
+
+    /// Ratio of gear 2, in place of --k2.
+    #[arg(long, allow_negative_numbers = true)]
+    ratio2: Option<Number>,
+
+    /// Efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    efficiency: Option<Quantity<Ratio>>,
+
+    /// Title in place of the gearbox's name and gear.
+    #[arg(long)]
+    title: Option<String>,
+
+    /// File for the drawing, DXF where its name ends so and else SVG. Default: SVG on standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// File for the drawing as SVG.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+
+    /// File for the drawing as DXF, for CAD.
+    #[arg(long, value_name = "FILE")]
+    dxf: Option<PathBuf>,
+}
+
+/// What is drawn of a gearbox.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum View {
+    /// The kinematic scheme.
+    Scheme,
+    /// The speed plan of a gear (Kutzbach).
+    Speeds,
+    /// The rows as levers, with the speeds of a gear.
+    Levers,
+    /// The ratios of all gears on a logarithmic scale.
+    Ladder,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    consistent(args)?;
+    let subject = subject::read(args)?;
+    let scene = scene(args, &subject)?;
+    let fail = |error: epicyclic_drawing::Error| Failure::Picture(error.into());
+    let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
+    let mut files: Vec<(&Path, bool)> = vec![];
+    files.extend(args.output.as_deref().map(|file| (file, is_dxf(file))));
+    files.extend(args.svg.as_deref().map(|file| (file, false)));
+    files.extend(args.dxf.as_deref().map(|file| (file, true)));
+    if files.is_empty() {
+        return say(&(svg::write(&scene).map_err(fail)? + "\n"));
+    }
+    let mut said = String::new();
+    let size = scene.bounds().grown(svg::MARGIN_MM);
+    for (file, as_dxf) in files {
+        let text = if as_dxf { dxf::write(&scene) } else { svg::write(&scene) };
+        write_file(file, text.map_err(fail)?.as_bytes())?;
+        let [width, height] = [size.width(), size.height()].map(|mm| trimmed(mm.round(), 4));
+        said += &format!("{}: {}, {width} x {height} mm\n", file.display(), scene.title());
+    }
+    say(&said)
+}
+
+/// Refuses options that say nothing for the view.
+fn consistent(args: &Args) -> Result<(), Failure> {
+    let refuse = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
+    let schemes_alone = "only the view scheme has it";
+    match args.view {
+        View::Scheme => Ok(()),
+        _ if args.power => refuse("--power", schemes_alone),
+        _ if args.whole => refuse("--whole", schemes_alone),
+        _ if args.same_side => refuse("--same-side", schemes_alone),
+        View::Speeds if args.gear.is_none() => refuse("--gear", "a speed plan is that of one gear; name it"),
+        View::Ladder if args.gear.is_some() => refuse("--gear", "the ladder shows all gears; leave it out"),
+        _ => Ok(()),
+    }
+}
+
+fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
+    let gearbox = &subject.gearbox;
+    let title = args.title.as_deref();
+    let gear = args.gear.as_deref().map(|gear| analysis(gearbox, gear)).transpose()?;
+    Ok(match (args.view, &gear) {
+        (View::Scheme, gear) => kinematic(args, subject, gear.as_ref())?,
+        (View::Speeds, Some(gear)) => speeds::scene(gearbox, gear, title)?,
+        (View::Levers, gear) => levers::scene(gearbox, gear.as_ref(), title)?,
+        (View::Ladder | View::Speeds, _) => ladder::scene(gearbox, &all_gears(gearbox)?, title)?,
+    })
+}
+
+fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis>, Failure> {
+    Ok(gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect::<Result<_, _>>()?)
+}
+
+fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<Scene, Failure> {
+    let gearbox = &subject.gearbox;
+    let how = drawability::Options { same_side: args.same_side, ..drawability::Options::default() };
+    let layout = match drawability::draw(gearbox, how) {
+        Verdict::Drawable(layout) => layout,
+        Verdict::SelfCrossing(witness) => {
+            return Err(Failure::SelfCrossing {
+                gearbox: gearbox.name().to_owned(),
+                why: crossing::words(gearbox, &witness),
+                witness: witness.describe(gearbox),
+            });
+        }
+    };
+    let shown = match gear {
+        None => scheme::Show::Structure,
+        Some(gear) if args.power => scheme::Show::Power(gear),
+        Some(gear) => scheme::Show::Gear(gear),
+    };
+    let options = scheme::Options { title: args.title.clone(), whole: args.whole, gearing: subject.gearing };
+    Ok(scheme::scene(gearbox, &layout, shown, &options)?)
+}

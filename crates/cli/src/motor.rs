@@ -1,0 +1,204 @@
+//! The command `motor`: a planetary hydromotor from its numbers to its drawings, and the search for one.
+
+mod design;
+mod facts;
+mod files;
+mod lists;
+mod search;
+mod teeth;
+
+use crate::failure::Failure;
+use crate::output::OutputArgs;
+use epicyclic_formats::{Number, Quantity};
+use std::path::PathBuf;
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
+
+/// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth, drawings.
+///
+/// A ring with N arches (the stator) and a sun with n lobes (the rotor), N + n round satellites between them that roll on both.
+/// The numbers leave one distance free: --l, --a or --part choose it. Torque and flow are theoretical: no leaks, no
+/// friction.
+#[derive(Debug, clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+#[command(override_usage = "\
+epicyclic motor [OPTIONS] --stator <N> --rotor <N> --z3 <TEETH>
+           --zs <TEETH> --module <MODULE>
+       epicyclic motor search [OPTIONS]")]
+#[command(after_help = "\
+Example:
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --l '80 mm' --width '50 mm' --pressure '20 MPa' --speed '60 rpm'
+  epicyclic motor --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' \\
+      --angle '30 deg' --view chambers --svg chambers.svg
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --view teeth --dxf teeth.dxf --csv centrodes.csv --format json
+  epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
+      --stator 5..6 --z3 ..66")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    command: Option<Command>,
+
+    #[command(flatten)]
+    design: Design,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Search(Box<search::Args>),
+}
+
+/// A motor and what is wanted of it.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Design {
+    /// Lobes of the stator, N.
+    #[arg(long, value_name = "N", required = true)]
+    stator: Option<u32>,
+
+    /// Lobes of the rotor, n: 1 to 3 fewer.
+    #[arg(long, value_name = "N", required = true)]
+    rotor: Option<u32>,
+
+    /// Teeth of the stator, Z₃: a whole number for each lobe.
+    #[arg(long, value_name = "TEETH", required = true)]
+    z3: Option<u32>,
+
+    /// Teeth of the rotor, Z₁; they follow from the others and are checked where given.
+    #[arg(long, value_name = "TEETH")]
+    z1: Option<u32>,
+
+    /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2.
+    #[arg(long, value_name = "TEETH", required = true)]
+    zs: Option<u32>,
+
+    /// Module of the teeth.
+    #[arg(long, required = true, allow_hyphen_values = true)]
+    module: Option<Quantity<Length>>,
+
+    /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of the family.
+    #[arg(long, group = "place", allow_hyphen_values = true)]
+    l: Option<Quantity<Length>>,
+
+    /// Instead of --l the distance a of the centres of the arcs at the crests.
+    #[arg(long, group = "place", allow_hyphen_values = true)]
+    a: Option<Quantity<Length>>,
+
+    /// Instead of --l the part of the family, from 0 (arcs at the troughs vanish) to 1, even in 1/l.
+    #[arg(long, value_name = "NUMBER", group = "place", allow_negative_numbers = true)]
+    part: Option<Number>,
+
+    /// A rotor by the cosine law, and the stator conjugate to it: one motor, no family.
+    #[arg(long, group = "place")]
+    cosine: bool,
+
+    /// Width of the wheels, for displacement, torque and forces.
+    #[arg(long, allow_hyphen_values = true)]
+    width: Option<Quantity<Length>>,
+
+    /// Pressure drop, high less low, for torque and forces.
+    #[arg(long, requires = "width", allow_hyphen_values = true)]
+    pressure: Option<Quantity<Pressure>>,
+
+    /// Speed of the rotor, for flow and power.
+    #[arg(long, requires = "width", allow_hyphen_values = true)]
+    speed: Option<Quantity<AngularVelocity>>,
+
+    /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites and drawings.
+    #[arg(long, default_value = "0 deg", allow_hyphen_values = true)]
+    angle: Quantity<Angle>,
+
+    #[command(flatten)]
+    teeth: Teeth,
+
+    #[command(flatten)]
+    files: Files,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Form of the teeth; lengths in modules.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Teeth, lengths in modules")]
+struct Teeth {
+    /// Pressure angle of the satellites.
+    #[arg(long, default_value = "25 deg", allow_hyphen_values = true)]
+    pressure_angle: Quantity<Angle>,
+
+    /// Addendum h_a*.
+    #[arg(long, value_name = "NUMBER", default_value = "0.85", allow_negative_numbers = true)]
+    addendum: Number,
+
+    /// Clearance c* of tips over roots.
+    #[arg(long, value_name = "NUMBER", default_value = "0.25", allow_negative_numbers = true)]
+    clearance: Number,
+
+    /// Profile shift x of the satellites; the wheels have −x.
+    #[arg(long, value_name = "NUMBER", default_value = "0.2", allow_negative_numbers = true)]
+    shift: Number,
+
+    /// Backlash j* along the pitch curves.
+    #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_negative_numbers = true)]
+    backlash: Number,
+
+    /// Radius ρ* of the rounded tips of the cutters.
+    #[arg(long, value_name = "NUMBER", default_value = "0.1", allow_negative_numbers = true)]
+    fillet: Number,
+}
+
+/// Drawings and curves.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Drawings and curves, each file written whole or not at all")]
+struct Files {
+    /// What is drawn.
+    #[arg(long, value_enum, default_value_t = View::Motor)]
+    view: View,
+
+    /// File for the drawing as an SVG image, one unit a millimetre.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+
+    /// File for the drawing as DXF in millimetres, for CAD.
+    #[arg(long, value_name = "FILE")]
+    dxf: Option<PathBuf>,
+
+    /// File for points of the centrodes with direction and curvature, in millimetres and degrees.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+
+    /// Points of each half-lobe in that file.
+    #[arg(long, value_name = "NUMBER", default_value_t = 100)]
+    points: u32,
+}
+
+impl Files {
+    fn are_wanted(&self) -> bool {
+        self.svg.is_some() || self.dxf.is_some() || self.csv.is_some()
+    }
+}
+
+/// What is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum View {
+    /// Stator, rotor, satellites, and how the arcs are constructed.
+    Centrodes,
+    /// Every tooth in mesh.
+    Teeth,
+    /// The motor in its housing with its ports.
+    Motor,
+    /// The chambers coloured by pressure.
+    Chambers,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    if let Some(Command::Search(args)) = &args.command {
+        return search::run(args);
+    }
+    let design = design::read(&args.design)?;
+    let files = files::content(&args.design.files, &design)?;
+    let report = facts::report(&design)?;
+    for (file, content) in &files {
+        crate::output::write_file(file, content.as_bytes())?;
+    }
+    report.deliver(&args.design.output)
+}

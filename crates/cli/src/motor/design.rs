@@ -1,0 +1,157 @@
+//! The motor that the options describe, and the option that a refusal speaks of.
+
+use super::{Design, Teeth};
+use crate::failure::Failure;
+use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::profile::{Profile, ToothForm};
+use epicyclic_hydromotor::{Error, Motor, MotorNumbers};
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
+
+/// How the motor was chosen from its family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Chosen {
+    /// By `--l`, `--a` or `--part`.
+    Given,
+    /// The middle of the family: nothing was said.
+    Middle,
+    /// There is no family.
+    Cosine,
+}
+
+/// A motor with what it is to be reckoned for.
+#[derive(Debug)]
+pub(super) struct Drawn {
+    pub(super) motor: Motor,
+    pub(super) family: Option<Family>,
+    pub(super) chosen: Chosen,
+    pub(super) form: ToothForm,
+    /// The teeth, or why there are none.
+    pub(super) profile: Result<Profile, Error>,
+    pub(super) width: Option<Length>,
+    pub(super) pressure: Option<Pressure>,
+    pub(super) speed: Option<AngularVelocity>,
+    pub(super) angle: Angle,
+}
+
+pub(super) fn read(args: &Design) -> Result<Drawn, Failure> {
+    let (Some(stator), Some(rotor), Some(z3), Some(zs), Some(module)) =
+        (args.stator, args.rotor, args.z3, args.zs, args.module)
+    else {
+        unreachable!("these options are required where there is no subcommand")
+    };
+    let module = module.0;
+    let numbers = match args.z1 {
+        Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),
+        None => MotorNumbers::new(stator, rotor, z3, zs),
+    }
+    .map_err(refuse)?;
+    let (motor, family, chosen) = if args.cosine {
+        (Motor::of_cosine_law(numbers, module).map_err(refuse)?, None, Chosen::Cosine)
+    } else {
+        let family = Family::new(numbers, module).map_err(refuse)?;
+        let arcs = match (args.l, args.a, args.part) {
+            (Some(l), ..) => family.at(l.0),
+            (_, Some(a), _) => family.at_crest_distance(a.0),
+            (.., Some(part)) => family.at_part(part.get()),
+            _ => family.at_part(0.5),
+        }
+        .map_err(refuse)?;
+        let given = args.l.is_some() || args.a.is_some() || args.part.is_some();
+        let chosen = if given { Chosen::Given } else { Chosen::Middle };
+        let motor = Motor::of_two_arcs(numbers, module, arcs.trough_distance()).map_err(refuse)?;
+        (motor, Some(family), chosen)
+    };
+    let form = form(&args.teeth);
+    let profile = match Profile::new(&motor, form) {
+        // A number of the form that no teeth have is a fault of the options, whatever the motor.
+        Err(error @ (Error::OutOfRange { .. } | Error::NotFinite { .. } | Error::NotPositive { .. })) => {
+            return Err(refuse(error));
+        }
+        made => made,
+    };
+    Ok(Drawn {
+        motor,
+        family,
+        chosen,
+        form,
+        profile,
+        width: args.width.map(|width| width.0),
+        pressure: args.pressure.map(|pressure| pressure.0),
+        speed: args.speed.map(|speed| speed.0),
+        angle: args.angle.0,
+    })
+}
+
+fn form(teeth: &Teeth) -> ToothForm {
+    ToothForm {
+        pressure_angle: teeth.pressure_angle.0,
+        addendum: teeth.addendum.get(),
+        clearance: teeth.clearance.get(),
+        shift: teeth.shift.get(),
+        backlash: teeth.backlash.get(),
+        fillet: teeth.fillet.get(),
+        ..ToothForm::default()
+    }
+}
+
+/// A refusal with the option that it speaks of.
+pub(super) fn refuse(error: Error) -> Failure {
+    let wheel_option = |wheel: &str, lobes: bool| match (wheel, lobes) {
+        ("stator", true) => Some("--stator"),
+        ("rotor", true) => Some("--rotor"),
+        ("stator", false) => Some("--z3"),
+        ("rotor", false) => Some("--z1"),
+        ("satellite", _) => Some("--zs"),
+        _ => None,
+    };
+    let option = match &error {
+        Error::NoLobes { wheel } => wheel_option(wheel, true),
+        Error::NoTeeth { wheel } | Error::TooManyTeeth { wheel, .. } | Error::TeethPerLobe { wheel, .. } => {
+            wheel_option(wheel, false)
+        }
+        Error::LobesNotMore { .. } | Error::LobesTooDifferent { .. } => Some("--stator, --rotor"),
+        Error::TeethPerLobeDiffer { .. } => Some("--z1"),
+        Error::SatelliteTooLarge { .. } => Some("--zs"),
+        Error::OutsideFamily { .. } => Some("--l"),
+        Error::OutsideFamilyByCrest { .. } => Some("--a"),
+        Error::NoCosineRotor { .. } => Some("--cosine"),
+        Error::NoModules => Some("--module"),
+        Error::TooManySets { .. } => Some("--stator, --z3, --zs"),
+        Error::NotPositive { quantity, .. }
+        | Error::NotFinite { quantity, .. }
+        | Error::OutOfRange { quantity, .. } => quantity_option(quantity),
+        _ => None,
+    };
+    match option {
+        Some(option) => Failure::Option { option, message: error.to_string() },
+        None => error.into(),
+    }
+}
+
+fn quantity_option(quantity: &str) -> Option<&'static str> {
+    Some(match quantity {
+        "module" => "--module",
+        "l" => "--l",
+        "a" => "--a",
+        "part of the family" => "--part",
+        "width" => "--width",
+        "pressure drop" | "high pressure" => "--pressure",
+        "speed" => "--speed",
+        "rotation" => "--angle",
+        "pressure angle" => "--pressure-angle",
+        "addendum" => "--addendum",
+        "clearance" => "--clearance",
+        "profile shift" => "--shift",
+        "backlash" => "--backlash",
+        "fillet" => "--fillet",
+        "displacement" => "--displacement",
+        "torque" => "--torque",
+        "tolerance of the displacement" => "--tolerance",
+        "width over diameter" => "--width-over-diameter",
+        "outer diameter" => "--outer-diameter",
+        "ripple" => "--ripple",
+        "points of a family" => "--places",
+        "resolution" => "--resolution",
+        _ => return None,
+    })
+}

@@ -1,0 +1,246 @@
+//! Command lines that nobody would write: whatever they say, the program answers or refuses, and never panics.
+
+use crate::{Cli, run};
+use clap::{CommandFactory as _, Parser as _};
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use std::path::{Path, PathBuf};
+
+/// Values of every kind, good in one place and wrong in another, and wrong everywhere.
+const VALUES: [&str; 62] = [
+    "6",
+    "3.94",
+    "-2.6",
+    "0",
+    "1",
+    "8",
+    "9",
+    "-1",
+    "1e308",
+    "-1e308",
+    "1e-308",
+    "1e999",
+    "nan",
+    "inf",
+    "4294967296",
+    "99999999999999999999",
+    "12..40",
+    "17..",
+    "..=90",
+    "40..12",
+    "..",
+    "0..",
+    "1.3..10",
+    "1%",
+    "10%",
+    "0.5",
+    "97 %",
+    "1e300 %",
+    "75 kW",
+    "1e308 kW",
+    "-75 kW",
+    "1475 rpm",
+    "0 rpm",
+    "-1e300 rpm",
+    "500 N·m",
+    "0 N·m",
+    "2 MPa",
+    "40 cm",
+    "1e-300 mm",
+    "5 m/min",
+    "0.02 rad/s",
+    "4 kN",
+    "5 kN, 6.5 kN",
+    "60 deg",
+    "95 deg, 110 deg",
+    "90 deg",
+    "0.8 m/s, 3.15 m/s",
+    "0.76 m/s, 1.33 m/s, 1.95 m/s",
+    "1 m/s, 1 m/s, 1 m/s",
+    "2.5",
+    "1.465, 2.56",
+    "-2.56, -1.465",
+    "1.0000001, 1e9",
+    "size, speed",
+    "aH^b",
+    "ba^H",
+    "any",
+    "as-given",
+    "\u{202e}",
+    "🦀 kW",
+    "",
+    "-",
+];
+
+/// What makes sense for an option, so that enough command lines are run and not only refused.
+fn sensible(option: &str) -> &'static [&'static str] {
+    match option {
+        "ratio" | "ratio1" | "ratio2" => &["6", "3.94", "-2.6", "2.56", "-1.465"],
+        "mode" => &["aH^b", "ab^H", "bH^a", "ba^H", "Ha^b", "Hb^a"],
+        "planets" | "planet-count" => &["3", "3..5"],
+        "sun" | "planet" => &["12..40", "20"],
+        "ring" => &["30..90", "60"],
+        "k" | "prefer" => &["1.3..10", "2..4", "2.."],
+        "tolerance" => &["1%", "0.2"],
+        "speeds" => &["0.8 m/s, 3.15 m/s", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+        "ratios" => &["2.5", "1.465, 2.56", "-4, -7"],
+        "order" => &["size", "efficiency, error"],
+        "brakes" | "signs" => &["as-given", "either", "any", "alike"],
+        "torque" => &["500 N·m", "-3 kN·m"],
+        "power" => &["75 kW", "-5 kW"],
+        "speed" | "input" => &["1475 rpm", "-20 rad/s"],
+        "load-factor" => &["2 MPa"],
+        "efficiency" | "least-efficiency" => &["0.97", "95 %"],
+        "load-sharing" => &["1, 1, 1.1, 1.2, 1.2, 1.3, 1.4"],
+        "ring-diameter" => &["300 mm"],
+        "least-module" => &["1 mm"],
+        "greatest-module" => &["8 mm"],
+        "limit" => &["0", "1", "5"],
+        "gear" => &["slow", "1", "closed"],
+        "transmission" => &["8HP", "TH400", "prius"],
+        "format" => &["json", "csv", "table"],
+        "k1" | "k2" => &["2.94", "1.5"],
+        "boom-radius" | "wheel-radius" | "diameter" | "chip-width" => &["3 m", "20 m"],
+        "chip" | "pick-spacing" => &["5 cm"],
+        "feed" => &["4 m/min"],
+        "slewing" => &["0.02 rad/s"],
+        "picks" | "buckets" => &["2", "8"],
+        "boom-angle" | "release" => &["60 deg", "70 deg"],
+        "chute" => &["95 deg, 110 deg"],
+        "radius-ratio" | "discharge" => &["0.6", "0.3"],
+        "force" | "other-forces" => &["4 kN"],
+        _ => &[],
+    }
+}
+
+fn example(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name).display().to_string()
+}
+
+/// Commands with what they need beside options.
+fn commands() -> Vec<Vec<String>> {
+    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+    let mut all: Vec<Vec<String>> = [
+        &["teeth"][..],
+        &["select"],
+        &["schemes"],
+        &["schemes", "II-3"],
+        &["schemes", "I"],
+        &["machine", "list"],
+        &["machine", "speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+        &["machine", "chain-cutter"],
+        &["machine", "drum"],
+        &["machine", "rotor"],
+        &["schema", "gearbox"],
+        &["completions", "bash"],
+        &["man"],
+    ]
+    .into_iter()
+    .map(words)
+    .collect();
+    for file in
+        ["scheme-ii-3.yaml", "sized-gearbox.yaml", "closed-by-planetary-gear.yaml", "real-transmissions.yaml"]
+    {
+        all.push(vec!["analyze".to_owned(), example(file)]);
+    }
+    all.push(vec!["drive".to_owned(), example("xe215cll-drive.yaml")]);
+    all
+}
+
+/// The options of a command, with whether they take a value and whether they are due.
+fn options(command: &[String]) -> Vec<(String, bool, bool)> {
+    let mut found = Cli::command();
+    for name in command {
+        let Some(below) = found.find_subcommand(name) else { break };
+        found = below.clone();
+    }
+    let named = found.get_arguments().filter_map(|arg| {
+        let name = arg.get_long().filter(|name| *name != "output" && *name != "help")?;
+        Some((name.to_owned(), arg.get_action().takes_values(), arg.is_required_set()))
+    });
+    named.collect()
+}
+
+/// A command line: the command, and options with values that fit or do not. What takes seconds is left out: searches
+/// over all tooth sets.
+fn line() -> impl Strategy<Value = Vec<String>> {
+    let choice = (any::<prop::sample::Index>(), 0..10_u8, any::<prop::sample::Index>());
+    let choices = prop::collection::vec(choice, 0..6);
+    (prop::sample::select(commands()), choices, any::<u64>()).prop_map(|(command, choices, seed)| {
+        let options = options(&command);
+        let is_search = command[0] == "select";
+        let mut line = command;
+        let due =
+            options.iter().enumerate().filter(|(_, (name, _, due))| *due || (is_search && name == "ratios"));
+        let mut all: Vec<(usize, u8, usize)> =
+            due.map(|(place, _)| (place, 0, (seed as usize).wrapping_add(place))).collect();
+        if !options.is_empty() {
+            all.extend(
+                choices
+                    .iter()
+                    .map(|(place, wild, value)| (place.index(options.len()), *wild, value.index(1 << 16))),
+            );
+        }
+        let mut used = vec![];
+        for (place, wild, value) in all {
+            let (name, takes_value, _) = &options[place];
+            if used.contains(&place) || (name == "teeth" && is_search) {
+                continue;
+            }
+            used.push(place);
+            let fits = sensible(name);
+            // Of a tooth count a wild range may take minutes.
+            let bounded = ["sun", "planet", "ring"].contains(&name.as_str());
+            let from = if (wild < 7 || bounded) && !fits.is_empty() { fits } else { &VALUES[..] };
+            line.push(if *takes_value {
+                format!("--{name}={}", from[value % from.len()])
+            } else {
+                format!("--{name}")
+            });
+        }
+        line
+    })
+}
+
+/// Whether the line was run to an answer.
+fn try_line(line: &[String], answer: &PathBuf) -> bool {
+    let mut all = vec!["epicyclic".to_owned()];
+    all.extend(line.iter().cloned());
+    all.extend(["-o".to_owned(), answer.display().to_string()]);
+    let cli = match Cli::try_parse_from(&all) {
+        Ok(cli) => cli,
+        Err(refused) => {
+            assert!(!refused.to_string().is_empty());
+            return false;
+        }
+    };
+    match run(cli.command) {
+        Ok(()) => {
+            let text = std::fs::read_to_string(answer).unwrap();
+            assert!(!text.is_empty() && !text.contains("NaN"), "{line:?}\n{text}");
+            true
+        }
+        Err(failure) => {
+            assert!((1..=3).contains(&failure.code()) && !failure.to_string().is_empty(), "{line:?}");
+            false
+        }
+    }
+}
+
+#[test]
+fn whatever_the_options_say_nothing_panics() {
+    let folder = tempfile::tempdir().unwrap();
+    let answer = folder.path().join("answer");
+    let answered = std::cell::Cell::new(0);
+    let cases = 800;
+    let mut runner = TestRunner::new(ProptestConfig { cases, ..ProptestConfig::default() });
+    let done = runner.run(&line(), |line| {
+        answered.set(answered.get() + u32::from(try_line(&line, &answer)));
+        Ok(())
+    });
+    if let Err(error) = done {
+        panic!("{error}");
+    }
+    // Enough is run and not only refused.
+    assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
+}

@@ -1,0 +1,45 @@
+//! The command `schema`: the JSON Schema of the files that the program reads, for editors.
+
+use crate::failure::Failure;
+use crate::output::{self, Target};
+use epicyclic_formats::drive::DriveFile;
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use schemars::schema_for;
+
+/// The JSON Schema of a file that the program reads, for editors and checks.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  epicyclic schema gearbox -o gearbox.schema.json
+
+With the YAML language server a first line `# yaml-language-server:
+$schema=gearbox.schema.json` then completes and checks the file.")]
+pub(crate) struct Args {
+    /// Which file.
+    #[arg(value_enum)]
+    of: Of,
+
+    #[command(flatten)]
+    target: Target,
+}
+
+/// The files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Of {
+    /// Of `epicyclic drive`.
+    Drive,
+    /// Of `epicyclic analyze`: a gearbox.
+    Gearbox,
+    /// Of `epicyclic analyze`: transmissions with published ratios.
+    Transmissions,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let schema = match args.of {
+        Of::Drive => schema_for!(DriveFile),
+        Of::Gearbox => schema_for!(GearboxFile),
+        Of::Transmissions => schema_for!(TransmissionsFile),
+    };
+    args.target.write(output::json(&schema)?.as_bytes())
+}

@@ -1,0 +1,117 @@
+//! The command `draw`: pictures of gearboxes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+mod common;
+
+use common::{examples, here, output, sessions, text};
+use std::fs;
+use std::path::Path;
+
+const BOXES: &str = "real-transmissions.yaml";
+
+#[test]
+fn drawings_that_are_refused() {
+    let folder = here();
+    for file in ["scheme-ii-3.yaml", BOXES] {
+        fs::copy(examples().join(file), folder.path().join(file)).unwrap();
+    }
+    let shut_in = "\
+gearbox: two alike
+input: D
+output: B
+rows:
+  - { id: '1', sun: D, ring: B, carrier: T1, k: 2.5 }
+  - { id: '2', sun: D, ring: B, carrier: T2, k: 2.9 }
+brakes:
+  - { id: K1, link: T1 }
+  - { id: K2, link: T2 }
+gears:
+  - { name: one, engaged: [K1] }
+  - { name: neutral, engaged: [] }
+";
+    fs::write(folder.path().join("alike.yaml"), shut_in).unwrap();
+    insta::assert_snapshot!(sessions(
+        folder.path(),
+        &[
+            &["draw", "alike.yaml"][..],
+            &["draw", "alike.yaml", "--view", "levers", "--gear", "one", "-o", "levers.svg"],
+            &["draw", "alike.yaml", "--view", "speeds", "--gear", "neutral"],
+            &["draw", "IV"],
+            &["draw", "nothing.yaml"],
+            &["draw", "II-3", "--gear", "2"],
+            &["draw", "II-3", "--view", "ladder"],
+            &["draw", "II-3", "--k1", "2"],
+            &["draw", "II-3", "--view", "speeds"],
+            &["draw", "II-3", "--view", "levers", "--whole"],
+            &["draw", "II-3", "--view", "ladder", "--gear", "2"],
+            &["draw", "II-3", "--power"],
+            &["draw", "II-3", "--transmission", "8HP"],
+            &["draw", "scheme-ii-3.yaml", "--k1", "2"],
+            &["draw", "scheme-ii-3.yaml", "--gear", "third"],
+            &["draw", BOXES],
+            &["draw", "II-3", "-o", "no-folder/ii-3.svg"],
+        ]
+    ));
+}
+
+#[test]
+fn drawings_are_files_that_say_their_size() {
+    let folder = here();
+    fs::copy(examples().join(BOXES), folder.path().join(BOXES)).unwrap();
+    insta::assert_snapshot!(sessions(
+        folder.path(),
+        &[
+            &["draw", "II-3", "-o", "ii-3.svg", "--dxf", "ii-3.dxf", "--title", "Scheme II-3"][..],
+            &["draw", "ii-3", "--whole", "--same-side", "--svg", "whole.svg"],
+            &[
+                "draw",
+                "I",
+                "--k1",
+                "2.94",
+                "--gear",
+                "1",
+                "--power",
+                "--efficiency",
+                "0.97",
+                "-o",
+                "power.dxf"
+            ],
+            &["draw", BOXES, "--transmission", "prius", "--view", "ladder", "-o", "ladder.svg"],
+            &[
+                "draw",
+                BOXES,
+                "--transmission",
+                "TH400",
+                "--view",
+                "levers",
+                "--gear",
+                "1",
+                "-o",
+                "levers.svg"
+            ],
+        ]
+    ));
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(read("ii-3.svg").starts_with("<svg") && read("ii-3.svg").contains("Scheme II-3"));
+    for name in ["ii-3.dxf", "power.dxf"] {
+        assert!(read(name).contains("SECTION") && read(name).trim_end().ends_with("EOF"), "{name}");
+    }
+    // On standard output it is the same picture.
+    let printed = text(&output(folder.path(), &["draw", "II-3", "--title", "Scheme II-3"]).stdout);
+    assert_eq!(printed.trim_end(), read("ii-3.svg").trim_end());
+}
+
+/// Pictures of the documents are what the commands draw. To renew one, run the command with `-o docs/pictures/…` from the root.
+#[test]
+fn pictures_of_the_documents_are_current() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
+    let power = "draw examples/real-transmissions.yaml --transmission 8HP --gear 3 --power --efficiency 0.97";
+    let plan = "draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --view speeds";
+    for (command, picture) in [(power, "8hp-gear-3.svg"), (plan, "ii-3-speeds.svg")] {
+        let args: Vec<&str> = command.split(' ').collect();
+        let drawn = text(&output(root, &args).stdout);
+        let kept = fs::read_to_string(root.join("docs/pictures").join(picture)).unwrap_or_default();
+        assert!(drawn.trim_end() == kept.trim_end(), "epicyclic {command} -o docs/pictures/{picture}");
+    }
+}

@@ -1,0 +1,199 @@
+//! The keys of every command's JSON are those of `docs/src/reference/json.md`, no more and no fewer.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+mod common;
+
+use common::{examples, output};
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// Keys by section of the page.
+type Keys = BTreeMap<String, BTreeSet<String>>;
+
+const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
+
+/// Each section with commands that together write all of its keys.
+const RUNS: &[(&str, &[&str])] = &[
+    ("teeth", &["teeth", "--ratio", "6", "--limit", "1"]),
+    ("drive", &["drive", "xe215cll-drive.yaml"]),
+    ("analyze", &["analyze", "real-transmissions.yaml"]),
+    ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "prius"]),
+    ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),
+    ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--all-combinations"]),
+    ("analyze", &["analyze", "sized-gearbox.yaml", "--power", "75 kW", "--speed", "1475 rpm"]),
+    (
+        "analyze",
+        &["analyze", "sized-gearbox.yaml", "--gear", "slow", "--power", "75 kW", "--speed", "1475 rpm"],
+    ),
+    ("analyze", &["analyze", "free.yaml"]),
+    ("analyze", &["analyze", "free.yaml", "--gear", "free"]),
+    ("analyze", &["analyze", "patterns.yaml", "--gear", "slow"]),
+    ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
+    ("select", &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "1"]),
+    ("schemes", &["schemes"]),
+    ("schemes", &["schemes", "II-3", "--ratio1", "1.465", "--ratio2", "2.56"]),
+    ("machine list", &["machine", "list"]),
+    ("machine speeds", &["machine", "speeds", WHEEL]),
+    (
+        "machine chain-cutter",
+        &[
+            "machine",
+            "chain-cutter",
+            "--pick-spacing",
+            "40 cm",
+            "--feed",
+            "5 m/min",
+            "--chip",
+            "2.5 cm",
+            "--force",
+            "4 kN",
+            "--other-forces",
+            "5 kN, 6.5 kN",
+        ],
+    ),
+    (
+        "machine drum",
+        &[
+            "machine",
+            "drum",
+            "--diameter",
+            "1.4 m",
+            "--feed",
+            "4 m/min",
+            "--chip",
+            "5 cm",
+            "--picks",
+            "2",
+            "--force",
+            "4 kN",
+            "--other-forces",
+            "5 kN",
+        ],
+    ),
+    (
+        "machine rotor",
+        &[
+            "machine",
+            "rotor",
+            "--boom-radius",
+            "20 m",
+            "--slewing",
+            "0.02 rad/s",
+            "--chip-width",
+            "0.3 m",
+            "--buckets",
+            "8",
+            "--boom-angle",
+            "60 deg",
+            "--wheel-radius",
+            "3 m",
+            "--release",
+            "70 deg",
+            "--chute",
+            "95 deg, 110 deg",
+            "--radius-ratio",
+            "0.6",
+        ],
+    ),
+];
+
+/// A gear that nothing holds, and one whose losses bear themselves out in two ways.
+const FREE: &str = "gearbox: free\ninput: D\noutput: B\nrows: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\n\
+                    gears: [{ name: free }]\n";
+const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nrows:\n  - { id: P, kind: stepped_rings, \
+                        sun: a, ring: b, carrier: H, k: 0.99, efficiency: 97 % }\ngears: [{ name: slow }]\n";
+
+fn folder() -> tempfile::TempDir {
+    let folder = common::here();
+    for file in std::fs::read_dir(examples()).unwrap() {
+        let file = file.unwrap();
+        std::fs::copy(file.path(), folder.path().join(file.file_name())).unwrap();
+    }
+    std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
+    std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
+    folder
+}
+
+fn collect(value: &Value, path: &str, found: &mut BTreeSet<String>) {
+    let below = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+    match value {
+        Value::Object(entries) => {
+            entries.iter().for_each(|(key, value)| collect(value, &below(key), found));
+        }
+        // Of an empty list nothing is known.
+        Value::Array(entries) => match entries.first() {
+            None => {}
+            Some(Value::Object(_)) => {
+                entries.iter().for_each(|entry| collect(entry, &format!("{path}[]"), found));
+            }
+            Some(_) => _ = found.insert(path.to_owned()),
+        },
+        _ => _ = found.insert(path.to_owned()),
+    }
+}
+
+fn written() -> Keys {
+    let (folder, mut keys) = (folder(), Keys::new());
+    for (section, args) in RUNS {
+        let done = output(folder.path(), &[args, &["--format", "json"][..]].concat());
+        assert!(done.status.success(), "{args:?} {done:?}");
+        let json = serde_json::from_slice(&done.stdout).unwrap();
+        collect(&json, "", keys.entry((*section).to_owned()).or_default());
+    }
+    keys
+}
+
+fn documented() -> Keys {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/reference/json.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let (mut keys, mut section, mut place) = (Keys::new(), String::new(), String::new());
+    for line in page.lines() {
+        if let Some(name) = line.strip_prefix("## ") {
+            section = name.to_owned();
+            keys.insert(section.clone(), BTreeSet::new());
+        } else if let Some(name) = line.strip_prefix("### ") {
+            place = if name == "(root)" { String::new() } else { format!("{name}.") };
+        } else if let Some(row) = line.strip_prefix("| `") {
+            let (cell, _) = row.split_once(" |").unwrap();
+            for key in cell.split(", ").map(|key| key.trim_matches('`')) {
+                let is_new = keys.get_mut(&section).unwrap().insert(format!("{place}{key}"));
+                assert!(is_new, "{section}: {place}{key} stands there twice");
+            }
+        }
+    }
+    keys
+}
+
+#[test]
+fn the_page_has_every_key_and_no_other() {
+    let (written, documented) = (written(), documented());
+    let mut differences = String::new();
+    for (section, keys) in &written {
+        let there = documented.get(section).cloned().unwrap_or_default();
+        for key in keys.difference(&there) {
+            differences += &format!("{section}: {key} is written and not documented\n");
+        }
+        for key in there.difference(keys) {
+            differences += &format!("{section}: {key} is documented and not written\n");
+        }
+    }
+    assert!(differences.is_empty(), "{differences}");
+    for section in documented.keys().filter(|section| !written.contains_key(*section)) {
+        assert_eq!(documented[section].len(), 0, "{section} is written by no command here");
+    }
+}
+
+/// Quantities say their unit: a key is never one thing with a unit and the same without.
+#[test]
+fn a_key_keeps_its_unit_where_there_is_no_value() {
+    const UNITS: [&str; 12] =
+        ["_m_s", "_rad_s2", "_rad_s", "_rad", "_kg_m2", "_kg", "_n_m", "_n", "_w", "_pa", "_j", "_m"];
+    for (section, keys) in written() {
+        for key in &keys {
+            let bare = UNITS.iter().find_map(|unit| key.strip_suffix(unit));
+            assert!(!bare.is_some_and(|bare| keys.contains(bare)), "{section}: {key}");
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Basic rating life of a rolling bearing: what nine of ten reach.
+//!
+//! ```text
+//! L = (C/P)^p · 10⁶ revolutions     t = L·2π/|ω|     p = 3 of balls, 10/3 of rollers
+//! ```
+//!
+//! | symbol | argument | meaning | unit |
+//! |---|---|---|---|
+//! | `C` | `capacity` | basic dynamic load rating, of the bearings together | kN |
+//! | `P` | `load` | equivalent load; of a radial one alone the load itself | N |
+//! | `ω` | `speed` | speed of one race relative to the other | rpm |
+//!
+//! Left out: lubrication, dirt, the fatigue limit (`a_ISO` = 1), and loads that change. The formula holds for loads up to
+//! about half of `C`.
+//!
+//! # Source
+//! ISO 281:2007, basic rating life.
+
+use std::f64::consts::TAU;
+
+use uom::si::f64::{AngularVelocity, Force, Time};
+
+use crate::Error;
+use crate::units::{newtons, not_negative, positive, rad_per_s, seconds};
+
+/// What rolls in a bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Rolling {
+    /// Balls, `p = 3`.
+    #[default]
+    Balls,
+    /// Rollers or needles, `p = 10/3`.
+    Rollers,
+}
+
+impl Rolling {
+    /// The exponent `p`.
+    #[must_use]
+    pub const fn exponent(self) -> f64 {
+        match self {
+            Self::Balls => 3.0,
+            Self::Rollers => 10.0 / 3.0,
+        }
+    }
+}
+
+/// Basic rating life at one load and speed; `None` of a bearing that does not turn, carries nothing, or for which it
+/// is longer than a number holds.
+///
+/// # Errors
+/// [`Error::NotPositive`] for the capacity, [`Error::Negative`] for a load below 0 or a speed that is not finite.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::life::{Rolling, basic_rating_life};
+/// use uom::si::angular_velocity::revolution_per_minute;
+/// use uom::si::f64::{AngularVelocity, Force};
+/// use uom::si::{force::newton, time::hour};
+///
+/// // (10)³ million revolutions at 1000 a minute.
+/// let (capacity, load) = (Force::new::<newton>(30e3), Force::new::<newton>(3e3));
+/// let speed = AngularVelocity::new::<revolution_per_minute>(1000.0);
+/// let life = basic_rating_life(Rolling::Balls, capacity, load, speed)?.unwrap();
+/// assert!((life.get::<hour>() - 1e9 / 60e3).abs() < 1e-6);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn basic_rating_life(
+    rolling: Rolling,
+    capacity: Force,
+    load: Force,
+    speed: AngularVelocity,
+) -> Result<Option<Time>, Error> {
+    let capacity_n = positive("capacity of the bearing", newtons(capacity), "N")?;
+    let load_n = not_negative("load of the bearing", newtons(load), "N")?;
+    let omega_rad_s = not_negative("speed of the bearing", rad_per_s(speed).abs(), "rad/s")?;
+    let life_s = (capacity_n / load_n).powf(rolling.exponent()) * 1e6 * TAU / omega_rad_s;
+    Ok(life_s.is_finite().then(|| seconds(life_s)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{angular_velocity, force};
+
+    #[test]
+    fn twice_the_load_an_eighth_of_the_life_and_less_on_rollers() {
+        let life = |rolling, load_n| {
+            basic_rating_life(rolling, force(40e3), force(load_n), angular_velocity(100.0)).unwrap().unwrap()
+        };
+        let ratio = |rolling| (life(rolling, 2e3) / life(rolling, 4e3)).value;
+        assert!((ratio(Rolling::Balls) - 8.0).abs() < 1e-12);
+        assert!((ratio(Rolling::Rollers) - 2_f64.powf(10.0 / 3.0)).abs() < 1e-12);
+        // At P = C one million revolutions, whatever rolls.
+        for rolling in [Rolling::Balls, Rolling::Rollers] {
+            assert!((life(rolling, 40e3).value * 100.0 / TAU / 1e6 - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn what_does_not_turn_or_carry_has_no_life() {
+        let of = |capacity_n, load_n, omega_rad_s| {
+            basic_rating_life(Rolling::Balls, force(capacity_n), force(load_n), angular_velocity(omega_rad_s))
+        };
+        assert_eq!(of(1e3, 1e2, 0.0), Ok(None));
+        assert_eq!(of(1e3, 0.0, 10.0), Ok(None));
+        assert!(of(1e3, 1e2, -10.0).unwrap().is_some());
+        assert!(matches!(of(0.0, 1e2, 10.0), Err(Error::NotPositive { .. })));
+        assert!(matches!(of(1e3, -1.0, 10.0), Err(Error::Negative { .. })));
+        assert!(matches!(of(1e3, 1e2, f64::NAN), Err(Error::Negative { .. })));
+    }
+}

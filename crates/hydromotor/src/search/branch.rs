@@ -1,0 +1,158 @@
+//! One interval of a family: points of rising `l`, and the cells between them, halved where a better motor may lie.
+
+use crate::closure::{Family, Interval};
+
+use super::front::{Cover, Value};
+use super::point::{Point, Yardstick};
+
+/// The outer points lie this part of the interval within it: its ends are no motors.
+const EDGE: f64 = 1e-6;
+
+/// How often a cell is halved at most.
+const MOST_HALVINGS: i32 = 10;
+
+/// What is known of the stretch between two neighbouring points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Cell {
+    /// Not looked at, or halved just now.
+    Open,
+    /// By estimate no motor in it is admissible.
+    Refused,
+    /// By estimate no motor in it is better than the front by more than the slack, or it is too narrow to be halved.
+    Closed,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Branch {
+    pub(super) family: Family,
+    interval: Interval,
+    pub(super) points: Vec<Point>,
+    cells: Vec<Cell>,
+    least_width: f64,
+}
+
+impl Branch {
+    /// With so many evenly spaced points.
+    pub(super) fn new(yardstick: &Yardstick, family: Family, interval: Interval, points: u32) -> Self {
+        let last = points - 1;
+        let part = |i: u32| (f64::from(i) / f64::from(last)).clamp(EDGE, 1.0 - EDGE);
+        let points: Vec<Point> =
+            (0..points).map(|i| Point::at(yardstick, &family, &interval, part(i))).collect();
+        let cells = vec![Cell::Open; points.len() - 1];
+        let least_width = 1.5 / f64::from(last) / 2.0_f64.powi(MOST_HALVINGS);
+        Self { family, interval, points, cells, least_width }
+    }
+
+    /// Sorts the open cells out: those without admissible motors, those that the front covers, and the rest, which are
+    /// halved. Cells beside a halved one are open again, as their estimates see a nearer neighbour. The number of points added.
+    pub(super) fn refine(&mut self, yardstick: &Yardstick, front: &Cover, slack: f64) -> usize {
+        self.sort_out(front, slack);
+        let before = std::mem::take(&mut self.cells);
+        let halved = |i: usize| before.get(i) == Some(&Cell::Open);
+        let old = std::mem::take(&mut self.points);
+        let count = old.len();
+        for (i, point) in old.into_iter().enumerate() {
+            if let Some(from) = self.points.last().map(|point| point.part) {
+                let cell = i - 1;
+                if halved(cell) {
+                    let middle = 0.5 * (from + point.part);
+                    self.points.push(Point::at(yardstick, &self.family, &self.interval, middle));
+                    self.cells.extend([Cell::Open; 2]);
+                } else if halved(cell + 1) || cell.checked_sub(1).is_some_and(halved) {
+                    self.cells.push(Cell::Open);
+                } else {
+                    self.cells.push(before[cell]);
+                }
+            }
+            self.points.push(point);
+        }
+        self.points.len() - count
+    }
+
+    fn sort_out(&mut self, front: &Cover, slack: f64) {
+        for i in 0..self.cells.len() {
+            if self.cells[i] != Cell::Open {
+                continue;
+            }
+            self.cells[i] = match self.prospect(i) {
+                Prospect::Refused => Cell::Refused,
+                Prospect::Values(best) if front.covers(best, slack) || self.is_narrow(i) => Cell::Closed,
+                Prospect::Values(_) => Cell::Open,
+            };
+        }
+    }
+
+    /// Whether a cell has been halved as often as may be.
+    fn is_narrow(&self, i: usize) -> bool {
+        self.points[i + 1].part - self.points[i].part < self.least_width
+    }
+
+    /// The best that may lie in a cell, by estimate: see [`bound`].
+    fn prospect(&mut self, i: usize) -> Prospect {
+        let ends = [i, i + 1];
+        if ends.iter().all(|&end| !self.points[end].accepted()) {
+            let margin = self.bound(i, |point| Some(point.margin));
+            if self.is_narrow(i) || !margin.is_some_and(|margin| margin >= 0.0) {
+                return Prospect::Refused;
+            }
+        }
+        let numbers = self.family.numbers();
+        // The neighbours too, so that an estimate does not depend on what was looked at before.
+        let near = i.saturating_sub(1)..(i + 3).min(self.points.len());
+        for point in &mut self.points[near] {
+            point.work(numbers);
+        }
+        // Displacement and radius as they are, since a radius may vanish at an end; the ripple by its logarithm.
+        let volume = self.bound(i, |point| Some(point.working?.by_volume()));
+        let ripple = self.bound(i, |point| Some(-point.working?.ripple().ln()));
+        let radius = self.bound(i, |point| Some(point.radius));
+        match (volume, ripple, radius) {
+            (Some(volume), Some(ripple), Some(radius)) => {
+                Prospect::Values([volume.ln(), ripple, radius.ln()])
+            }
+            // Where an end is no motor at all; it lies a rounding off the interval's own.
+            _ => Prospect::Refused,
+        }
+    }
+
+    /// An estimate of the most that a quantity reaches in a cell: the greater end, and what the quantity differs by at one end
+    /// from the line through its values beyond the other.
+    ///
+    /// No less than what a concave function reaches, also one with a kink; of a smooth one eight times its rise above the
+    /// chord. Without a neighbour on either side the difference of the ends is added.
+    fn bound(&self, i: usize, quantity: impl Fn(&Point) -> Option<f64>) -> Option<f64> {
+        let at = |k: usize| self.points.get(k).and_then(|point| Some((point.part, quantity(point)?)));
+        let (from, to) = (at(i)?, at(i + 1)?);
+        let missed = |beyond: Option<(f64, f64)>, here: (f64, f64), there: (f64, f64)| {
+            let (part, value) = beyond?;
+            let slope = (here.1 - value) / (here.0 - part);
+            Some((here.1 + slope * (there.0 - here.0) - there.1).abs())
+        };
+        let before = missed(i.checked_sub(1).and_then(at), from, to);
+        let after = missed(at(i + 2), to, from);
+        let rise = match (before, after) {
+            (Some(before), Some(after)) => before.max(after),
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => (to.1 - from.1).abs(),
+        };
+        Some(from.1.max(to.1) + rise)
+    }
+
+    /// The estimates of every cell that may have admissible motors.
+    pub(super) fn prospects(&mut self) -> Vec<Value> {
+        let mut found = Vec::new();
+        for i in 0..self.cells.len() {
+            if self.cells[i] != Cell::Refused
+                && let Prospect::Values(best) = self.prospect(i)
+            {
+                found.push(best);
+            }
+        }
+        found
+    }
+}
+
+enum Prospect {
+    Refused,
+    Values(Value),
+}

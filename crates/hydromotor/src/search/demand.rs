@@ -1,0 +1,246 @@
+//! What is wanted of a motor: displacement or torque, and what is given of its size.
+
+use std::f64::consts::{PI, TAU};
+use std::ops::RangeInclusive;
+
+use uom::si::f64::{AngularVelocity, Length, Pressure, Torque, Volume};
+
+use crate::Error;
+use crate::units::{
+    cubic_centimetres, cubic_metres, displacement_of_torque, finite_speed, length_of_metres, megapascals,
+    metres, millimetres, newton_metres, positive_length,
+};
+
+/// The first series of modules of ISO 54, in millimetres.
+pub const PREFERRED_MODULES_MM: [f64; 18] =
+    [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0];
+
+/// What is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Demand {
+    /// Displacement a revolution of the rotor, `q`.
+    pub displacement: Volume,
+    /// High less low pressure, `Δp`: with it the answer has torques.
+    pub pressure_drop: Option<Pressure>,
+    /// Speed of the rotor: with it the answer has the flow, and with the pressure the power.
+    pub speed: Option<AngularVelocity>,
+    /// What is given of the size.
+    pub size: Size,
+}
+
+impl Demand {
+    /// A motor of a displacement, with the default [`Size`].
+    #[must_use]
+    pub fn of_displacement(displacement: Volume) -> Self {
+        Self { displacement, pressure_drop: None, speed: None, size: Size::default() }
+    }
+
+    /// A motor of a mean torque without losses, `q = 2π·M/Δp`, with the default [`Size`].
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for torque and pressure.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::search::Demand;
+    /// use uom::si::f64::{Pressure, Torque};
+    /// use uom::si::{pressure::megapascal, torque::newton_meter, volume::cubic_centimeter};
+    ///
+    /// let demand = Demand::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+    /// assert!((demand.displacement.get::<cubic_centimeter>() - 282.743).abs() < 1e-3); // 2π·900/20
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn of_torque(torque: Torque, pressure_drop: Pressure) -> Result<Self, Error> {
+        positive("torque", newton_metres(torque), "N·m")?;
+        positive("pressure drop", megapascals(pressure_drop), "MPa")?;
+        let displacement = displacement_of_torque(torque, pressure_drop);
+        Ok(Self { pressure_drop: Some(pressure_drop), ..Self::of_displacement(displacement) })
+    }
+
+    pub(super) fn checked(&self) -> Result<(), Error> {
+        positive("displacement", cubic_centimetres(self.displacement), "cm³")?;
+        positive("displacement", cubic_metres(self.displacement), "m³")?;
+        if let Some(pressure) = self.pressure_drop {
+            positive("pressure drop", megapascals(pressure), "MPa")?;
+        }
+        self.speed.map_or(Ok(()), |speed| finite_speed(speed).map(|_| ()))
+    }
+}
+
+/// What is given of the size; the rest follows from `q = q̂·m²·b`, with `q̂` the displacement of module 1 and width 1.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Size {
+    /// Modules to choose from; the width of each follows, `b = q/(q̂·m²)`.
+    Modules(Vec<Length>),
+    /// The width; the module follows, `m = √(q/(q̂·b))`, rarely a preferred one.
+    Width(Length),
+    /// Modules to choose from and the width: the displacement is what they give.
+    ModulesAndWidth {
+        /// The modules.
+        modules: Vec<Length>,
+        /// The width.
+        width: Length,
+        /// How far the displacement may lie from the wanted one, relative.
+        tolerance: f64,
+    },
+    /// Width over outer diameter; both follow, `m = ∛(q/(q̂·λ·D̂))`.
+    WidthOverDiameter(f64),
+}
+
+impl Default for Size {
+    /// The preferred modules.
+    fn default() -> Self {
+        Self::Modules(PREFERRED_MODULES_MM.iter().map(|mm| length_of_metres(mm / 1e3)).collect())
+    }
+}
+
+/// Limits of the size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SizeLimits {
+    /// Greatest diameter of the stator's centrode ([`Envelope::stator_outer`](crate::checks::Envelope::stator_outer)).
+    pub outer_diameter: Option<Length>,
+    /// Width.
+    pub width: Option<RangeInclusive<Length>>,
+    /// Width over that diameter; not asked of [`Size::WidthOverDiameter`].
+    pub width_over_diameter: RangeInclusive<f64>,
+}
+
+impl Default for SizeLimits {
+    /// Width from 0.1 to 1 of the diameter, else none: a plate or a rod would be the answer of some module.
+    fn default() -> Self {
+        Self { outer_diameter: None, width: None, width_over_diameter: 0.1..=1.0 }
+    }
+}
+
+/// Demand and limits of the size as numbers, SI.
+#[derive(Debug, Clone)]
+pub(super) struct Sizing {
+    displacement: f64,
+    choice: Choice,
+    diameter: f64,
+    width: [f64; 2],
+    ratio: [f64; 2],
+}
+
+#[derive(Debug, Clone)]
+enum Choice {
+    Modules(Vec<f64>),
+    Width(f64),
+    Both { modules: Vec<f64>, width: f64, tolerance: f64 },
+    Ratio(f64),
+}
+
+impl Sizing {
+    pub(super) fn new(demand: &Demand, limits: &SizeLimits) -> Result<Self, Error> {
+        demand.checked()?;
+        let modules = |modules: &[Length]| {
+            if modules.is_empty() {
+                return Err(Error::NoModules);
+            }
+            modules
+                .iter()
+                .map(|&module| positive_length("module", module).map(metres))
+                .collect::<Result<_, _>>()
+        };
+        let mut ratio = [*limits.width_over_diameter.start(), *limits.width_over_diameter.end()];
+        ordered("width over diameter", ratio, "")?;
+        let choice = match &demand.size {
+            Size::Modules(list) => Choice::Modules(modules(list)?),
+            Size::Width(width) => Choice::Width(metres(positive_length("width", *width)?)),
+            Size::ModulesAndWidth { modules: list, width, tolerance } => {
+                if !(*tolerance > 0.0 && *tolerance <= 1.0) {
+                    let (quantity, value, unit) = ("tolerance of the displacement", *tolerance, "");
+                    return Err(Error::OutOfRange { quantity, value, low: 0.0, high: 1.0, unit });
+                }
+                let width = metres(positive_length("width", *width)?);
+                Choice::Both { modules: modules(list)?, width, tolerance: *tolerance }
+            }
+            Size::WidthOverDiameter(part) => {
+                ratio = [0.0, f64::INFINITY];
+                Choice::Ratio(positive("width over diameter", *part, "")?)
+            }
+        };
+        let width = match &limits.width {
+            Some(range) => {
+                let ends = [*range.start(), *range.end()];
+                ordered("width", ends.map(millimetres), "mm")?;
+                ends.map(metres)
+            }
+            None => [0.0, f64::INFINITY],
+        };
+        let diameter = match limits.outer_diameter {
+            Some(diameter) => metres(positive_length("outer diameter", diameter)?),
+            None => f64::INFINITY,
+        };
+        Ok(Self { displacement: cubic_metres(demand.displacement), choice, diameter, width, ratio })
+    }
+
+    /// Module and width of each choice, and how far they keep within the limits.
+    fn choices(&self, displacement: f64, diameter: f64) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
+        let wanted = self.displacement;
+        let (modules, free): (&[f64], _) = match &self.choice {
+            Choice::Modules(modules) | Choice::Both { modules, .. } => (modules, None),
+            Choice::Width(width) => (&[], Some([(wanted / (displacement * width)).sqrt(), *width])),
+            Choice::Ratio(ratio) => {
+                let module = (wanted / (displacement * ratio * diameter)).cbrt();
+                (&[], Some([module, ratio * diameter * module]))
+            }
+        };
+        let sized = move |module: f64| match self.choice {
+            Choice::Both { width, .. } => [module, width],
+            _ => [module, wanted / displacement / module / module],
+        };
+        modules.iter().map(move |&module| sized(module)).chain(free).map(move |size| {
+            (size, self.keeping(size, displacement * size[0] * size[0] * size[1], diameter * size[0]))
+        })
+    }
+
+    /// How far a size keeps within the limits, relative to them; 0 and above is within.
+    fn keeping(&self, [module, width]: [f64; 2], displacement: f64, diameter: f64) -> f64 {
+        let ratio = width / diameter;
+        let mut least = f64::INFINITY;
+        // A hair of slack, so that what is asked for to the last digit is not refused by rounding.
+        let mut keep = |margin: f64| least = least.min(margin + 1e-12);
+        keep(self.diameter / diameter - 1.0);
+        for (value, [low, high]) in [(width, self.width), (ratio, self.ratio)] {
+            keep(if low > 0.0 { value / low - 1.0 } else { f64::INFINITY });
+            keep(high / value - 1.0);
+        }
+        if let Choice::Both { tolerance, .. } = self.choice {
+            keep(1.0 - (displacement / self.displacement - 1.0).abs() / tolerance);
+        }
+        let all = [module, width, diameter, ratio, displacement, PI * diameter * diameter * width];
+        let sound = all.iter().all(|value| value.is_finite() && *value > 0.0) && !least.is_nan();
+        if sound { least } else { -1.0 }
+    }
+
+    /// How far the best choice keeps within the limits.
+    pub(super) fn margin(&self, displacement: f64, diameter: f64) -> f64 {
+        self.choices(displacement, diameter).map(|(_, margin)| margin).fold(-1.0, f64::max)
+    }
+
+    /// Module and width of every choice within the limits, m.
+    pub(super) fn sizes(&self, displacement: f64, diameter: f64) -> Vec<[f64; 2]> {
+        let choices = self.choices(displacement, diameter);
+        choices.filter(|(_, margin)| *margin >= 0.0).map(|(size, _)| size).collect()
+    }
+}
+
+/// A number that is finite and above 0.
+pub(super) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value, unit })
+    }
+}
+
+/// Ends of a range in their order, not below 0.
+fn ordered(what: &'static str, [from, to]: [f64; 2], unit: &'static str) -> Result<(), Error> {
+    if from >= 0.0 && from <= to { Ok(()) } else { Err(Error::EmptyLimits { what, from, to, unit }) }
+}
+
+/// Mean flow a radian over width from the displacement over width.
+pub(super) fn mean_flow(displacement: f64) -> f64 {
+    displacement / TAU
+}

@@ -1,0 +1,218 @@
+//! What a search finds: designs with everything a table needs, and how many motors fell where.
+
+use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
+
+use crate::Error;
+use crate::arcs::StatorArcs;
+use crate::checks::Subject;
+use crate::motor::Motor;
+use crate::numbers::MotorNumbers;
+use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
+
+use super::demand::{Sizing, mean_flow};
+use super::front::Value;
+use super::point::{Point, Working};
+use super::{MotorSearch, Reason};
+
+/// The answer of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The front, by falling displacement by volume.
+    pub designs: Vec<Design>,
+    /// How many motors fell where.
+    pub funnel: Funnel,
+    /// The greatest spacing error of the designs; see [`crate::search`].
+    pub spacing_error: SpacingError,
+    /// By how much the front, before thinning, has motors better than the nearest at an evenly spaced place, at most.
+    pub refinement_gain: SpacingError,
+}
+
+/// By how much an admissible motor between the places tried may be better, relative, by estimate; see [`crate::search`].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SpacingError {
+    /// Displacement by volume: 0.01 where it may be 1.01 times as great.
+    pub displacement_by_volume: f64,
+    /// Ripple: 0.01 where it may be less by a factor of 1.01.
+    pub ripple: f64,
+    /// Least curvature radius: 0.01 where it may be 1.01 times as great.
+    pub least_radius: f64,
+}
+
+impl SpacingError {
+    /// From differences of logarithms.
+    pub(super) fn of(excess: Value) -> Self {
+        let [displacement_by_volume, ripple, least_radius] = excess.map(f64::exp_m1);
+        Self { displacement_by_volume, ripple, least_radius }
+    }
+}
+
+/// How many motors fell where.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Funnel {
+    /// Sets of numbers within the bounds that fulfil the conditions on them.
+    pub sets: usize,
+    /// Of these, outside the limits of rotor lobes, rotor teeth or the common divisor.
+    pub outside_limits: usize,
+    /// Of the rest, those with which no motor of two arcs closes.
+    pub without_family: usize,
+    /// Motors at the evenly spaced places.
+    pub points: usize,
+    /// Motors added by refinement.
+    pub refined: usize,
+    /// Motors that passed every check and limit.
+    pub accepted: usize,
+    /// Of these, those that no other dominates.
+    pub front: usize,
+    refused: [usize; Reason::ALL.len()],
+}
+
+impl Funnel {
+    /// Motors refused for a reason, each counted once, by what fails first.
+    #[must_use]
+    pub fn refused(&self, reason: Reason) -> usize {
+        let place = Reason::ALL.iter().position(|other| *other == reason);
+        place.map_or(0, |place| self.refused[place])
+    }
+
+    pub(super) fn refuse(&mut self, reason: Option<Reason>) {
+        if let Some(place) = Reason::ALL.iter().position(|other| Some(*other) == reason) {
+            self.refused[place] += 1;
+        }
+    }
+}
+
+/// A design of the front: a shape, and the sizes in which it serves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    /// Lobes and teeth.
+    pub numbers: MotorNumbers,
+    /// Displacement over the volume of the cylinder about the stator's centrode.
+    pub displacement_by_volume: f64,
+    /// Ripple `δ` of flow and torque.
+    pub ripple: f64,
+    /// Least curvature radius of the centrodes over the module.
+    pub least_radius: f64,
+    /// The curve that has it.
+    pub least_radius_of: Subject,
+    /// The check nearest its limit.
+    pub nearest_check: Subject,
+    /// By how much it exceeds the limit, relative.
+    pub nearest_margin: f64,
+    /// How much better motors between the places tried may be, by estimate.
+    pub spacing_error: SpacingError,
+    /// The sizes that keep the limits, at least one, in the order of the modules given.
+    pub dimensions: Vec<Dimensions>,
+    arcs: StatorArcs,
+}
+
+/// A design in one size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dimensions {
+    /// Module.
+    pub module: Length,
+    /// Width.
+    pub width: Length,
+    /// Diameter of the stator's centrode; the housing comes on top.
+    pub outer_diameter: Length,
+    /// Volume of the cylinder about the stator's centrode.
+    pub volume: Volume,
+    /// Displacement a revolution; the wanted one but for the tolerance of [`Size::ModulesAndWidth`](super::Size).
+    pub displacement: Volume,
+    /// Mean torque at the pressure wanted, without losses.
+    pub torque: Option<Torque>,
+    /// The least torque over a revolution, with which it starts at worst, without losses.
+    pub least_torque: Option<Torque>,
+    /// Mean flow at the speed wanted.
+    pub flow: Option<VolumeRate>,
+    /// Power at that speed and the pressure wanted, without losses.
+    pub power: Option<Power>,
+    /// `l`, distance of the centre of the trough's arc from the axis.
+    pub trough_distance: Length,
+    /// `a`, distance of the centre of the crest's arc from the axis.
+    pub crest_distance: Length,
+    /// `R₁`, radius of the trough's arc.
+    pub trough_radius: Length,
+    /// `R₂`, radius of the crest's arc.
+    pub crest_radius: Length,
+    /// Least curvature radius of the centrodes.
+    pub least_radius: Length,
+}
+
+impl Design {
+    /// The stator's arcs at a module.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn arcs(&self, module: Length) -> Result<StatorArcs, Error> {
+        let module = positive_length("module", module)?;
+        Ok(StatorArcs { module, ..self.arcs })
+    }
+
+    /// The motor at a module.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn motor(&self, module: Length) -> Result<Motor, Error> {
+        Ok(Motor::of_closed_arcs(self.numbers, self.arcs(module)?))
+    }
+}
+
+impl MotorSearch {
+    /// The record of a point; none of one that was not worked.
+    pub(super) fn design(
+        &self,
+        sizing: &Sizing,
+        numbers: MotorNumbers,
+        point: &Point,
+        spacing_error: SpacingError,
+    ) -> Option<Design> {
+        let (working, arcs) = (point.working?, point.arcs?);
+        let sizes = sizing.sizes(working.displacement, working.diameter);
+        let dimensions =
+            sizes.into_iter().map(|size| self.dimensions(&arcs, &working, point.radius, size)).collect();
+        let (nearest_check, nearest_margin) = point.nearest;
+        Some(Design {
+            numbers,
+            displacement_by_volume: working.by_volume(),
+            ripple: working.ripple(),
+            least_radius: point.radius,
+            least_radius_of: point.radius_of,
+            nearest_check,
+            nearest_margin,
+            spacing_error,
+            dimensions,
+            arcs,
+        })
+    }
+
+    fn dimensions(
+        &self,
+        arcs: &StatorArcs,
+        working: &Working,
+        radius: f64,
+        [module, width]: [f64; 2],
+    ) -> Dimensions {
+        let (module, width) = (length_of_metres(module), length_of_metres(width));
+        let arcs = StatorArcs { module, ..*arcs };
+        let radian = |flow: f64| volume(flow, module, width);
+        let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
+        let (mean, least) = (radian(mean_flow(working.displacement)), radian(working.flow[0]));
+        let mean_torque = self.demand.pressure_drop.map(|drop| torque(mean, drop));
+        Dimensions {
+            module,
+            width,
+            outer_diameter: length(working.diameter, module),
+            volume: volume(disc, module, width),
+            displacement: volume(working.displacement, module, width),
+            torque: mean_torque,
+            least_torque: self.demand.pressure_drop.map(|drop| torque(least, drop)),
+            flow: self.demand.speed.map(|speed| volume_rate(mean, speed)),
+            power: mean_torque.zip(self.demand.speed).map(|(mean, speed)| power(mean, speed)),
+            trough_distance: arcs.trough_distance(),
+            crest_distance: arcs.crest_distance(),
+            trough_radius: arcs.trough_radius(),
+            crest_radius: arcs.crest_radius(),
+            least_radius: length(radius, module),
+        }
+    }
+}

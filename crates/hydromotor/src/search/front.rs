@@ -1,0 +1,153 @@
+//! The Pareto front of three objectives, and which of its members covers a point.
+
+/// Three objectives as logarithms, each the greater the better.
+pub(super) type Value = [f64; 3];
+
+/// Indices of the values that no other dominates, ascending; equal ones stand together.
+///
+/// A value dominates another where it is nowhere less and somewhere greater. In falling order a value is dominated only by
+/// an earlier one; of these a staircase of the other two objectives is kept: `O(n·log n)` comparisons.
+pub(super) fn front(values: &[Value]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    let falling = |&one: &usize, &other: &usize| {
+        let parts = values[one].iter().zip(&values[other]);
+        parts.fold(std::cmp::Ordering::Equal, |order, (one, other)| order.then(other.total_cmp(one)))
+    };
+    order.sort_by(|one, other| falling(one, other).then(one.cmp(other)));
+    let mut front = Vec::new();
+    // By rising second objective, the third falls.
+    let mut stairs: Vec<[f64; 2]> = Vec::new();
+    for group in order.chunk_by(|one, other| values[*one] == values[*other]) {
+        let [_, second, third] = values[group[0]];
+        let above = stairs.partition_point(|stair| stair[0] < second);
+        if stairs.get(above).is_some_and(|stair| stair[1] >= third) {
+            continue;
+        }
+        front.extend_from_slice(group);
+        // Stairs that reach no further in either: before `above`, and an equal one at it.
+        let end = above + usize::from(stairs.get(above).is_some_and(|stair| stair[0] == second));
+        let start = stairs[..end].partition_point(|stair| stair[1] > third);
+        stairs.splice(start..end, [[second, third]]);
+    }
+    front.sort_unstable();
+    front
+}
+
+/// Members in falling order of the first objective.
+#[derive(Debug, Clone)]
+pub(super) struct Cover {
+    values: Vec<Value>,
+}
+
+impl Cover {
+    pub(super) fn new(mut values: Vec<Value>) -> Self {
+        values.sort_by(|one, other| other[0].total_cmp(&one[0]));
+        Self { values }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Whether some member is nowhere worse than a value by more than `slack`.
+    pub(super) fn covers(&self, value: Value, slack: f64) -> bool {
+        let end = self.values.partition_point(|member| member[0] >= value[0] - slack);
+        self.values[..end].iter().any(|member| excess(value, *member) <= slack)
+    }
+
+    /// The member that a value exceeds least, its index in falling order, and by how much in each objective; nothing
+    /// where a member is nowhere worse.
+    pub(super) fn nearest(&self, value: Value) -> Option<(usize, Value)> {
+        if self.covers(value, 0.0) {
+            return None;
+        }
+        let members = self.values.iter().enumerate();
+        let of = |(index, member): (usize, &Value)| (index, excess(value, *member));
+        let (index, _) = members.map(of).reduce(|best, other| if other.1 < best.1 { other } else { best })?;
+        Some((index, std::array::from_fn(|i| (value[i] - self.values[index][i]).max(0.0))))
+    }
+}
+
+/// By how much a value exceeds a member in the objective where it does so most.
+fn excess(value: Value, member: Value) -> f64 {
+    (0..3).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Of members of one set of numbers those that differ by more than `resolution` in some objective, by falling first objective;
+/// each left out lies within `resolution` of one kept. The best in every objective are kept.
+pub(super) fn apart(values: &[Value], resolution: f64) -> Vec<usize> {
+    let best =
+        |i: usize| (0..values.len()).reduce(|best, k| if values[k][i] > values[best][i] { k } else { best });
+    let mut kept: Vec<usize> = (0..3).filter_map(best).collect();
+    for k in 0..values.len() {
+        let near = |other: &usize| (0..3).all(|i| (values[k][i] - values[*other][i]).abs() <= resolution);
+        if !kept.iter().any(near) {
+            kept.push(k);
+        }
+    }
+    kept.sort_unstable();
+    kept.dedup();
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn dominates(one: &Value, other: &Value) -> bool {
+        (0..3).all(|i| one[i] >= other[i]) && one != other
+    }
+
+    fn values() -> impl Strategy<Value = Vec<Value>> {
+        // Few levels, for many ties.
+        prop_oneof![
+            proptest::collection::vec(
+                [0..5_u8, 0..5_u8, 0..5_u8].prop_map(|value| value.map(f64::from)),
+                0..120
+            ),
+            proptest::collection::vec([0.0..1.0, 0.0..1.0, 0.0..1.0], 0..120),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn the_front_is_what_nothing_dominates(values in values()) {
+            let naive: Vec<usize> =
+                (0..values.len()).filter(|&k| !values.iter().any(|other| dominates(other, &values[k]))).collect();
+            prop_assert_eq!(front(&values), naive);
+        }
+
+        #[test]
+        fn what_is_left_out_lies_near_what_is_kept(values in values(), resolution in 0.0..0.3) {
+            let kept = apart(&values, resolution);
+            let near = |one: &Value, other: &Value| (0..3).all(|i| (one[i] - other[i]).abs() <= resolution);
+            for value in &values {
+                prop_assert!(kept.iter().any(|&k| near(value, &values[k])));
+            }
+            let best = |i: usize, value: &Value| values.iter().all(|other| other[i] <= value[i]);
+            for i in 0..3 {
+                prop_assert!(values.is_empty() || kept.iter().any(|&k| best(i, &values[k])));
+            }
+            // Beside the best in each objective nothing is near anything.
+            let others = |k: &&usize| (0..3).all(|i| !best(i, &values[**k]));
+            for &one in kept.iter().filter(others) {
+                prop_assert!(kept.iter().all(|&other| one == other || !near(&values[one], &values[other])));
+            }
+        }
+
+        #[test]
+        fn the_nearest_member_is_that_of_trial(values in values(), value in [0.0..4.0, 0.0..4.0, 0.0..4.0]) {
+            let cover = Cover::new(values.clone());
+            let excess = |member: &Value| (0..3).map(|i| value[i] - member[i]).fold(f64::NEG_INFINITY, f64::max);
+            let least = values.iter().map(excess).fold(f64::INFINITY, f64::min);
+            match cover.nearest(value) {
+                Some((_, found)) => {
+                    prop_assert!(least > 0.0 && found.iter().copied().fold(0.0, f64::max) == least);
+                    prop_assert!(cover.covers(value, least * (1.0 + 1e-12)) && !cover.covers(value, 0.5 * least));
+                }
+                None => prop_assert!(values.is_empty() || least <= 0.0),
+            }
+        }
+    }
+}

@@ -1,0 +1,382 @@
+//! Search for designs: for a wanted displacement or torque every admissible set of numbers, along each its family, and of all
+//! these motors the Pareto front.
+//!
+//! # Objectives
+//!
+//! | objective | better | unit | why so |
+//! |---|---|---|---|
+//! | displacement by volume `q/V` | more | 1 | `V` is the cylinder about the stator's centrode, [`Envelope`](crate::checks::Envelope); with `V` = area · width it depends on neither module nor width, and `V = q/(q/V)` is what the motor takes |
+//! | ripple `δ` | less | 1 | of flow and torque, [`Ripple`](crate::flow::Ripple) |
+//! | least curvature radius over the module | more | 1 | of both centrodes, hollow and convex: what is held against roots and satellites, whose measure is the module, [`Check`](crate::checks::Check) |
+//!
+//! None depends on module or width, so that the shape is sought first and every size that serves it is listed with it
+//! ([`Dimensions`]). Limits of the size do tell shapes apart.
+//!
+//! # What is tried
+//! 1. Every set `(N, n, Z_3, Z_s)` within the [`Bounds`], by default 3061.
+//! 2. Of each the whole [`Family`]: 16 places `l` of each of its intervals (nearly always one), even in `1/l`, the first
+//!    and the last a millionth within the ends, which are no motors.
+//! 3. Each motor against all [checks](crate::checks) and the [`Limits`]. [`Funnel`] counts what the first to fail refuses.
+//! 4. *Refinement.* The 15 *cells* between neighbouring places are halved where something better than the front may lie: see below.
+//!
+//! # The error of the spacing
+//! Sets are exhausted; `l` is continuous. For each cell it is estimated how good a motor in it can be: in each objective the better
+//! of its ends, and beyond that by as much as the lines through the neighbours on either side miss the ends. For a concave
+//! quantity, kinked or not, this is a bound; for a smooth one it is eight times the rise above the chord, to second order. It is an
+//! *estimate*: a spike within a cell that shows at neither end nor neighbour escapes it, as does a window of admissible motors
+//! so narrow that the margin at its neighbours does not point to it.
+//!
+//! A cell is left when its estimate exceeds some motor of the front by at most half the [resolution](MotorSearch::resolution) in
+//! every objective, or when by the same estimate no motor in it is admissible; others are halved, up to ten times. Then of motors
+//! of one set that differ by less than the other half in every objective one stays; the best of the set in each objective do.
+//!
+//! What remains is stated. The estimate of each cell is laid to the motor that it exceeds least, and [`Design::spacing_error`] is
+//! the most that is laid to a motor: *by estimate, every admissible motor within the bounds, tried or not, is better than some
+//! listed one by at most the latter's spacing error in each objective*, relative. [`Found::spacing_error`] is the greatest of
+//! all. The tests hold it against 256 places. [`Found::refinement_gain`] is no estimate: by how much the front has motors better
+//! than any at the evenly spaced places.
+//!
+//! # Cost and threads
+//! With the default bounds some 5·10⁴ motors, a second or two of one core (`hydromotor/search`). Results do not depend on the number of
+//! threads: each set is worked by itself, and rounds of refinement see the same front. Run it within a `rayon::ThreadPool` of your
+//! own to choose their number.
+//!
+//! # Example
+//! ```
+//! use epicyclic_hydromotor::numbers::Bounds;
+//! use epicyclic_hydromotor::search::{Demand, MotorSearch};
+//! use uom::si::f64::{Pressure, Torque};
+//! use uom::si::{pressure::megapascal, torque::newton_meter};
+//!
+//! # fn main() -> Result<(), epicyclic_hydromotor::Error> {
+//! let demand = Demand::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+//! let mut search = MotorSearch::new(demand);
+//! search.bounds = Bounds { stator_lobes: 5..=6, stator_teeth: 50..=66, satellite_teeth: 8..=60 };
+//! search.limits.ripple = Some(0.1);
+//! let found = search.front()?;
+//! let most = &found.designs[0]; // the most displacement by volume
+//! assert!(most.displacement_by_volume > 0.5 && most.ripple <= 0.1 && !most.dimensions.is_empty());
+//! # Ok(())
+//! # }
+//! ```
+
+mod branch;
+mod demand;
+mod found;
+mod front;
+mod point;
+
+use std::ops::RangeInclusive;
+
+use rayon::prelude::*;
+
+use crate::Error;
+use crate::checks::{Subject, ToothHeights, finite_heights};
+use crate::closure::Family;
+use crate::numbers::{Bounds, MotorNumbers};
+use crate::units::length_of_metres;
+use branch::Branch;
+use demand::{Sizing, positive};
+use front::{Cover, Value, apart, front};
+use point::Yardstick;
+
+pub use demand::{Demand, PREFERRED_MODULES_MM, Size, SizeLimits};
+pub use found::{Design, Dimensions, Found, Funnel, SpacingError};
+
+/// The greatest number of sets that a search takes.
+pub const MOST_SETS: u64 = 100_000;
+
+/// The greatest number of places in an interval.
+pub const MOST_POINTS: u32 = 1024;
+
+/// A search for designs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotorSearch {
+    /// What is wanted.
+    pub demand: Demand,
+    /// Numbers of lobes and teeth.
+    pub bounds: Bounds,
+    /// Heights of the teeth, for the checks.
+    pub heights: ToothHeights,
+    /// What a design may not exceed.
+    pub limits: Limits,
+    /// Evenly spaced places in each interval of a family, 16 by default.
+    pub points: u32,
+    /// Relative difference of the objectives below which designs of one set count as one, and up to which the front is refined; by
+    /// default 2 %. With none the evenly spaced places are all, and every motor of the front is listed.
+    pub resolution: Option<f64>,
+}
+
+/// What a design may not exceed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// Of the size.
+    pub size: SizeLimits,
+    /// Greatest ripple.
+    pub ripple: Option<f64>,
+    /// Least curvature radius over the module, beyond what the checks ask.
+    pub least_radius: Option<f64>,
+    /// Lobes of the rotor, `n`.
+    pub rotor_lobes: RangeInclusive<u32>,
+    /// Teeth of the rotor, `Z_1`.
+    pub rotor_teeth: RangeInclusive<u32>,
+    /// Common divisor of `N` and `n`.
+    pub divisor: LobeDivisor,
+}
+
+impl Default for Limits {
+    /// None but those of [`SizeLimits`].
+    fn default() -> Self {
+        Self {
+            size: SizeLimits::default(),
+            ripple: None,
+            least_radius: None,
+            rotor_lobes: 1..=u32::MAX,
+            rotor_teeth: 1..=u32::MAX,
+            divisor: LobeDivisor::Any,
+        }
+    }
+}
+
+/// What is asked of the greatest common divisor of `N` and `n`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LobeDivisor {
+    /// Nothing.
+    #[default]
+    Any,
+    /// It is 1: every chamber is in another state, the ripple is small.
+    One,
+    /// It is above 1: the pressures repeat around the axis and load no bearing of the central wheels.
+    Common,
+}
+
+impl Limits {
+    fn allow(&self, numbers: MotorNumbers) -> bool {
+        let divisor = match self.divisor {
+            LobeDivisor::Any => true,
+            LobeDivisor::One => numbers.common_divisor() == 1,
+            LobeDivisor::Common => numbers.common_divisor() > 1,
+        };
+        divisor
+            && self.rotor_lobes.contains(&numbers.rotor_lobes())
+            && self.rotor_teeth.contains(&numbers.rotor_teeth())
+    }
+}
+
+/// Why a motor is refused: what fails first, in this order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// A rounding from the end of its family no arcs close, or what the motor does is no number.
+    NotClosed,
+    /// A check; the curvatures, the rotor's least radius, the neighbours.
+    Check(Subject),
+    /// [`Limits::least_radius`].
+    LeastRadius,
+    /// No choice of the size is within [`SizeLimits`] and tolerance.
+    Size,
+    /// [`Limits::ripple`].
+    Ripple,
+}
+
+impl Reason {
+    /// All of them, in their order.
+    pub const ALL: [Self; 10] = [
+        Self::NotClosed,
+        Self::Check(Subject::StatorBulge),
+        Self::Check(Subject::StatorHollow),
+        Self::Check(Subject::RotorBulge),
+        Self::Check(Subject::RotorHollow),
+        Self::Check(Subject::RotorLeastRadius),
+        Self::Check(Subject::Neighbours),
+        Self::LeastRadius,
+        Self::Size,
+        Self::Ripple,
+    ];
+}
+
+/// Where a motor of the search is.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    branch: usize,
+    point: usize,
+}
+
+impl MotorSearch {
+    /// With default bounds, tooth heights and limits, 16 places and a resolution of 2 %.
+    #[must_use]
+    pub fn new(demand: Demand) -> Self {
+        Self {
+            demand,
+            bounds: Bounds::default(),
+            heights: ToothHeights::default(),
+            limits: Limits::default(),
+            points: 16,
+            resolution: Some(0.02),
+        }
+    }
+
+    /// The Pareto front. None of the designs is an answer too: the [`Funnel`] tells what refused them.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of demand, limits, heights or search,
+    /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for bounds the wrong way round,
+    /// [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
+    pub fn front(&self) -> Result<Found, Error> {
+        let yardstick = self.yardstick()?;
+        let sets = self.bounds.count()?;
+        if sets > MOST_SETS {
+            return Err(Error::TooManySets { sets, most: MOST_SETS });
+        }
+        let mut funnel = Funnel::default();
+        let mut numbers = self.bounds.all()?;
+        funnel.sets = numbers.len();
+        numbers.retain(|&numbers| self.limits.allow(numbers));
+        funnel.outside_limits = funnel.sets - numbers.len();
+        let per_set: Vec<Vec<Branch>> =
+            numbers.par_iter().map(|&numbers| branches(&yardstick, numbers, self.points)).collect();
+        funnel.without_family = per_set.iter().filter(|branches| branches.is_empty()).count();
+        let mut branches: Vec<Branch> = per_set.into_iter().flatten().collect();
+        funnel.points = branches.iter().map(|branch| branch.points.len()).sum();
+
+        let mut values = front_values(&branches);
+        let grid = Cover::new(values.clone());
+        // Half of the resolution, as logarithms.
+        let half = self.resolution.map(|resolution| 0.5 * resolution.ln_1p());
+        if let Some(slack) = half {
+            loop {
+                let cover = Cover::new(values);
+                let added: usize =
+                    branches.par_iter_mut().map(|branch| branch.refine(&yardstick, &cover, slack)).sum();
+                values = front_values(&branches);
+                if added == 0 {
+                    break;
+                }
+                funnel.refined += added;
+            }
+        }
+        let gain = most(values.iter().filter_map(|&value| grid.nearest(value)).map(|(_, excess)| excess));
+        Ok(self.found(&yardstick, funnel, branches, gain, half))
+    }
+
+    fn yardstick(&self) -> Result<Yardstick, Error> {
+        let out_of =
+            |quantity, value, low, high, unit| Error::OutOfRange { quantity, value, low, high, unit };
+        finite_heights(self.heights)?;
+        let sizing = Sizing::new(&self.demand, &self.limits.size)?;
+        let ripple = self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive("ripple", ripple, ""))?;
+        let least_radius = self.limits.least_radius.unwrap_or(0.0);
+        if !(least_radius.is_finite() && least_radius >= 0.0) {
+            return Err(out_of("least radius", least_radius, 0.0, f64::INFINITY, "modules"));
+        }
+        for (what, range) in
+            [("rotor lobes", &self.limits.rotor_lobes), ("rotor teeth", &self.limits.rotor_teeth)]
+        {
+            let (from, to) = (*range.start(), *range.end());
+            if from > to {
+                return Err(Error::EmptyRange { what, from, to });
+            }
+        }
+        if !(3..=MOST_POINTS).contains(&self.points) {
+            let points = f64::from(self.points);
+            return Err(out_of("points of a family", points, 3.0, f64::from(MOST_POINTS), ""));
+        }
+        if let Some(resolution) = self.resolution
+            && !(0.001..=1.0).contains(&resolution)
+        {
+            return Err(out_of("resolution", resolution, 0.001, 1.0, ""));
+        }
+        Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius })
+    }
+
+    fn found(
+        &self,
+        yardstick: &Yardstick,
+        mut funnel: Funnel,
+        mut branches: Vec<Branch>,
+        refinement_gain: SpacingError,
+        half: Option<f64>,
+    ) -> Found {
+        let (places, values) = accepted(&branches);
+        let on_front = front(&values);
+        funnel.accepted = places.len();
+        funnel.front = on_front.len();
+        for point in branches.iter().flat_map(|branch| &branch.points) {
+            funnel.refuse(point.refused);
+        }
+        let mut members = match half {
+            None => on_front,
+            Some(half) => {
+                let numbers = |k: &usize| branches[places[*k].branch].family.numbers();
+                let sets = on_front.chunk_by(|one, other| numbers(one) == numbers(other));
+                let thinned = |set: &[usize]| -> Vec<usize> {
+                    let values: Vec<Value> = set.iter().map(|&k| values[k]).collect();
+                    apart(&values, half).into_iter().map(|i| set[i]).collect()
+                };
+                sets.flat_map(thinned).collect()
+            }
+        };
+        members.sort_by(|&one, &other| values[other][0].total_cmp(&values[one][0]));
+        let cover = Cover::new(members.iter().map(|&k| values[k]).collect());
+        let (spacing_error, each) = spacing_errors(&mut branches, &cover);
+        let design = |(&k, error): (&usize, &SpacingError)| {
+            let Place { branch, point } = places[k];
+            let numbers = branches[branch].family.numbers();
+            self.design(&yardstick.sizing, numbers, &branches[branch].points[point], *error)
+        };
+        let designs = members.iter().zip(&each).filter_map(design).collect();
+        Found { designs, funnel, spacing_error, refinement_gain }
+    }
+}
+
+/// The intervals of a family; none without one.
+fn branches(yardstick: &Yardstick, numbers: MotorNumbers, points: u32) -> Vec<Branch> {
+    let Ok(family) = Family::new(numbers, length_of_metres(1.0)) else { return Vec::new() };
+    let branch = |&interval| Branch::new(yardstick, family.clone(), interval, points);
+    family.intervals().iter().map(branch).collect()
+}
+
+/// All accepted points by their sets and `l`, and their values.
+fn accepted(branches: &[Branch]) -> (Vec<Place>, Vec<Value>) {
+    let mut places = Vec::new();
+    let mut values = Vec::new();
+    for (branch, of) in branches.iter().enumerate() {
+        for (point, of) in of.points.iter().enumerate() {
+            if let Some(value) = of.value().filter(|_| of.accepted()) {
+                places.push(Place { branch, point });
+                values.push(value);
+            }
+        }
+    }
+    (places, values)
+}
+
+/// The values of the front of all accepted points.
+fn front_values(branches: &[Branch]) -> Vec<Value> {
+    let values = accepted(branches).1;
+    front(&values).into_iter().map(|k| values[k]).collect()
+}
+
+/// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member by.
+fn spacing_errors(branches: &mut [Branch], cover: &Cover) -> (SpacingError, Vec<SpacingError>) {
+    let laid: Vec<Vec<(usize, Value)>> = branches
+        .par_iter_mut()
+        .map(|branch| branch.prospects().into_iter().filter_map(|best| cover.nearest(best)).collect())
+        .collect();
+    let mut each = vec![Value::default(); cover.len()];
+    for &(member, excess) in laid.iter().flatten() {
+        each[member] = greater(each[member], excess);
+    }
+    (most(each.iter().copied()), each.into_iter().map(SpacingError::of).collect())
+}
+
+/// The most in each objective.
+fn most(excesses: impl Iterator<Item = Value>) -> SpacingError {
+    SpacingError::of(excesses.fold(Value::default(), greater))
+}
+
+fn greater(one: Value, other: Value) -> Value {
+    std::array::from_fn(|i| one[i].max(other[i]))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,178 @@
+//! One motor of the search: what it is worth, and which check or limit refuses it.
+
+use crate::arcs::StatorArcs;
+use crate::checks::{Subject, ToothHeights};
+use crate::closure::{Family, Interval};
+use crate::contact::Conjugate;
+use crate::motor::Motor;
+use crate::numbers::MotorNumbers;
+
+use super::Reason;
+use super::demand::{Sizing, mean_flow};
+use super::front::Value;
+
+/// What a point is held against.
+#[derive(Debug, Clone)]
+pub(super) struct Yardstick {
+    pub(super) heights: ToothHeights,
+    pub(super) sizing: Sizing,
+    pub(super) ripple: f64,
+    pub(super) least_radius: f64,
+}
+
+/// A motor at a place of its family, in units of the module.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    /// Part of the interval, even in `1/l`.
+    pub(super) part: f64,
+    pub(super) arcs: Option<StatorArcs>,
+    /// The least curvature radius, and of which curve.
+    pub(super) radius: f64,
+    pub(super) radius_of: Subject,
+    /// The check nearest its limit, among those looked at, and how far it keeps off, relative.
+    pub(super) nearest: (Subject, f64),
+    /// How far checks and limits are kept, the least, relative; of a refused point at most that.
+    pub(super) margin: f64,
+    /// Why it is refused.
+    pub(super) refused: Option<Reason>,
+    /// What it does, of an accepted point and where asked for.
+    pub(super) working: Option<Working>,
+}
+
+/// What a motor does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Working {
+    /// `q̂`, displacement over width and `m²`.
+    pub(super) displacement: f64,
+    /// Outer diameter over the module.
+    pub(super) diameter: f64,
+    /// Least and greatest flow a radian over width.
+    pub(super) flow: [f64; 2],
+}
+
+impl Working {
+    fn of(motor: &Motor) -> Self {
+        let (least, greatest) = motor.flow_extremes();
+        let diameter = 2.0 * motor.shape.centre_within(0.0)[0] + 2.0 * motor.shape.satellite_radius();
+        Self { displacement: motor.displacement_kernel(), diameter, flow: [least, greatest] }
+    }
+
+    /// Displacement over the volume of the enclosing cylinder.
+    pub(super) fn by_volume(&self) -> f64 {
+        self.displacement / (std::f64::consts::FRAC_PI_4 * self.diameter * self.diameter)
+    }
+
+    pub(super) fn ripple(&self) -> f64 {
+        (self.flow[1] - self.flow[0]) / mean_flow(self.displacement)
+    }
+}
+
+impl Point {
+    /// The motor at a part of an interval.
+    pub(super) fn at(yardstick: &Yardstick, family: &Family, interval: &Interval, part: f64) -> Self {
+        let mut point = Self {
+            part,
+            arcs: family.within(interval, part),
+            radius: 0.0,
+            radius_of: Subject::StatorBulge,
+            nearest: (Subject::StatorBulge, f64::INFINITY),
+            margin: f64::INFINITY,
+            refused: None,
+            working: None,
+        };
+        match point.motor(family.numbers()) {
+            Some(motor) => point.judge(yardstick, &motor),
+            None => (point.margin, point.refused) = (-1.0, Some(Reason::NotClosed)),
+        }
+        point
+    }
+
+    /// The motor of module 1 m.
+    fn motor(&self, numbers: MotorNumbers) -> Option<Motor> {
+        self.arcs.map(|arcs| Motor::of_closed_arcs(numbers, arcs))
+    }
+
+    /// The cheap checks first; what a refused motor does is left open.
+    fn judge(&mut self, yardstick: &Yardstick, motor: &Motor) {
+        let r = motor.shape.satellite_radius();
+        let ToothHeights { addendum, dedendum } = yardstick.heights;
+        let radii = motor.shape.curvature_extremes().map(f64::recip);
+        let subjects =
+            [Subject::StatorBulge, Subject::StatorHollow, Subject::RotorBulge, Subject::RotorHollow];
+        self.radius = f64::INFINITY;
+        for ((subject, radius), limit) in subjects.into_iter().zip(radii).zip([dedendum, r, dedendum, r]) {
+            // A curve that is nowhere bent that way has no such radius.
+            if radius.is_finite() {
+                self.check(subject, radius, limit);
+                if radius < self.radius {
+                    (self.radius, self.radius_of) = (radius, subject);
+                }
+            }
+        }
+        self.check(Subject::RotorLeastRadius, motor.shape.trough().rho1, dedendum);
+        if self.refused.is_some() {
+            return;
+        }
+        // Most that are too near are so about a crest.
+        let limit = 2.0 * (r + addendum);
+        let about_crest = motor.neighbour_distance(-0.5 * motor.chamber_phase());
+        let least = if about_crest > limit { motor.least_neighbour_kernel().0 } else { about_crest };
+        self.check(Subject::Neighbours, least, limit);
+        self.limit(Reason::LeastRadius, at_least(self.radius, yardstick.least_radius));
+        if self.refused.is_some() {
+            return;
+        }
+        let working = Working::of(motor);
+        self.limit(Reason::Size, yardstick.sizing.margin(working.displacement, working.diameter));
+        self.limit(Reason::Ripple, at_least(yardstick.ripple, working.ripple()));
+        self.working = Some(working);
+        if self.value().is_none() {
+            (self.margin, self.refused) = (-1.0, Some(Reason::NotClosed));
+        }
+    }
+
+    /// A quantity that must exceed its limit.
+    fn check(&mut self, subject: Subject, value: f64, limit: f64) {
+        let margin = value / limit - 1.0;
+        if margin < self.nearest.1 {
+            self.nearest = (subject, margin);
+        }
+        self.margin = self.margin.min(margin);
+        let holds = value > limit;
+        if !holds {
+            self.refused = self.refused.or(Some(Reason::Check(subject)));
+        }
+    }
+
+    /// A limit that may be reached.
+    fn limit(&mut self, reason: Reason, margin: f64) {
+        self.margin = self.margin.min(margin);
+        let holds = margin >= 0.0;
+        if !holds {
+            self.refused = self.refused.or(Some(reason));
+        }
+    }
+
+    /// What a motor does, whether or not it is refused.
+    pub(super) fn work(&mut self, numbers: MotorNumbers) {
+        if self.working.is_none() {
+            self.working = self.motor(numbers).map(|motor| Working::of(&motor));
+        }
+    }
+
+    /// Logarithms of the objectives, each the greater the better; none where a point was not worked.
+    pub(super) fn value(&self) -> Option<Value> {
+        let working = self.working?;
+        let value = [working.by_volume().ln(), -working.ripple().ln(), self.radius.ln()];
+        value.iter().all(|part| part.is_finite()).then_some(value)
+    }
+
+    pub(super) fn accepted(&self) -> bool {
+        self.refused.is_none()
+    }
+}
+
+/// How far a value keeps above a limit, relative to it.
+fn at_least(value: f64, limit: f64) -> f64 {
+    if limit > 0.0 { value / limit - 1.0 } else { f64::INFINITY }
+}

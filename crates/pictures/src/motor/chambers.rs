@@ -1,0 +1,149 @@
+//! The motor with its chambers coloured by pressure.
+
+use std::f64::consts::{PI, TAU};
+
+use epicyclic_drawing::{Color, Point, Scene, Shape, Style, Text};
+use epicyclic_hydromotor::Motor;
+use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_hydromotor::chambers::Chamber;
+use uom::si::f64::Angle;
+
+use super::curve::outline;
+use super::sheet::{AUXILIARY, HIGH, IDLE, LOW, STEEL, Sheet, number};
+use super::units::{deg, mm, mm2, rad};
+use crate::Error;
+
+/// Straight sides for each of a chamber's four walls.
+pub const STEPS: u32 = 48;
+
+/// What a chamber does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// It grows and fills from the high pressure.
+    Filling,
+    /// It shrinks and empties into the low one.
+    Emptying,
+    /// It changes over at its greatest or least area, closed to both.
+    AtExtreme,
+}
+
+impl Phase {
+    /// Of a chamber among its neighbours: at an extreme where its growth is below a millionth of the greatest there.
+    #[must_use]
+    pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
+        let most = all.iter().map(|chamber| mm2(chamber.growth).abs()).fold(0.0, f64::max);
+        let growth = mm2(chamber.growth);
+        if growth.abs() <= 1e-6 * most {
+            Self::AtExtreme
+        } else if growth > 0.0 {
+            Self::Filling
+        } else {
+            Self::Emptying
+        }
+    }
+
+    const fn color(self) -> Color {
+        match self {
+            Self::Filling => HIGH,
+            Self::Emptying => LOW,
+            Self::AtExtreme => IDLE,
+        }
+    }
+}
+
+/// The motor after a rotation of the rotor, each chamber filled with the colour of its pressure; counter-clockwise running.
+///
+/// # Errors
+/// [`Error::Motor`] for a rotation that is not finite, [`Error::Drawing`] for a motor too large for a drawing.
+pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
+    let all = motor.chambers(rotation)?;
+    let satellites = motor.satellites(rotation)?;
+    let outer = 0.5 * mm(motor.envelope().stator_outer);
+    let mut sheet = Sheet::new(motor, "chambers");
+    let unit = sheet.unit;
+    let layers = [
+        (Phase::Filling, "chambers at high pressure"),
+        (Phase::Emptying, "chambers at low pressure"),
+        (Phase::AtExtreme, "chambers changing over"),
+    ];
+    let mut chamber_layers = vec![];
+    for (phase, name) in layers {
+        let color = phase.color();
+        let tint = color.towards(Color::WHITE, 0.35);
+        chamber_layers.push((phase, sheet.layer(name, Style::line(0.1).color(color).fill(tint))?));
+    }
+    let stator = sheet.layer("stator", Style::line(0.45))?;
+    let rotor = sheet.layer("rotor", Style::line(0.45).fill(STEEL))?;
+    let satellite_layer =
+        sheet.layer("satellites", Style::line(0.3).fill(STEEL.towards(Color::WHITE, 0.5)))?;
+    let marks = sheet.layer("marks", Style::line(0.2).color(AUXILIARY))?;
+    let leaders = sheet.layer("numbers", Style::line(0.12).color(AUXILIARY))?;
+
+    let mut middles = vec![];
+    for chamber in &all {
+        let points = motor.chamber_outline(rotation, chamber.index, STEPS)?;
+        let points: Vec<Point> = points.iter().map(|point| Point::new(mm(point.x), mm(point.y))).collect();
+        // The stator's wall comes first.
+        middles.push(points[(STEPS / 2) as usize]);
+        let phase = Phase::of(chamber, &all);
+        for (of, layer) in &chamber_layers {
+            if *of == phase {
+                sheet.scene.add(*layer, Shape::polygon(points.iter().copied()));
+            }
+        }
+    }
+    sheet.outline(stator, outline(motor, Wheel::Stator)?);
+    sheet.outline(rotor, outline(motor, Wheel::Rotor)?.turned(rad(rotation)));
+    let r = mm(motor.satellite_radius());
+    for satellite in &satellites {
+        let at = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
+        sheet.circle(satellite_layer, at, r);
+        sheet.line(marks, at, Point::polar(at, 0.8 * r, rad(satellite.rotation)));
+    }
+    direction(&mut sheet, marks, 0.5 * mm(motor.envelope().rotor_inner), rad(rotation));
+
+    for (chamber, wall) in all.iter().zip(middles) {
+        let angle = wall.y.atan2(wall.x);
+        let at = |radius: f64| Point::polar(Point::default(), radius, angle);
+        sheet.line(leaders, at(wall.x.hypot(wall.y) + unit), at(outer + 2.0 * unit));
+        let text = Text::new(at(outer + 5.0 * unit), sheet.letter(), chamber.index.to_string());
+        sheet.scene.add(leaders, text);
+    }
+
+    sheet.column(motor)?;
+    sheet.say(&format!("Rotor turned by {}°, running counter-clockwise", number(deg(rotation))));
+    sheet.skip();
+    sheet.legend(HIGH.towards(Color::WHITE, 0.35), "filling: high pressure");
+    sheet.legend(LOW.towards(Color::WHITE, 0.35), "emptying: low pressure");
+    sheet.legend(IDLE.towards(Color::WHITE, 0.35), "changing over: at its greatest or least");
+    sheet.skip();
+    sheet.say("Chamber: area, and what it gains a degree");
+    let total: f64 = all.iter().map(|chamber| mm2(chamber.area)).sum();
+    for chamber in &all {
+        let growth = mm2(chamber.growth) * PI / 180.0;
+        let growth = if Phase::of(chamber, &all) == Phase::AtExtreme { 0.0 } else { growth };
+        let words = format!("{}: {} mm², {:+.3} mm²", chamber.index, number(mm2(chamber.area)), growth);
+        sheet.say(&words.replace('-', "−"));
+    }
+    sheet.say(&format!("together: {} mm²", number(total)));
+    Ok(sheet.scene)
+}
+
+/// The rotor's crest, and an arrow the way that it turns.
+pub(super) fn direction(sheet: &mut Sheet, layer: epicyclic_drawing::LayerId, inner: f64, rotation: f64) {
+    let centre = Point::default();
+    let rotation = rotation.rem_euclid(TAU);
+    sheet.circle(layer, centre, 0.4 * sheet.unit);
+    let radius = 0.55 * inner;
+    sheet.line(
+        layer,
+        Point::polar(centre, 0.7 * inner, rotation),
+        Point::polar(centre, 0.95 * inner, rotation),
+    );
+    let (start, sweep) = (rotation - 0.9, 1.8);
+    sheet.scene.add(layer, Shape::Arc { centre, radius, start_rad: start, sweep_rad: sweep });
+    let end = start + sweep;
+    // A chord of the head's length turns half of what it spans.
+    let lean = sheet.unit / radius;
+    sheet.arrowhead(layer, Point::polar(centre, radius, end), end + PI / 2.0 - lean);
+}

@@ -1,0 +1,175 @@
+//! What the pictures of a motor share: layers, sizes, words beside them, labels where there is room.
+
+use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text, text};
+use epicyclic_hydromotor::Motor;
+
+use super::curve::Outline;
+use super::units::mm;
+use crate::Error;
+
+/// High pressure.
+pub(super) const HIGH: Color = Color::new(200, 50, 47);
+/// Low pressure.
+pub(super) const LOW: Color = Color::new(38, 110, 184);
+/// Neither.
+pub(super) const IDLE: Color = Color::new(150, 150, 150);
+/// Bodies.
+pub(super) const STEEL: Color = Color::new(226, 229, 233);
+/// What is constructed.
+pub(super) const AUXILIARY: Color = Color::new(120, 120, 120);
+
+/// A picture of a motor in the making.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    pub(super) scene: Scene,
+    /// A hundredth of the stator's greatest diameter: sizes of text and lines are so many.
+    pub(super) unit: f64,
+    words: Option<LayerId>,
+    pen: Point,
+}
+
+impl Sheet {
+    pub(super) fn new(motor: &Motor, view: &str) -> Self {
+        let unit = mm(motor.envelope().stator_outer) / 100.0;
+        let title = format!("{}: {view}", name(motor));
+        Self { scene: Scene::new(title), unit, words: None, pen: Point::default() }
+    }
+
+    /// A layer; its line is so many units wide.
+    pub(super) fn layer(&mut self, name: &str, style: Style) -> Result<LayerId, Error> {
+        let style = style.width(style.width_mm * self.unit);
+        Ok(self.scene.layer(name, style)?)
+    }
+
+    pub(super) fn outline(&mut self, layer: LayerId, outline: Outline) {
+        self.scene.add(layer, Shape::Polyline { vertices: outline.vertices, closed: true });
+    }
+
+    pub(super) fn circle(&mut self, layer: LayerId, centre: Point, radius: f64) {
+        self.scene.add(layer, Shape::Circle { centre, radius });
+    }
+
+    pub(super) fn line(&mut self, layer: LayerId, from: Point, to: Point) {
+        self.scene.add(layer, Shape::line(from, to));
+    }
+
+    /// An arrowhead at a point, pointing in a direction.
+    pub(super) fn arrowhead(&mut self, layer: LayerId, tip: Point, direction_rad: f64) {
+        let wing = |side: f64| Point::polar(tip, 2.0 * self.unit, direction_rad + side);
+        let (one, other) = (wing(std::f64::consts::PI - 0.25), wing(std::f64::consts::PI + 0.25));
+        self.scene.add(layer, Shape::polyline([one, tip, other]));
+    }
+
+    /// Height of the letters.
+    pub(super) fn letter(&self) -> f64 {
+        2.2 * self.unit
+    }
+
+    /// Opens the column of words to the right of what has been drawn; its heading is the motor's name.
+    pub(super) fn column(&mut self, motor: &Motor) -> Result<(), Error> {
+        let bounds = self.scene.bounds();
+        let layer = match self.words {
+            Some(layer) => layer,
+            None => self.layer("words", Style::line(0.15))?,
+        };
+        self.words = Some(layer);
+        self.pen = Point::new(bounds.right + 6.0 * self.unit, bounds.top - self.letter());
+        let height = 1.25 * self.letter();
+        self.write(layer, height, &name(motor));
+        self.pen.y -= self.letter();
+        Ok(())
+    }
+
+    /// A line of the column.
+    pub(super) fn say(&mut self, words: &str) {
+        if let Some(layer) = self.words {
+            self.write(layer, self.letter(), words);
+        }
+    }
+
+    /// A line of the column behind a patch of colour.
+    pub(super) fn legend(&mut self, color: Color, words: &str) {
+        if let Some(layer) = self.words {
+            let (x, y, side) = (self.pen.x, self.pen.y, self.letter());
+            let patch = Shape::rectangle([x, y - 0.5 * side], [x + 1.5 * side, y + 0.5 * side]);
+            self.scene.add_styled(layer, Style::filled(color), patch);
+            self.pen.x += 2.2 * side;
+            self.write(layer, side, words);
+            self.pen.x = x;
+        }
+    }
+
+    /// Room between paragraphs.
+    pub(super) fn skip(&mut self) {
+        self.pen.y -= self.letter();
+    }
+
+    fn write(&mut self, layer: LayerId, height: f64, words: &str) {
+        self.scene.add(layer, Text::new(self.pen, height, words).align(Align::Left));
+        self.pen.y -= 1.8 * height;
+    }
+
+    /// A label beside a point, at the first place around it that is free; none where there is no room.
+    pub(super) fn label(&mut self, layer: LayerId, at: Point, words: &str) -> bool {
+        let height = self.letter();
+        for ring in [1.6, 2.4, 3.4, 4.6] {
+            for step in 0..16 {
+                let angle = std::f64::consts::TAU * (f64::from(step) + 2.0) / 16.0;
+                let text = Text::new(Point::polar(at, ring * height, angle), height, words);
+                if text::is_free(&self.scene, &text, 0.25 * height) {
+                    self.scene.add(layer, text);
+                    return true;
+                }
+            }
+        }
+        false
+    }
+}
+
+/// `5×3, 55/33/10 teeth, module 2 mm`.
+pub(super) fn name(motor: &Motor) -> String {
+    let numbers = motor.numbers();
+    format!(
+        "{}×{}, {}/{}/{} teeth, module {}",
+        numbers.stator_lobes(),
+        numbers.rotor_lobes(),
+        numbers.stator_teeth(),
+        numbers.rotor_teeth(),
+        numbers.satellite_teeth(),
+        millimetres(mm(motor.module()))
+    )
+}
+
+/// A length to five significant digits, as drawings write it.
+pub(super) fn millimetres(value_mm: f64) -> String {
+    format!("{} mm", number(value_mm))
+}
+
+/// Five significant digits, without trailing zeros.
+pub(super) fn number(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.abs().to_string();
+    }
+    let before = value.abs().log10().floor().clamp(-9.0, 9.0) as i32;
+    let decimals = usize::try_from(4 - before).unwrap_or(0);
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_have_five_digits() {
+        for (value, shown) in [
+            (2.0, "2"),
+            (15.306_31, "15.306"),
+            (0.001_234_567, "0.0012346"),
+            (123_456.0, "123456"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(number(value), shown);
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! The book's chapter on the documents' errors lists all of them, each with the right value, and nothing else.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use xtask::cases::figure::{Figure, Status};
+use xtask::cases::tolerance::{Printed, Rounding};
+use xtask::verify::{self, Arguments, Format};
+
+const PROMPT: &str = "$ cargo xtask ";
+
+fn figures() -> Vec<Figure> {
+    let arguments = Arguments { filter: String::new(), format: Format::Human, accept: false, cases: None };
+    verify::outcomes(&arguments).unwrap().into_iter().flat_map(|outcome| outcome.figures).collect()
+}
+
+fn chapter(name: &str) -> String {
+    fs::read_to_string(xtask::project_root().join("docs/src").join(name)).unwrap()
+}
+
+/// The rows of the chapter's tables that begin with the name of a figure: its other cells.
+fn rows(chapter: &str) -> BTreeMap<String, Vec<String>> {
+    let mut rows = BTreeMap::new();
+    for line in chapter.lines() {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let name = cells.get(1).and_then(|cell| cell.strip_prefix('`')?.strip_suffix('`'));
+        let Some(name) = name.filter(|name| name.contains('/')) else { continue };
+        let others = cells[2..].iter().map(|cell| (*cell).to_owned()).collect();
+        assert!(rows.insert(name.to_owned(), others).is_none(), "{name} twice");
+    }
+    rows
+}
+
+/// Whether a cell states the value: a quantity within the last digit that it shows, a word letter by letter.
+fn states(cell: &str, computed: &str) -> bool {
+    let value = epicyclic_formats::quantity::parse(computed).map(|measured| measured.si());
+    match (Printed::parse(cell, Rounding::Nearest), value) {
+        (Ok(shown), Ok(value)) => shown.stands_for(value),
+        _ => cell == computed,
+    }
+}
+
+#[test]
+fn every_contradicted_and_lost_figure_is_in_the_book() {
+    let (figures, chapter) = (figures(), chapter("findings.md"));
+    let mut rows = rows(&chapter);
+    let mut counts = BTreeMap::from([("contradicted", 0), ("lost", 0)]);
+    for figure in &figures {
+        let name = &figure.name;
+        match figure.status {
+            Status::Contradicted => {
+                let row = rows.remove(name).unwrap_or_else(|| panic!("{name} is not in findings.md"));
+                let (published, computed) =
+                    (figure.published.as_ref().unwrap(), figure.computed.as_ref().unwrap());
+                assert_eq!(&row[0], published, "{name}");
+                assert!(states(&row[1], computed), "{name}: {} for {computed}", row[1]);
+                *counts.get_mut("contradicted").unwrap() += 1;
+            }
+            Status::Unrecoverable => {
+                rows.remove(name).unwrap_or_else(|| panic!("{name} is not in findings.md"));
+                *counts.get_mut("lost").unwrap() += 1;
+            }
+            _ => {}
+        }
+    }
+    assert!(rows.is_empty(), "no longer contradicted: {rows:?}");
+    for (what, count) in counts {
+        assert!(chapter.contains(&format!("{count} figures are {what}")), "{count} {what}");
+    }
+}
+
+#[test]
+fn figures_in_a_wrong_unit_are_in_the_book() {
+    let chapter = chapter("findings.md");
+    for figure in figures() {
+        if let Some(unit) = &figure.printed_unit {
+            let shown = chapter.lines().any(|line| line.contains(&figure.name) && line.contains(unit));
+            assert!(shown, "{}: {unit}", figure.name);
+        }
+    }
+}
+
+/// Runs the commands of a document, and of those in a folder; how many.
+fn check(path: &Path) -> usize {
+    if path.is_dir() {
+        return fs::read_dir(path).unwrap().map(|entry| check(&entry.unwrap().path())).sum();
+    }
+    let document = fs::read_to_string(path).unwrap();
+    let mut run = 0;
+    for block in document.split("```console\n").skip(1).map(|rest| rest.split("```").next().unwrap()) {
+        let Some((command, shown)) = block.strip_prefix(PROMPT).and_then(|block| block.split_once('\n'))
+        else {
+            continue;
+        };
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_xtask")).args(command.split_whitespace()).output().unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        // A line of dots stands for what is left out before it, or after it.
+        let kept = shown.trim_start_matches("…\n").trim_end_matches("…\n");
+        let from = shown.starts_with("…\n") || printed.starts_with(kept);
+        let to = shown.ends_with("\n…\n") || printed.ends_with(kept);
+        assert!(from && to && printed.contains(kept), "{command}\n{printed}");
+        run += 1;
+    }
+    run
+}
+
+#[test]
+fn the_books_commands_print_what_it_shows() {
+    let run = check(&xtask::project_root().join("docs/src"));
+    assert!(run >= 3, "{run}");
+}
