@@ -339,7 +339,7 @@ fn what_leaves_no_teeth_is_refused() {
     let refuse = |form: ToothForm| Profile::new(&motor, form).unwrap_err();
     let standard = ToothForm::default;
     let flat = ToothForm { pressure_angle: Angle::new::<degree>(5.0), ..standard() };
-    assert_eq!(refuse(flat).to_string(), "pressure angle is 5 °; it must lie between 10 and 40 °");
+    assert_eq!(refuse(flat).to_string(), "pressure angle is 5°; it must lie between 10 and 40°");
     let nan = ToothForm { pressure_angle: Angle::new::<degree>(f64::NAN), ..standard() };
     assert!(matches!(refuse(nan), Error::NotFinite { .. }));
     let high = ToothForm { addendum: 1.5, ..standard() };
