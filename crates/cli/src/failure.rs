@@ -141,3 +141,9 @@ impl Failure {
         matches!(self, Self::StandardOutput(error) if error.kind() == io::ErrorKind::BrokenPipe)
     }
 }
+
+impl From<epicyclic_drawing::Error> for Failure {
+    fn from(error: epicyclic_drawing::Error) -> Self {
+        Self::Picture(error.into())
+    }
+}

@@ -9,7 +9,10 @@ mod teeth;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use epicyclic_formats::{Number, Quantity};
+use crate::report::Report;
+use epicyclic_formats::{Document, Number, Quantity};
+use epicyclic_hydromotor::Motor;
+use epicyclic_hydromotor::profile::Profile;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
@@ -201,4 +204,23 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         crate::output::write_file(file, content.as_bytes())?;
     }
     report.deliver(&args.design.output)
+}
+
+/// Everything about the motor of a file.
+pub(crate) struct Everything {
+    /// The file's title.
+    pub(crate) title: Option<String>,
+    pub(crate) motor: Motor,
+    /// The teeth, where the form gives any.
+    pub(crate) profile: Option<Profile>,
+    /// Angle of the rotor in the drawings.
+    pub(crate) angle: Angle,
+    pub(crate) report: Report,
+}
+
+/// Everything about the motor of a file.
+pub(crate) fn everything(document: &Document) -> Result<Everything, Failure> {
+    let (title, drawn) = design::of_file(document)?;
+    let report = facts::report(&drawn)?;
+    Ok(Everything { title, motor: drawn.motor, profile: drawn.profile.ok(), angle: drawn.angle, report })
 }

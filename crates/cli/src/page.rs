@@ -2,6 +2,7 @@
 
 mod drive;
 mod gearbox;
+mod motor;
 mod sheet;
 
 use crate::analyze::{Choice, Load};
@@ -42,6 +43,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         gearbox::sheet(&args.choice, &args.load, text)?
     } else if has("power") {
         drive::sheet(&document, text)?
+    } else if has("stator") || has("rotor") {
+        motor::sheet(&document, text)?
     } else {
         let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \
                        which has stator and rotor";

@@ -65,7 +65,18 @@ fn the_page_of_a_gearbox_has_each_gear() {
     for heading in ["Input", "Gears", "Gear slow", "Gear middle", "Gear fast", "Another k", "Sources"] {
         assert!(sections.contains(&heading), "{heading}: {sections:?}");
     }
-    assert!(page.contains("-1240.9") || page.contains("-1.2409"), "the torque at the output");
+    assert!(page.contains("-1240.9"), "the torque at the output");
+    // The scheme and the levers, the ladder, scheme and speed plan of each gear, and the plots of two rows.
+    assert_eq!(page.matches("<svg").count(), 3 + 2 * 3 + 6);
+}
+
+#[test]
+fn the_page_of_a_motor_has_drawings_results_and_plots() {
+    let page = page(&["motor-5x3.yaml"]);
+    is_sound(&page);
+    assert_eq!(sections(&page), ["Input", "Drawings", "Results and checks", "Plots", "Sources"]);
+    assert!(page.contains("<h1>Motor 3x5</h1>") && page.contains("Flow, ripple 7.64 %"));
+    assert_eq!(page.matches("<svg").count(), 5);
 }
 
 #[test]

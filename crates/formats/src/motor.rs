@@ -13,15 +13,16 @@
 //! speed: 100 rpm
 //! ```
 //!
-//! The first five are needed. The keys are the options of `epicyclic motor`.
+//! The numbers and the module are needed. The keys are the options of `epicyclic motor`.
 
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::f64::{AngularVelocity, Length, Pressure};
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-use crate::{Document, Error, Path, Problem, Quantity};
+use crate::{Document, Error, Number, Path, Problem, Quantity};
 
 /// A hydromotor: a ring with arches, a sun with lobes, floating satellites.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -43,12 +44,56 @@ pub struct MotorFile {
     pub law: Option<Law>,
     /// `l`: distance of the centre of a trough's arc from the axis. Default: the middle of the family.
     pub l: Option<Quantity<Length>>,
+    /// `a`: distance of the centre of a crest's arc from the axis, in place of `l`.
+    pub a: Option<Quantity<Length>>,
+    /// Part of the family, from 0, where the arcs of the troughs vanish, to 1, even in 1/l; in place of `l`.
+    pub part: Option<Number>,
     /// Width of the wheels. Without it volumes, torques and flows are per width.
     pub width: Option<Quantity<Length>>,
     /// Pressure difference between the ports.
     pub pressure: Option<Quantity<Pressure>>,
     /// Speed of the rotor.
     pub speed: Option<Quantity<AngularVelocity>>,
+    /// Angle of the rotor in the drawings, from where one of its crests faces one of the stator's. Default 0.
+    pub angle: Option<Quantity<Angle>>,
+    /// Form of the teeth. Default: one that keeps every limit of usual motors.
+    pub teeth: Option<TeethForm>,
+}
+
+/// Form of the teeth; lengths in modules.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TeethForm {
+    /// Pressure angle of the satellites. Default 25 deg.
+    pub pressure_angle: Option<Quantity<Angle>>,
+    /// Addendum `h_a*`. Default 0.85.
+    pub addendum: Option<Number>,
+    /// Clearance `c*` of tips over roots. Default 0.25.
+    pub clearance: Option<Number>,
+    /// Profile shift `x` of the satellites; the wheels have −x. Default 0.2.
+    pub shift: Option<Number>,
+    /// Backlash `j*` along the pitch curves. Default 0.04.
+    pub backlash: Option<Number>,
+    /// Radius `ρ*` of the rounded tips of the cutters. Default 0.1.
+    pub fillet: Option<Number>,
+}
+
+impl TeethForm {
+    /// The form, with the defaults of what is not given.
+    #[must_use]
+    pub fn form(&self) -> ToothForm {
+        let usual = ToothForm::default();
+        let number = |given: Option<Number>, usual: f64| given.map_or(usual, Number::get);
+        ToothForm {
+            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            addendum: number(self.addendum, usual.addendum),
+            clearance: number(self.clearance, usual.clearance),
+            shift: number(self.shift, usual.shift),
+            backlash: number(self.backlash, usual.backlash),
+            fillet: number(self.fillet, usual.fillet),
+            ..usual
+        }
+    }
 }
 
 /// How the wheels are shaped.
@@ -62,21 +107,34 @@ pub enum Law {
 }
 
 impl MotorFile {
-    /// The motor.
+    /// The motor, and the family that it is of; a cosine-law motor has none.
     ///
     /// # Errors
-    /// As [`MotorNumbers::new`], [`Family::new`], [`Motor::of_two_arcs`] and [`Motor::of_cosine_law`].
-    pub fn motor(&self) -> Result<Motor, MotorError> {
+    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`].
+    pub fn motor(&self) -> Result<(Motor, Option<Family>), MotorError> {
         let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs)?;
         let module = self.module.0;
-        match (self.law.unwrap_or(Law::Arcs), self.l) {
-            (Law::Cosine, _) => Motor::of_cosine_law(numbers, module),
-            (Law::Arcs, Some(l)) => Motor::of_two_arcs(numbers, module, l.0),
-            (Law::Arcs, None) => {
-                let arcs = Family::new(numbers, module)?.at_part(0.5)?;
-                Motor::of_two_arcs(numbers, module, arcs.trough_distance())
-            }
+        if self.law == Some(Law::Cosine) {
+            return Ok((Motor::of_cosine_law(numbers, module)?, None));
         }
+        let family = Family::new(numbers, module)?;
+        let arcs = match (self.l, self.a, self.part) {
+            (Some(l), ..) => family.at(l.0),
+            (_, Some(a), _) => family.at_crest_distance(a.0),
+            (.., part) => family.at_part(part.map_or(0.5, Number::get)),
+        }?;
+        Ok((Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family)))
+    }
+
+    /// Whether it says which motor of its family is meant.
+    #[must_use]
+    pub fn places(&self) -> bool {
+        self.place_key().is_some()
+    }
+
+    fn place_key(&self) -> Option<&'static str> {
+        let given = [("l", self.l.is_some()), ("a", self.a.is_some()), ("part", self.part.is_some())];
+        given.into_iter().find(|(_, is_given)| *is_given).map(|(key, _)| key)
     }
 }
 
@@ -93,16 +151,25 @@ impl MotorFile {
 /// assert!(error.to_string().starts_with("motor.yaml:6:4: l: l = 10 mm: a motor of these numbers closes for l from "));
 /// # Ok::<(), epicyclic_formats::Error>(())
 /// ```
-pub fn read(document: &Document) -> Result<(MotorFile, Motor), Error> {
+pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), Error> {
     let file: MotorFile = document.read()?;
-    if file.law == Some(Law::Cosine) && file.l.is_some() {
-        let message = "a cosine-law motor has no `l`: its numbers settle it; leave it out".to_owned();
-        return Err(document.error(&Path::root().key("l"), Problem::Refused { message }));
+    let refuse = |key: &str, message: &str| {
+        Err(document.error(&Path::root().key(key), Problem::Refused { message: message.to_owned() }))
+    };
+    let given = [file.l.is_some(), file.a.is_some(), file.part.is_some()];
+    match file.place_key() {
+        Some(key) if file.law == Some(Law::Cosine) => {
+            return refuse(key, "a cosine-law motor has no family: its numbers settle it; leave it out");
+        }
+        Some(key) if given.into_iter().filter(|given| *given).count() > 1 => {
+            return refuse(key, "one of l, a and part says which motor of the family is meant; give one");
+        }
+        _ => {}
     }
-    let motor = file
+    let (motor, family) = file
         .motor()
         .map_err(|error| document.error(&place(&error), Problem::Refused { message: error.to_string() }))?;
-    Ok((file, motor))
+    Ok((file, motor, family))
 }
 
 /// The key that a refusal of the numbers is about; the root where it is about all of them.
@@ -123,19 +190,34 @@ pub fn place(error: &MotorError) -> Path {
             "zs"
         }
         MotorError::OutsideFamily { .. } => "l",
-        MotorError::NotPositive { quantity, .. } | MotorError::NotFinite { quantity, .. } => {
-            match *quantity {
-                "module" => "module",
-                "width" => "width",
-                "pressure" => "pressure",
-                "speed" => "speed",
-                quantity if quantity.starts_with('l') => "l",
-                _ => "",
-            }
-        }
+        MotorError::OutsideFamilyByCrest { .. } => "a",
+        MotorError::NotPositive { quantity, .. }
+        | MotorError::NotFinite { quantity, .. }
+        | MotorError::OutOfRange { quantity, .. } => of_quantity(quantity),
         _ => "",
     };
-    if key.is_empty() { Path::root() } else { Path::root().key(key) }
+    key.split('.').filter(|key| !key.is_empty()).fold(Path::root(), |path, key| path.key(key))
+}
+
+/// The key of a quantity, by the name that the refusals give it.
+fn of_quantity(quantity: &str) -> &'static str {
+    match quantity {
+        "module" => "module",
+        "l" => "l",
+        "a" => "a",
+        "part of the family" => "part",
+        "width" => "width",
+        "pressure drop" | "high pressure" => "pressure",
+        "speed" => "speed",
+        "rotation" => "angle",
+        "pressure angle" => "teeth.pressure_angle",
+        "addendum" => "teeth.addendum",
+        "clearance" => "teeth.clearance",
+        "profile shift" => "teeth.shift",
+        "backlash" => "teeth.backlash",
+        "fillet" => "teeth.fillet",
+        _ => "",
+    }
 }
 
 #[cfg(test)]
@@ -161,6 +243,8 @@ mod tests {
             ("zs: 0", "motor.yaml:5:5: zs: a satellite with 0 teeth"),
             ("module: 0 mm", "motor.yaml:5:9: module: module is 0 "),
             ("l: 1 mm", "motor.yaml:6:4: l: l = 1 mm: a motor of these numbers closes for l from "),
+            ("part: 2", "motor.yaml:6:7: part: part of the family is 2; it must lie between 0 and 1"),
+            ("a: 1 mm", "motor.yaml:6:4: a: a = 1 mm: a motor of these numbers closes for a from "),
             ("law: cosines", "motor.yaml:6:6: law: "),
         ] {
             let refusal = refusal(change);

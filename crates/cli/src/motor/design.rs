@@ -2,6 +2,7 @@
 
 use super::{Design, Teeth};
 use crate::failure::Failure;
+use epicyclic_formats::{Document, Problem, motor};
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Error, Motor, MotorNumbers};
@@ -80,6 +81,36 @@ pub(super) fn read(args: &Design) -> Result<Drawn, Failure> {
         speed: args.speed.map(|speed| speed.0),
         angle: args.angle.0,
     })
+}
+
+/// The motor of a file.
+pub(super) fn of_file(document: &Document) -> Result<(Option<String>, Drawn), Failure> {
+    let (file, motor, family) = motor::read(document)?;
+    let form = file.teeth.clone().unwrap_or_default().form();
+    let profile = match Profile::new(&motor, form) {
+        Err(error @ (Error::OutOfRange { .. } | Error::NotFinite { .. } | Error::NotPositive { .. })) => {
+            let problem = Problem::Refused { message: error.to_string() };
+            return Err(document.error(&motor::place(&error), problem).into());
+        }
+        made => made,
+    };
+    let chosen = match &family {
+        None => Chosen::Cosine,
+        Some(_) if file.places() => Chosen::Given,
+        Some(_) => Chosen::Middle,
+    };
+    let drawn = Drawn {
+        motor,
+        family,
+        chosen,
+        form,
+        profile,
+        width: file.width.map(|width| width.0),
+        pressure: file.pressure.map(|pressure| pressure.0),
+        speed: file.speed.map(|speed| speed.0),
+        angle: file.angle.map_or_else(Angle::default, |angle| angle.0),
+    };
+    Ok((file.title, drawn))
 }
 
 fn form(teeth: &Teeth) -> ToothForm {

@@ -25,10 +25,13 @@ pub(super) fn sheet(choice: &Choice, load: &Load, text: String) -> Result<Sheet,
         Verdict::Drawable(layout) => Ok(layout),
         Verdict::SelfCrossing(witness) => Err(witness.describe(gearbox)),
     };
-    let mut sections = vec![
-        Section::new("Input", vec![Block::File(text)]),
-        Section::new("Drawing", structure(gearbox, &layout)?),
-    ];
+    let input = Section::new("Input", vec![Block::File(text)]);
+    let drawing = Section::new("Drawing", structure(gearbox, &layout)?);
+    // A list of transmissions is long and mostly about others: it stands last.
+    let (mut sections, last) = match subject.source {
+        None => (vec![input, drawing], None),
+        Some(_) => (vec![drawing], Some(input)),
+    };
     let mut all = vec![Block::Answer(overview)];
     if analyses.iter().any(|gear| gear.ratio().is_some()) {
         let ladder = picture(ladder::scene(gearbox, &analyses, None))?;
@@ -51,6 +54,7 @@ pub(super) fn sheet(choice: &Choice, load: &Load, text: String) -> Result<Sheet,
                   power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
     let sources = subject.source.iter().cloned().chain([theory.to_owned()]).collect();
     sections.push(Section::new("Sources", vec![Block::List(sources)]));
+    sections.extend(last);
     let count = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     Ok(Sheet {
         title: gearbox.name().to_owned(),

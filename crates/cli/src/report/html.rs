@@ -39,12 +39,17 @@ fn words(words: &str) -> Markup {
         _ => ("", words),
     };
     let listed = rest.lines().all(|line| line.starts_with(" - ") || line.starts_with("   "));
+    // Columns are parted by two blanks or more, sentences by one.
+    let sentences = rest.lines().all(|line| !line.trim().contains("  "));
+    let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     html! {
         @if !heading.is_empty() { h3 { (heading) } }
         @if listed {
             ul { @for point in rest.split(" - ").filter(|point| !point.trim().is_empty()) {
-                li { (point.split_whitespace().collect::<Vec<_>>().join(" ")) }
+                li { (joined(point)) }
             } }
+        } @else if sentences {
+            p { (joined(rest)) }
         } @else {
             pre { (rest.trim_end()) }
         }
@@ -84,6 +89,8 @@ mod tests {
     fn lists_are_lists_and_tables_of_letters_keep_their_columns() {
         let list = words("Why not\n - one\n   more\n - two & three\n").into_string();
         assert_eq!(list, "<h3>Why not</h3><ul><li>one more</li><li>two &amp; three</li></ul>");
+        let sentence = words("Left out\n Losses\n and more.\n").into_string();
+        assert_eq!(sentence, "<h3>Left out</h3><p>Losses and more.</p>");
         let table = words("Shift table\n gear  K1\n slow  x\n").into_string();
         assert_eq!(table, "<h3>Shift table</h3><pre> gear  K1\n slow  x</pre>");
     }
