@@ -11,6 +11,7 @@ use crate::output::OutputArgs;
 use crate::report::Report;
 use epicyclic_formats::Quantity;
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
+pub(crate) use overview::fast_planets;
 use std::path::{Path, PathBuf};
 use subject::Content;
 pub(crate) use subject::{Subject, efficiency};
@@ -67,7 +68,7 @@ pub(crate) struct Args {
 /// Which gearbox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Choice {
-    /// The file that describes the gearbox, in YAML.
+    /// The file, in YAML.
     #[arg(value_name = "FILE")]
     file: PathBuf,
 
@@ -81,6 +82,12 @@ pub(crate) struct Choice {
 }
 
 impl Choice {
+    /// An option that is given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let transmission = self.transmission.as_ref().map(|_| "--transmission");
+        transmission.or(self.efficiency.map(|_| "--efficiency"))
+    }
+
     /// One gearbox of a file, all of it as its options would say.
     pub(crate) fn new(
         file: PathBuf,
@@ -113,6 +120,12 @@ pub(crate) struct Load {
 }
 
 impl Load {
+    /// An option that is given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let torque = self.torque.map(|_| "--torque");
+        torque.or(self.power.map(|_| "--power")).or(self.speed.map(|_| "--speed"))
+    }
+
     fn input(&self) -> Input {
         let torque = self.torque.map(|torque| InputLoad::Torque(torque.0));
         let load = torque.or(self.power.map(|power| InputLoad::Power(power.0)));

@@ -115,6 +115,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let scene = scene(args, &subject)?;
     let fail = |error: epicyclic_drawing::Error| Failure::Picture(error.into());
     let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
+    let ending =
+        args.output.as_deref().and_then(Path::extension).map(|end| end.to_string_lossy().to_lowercase());
+    if let Some(end) = ending.filter(|end| end != "svg" && end != "dxf") {
+        let message = format!("a drawing ends in .svg or .dxf, not .{end}");
+        return Err(Failure::Option { option: "--output", message });
+    }
     let mut files: Vec<(&Path, bool)> = vec![];
     files.extend(args.output.as_deref().map(|file| (file, is_dxf(file))));
     files.extend(args.svg.as_deref().map(|file| (file, false)));

@@ -39,11 +39,19 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = Document::parse_one(&file.display().to_string(), &bytes)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
+    let for_gearboxes = |what: &str| match args.choice.given().or(args.load.given()) {
+        Some(option) => {
+            Err(Failure::Option { option, message: format!("it is for gearboxes; this is a {what}") })
+        }
+        None => Ok(()),
+    };
     let sheet = if has("gearbox") || has("transmissions") {
         gearbox::sheet(&args.choice, &args.load, text)?
     } else if has("power") {
+        for_gearboxes("drive")?;
         drive::sheet(&document, text)?
     } else if has("stator") || has("rotor") {
+        for_gearboxes("motor")?;
         motor::sheet(&document, text)?
     } else {
         let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \

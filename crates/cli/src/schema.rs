@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use epicyclic_formats::motor::MotorFile;
 use schemars::schema_for;
 
 /// The JSON Schema of a file that the program reads, for editors and checks.
@@ -32,6 +33,8 @@ enum Of {
     Gearbox,
     /// Of `epicyclic analyze`: transmissions with published ratios.
     Transmissions,
+    /// Of `epicyclic report`: a hydromotor.
+    Motor,
 }
 
 /// Runs the command.
@@ -40,6 +43,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Drive => schema_for!(DriveFile),
         Of::Gearbox => schema_for!(GearboxFile),
         Of::Transmissions => schema_for!(TransmissionsFile),
+        Of::Motor => schema_for!(MotorFile),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

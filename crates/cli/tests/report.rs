@@ -75,7 +75,7 @@ fn the_page_of_a_motor_has_drawings_results_and_plots() {
     let page = page(&["motor-5x3.yaml"]);
     is_sound(&page);
     assert_eq!(sections(&page), ["Input", "Drawings", "Results and checks", "Plots", "Sources"]);
-    assert!(page.contains("<h1>Motor 3x5</h1>") && page.contains("Flow, ripple 7.64 %"));
+    assert!(page.contains("<h1>Motor 5×3</h1>") && page.contains("Flow, ripple 7.64 %"));
     assert_eq!(page.matches("<svg").count(), 5);
 }
 

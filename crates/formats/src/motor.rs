@@ -1,7 +1,7 @@
 //! The file that describes a hydromotor with non-circular wheels: `epicyclic report motor.yaml`.
 //!
 //! ```yaml
-//! title: Water motor 3x5
+//! title: Water motor 5×3
 //! stator: 5
 //! rotor: 3
 //! z3: 55

@@ -48,13 +48,21 @@ pub struct Curve {
     pub name: String,
     /// Its points; one that is no number is a gap.
     pub points: Vec<[f64; 2]>,
+    /// Place of its colour; that of the curve in the plot unless given.
+    pub color: Option<usize>,
 }
 
 impl Curve {
+    /// The same in the colour of this place, so that a thing has one colour in several plots.
+    #[must_use]
+    pub fn colored(self, place: usize) -> Self {
+        Self { color: Some(place), ..self }
+    }
+
     /// A curve.
     #[must_use]
     pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.into(), points }
+        Self { name: name.into(), points, color: None }
     }
 }
 
@@ -112,7 +120,7 @@ impl Plot {
             let x = field.across.place(mark.at);
             scene.add(marks, Shape::line([x, 0.0], [x, self.size_mm[1]]));
         }
-        for (place, curve) in self.curves.iter().enumerate() {
+        for (place, curve) in self.colored() {
             for piece in pieces(&curve.points) {
                 let at = |point: &[f64; 2]| [field.across.place(point[0]), field.up.place(point[1])];
                 match piece {
@@ -131,10 +139,15 @@ impl Plot {
         Ok(scene)
     }
 
+    /// The curves with the places of their colours.
+    fn colored(&self) -> impl Iterator<Item = (usize, &Curve)> {
+        self.curves.iter().enumerate().map(|(place, curve)| (curve.color.unwrap_or(place), curve))
+    }
+
     /// Names of curves and marks, below the field.
     fn legend(&self, scene: &mut Scene, curves: LayerId, marks: LayerId, labels: LayerId) {
         let mut at = Point::new(0.0, -14.0);
-        let names = self.curves.iter().enumerate().map(|(place, curve)| (Some(place), &curve.name));
+        let names = self.colored().map(|(place, curve)| (Some(place), &curve.name));
         let marked = self.marks.iter().map(|mark| (None, &mark.name));
         for (place, name) in names.chain(marked) {
             let text = Text::new([0.0, 0.0], LETTERS_MM, name.clone()).align(Align::Left);

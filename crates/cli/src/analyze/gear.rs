@@ -1,6 +1,6 @@
 //! Everything about one gear.
 
-use super::overview::{as_published, engaged, in_words, published_figure, warnings};
+use super::overview::{as_published, engaged, fast_planets, in_words, published_figure, warnings};
 use super::subject::Subject;
 use super::{Input, Worked, pins, work};
 use crate::failure::Failure;
@@ -435,6 +435,7 @@ impl Scene<'_> {
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let analysis = self.analysis();
         let mut all = warnings(self.gearbox);
+        all.extend(fast_planets(self.gearbox, analysis));
         if *analysis.state() != epicyclic_schemes::State::Driven {
             all.push(("state", in_words(analysis.state())));
         }

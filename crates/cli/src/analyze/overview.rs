@@ -8,6 +8,8 @@ use crate::output;
 use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::gearbox::PublishedGear;
+use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_schemes::row::Row;
 use epicyclic_schemes::{Analysis, Gear, Gearbox, State};
 
 /// The whole answer.
@@ -28,7 +30,9 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .chain(forces.map(Part::Records))
         .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
         .collect();
-    Ok(Report { title: Some(gearbox.name().to_owned()), parts, warnings: Some(warnings(gearbox)) })
+    let mut warnings = warnings(gearbox);
+    warnings.extend(worked.iter().flat_map(|gear| fast_planets(gearbox, &gear.analysis)));
+    Ok(Report { title: Some(gearbox.name().to_owned()), parts, warnings: Some(warnings) })
 }
 
 fn gears(subject: &Subject, worked: &[Worked], input: Input) -> Records {
@@ -210,6 +214,21 @@ fn shift_table(gearbox: &Gearbox) -> String {
         [gear.name().to_owned()].into_iter().chain(marks).collect()
     });
     format!("Shift table\n{}", output::table(&header, rows, &[]))
+}
+
+/// Planets of a gear that turn faster on their carriers than is usual: more than twice the input's speed.
+pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis) -> Vec<(&'static str, String)> {
+    let fastest = gear.rows().iter().map(|row| {
+        row.planets.iter().map(|planet| planet.relative.abs()).filter(|speed| *speed > 2.0).reduce(f64::max)
+    });
+    let of_row = |(row, fastest): (&Row, Option<f64>)| {
+        let (gear, row, speed) = (gear.gear().name(), row.id(), trimmed(fastest?, 4));
+        let message = format!(
+            "in gear {gear} planet {row} turns at {speed} times the input's speed on its carrier; 2 is the usual limit"
+        );
+        Some(("planet-speed", message))
+    };
+    gearbox.rows().iter().zip(fastest).filter_map(of_row).collect()
 }
 
 /// Remarks on the gearbox itself.

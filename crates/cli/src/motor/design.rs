@@ -2,7 +2,7 @@
 
 use super::{Design, Teeth};
 use crate::failure::Failure;
-use epicyclic_formats::{Document, Problem, motor};
+use epicyclic_formats::{Document, Path, Problem, motor};
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Error, Motor, MotorNumbers};
@@ -34,6 +34,9 @@ pub(super) struct Drawn {
     pub(super) angle: Angle,
 }
 
+const POSITIVE_DROP: &str = "it is high less low pressure, so above 0; the motor runs counter-clockwise";
+const POSITIVE_SPEED: &str = "it must be above 0; a motor that runs backwards is its mirror image";
+
 pub(super) fn read(args: &Design) -> Result<Drawn, Failure> {
     let (Some(stator), Some(rotor), Some(z3), Some(zs), Some(module)) =
         (args.stator, args.rotor, args.z3, args.zs, args.module)
@@ -62,6 +65,12 @@ pub(super) fn read(args: &Design) -> Result<Drawn, Failure> {
         let motor = Motor::of_two_arcs(numbers, module, arcs.trough_distance()).map_err(refuse)?;
         (motor, Some(family), chosen)
     };
+    if args.pressure.is_some_and(|pressure| pressure.0.value <= 0.0) {
+        return Err(Failure::Option { option: "--pressure", message: POSITIVE_DROP.to_owned() });
+    }
+    if args.speed.is_some_and(|speed| speed.0.value <= 0.0) {
+        return Err(Failure::Option { option: "--speed", message: POSITIVE_SPEED.to_owned() });
+    }
     let form = form(&args.teeth);
     let profile = profile(&motor, form).map_err(refuse)?;
     Ok(Drawn {
@@ -90,6 +99,15 @@ fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, Error>, Err
 /// The motor of a file.
 pub(super) fn of_file(document: &Document) -> Result<(Option<String>, Drawn), Failure> {
     let (file, motor, family) = motor::read(document)?;
+    for (key, is_positive, message) in [
+        ("pressure", file.pressure.is_none_or(|pressure| pressure.0.value > 0.0), POSITIVE_DROP),
+        ("speed", file.speed.is_none_or(|speed| speed.0.value > 0.0), POSITIVE_SPEED),
+    ] {
+        if !is_positive {
+            let problem = Problem::Refused { message: message.to_owned() };
+            return Err(document.error(&Path::root().key(key), problem).into());
+        }
+    }
     let form = file.teeth.clone().unwrap_or_default().form();
     let profile = profile(&motor, form).map_err(|error| {
         document.error(&motor::place(&error), Problem::Refused { message: error.to_string() })

@@ -94,20 +94,19 @@ fn efficiency_over_ratio(design: &DriveDesign) -> Plot {
 /// Speed of the sun from rest, without and with losses; `None` where it never starts.
 fn start(design: &DriveDesign) -> Option<Plot> {
     let speed = design.speeds.sun.get::<revolution_per_minute>();
-    let curve = |name: &str, start: Start| match start {
-        Start::After(time) => Some((Curve::new(name, vec![[0.0, 0.0], [time.get::<second>(), speed]]), time)),
+    let time = |start: Start| match start {
+        Start::After(time) => Some(time.get::<second>()),
         Start::InBalance | Start::Overloaded(_) => None,
     };
-    let curves: Vec<_> = [
-        curve("without losses", design.without_losses.start),
-        curve("with mesh losses", design.with_losses.start),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
-    (!curves.is_empty()).then(|| {
-        curves
-            .into_iter()
-            .fold(Plot::new("Start", "time, s", "speed of the sun, rpm"), |plot, (curve, _)| plot.with(curve))
-    })
+    let starts = [
+        ("without losses", time(design.without_losses.start)),
+        ("with mesh losses", time(design.with_losses.start)),
+    ];
+    let longest = starts.iter().filter_map(|(_, time)| *time).reduce(f64::max)?;
+    let curve = |(name, time): (&str, Option<f64>)| match time {
+        Some(time) => Curve::new(name, vec![[0.0, 0.0], [time, speed], [longest, speed]]),
+        None => Curve::new(format!("{name}: does not start"), vec![[0.0, 0.0], [longest, 0.0]]),
+    };
+    let plot = Plot::new("Start", "time, s", "speed of the sun, rpm");
+    Some(starts.into_iter().map(curve).fold(plot, Plot::with))
 }

@@ -125,7 +125,7 @@ fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T,
 /// Efficiency, ratio and planet speed of each gear over the `k` of each row.
 fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
     let mut blocks = vec![Block::words(
-        "What changes with the k of one row while the others stay as they are. Planet: speed of that row's planet on its carrier, \
+        "What changes with the k of one row while the others stay as they are; gears that do not change are left out. Planet: speed of that row's planet on its carrier, \
          over the input's. The mark is this gearbox.",
     )];
     let rows = gearbox.rows().iter().enumerate().filter(|(_, row)| !row.spec().kind.is_pair());
@@ -175,14 +175,15 @@ fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
         .map(|k| (k, with_k(gearbox, row, k)))
         .collect();
     let curves = |value: &dyn Fn(&Analysis) -> Option<f64>| {
-        let curve = |gear: &str| {
+        let curve = |(place, gear): (usize, &epicyclic_schemes::Gear)| {
+            let gear = gear.name();
             let at = |(k, other): &(f64, Option<Gearbox>)| {
                 let value = other.as_ref().and_then(|other| value(&other.analyze(gear).ok()?));
                 [*k, value.unwrap_or(f64::NAN)]
             };
-            Curve::new(format!("gear {gear}"), samples.iter().map(at).collect())
+            Curve::new(format!("gear {gear}"), samples.iter().map(at).collect()).colored(place)
         };
-        let all = gearbox.gears().iter().map(|gear| curve(gear.name()));
+        let all = gearbox.gears().iter().enumerate().map(curve);
         all.filter(changes).collect::<Vec<_>>()
     };
     Study {

@@ -69,7 +69,7 @@ pre.file { background: #f4f5f7; padding: .6rem; } ul.warnings li { color: #8a2c0
 @media print {
   :root { font-size: 10pt; } body { max-width: none; margin: 0; padding: 0; } nav { display: none; }
   section.table, figure { break-inside: avoid; } h2, h3 { break-after: avoid; } a { color: inherit; text-decoration: none; }
-  figure svg { max-height: 12cm; } pre { white-space: pre-wrap; }
+  figure svg { max-height: 10cm; } pre { white-space: pre-wrap; } pre:not(.file) { break-inside: avoid; }
 }";
 
 impl Sheet {

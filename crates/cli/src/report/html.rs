@@ -34,11 +34,13 @@ impl Part {
 
 /// Words as they stand: a table of letters keeps its columns.
 fn words(words: &str) -> Markup {
+    // What goes on from the first line is set in by more than a blank; below a heading it is not.
     let (heading, rest) = match words.split_once('\n') {
-        Some((heading, rest)) if !rest.trim().is_empty() => (heading, rest),
+        Some((heading, rest)) if !rest.trim().is_empty() && !rest.starts_with("  ") => (heading, rest),
         _ => ("", words),
     };
-    let listed = rest.lines().all(|line| line.starts_with(" - ") || line.starts_with("   "));
+    let listed = rest.starts_with(" - ")
+        && rest.lines().all(|line| line.starts_with(" - ") || line.starts_with("   "));
     // Columns are parted by two blanks or more, sentences by one.
     let sentences = rest.lines().all(|line| !line.trim().contains("  "));
     let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -91,6 +93,8 @@ mod tests {
         assert_eq!(list, "<h3>Why not</h3><ul><li>one more</li><li>two &amp; three</li></ul>");
         let sentence = words("Left out\n Losses\n and more.\n").into_string();
         assert_eq!(sentence, "<h3>Left out</h3><p>Losses and more.</p>");
+        let source = words("Source: a table\n        and a chart\n").into_string();
+        assert_eq!(source, "<p>Source: a table and a chart</p>");
         let table = words("Shift table\n gear  K1\n slow  x\n").into_string();
         assert_eq!(table, "<h3>Shift table</h3><pre> gear  K1\n slow  x</pre>");
     }

@@ -1,6 +1,7 @@
 //! A scheme with its row parameters: what each gear does.
 
 use super::{Dimensioned, Scheme};
+use crate::analyze::fast_planets;
 use crate::failure::Failure;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Row, Section, View};
@@ -138,22 +139,7 @@ fn warnings(dimensioned: &Dimensioned, gears: &[Analysis]) -> Vec<(&'static str,
         let (low, high) = (recommended.low(), recommended.high());
         all.push(("row-parameter", format!("k{row} = {k} is outside {low} to {high}")));
     }
-    for gear in gears {
-        let name = gear.gear().name();
-        for (place, row) in gear.rows().iter().enumerate() {
-            for planet in row.planets.iter().filter(|planet| planet.relative.abs() > 2.0) {
-                let speed = trimmed(planet.relative.abs(), 4);
-                all.push((
-                    "planet-speed",
-                    format!(
-                        "in gear {name} planet {} turns at {speed} times the input's speed on its carrier; 2 is the \
-                         usual limit",
-                        place + 1
-                    ),
-                ));
-            }
-        }
-    }
+    all.extend(gears.iter().flat_map(|gear| fast_planets(&dimensioned.gearbox, gear)));
     let negative: Vec<&str> = gears
         .iter()
         .filter(|gear| gear.ratio().is_some_and(|ratio| ratio < 0.0))

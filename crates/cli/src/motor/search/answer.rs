@@ -120,7 +120,8 @@ fn designs(found: &Found, shown: &[(usize, &Design)], hidden: usize) -> Records 
         views: vec![View {
             note: format!(
                 "q/V: displacement over the cylinder about the stator's centrode. ϱ: least curvature radius of \
-                 both centrodes. Teeth: whether the default form keeps its limits, which the search does not ask. \
+                 both centrodes. Teeth: whether the default form keeps its limits (hold, fail) or gives no teeth (none); the search does \
+                 not ask, --with-teeth leaves out what fails. \
                  Of set: designs of these numbers, of which the first is shown unless --every is given.{hidden}"
             ),
             ..View::new(
