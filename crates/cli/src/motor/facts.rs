@@ -7,6 +7,7 @@ use crate::figure::{Figure, optional, quantity};
 use crate::report::{Part, Report, Row, Section, wrapped};
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::Motor;
+use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::{Family, Limit, closure};
 use epicyclic_hydromotor::numbers::MOST_LOBE_DIFFERENCE;
 use uom::si::f64::{Force, Length};
@@ -126,7 +127,7 @@ fn arcs(motor: &Motor, family: &Family) -> Result<Vec<Row>, Failure> {
         for (name, label, end) in
             [(from, "a motor closes from l =", &interval.lower), (to, "… to l =", &interval.upper)]
         {
-            let value = optional(end.arcs().map(|arcs| arcs.trough_distance()));
+            let value = optional(end.arcs().map(StatorArcs::trough_distance));
             rows.push(remarked(Row::new(name, label, "", [value]), in_words(end.limit)));
         }
     }
