@@ -196,7 +196,7 @@ pub fn place(error: &MotorError) -> Path {
         | MotorError::OutOfRange { quantity, .. } => of_quantity(quantity),
         _ => "",
     };
-    key.split('.').filter(|key| !key.is_empty()).fold(Path::root(), |path, key| path.key(key))
+    key.split('.').filter(|key| !key.is_empty()).fold(Path::root(), Path::key)
 }
 
 /// The key of a quantity, by the name that the refusals give it.

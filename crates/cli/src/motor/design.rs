@@ -63,13 +63,7 @@ pub(super) fn read(args: &Design) -> Result<Drawn, Failure> {
         (motor, Some(family), chosen)
     };
     let form = form(&args.teeth);
-    let profile = match Profile::new(&motor, form) {
-        // A number of the form that no teeth have is a fault of the options, whatever the motor.
-        Err(error @ (Error::OutOfRange { .. } | Error::NotFinite { .. } | Error::NotPositive { .. })) => {
-            return Err(refuse(error));
-        }
-        made => made,
-    };
+    let profile = profile(&motor, form).map_err(refuse)?;
     Ok(Drawn {
         motor,
         family,
@@ -83,17 +77,23 @@ pub(super) fn read(args: &Design) -> Result<Drawn, Failure> {
     })
 }
 
+/// The teeth, or why this motor has none; a number that no teeth have is a fault whatever the motor.
+fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, Error>, Error> {
+    match Profile::new(motor, form) {
+        Err(error @ (Error::OutOfRange { .. } | Error::NotFinite { .. } | Error::NotPositive { .. })) => {
+            Err(error)
+        }
+        made => Ok(made),
+    }
+}
+
 /// The motor of a file.
 pub(super) fn of_file(document: &Document) -> Result<(Option<String>, Drawn), Failure> {
     let (file, motor, family) = motor::read(document)?;
     let form = file.teeth.clone().unwrap_or_default().form();
-    let profile = match Profile::new(&motor, form) {
-        Err(error @ (Error::OutOfRange { .. } | Error::NotFinite { .. } | Error::NotPositive { .. })) => {
-            let problem = Problem::Refused { message: error.to_string() };
-            return Err(document.error(&motor::place(&error), problem).into());
-        }
-        made => made,
-    };
+    let profile = profile(&motor, form).map_err(|error| {
+        document.error(&motor::place(&error), Problem::Refused { message: error.to_string() })
+    })?;
     let chosen = match &family {
         None => Chosen::Cosine,
         Some(_) if file.places() => Chosen::Given,
