@@ -7,7 +7,7 @@ use proptest::test_runner::TestRunner;
 use std::path::{Path, PathBuf};
 
 /// Values of every kind, good in one place and wrong in another, and wrong everywhere.
-const VALUES: [&str; 62] = [
+const VALUES: [&str; 66] = [
     "6",
     "3.94",
     "-2.6",
@@ -68,6 +68,10 @@ const VALUES: [&str; 62] = [
     "as-given",
     "\u{202e}",
     "🦀 kW",
+    "]]> & <b a=\"'\">",
+    "250 cm3/rev",
+    "chambers",
+    "speeds",
     "",
     "-",
 ];
@@ -109,6 +113,26 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "chute" => &["95 deg, 110 deg"],
         "radius-ratio" | "discharge" => &["0.6", "0.3"],
         "force" | "other-forces" => &["4 kN"],
+        "stator" => &["5"],
+        "rotor" => &["3"],
+        "z3" => &["55"],
+        "z1" => &["33"],
+        "zs" => &["10", "9"],
+        "module" => &["2 mm"],
+        "l" => &["80 mm", "60 mm"],
+        "part" => &["0.4", "0.01"],
+        "width" => &["50 mm"],
+        "pressure" => &["20 MPa"],
+        "angle" => &["20 deg", "-1e6 deg"],
+        "pressure-angle" => &["20 deg", "25 deg"],
+        "addendum" | "clearance" | "shift" | "backlash" | "fillet" => &["0.1", "0.3", "1"],
+        "view" => &["centrodes", "teeth", "motor", "chambers", "scheme", "speeds", "levers", "ladder"],
+        "points" => &["3"],
+        "displacement" => &["250 cm3/rev"],
+        "ripple" => &["10 %"],
+        "places" => &["4"],
+        "resolution" => &["20 %"],
+        "design" => &["1", "2"],
         _ => &[],
     }
 }
@@ -131,6 +155,10 @@ fn commands() -> Vec<Vec<String>> {
         &["machine", "chain-cutter"],
         &["machine", "drum"],
         &["machine", "rotor"],
+        &["motor"],
+        &["motor", "search"],
+        &["draw", "II-3"],
+        &["draw", "III"],
         &["schema", "gearbox"],
         &["completions", "bash"],
         &["man"],
@@ -144,8 +172,17 @@ fn commands() -> Vec<Vec<String>> {
         all.push(vec!["analyze".to_owned(), example(file)]);
     }
     all.push(vec!["drive".to_owned(), example("xe215cll-drive.yaml")]);
+    for file in ["sized-gearbox.yaml", "self-crossing.yaml", "real-transmissions.yaml"] {
+        all.push(vec!["draw".to_owned(), example(file)]);
+    }
+    for file in ["scheme-ii-3.yaml", "xe215cll-drive.yaml", "motor-5x3.yaml"] {
+        all.push(vec!["report".to_owned(), example(file)]);
+    }
     all
 }
+
+/// Options that name files to write, which `try_line` chooses.
+const FILES: [&str; 4] = ["output", "svg", "dxf", "csv"];
 
 /// The options of a command, with whether they take a value and whether they are due.
 fn options(command: &[String]) -> Vec<(String, bool, bool)> {
@@ -155,23 +192,38 @@ fn options(command: &[String]) -> Vec<(String, bool, bool)> {
         found = below.clone();
     }
     let named = found.get_arguments().filter_map(|arg| {
-        let name = arg.get_long().filter(|name| *name != "output" && *name != "help")?;
+        let name = arg.get_long().filter(|name| !FILES.contains(name) && *name != "help")?;
         Some((name.to_owned(), arg.get_action().takes_values(), arg.is_required_set()))
     });
     named.collect()
 }
 
+/// Whether the line seeks motors.
+fn seeks_motors(command: &[String]) -> bool {
+    command.starts_with(&["motor".to_owned(), "search".to_owned()])
+}
+
+/// Whether a command says nothing without an option, by its own word or by a group that it stands in.
+fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
+    let wanted = if seed.is_multiple_of(2) { &["displacement"][..] } else { &["torque", "pressure"] };
+    required
+        || (command[0] == "select" && option == "ratios")
+        || (seeks_motors(command) && (BOUNDS.contains(&option) || wanted.contains(&option)))
+}
+
+/// Numbers of motors that bound a search.
+const BOUNDS: [&str; 4] = ["stator", "rotor", "z3", "zs"];
+
 /// A command line: the command, and options with values that fit or do not. What takes seconds is left out: searches
-/// over all tooth sets.
+/// over all tooth sets, and over motors of many sets.
 fn line() -> impl Strategy<Value = Vec<String>> {
     let choice = (any::<prop::sample::Index>(), 0..10_u8, any::<prop::sample::Index>());
     let choices = prop::collection::vec(choice, 0..6);
     (prop::sample::select(commands()), choices, any::<u64>()).prop_map(|(command, choices, seed)| {
         let options = options(&command);
         let is_search = command[0] == "select";
-        let mut line = command;
-        let due =
-            options.iter().enumerate().filter(|(_, (name, _, due))| *due || (is_search && name == "ratios"));
+        let seeks_motors = seeks_motors(&command);
+        let due = options.iter().enumerate().filter(|(_, (name, _, due))| is_due(&command, name, *due, seed));
         let mut all: Vec<(usize, u8, usize)> =
             due.map(|(place, _)| (place, 0, (seed as usize).wrapping_add(place))).collect();
         if !options.is_empty() {
@@ -181,6 +233,7 @@ fn line() -> impl Strategy<Value = Vec<String>> {
                     .map(|(place, wild, value)| (place.index(options.len()), *wild, value.index(1 << 16))),
             );
         }
+        let mut line = command;
         let mut used = vec![];
         for (place, wild, value) in all {
             let (name, takes_value, _) = &options[place];
@@ -190,7 +243,8 @@ fn line() -> impl Strategy<Value = Vec<String>> {
             used.push(place);
             let fits = sensible(name);
             // Of a tooth count a wild range may take minutes.
-            let bounded = ["sun", "planet", "ring"].contains(&name.as_str());
+            let bounded = ["sun", "planet", "ring"].contains(&name.as_str())
+                || (seeks_motors && BOUNDS.contains(&name.as_str()));
             let from = if (wild < 7 || bounded) && !fits.is_empty() { fits } else { &VALUES[..] };
             line.push(if *takes_value {
                 format!("--{name}={}", from[value % from.len()])
@@ -207,6 +261,11 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
     let mut all = vec!["epicyclic".to_owned()];
     all.extend(line.iter().cloned());
     all.extend(["-o".to_owned(), answer.display().to_string()]);
+    if line[0] == "motor" {
+        for kind in ["svg", "dxf", "csv"] {
+            all.push(format!("--{kind}={}", answer.with_extension(kind).display()));
+        }
+    }
     let cli = match Cli::try_parse_from(&all) {
         Ok(cli) => cli,
         Err(refused) => {

@@ -3,14 +3,14 @@
 use super::design::{Chosen, Drawn, refuse};
 use super::{lists, teeth};
 use crate::failure::Failure;
-use crate::figure::{Figure, quantity};
+use crate::figure::{Figure, optional, quantity};
 use crate::report::{Part, Report, Row, Section, wrapped};
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::Motor;
+use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::{Family, Limit, closure};
 use epicyclic_hydromotor::numbers::MOST_LOBE_DIFFERENCE;
 use uom::si::f64::{Force, Length};
-use uom::si::length::millimeter;
 use uom::si::ratio::ratio;
 
 const NEGLECTED: &str = "Leaks, friction and what they cost of flow, torque and power; the compression \
@@ -127,7 +127,7 @@ fn arcs(motor: &Motor, family: &Family) -> Result<Vec<Row>, Failure> {
         for (name, label, end) in
             [(from, "a motor closes from l =", &interval.lower), (to, "… to l =", &interval.upper)]
         {
-            let value = end.arcs().map_or(Figure::None, |arcs| quantity(arcs.trough_distance()));
+            let value = optional(end.arcs().map(StatorArcs::trough_distance));
             rows.push(remarked(Row::new(name, label, "", [value]), in_words(end.limit)));
         }
     }
@@ -258,11 +258,8 @@ fn ports(motor: &Motor) -> Vec<Row> {
         rows.push(length("centre_radius", "their centres from the axis", "", high.centre_radius));
         rows.push(Row::new("high_angle", "first at high pressure, from a crest", "", [quantity(high.angle)]));
         rows.push(Row::new("low_angle", "first at low pressure, from a crest", "", [quantity(low.angle)]));
-        let hole = if high.greatest_diameter > Length::new::<millimeter>(0.0) {
-            quantity(high.greatest_diameter)
-        } else {
-            Figure::None
-        };
+        let hole = high.greatest_diameter;
+        let hole = optional((hole > Length::default()).then_some(hole));
         rows.push(Row::new("greatest_diameter", "greatest round hole that a satellite covers", "", [hole]));
     }
     rows.push(Row::new("covered", "rotation for which one is covered", "", [quantity(ports.covered)]));
