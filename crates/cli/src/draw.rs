@@ -30,7 +30,7 @@ Example:
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
 pub(crate) struct Args {
-    /// A scheme of the catalogue, or the file of a gearbox in YAML.
+    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox in YAML.
     #[arg(value_name = "GEARBOX")]
     gearbox: String,
 

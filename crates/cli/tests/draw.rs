@@ -104,6 +104,24 @@ fn drawings_are_files_that_say_their_size() {
 
 /// Pictures of the documents are what the commands draw. To renew one, run the command with `-o docs/pictures/…` from the root.
 #[test]
+fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
+    let name = "D.T1.B+T2.B.T1";
+    let ratios = ["--ratio1", "2.618", "--ratio2", "1.4623"];
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["draw", name, "-o", "scheme.svg"],
+            &[&["draw", name, "--gear", "2", "--power", "-o", "flow.dxf"], &ratios[..]].concat(),
+            &[&["draw", name, "--view", "ladder", "-o", "ladder.svg"], &ratios[..]].concat(),
+            &["draw", name, "--gear", "1", "-o", "flow.svg"],
+            &["draw", name, "--k1", "2", "-o", "flow.svg"],
+            &["draw", name, "--k1", "0.5", "--k2", "2", "-o", "flow.svg"],
+            &["draw", name, "-o", "scheme.png"],
+        ]
+    ));
+}
+
+#[test]
 fn pictures_of_the_documents_are_current() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
     let power = "draw examples/real-transmissions.yaml --transmission 8HP --gear 3 --power --efficiency 0.97";

@@ -95,7 +95,11 @@ pub enum Error {
         "no tooth set within the bounds has the ratio {wanted} ({mode}) within {}%{}",
         (tolerance * 1e8).round() / 1e6,
         nearest.map_or(String::from("; none assembles at all: widen the bounds"),
-            |ratio| format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance"))
+            |ratio| if ratio * wanted < 0.0 {
+                String::from("; every ratio of this mode has the other sign: take another mode, as ab^H")
+            } else {
+                format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance")
+            })
     )]
     NoToothSet {
         /// The ratio wanted.

@@ -1,4 +1,4 @@
-//! The gearbox that is drawn: a scheme of the catalogue, or one from a file.
+//! The gearbox that is drawn: a scheme of the catalogue, a structure of two rows, or one from a file.
 
 use super::{Args, View};
 use crate::analyze::{self, Choice};
@@ -7,6 +7,8 @@ use crate::schemes::{Scheme, Sizes, dimensioned};
 use epicyclic_formats::Number;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
+use epicyclic_schemes::drawability::{self, Verdict};
+use epicyclic_schemes::structures::{Role, Structure};
 use std::path::Path;
 
 /// A gearbox, and whether its rows have known sizes.
@@ -21,12 +23,14 @@ const ANY_K: f64 = 2.5;
 /// Reads what is named.
 pub(super) fn read(args: &Args) -> Result<Subject, Failure> {
     let file = Path::new(&args.gearbox);
-    match Scheme::named(&args.gearbox) {
-        Ok(scheme) if !file.exists() => catalogue(args, scheme),
+    if file.exists() {
+        return from_file(args, file);
+    }
+    match (Scheme::named(&args.gearbox), structure(&args.gearbox)) {
+        (Ok(scheme), _) => catalogue(args, scheme),
+        (_, Some(structure)) => of_two_rows(args, structure),
         // What looks like a name and is neither: say which schemes there are.
-        Err(unknown) if !file.exists() && file.extension().is_none() && file.components().count() == 1 => {
-            Err(unknown)
-        }
+        (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => Err(unknown),
         _ => from_file(args, file),
     }
 }
@@ -56,6 +60,54 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     match dimensioned(sizes, scheme, eta)? {
         Some(found) => Ok(Subject { gearbox: found.gearbox, gearing: false }),
         None => option("--k1", "needed".into()),
+    }
+}
+
+/// A structure by the name that `select` gives it: D.T1.B+T2.B.T1.
+fn structure(name: &str) -> Option<Structure> {
+    Structure::all().into_iter().find(|structure| structure.to_string() == name)
+}
+
+fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
+    let option = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
+    if args.transmission.is_some() {
+        return option("--transmission", "a structure is one gearbox; leave it out");
+    }
+    let number = |number: Option<Number>| number.map(Number::get);
+    let k = match ([args.k1, args.k2].map(number), [args.ratio1, args.ratio2].map(number)) {
+        ([Some(k1), Some(k2)], _) => Some([k1, k2]),
+        ([None, None], [Some(first), Some(second)]) => match structure.parameters([first, second]) {
+            None => {
+                return option(
+                    "--ratio1",
+                    "these ratios leave a row without relative motion: no k gives them",
+                );
+            }
+            found => found,
+        },
+        ([None, None], [None, None]) => None,
+        _ => return option("--k1", "a structure has two rows: give --k1 and --k2, or --ratio1 and --ratio2"),
+    };
+    if k.is_none() && (args.gear.is_some() || args.view != View::Scheme) {
+        return option("--k1", "for speeds give --k1 and --k2, or --ratio1 and --ratio2");
+    }
+    let eta = args.efficiency.map_or(Ok(MeshEfficiency::IDEAL), analyze::efficiency)?;
+    // The lock of direct drive stands between the first two links that leave room for it, input and output before others.
+    let roles = Role::ALL
+        .iter()
+        .flat_map(|&one| Role::ALL.map(|other| [one, other]))
+        .filter(|[one, other]| one < other);
+    let mut any = None;
+    for lock in roles {
+        let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, lock)?;
+        if matches!(drawability::draw(&gearbox, drawability::Options::default()), Verdict::Drawable(_)) {
+            return Ok(Subject { gearbox, gearing: k.is_some() });
+        }
+        any.get_or_insert(gearbox);
+    }
+    match any {
+        Some(gearbox) => Ok(Subject { gearbox, gearing: k.is_some() }),
+        None => unreachable!("four roles have six pairs"),
     }
 }
 
