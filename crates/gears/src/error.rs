@@ -96,7 +96,7 @@ pub enum Error {
         (tolerance * 1e8).round() / 1e6,
         nearest.map_or(String::from("; none assembles at all: widen the bounds"),
             |ratio| if ratio * wanted < 0.0 {
-                String::from("; every ratio of this mode has the other sign: take another mode, as ab^H")
+                String::from("; this mode has the other sign: a negative ratio needs the carrier at rest (ab^H), a positive one the carrier turning (aH^b)")
             } else {
                 format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance")
             })
