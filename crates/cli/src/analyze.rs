@@ -115,7 +115,7 @@ pub(crate) struct Load {
     power: Option<Quantity<Power>>,
 
     /// Speed of the input: 1475 rpm.
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, visible_alias = "input", allow_hyphen_values = true)]
     speed: Option<Quantity<AngularVelocity>>,
 }
 

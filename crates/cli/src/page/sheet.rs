@@ -73,6 +73,22 @@ pre.file { background: #f4f5f7; padding: .6rem; } ul.warnings li { color: #8a2c0
 }";
 
 impl Sheet {
+    /// What the answers warn of, each once: it stands first.
+    fn warnings(&self) -> Vec<&str> {
+        let reports =
+            self.sections.iter().flat_map(|section| &section.blocks).filter_map(|block| match block {
+                Block::Answer(report) => Some(report),
+                _ => None,
+            });
+        let mut all: Vec<&str> = vec![];
+        for (_, warning) in reports.flat_map(|report| report.warnings.iter().flatten()) {
+            if !all.contains(&warning.as_str()) {
+                all.push(warning);
+            }
+        }
+        all
+    }
+
     /// The page as text.
     pub(super) fn html(&self) -> Result<String, Failure> {
         let name = |place: usize| format!("section-{}", place + 1);
@@ -86,6 +102,7 @@ impl Sheet {
             })
         });
         let sections = sections.collect::<Result<Vec<Markup>, Failure>>()?;
+        let warnings = self.warnings();
         let page = html! {
             (DOCTYPE)
             html lang="en" {
@@ -96,7 +113,13 @@ impl Sheet {
                     style { (PreEscaped(STYLE)) }
                 }
                 body {
-                    header { h1 { (self.title) } p.about { (self.about) } }
+                    header {
+                        h1 { (self.title) }
+                        p.about { (self.about) }
+                        @if !warnings.is_empty() {
+                            ul.warnings { @for warning in warnings { li { (warning) } } }
+                        }
+                    }
                     nav aria-label="Contents" { ul {
                         @for (place, section) in self.sections.iter().enumerate() {
                             li { a href={ "#" (name(place)) } { (section.heading) } }
