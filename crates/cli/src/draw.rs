@@ -5,18 +5,20 @@ mod subject;
 
 use crate::analyze::analysis;
 use crate::failure::Failure;
+use crate::motor;
 use crate::output::{say, write_file};
 use epicyclic_drawing::{Scene, dxf, svg};
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_formats::{Number, Quantity};
+use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_schemes::drawability::{self, Verdict};
 use epicyclic_schemes::{Analysis, Gearbox};
+use std::fs;
 use std::path::{Path, PathBuf};
 use subject::Subject;
 use uom::si::f64::Ratio;
 
-/// A gearbox as a drawing: its scheme, speed plan, levers or ratio ladder.
+/// A gearbox as a drawing: its scheme, speed plan, levers or ratio ladder; a hydromotor from its file.
 ///
 /// The gearbox is one of the catalogue (I … III-3), where no file has that name, or one from a file as for `analyze`. The scheme is the
 /// section by the half-plane above the axis, in the usual signs; its layout is made so that no link crosses another, and a gearbox for
@@ -30,13 +32,15 @@ Example:
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
 pub(crate) struct Args {
-    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox in YAML.
+    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox or motor in YAML.
     #[arg(value_name = "GEARBOX")]
     gearbox: String,
 
     /// What is drawn.
-    #[arg(long, value_enum, default_value_t = View::Scheme)]
-    view: View,
+    ///
+    /// Default: the scheme of a gearbox, the whole motor of a motor's file.
+    #[arg(long, value_enum)]
+    view: Option<View>,
 
     /// One transmission of a list: its name, or a part that no other name has.
     #[arg(long, value_name = "NAME")]
@@ -106,13 +110,38 @@ enum View {
     Levers,
     /// The ratios of all gears on a logarithmic scale.
     Ladder,
+    /// Of a motor: its centrodes, and how the arcs are constructed.
+    Centrodes,
+    /// Of a motor: every tooth in mesh.
+    Teeth,
+    /// Of a motor: the motor in its housing with its ports.
+    Motor,
+    /// Of a motor: its chambers coloured by pressure.
+    Chambers,
+}
+
+impl View {
+    /// The view of a motor; `None` for those of gearboxes.
+    fn of_motor(self) -> Option<motor::View> {
+        match self {
+            Self::Scheme | Self::Speeds | Self::Levers | Self::Ladder => None,
+            Self::Centrodes => Some(motor::View::Centrodes),
+            Self::Teeth => Some(motor::View::Teeth),
+            Self::Motor => Some(motor::View::Motor),
+            Self::Chambers => Some(motor::View::Chambers),
+        }
+    }
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    consistent(args)?;
-    let subject = subject::read(args)?;
-    let scene = scene(args, &subject)?;
+    let scene = match motor_file(args)? {
+        Some(document) => of_motor(args, &document)?,
+        None => {
+            consistent(args)?;
+            scene(args, &subject::read(args)?)?
+        }
+    };
     let fail = |error: epicyclic_drawing::Error| Failure::Picture(error.into());
     let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
     let ending =
@@ -139,12 +168,52 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     say(&said)
 }
 
+/// The file, where it describes a motor.
+fn motor_file(args: &Args) -> Result<Option<Document>, Failure> {
+    let file = Path::new(&args.gearbox);
+    if !file.is_file() {
+        return Ok(None);
+    }
+    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
+    let document = Document::parse_one(&args.gearbox, &bytes)?;
+    let is_motor = ["stator", "rotor"].iter().any(|key| document.value().get(key).is_some());
+    Ok(is_motor.then_some(document))
+}
+
+fn of_motor(args: &Args, document: &Document) -> Result<Scene, Failure> {
+    let of_gearboxes = [
+        ("--transmission", args.transmission.is_some()),
+        ("--gear", args.gear.is_some()),
+        ("--power", args.power),
+        ("--whole", args.whole),
+        ("--same-side", args.same_side),
+        ("--k1", args.k1.is_some()),
+        ("--ratio1", args.ratio1.is_some()),
+        ("--ratio2", args.ratio2.is_some()),
+        ("--efficiency", args.efficiency.is_some()),
+        ("--title", args.title.is_some()),
+    ];
+    if let Some((option, _)) = of_gearboxes.into_iter().find(|(_, is_given)| *is_given) {
+        return Err(Failure::Option { option, message: "it is for gearboxes; this is a motor".to_owned() });
+    }
+    match args.view.unwrap_or(View::Motor).of_motor() {
+        Some(view) => motor::picture(document, view),
+        None => {
+            let message = "a motor has the views centrodes, teeth, motor, chambers".to_owned();
+            Err(Failure::Option { option: "--view", message })
+        }
+    }
+}
+
 /// Refuses options that say nothing for the view.
 fn consistent(args: &Args) -> Result<(), Failure> {
     let refuse = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     let schemes_alone = "only the view scheme has it";
-    match args.view {
+    match args.view.unwrap_or(View::Scheme) {
         View::Scheme => Ok(()),
+        view if view.of_motor().is_some() => {
+            refuse("--view", "a gearbox has the views scheme, speeds, levers, ladder")
+        }
         _ if args.power => refuse("--power", schemes_alone),
         _ if args.whole => refuse("--whole", schemes_alone),
         _ if args.same_side => refuse("--same-side", schemes_alone),
@@ -158,11 +227,12 @@ fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
     let gearbox = &subject.gearbox;
     let title = args.title.as_deref();
     let gear = args.gear.as_deref().map(|gear| analysis(gearbox, gear)).transpose()?;
-    Ok(match (args.view, &gear) {
+    Ok(match (args.view.unwrap_or(View::Scheme), &gear) {
         (View::Scheme, gear) => kinematic(args, subject, gear.as_ref())?,
         (View::Speeds, Some(gear)) => speeds::scene(gearbox, gear, title)?,
         (View::Levers, gear) => levers::scene(gearbox, gear.as_ref(), title)?,
-        (View::Ladder | View::Speeds, _) => ladder::scene(gearbox, &all_gears(gearbox)?, title)?,
+        // `consistent` leaves the ladder alone.
+        _ => ladder::scene(gearbox, &all_gears(gearbox)?, title)?,
     })
 }
 

@@ -10,6 +10,7 @@ mod teeth;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::report::Report;
+use epicyclic_drawing::Scene;
 use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::profile::Profile;
@@ -181,7 +182,7 @@ impl Files {
 
 /// What is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum View {
+pub(crate) enum View {
     /// Stator, rotor, satellites, and how the arcs are constructed.
     Centrodes,
     /// Every tooth in mesh.
@@ -204,6 +205,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         crate::output::write_file(file, content.as_bytes())?;
     }
     report.deliver(&args.design.output)
+}
+
+/// The motor of a file as a drawing.
+pub(crate) fn picture(document: &Document, view: View) -> Result<Scene, Failure> {
+    let (_, drawn) = design::of_file(document)?;
+    files::scene(view, &drawn)
 }
 
 /// Everything about the motor of a file.

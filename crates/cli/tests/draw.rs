@@ -122,6 +122,22 @@ fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
 }
 
 #[test]
+fn a_motor_is_drawn_from_its_file() {
+    let folder = here();
+    fs::copy(examples().join("motor-5x3.yaml"), folder.path().join("motor.yaml")).unwrap();
+    insta::assert_snapshot!(sessions(
+        folder.path(),
+        &[
+            &["draw", "motor.yaml", "-o", "motor.svg"],
+            &["draw", "motor.yaml", "--view", "teeth", "-o", "teeth.dxf"],
+            &["draw", "motor.yaml", "--view", "levers", "-o", "levers.svg"],
+            &["draw", "motor.yaml", "--gear", "1", "-o", "motor.svg"],
+            &["draw", "II-3", "--view", "chambers", "-o", "chambers.svg"],
+        ]
+    ));
+}
+
+#[test]
 fn pictures_of_the_documents_are_current() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
     let power = "draw examples/real-transmissions.yaml --transmission 8HP --gear 3 --power --efficiency 0.97";

@@ -48,7 +48,7 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     if let Some(found) = dimensioned(sizes, scheme, eta)? {
         return Ok(Subject { gearbox: found.gearbox, gearing: true });
     }
-    if args.gear.is_some() || args.view != View::Scheme {
+    if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
         let message = format!(
             "for speeds of {} give --k1 or --ratio1, and of two rows --k2 or --ratio2",
             scheme.name()
@@ -88,7 +88,7 @@ fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
         ([None, None], [None, None]) => None,
         _ => return option("--k1", "a structure has two rows: give --k1 and --k2, or --ratio1 and --ratio2"),
     };
-    if k.is_none() && (args.gear.is_some() || args.view != View::Scheme) {
+    if k.is_none() && (args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme)) {
         return option("--k1", "for speeds give --k1 and --k2, or --ratio1 and --ratio2");
     }
     let eta = args.efficiency.map_or(Ok(MeshEfficiency::IDEAL), analyze::efficiency)?;

@@ -40,7 +40,7 @@ pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<(PathBuf, Stri
     Ok(written)
 }
 
-fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
+pub(super) fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
     let scene = match view {
         View::Centrodes => motor::centrodes(&drawn.motor, drawn.angle),
         View::Motor => motor::whole(&drawn.motor, drawn.angle),
