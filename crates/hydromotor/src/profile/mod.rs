@@ -29,6 +29,10 @@
 //! sharply and the default is undercut, at first by the cutter's clearance alone; a satellite of 9 teeth needs `ρ* ≤ 0.0698`, a smaller one lower
 //! teeth.
 //!
+//! # Known wrong
+//! An undercut wheel, which [`limits`] reports, may keep up to 1e-4 modules of what the cutter removes, where a loop of its flank and
+//! the fillet cut the flank almost in one place.
+//!
 //! # Left out
 //! Loads, and with them contact and root stress; modifications of the flank; the thickness across the face.
 
