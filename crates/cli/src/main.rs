@@ -45,6 +45,7 @@ mod select;
 mod teeth;
 
 use clap::{CommandFactory as _, Parser, Subcommand};
+use epicyclic_formats::quantity::find_unit;
 use std::process::ExitCode;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
@@ -80,10 +81,26 @@ fn main() -> ExitCode {
         }
         Err(wrong) => {
             let _ = wrong.print();
+            if let Some(unit) = loose_unit(&wrong) {
+                output::complain(&format!(
+                    "\nA quantity is one word: put it in quotes, '2 {unit}', or leave out the blank, 2{unit}."
+                ));
+            }
             return ExitCode::from(failure::WRONG);
         }
     };
     end(run(cli.command))
+}
+
+/// A unit that stands by itself where an option or command is due: the shell parted it from its number.
+fn loose_unit(error: &clap::Error) -> Option<&str> {
+    use clap::error::{ContextKind, ContextValue};
+    let kinds = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
+    let mut words = kinds.into_iter().filter_map(|kind| match error.get(kind) {
+        Some(ContextValue::String(word)) => Some(word.as_str()),
+        _ => None,
+    });
+    words.find(|word| find_unit(word).is_some())
 }
 
 fn run(command: Command) -> Result<(), failure::Failure> {

@@ -44,6 +44,19 @@ fn help_says_what_there_is() {
     ));
 }
 
+#[test]
+fn a_unit_that_the_shell_parted_from_its_number_is_told() {
+    insta::assert_snapshot!(sessions(
+        here().path(),
+        &[
+            &["motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--zs", "10", "--module", "2", "mm"],
+            &["analyze", "box.yaml", "--torque", "500", "N·m"],
+            &["machine", "speeds", "1", "m/s"],
+            &["teeth", "--ratio", "6", "mmm"],
+        ]
+    ));
+}
+
 /// The commands that the help of a command shows as its example.
 fn examples_in_help(command: &[&str]) -> Vec<String> {
     let help = text(&output(here().path(), &[command, &["--help"]].concat()).stdout);
