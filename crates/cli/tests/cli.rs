@@ -45,6 +45,13 @@ fn help_says_what_there_is() {
 }
 
 #[test]
+fn a_drive_that_its_load_holds_is_warned_of() {
+    let folder = with("carrier:\n", "start: { load: 4 kN·m }\ncarrier:\n");
+    let printed = text(&output(folder.path(), &["drive", "drive.yaml"]).stdout);
+    assert!(printed.contains("it does not start: the load exceeds"), "{printed}");
+}
+
+#[test]
 fn a_unit_that_the_shell_parted_from_its_number_is_told() {
     insta::assert_snapshot!(sessions(
         here().path(),

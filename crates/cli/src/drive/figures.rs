@@ -41,8 +41,20 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
             section("start", "Start", &[], starting_torques(design)),
             section("start", "Motion from rest", MOTIONS, motions(design)),
         ],
-        warnings: Some(design.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect()),
+        warnings: Some(warnings(design)),
     }
+}
+
+fn warnings(design: &DriveDesign) -> Vec<(&'static str, String)> {
+    let of_design = design.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
+    // In balance is how every drive stands whose load is its nominal one; the outcome says so.
+    let start = matches!(design.with_losses.start, Start::Overloaded(_)).then(|| {
+        (
+            "no-start",
+            "with the losses of the meshes it does not start: the load exceeds the driving torque".to_owned(),
+        )
+    });
+    of_design.chain(start).collect()
 }
 
 fn gear(design: &DriveDesign) -> Vec<Row> {
