@@ -7,9 +7,10 @@ mod pins;
 mod subject;
 
 use crate::failure::Failure;
+use crate::input;
 use crate::output::OutputArgs;
 use crate::report::Report;
-use epicyclic_formats::Quantity;
+use epicyclic_formats::{Document, Quantity};
 use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
 pub(crate) use overview::fast_planets;
 use std::path::{Path, PathBuf};
@@ -142,7 +143,8 @@ struct Input {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let report = match subject::read(&args.choice, args.gear.is_some() || args.all_combinations)? {
+    let document = input::document(&args.choice.file)?;
+    let report = match subject::read(&args.choice, &document, args.gear.is_some() || args.all_combinations)? {
         Content::Several(transmissions) => subject::list(&transmissions),
         Content::One(subject) => report(args, &subject)?,
     };
@@ -158,22 +160,24 @@ pub(crate) struct Everything {
 }
 
 /// The gearbox of a file, of which only one may be meant.
-pub(crate) fn gearbox(choice: &Choice) -> Result<Gearbox, Failure> {
-    let Content::One(subject) = subject::read(choice, true)? else {
-        unreachable!("one of several is asked for");
-    };
-    Ok(subject.gearbox)
+pub(crate) fn gearbox(choice: &Choice, document: &Document) -> Result<Gearbox, Failure> {
+    Ok(only(choice, document)?.gearbox)
+}
+
+fn only(choice: &Choice, document: &Document) -> Result<Subject, Failure> {
+    match subject::read(choice, document, true)? {
+        Content::One(subject) => Ok(*subject),
+        Content::Several(_) => unreachable!("one of several is asked for"),
+    }
 }
 
 /// Everything about the gearbox of a file, of which only one may be meant.
-pub(crate) fn everything(choice: &Choice, load: &Load) -> Result<Everything, Failure> {
-    let Content::One(subject) = subject::read(choice, true)? else {
-        unreachable!("one of several is asked for");
-    };
+pub(crate) fn everything(choice: &Choice, document: &Document, load: &Load) -> Result<Everything, Failure> {
+    let subject = only(choice, document)?;
     let overview = overview::report(&subject, load.input())?;
     let gears = subject.gearbox.gears().iter();
     let gears = gears.map(|gear| gear::report(&subject, gear.name(), load.input()));
-    Ok(Everything { gears: gears.collect::<Result<_, _>>()?, overview, subject: *subject })
+    Ok(Everything { gears: gears.collect::<Result<_, _>>()?, overview, subject })
 }
 
 fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {

@@ -5,6 +5,7 @@ mod subject;
 
 use crate::analyze::analysis;
 use crate::failure::Failure;
+use crate::input;
 use crate::motor;
 use crate::output::{say, write_file};
 use epicyclic_drawing::{Scene, dxf, svg};
@@ -13,7 +14,6 @@ use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_schemes::drawability::{self, Verdict};
 use epicyclic_schemes::{Analysis, Gearbox};
-use std::fs;
 use std::path::{Path, PathBuf};
 use subject::Subject;
 use uom::si::f64::Ratio;
@@ -135,14 +135,15 @@ impl View {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let scene = match motor_file(args)? {
-        Some(document) => of_motor(args, &document)?,
-        None => {
+    let file = Path::new(&args.gearbox);
+    let document = file.exists().then(|| input::document(file)).transpose()?;
+    let scene = match &document {
+        Some(document) if is_motor(document) => of_motor(args, document)?,
+        _ => {
             consistent(args)?;
-            scene(args, &subject::read(args)?)?
+            scene(args, &subject::read(args, document.as_ref())?)?
         }
     };
-    let fail = |error: epicyclic_drawing::Error| Failure::Picture(error.into());
     let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
     let ending =
         args.output.as_deref().and_then(Path::extension).map(|end| end.to_string_lossy().to_lowercase());
@@ -155,29 +156,21 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     files.extend(args.svg.as_deref().map(|file| (file, false)));
     files.extend(args.dxf.as_deref().map(|file| (file, true)));
     if files.is_empty() {
-        return say(&(svg::write(&scene).map_err(fail)? + "\n"));
+        return say(&(svg::write(&scene)? + "\n"));
     }
     let mut said = String::new();
     let size = scene.bounds().grown(svg::MARGIN_MM);
     for (file, as_dxf) in files {
         let text = if as_dxf { dxf::write(&scene) } else { svg::write(&scene) };
-        write_file(file, text.map_err(fail)?.as_bytes())?;
+        write_file(file, text?.as_bytes())?;
         let [width, height] = [size.width(), size.height()].map(|mm| trimmed(mm.round(), 4));
         said += &format!("{}: {}, {width} x {height} mm\n", file.display(), scene.title());
     }
     say(&said)
 }
 
-/// The file, where it describes a motor.
-fn motor_file(args: &Args) -> Result<Option<Document>, Failure> {
-    let file = Path::new(&args.gearbox);
-    if !file.is_file() {
-        return Ok(None);
-    }
-    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
-    let document = Document::parse_one(&args.gearbox, &bytes)?;
-    let is_motor = ["stator", "rotor"].iter().any(|key| document.value().get(key).is_some());
-    Ok(is_motor.then_some(document))
+fn is_motor(document: &Document) -> bool {
+    ["stator", "rotor"].iter().any(|key| document.value().get(key).is_some())
 }
 
 fn of_motor(args: &Args, document: &Document) -> Result<Scene, Failure> {

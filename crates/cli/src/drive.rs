@@ -3,12 +3,12 @@
 mod figures;
 
 use crate::failure::Failure;
+use crate::input;
 use crate::output::OutputArgs;
 use crate::report::Report;
 use epicyclic_dynamics::Error;
 use epicyclic_dynamics::drive::{DriveDesign, design};
 use epicyclic_formats::{Document, Problem, drive};
-use std::fs;
 use std::path::PathBuf;
 
 /// A planetary drive from power, speed and ratio to its starting time.
@@ -49,9 +49,7 @@ pub(crate) struct Args {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
-    let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
-    let (title, design) = calculate(&document)?;
+    let (title, design) = calculate(&input::document(&args.file)?)?;
     answer(title, &design).deliver(&args.output)
 }
 

@@ -16,6 +16,7 @@
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
+//! | [`input`] | files that are read |
 //! | [`output`] | formats, and files written whole or not at all |
 //! | [`progress`] | how far a long search is, on a terminal |
 //! | [`failure`] | what ends the program, and with which exit code |
@@ -28,6 +29,7 @@ mod draw;
 mod drive;
 mod failure;
 mod figure;
+mod input;
 mod lists;
 mod machine;
 mod man;

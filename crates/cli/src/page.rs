@@ -7,9 +7,9 @@ mod sheet;
 
 use crate::analyze::{Choice, Load};
 use crate::failure::Failure;
+use crate::input;
 use crate::output::Target;
-use epicyclic_formats::{Document, Path, Problem};
-use std::fs;
+use epicyclic_formats::{Path, Problem};
 
 /// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
 ///
@@ -35,8 +35,7 @@ pub(crate) struct Args {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let file = args.choice.file();
-    let bytes = fs::read(file).map_err(|source| Failure::Read { file: file.to_owned(), source })?;
-    let document = Document::parse_one(&file.display().to_string(), &bytes)?;
+    let (document, bytes) = input::with_bytes(file)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
     let for_gearboxes = |what: &str| match args.choice.given().or(args.load.given()) {
@@ -46,7 +45,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         None => Ok(()),
     };
     let sheet = if has("gearbox") || has("transmissions") {
-        gearbox::sheet(&args.choice, &args.load, text)?
+        gearbox::sheet(&args.choice, &document, &args.load, text)?
     } else if has("power") {
         for_gearboxes("drive")?;
         drive::sheet(&document, text)?

@@ -12,7 +12,6 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::pins::{Pin, RowSize};
 use epicyclic_schemes::row::MeshLoss;
-use std::fs;
 use uom::si::f64::Ratio;
 
 /// What a file holds.
@@ -44,16 +43,14 @@ impl Subject {
     }
 }
 
-/// Reads the file, and chooses among its transmissions; where `only_one` is wanted, several are refused.
-pub(super) fn read(args: &Choice, only_one: bool) -> Result<Content, Failure> {
-    let bytes = fs::read(&args.file).map_err(|source| Failure::Read { file: args.file.clone(), source })?;
-    let document = Document::parse_one(&args.file.display().to_string(), &bytes)?;
+/// The gearbox of the file, chosen among its transmissions; where `only_one` is wanted, several are refused.
+pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result<Content, Failure> {
     let efficiency = args.efficiency.map(efficiency).transpose()?;
     let has = |key: &str| document.value().get(key).is_some();
     if has("transmissions") {
         let transmissions = document.read::<TransmissionsFile>()?.transmissions;
-        return match chosen(args, only_one, &document, &transmissions)? {
-            Some(index) => transmission(&document, &transmissions, index, efficiency).map(Content::One),
+        return match chosen(args, only_one, document, &transmissions)? {
+            Some(index) => transmission(document, &transmissions, index, efficiency).map(Content::One),
             None => Ok(Content::Several(transmissions)),
         };
     }
@@ -76,7 +73,7 @@ pub(super) fn read(args: &Choice, only_one: bool) -> Result<Content, Failure> {
             }
         }
     }
-    let at = |error: DescriptionError| located(&document, &Path::root(), &error);
+    let at = |error: DescriptionError| located(document, &Path::root(), &error);
     let gearbox = file.gearbox().map_err(at)?;
     let pins = file.pins(&gearbox).map_err(at)?;
     Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))

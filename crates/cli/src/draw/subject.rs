@@ -3,8 +3,9 @@
 use super::{Args, View};
 use crate::analyze::{self, Choice};
 use crate::failure::Failure;
+use crate::input;
 use crate::schemes::{Scheme, Sizes, dimensioned};
-use epicyclic_formats::Number;
+use epicyclic_formats::{Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::drawability::{self, Verdict};
@@ -21,17 +22,17 @@ pub(super) struct Subject {
 const ANY_K: f64 = 2.5;
 
 /// Reads what is named.
-pub(super) fn read(args: &Args) -> Result<Subject, Failure> {
+pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, Failure> {
     let file = Path::new(&args.gearbox);
-    if file.exists() {
-        return from_file(args, file);
+    if let Some(document) = document {
+        return from_file(args, file, document);
     }
     match (Scheme::named(&args.gearbox), structure(&args.gearbox)) {
         (Ok(scheme), _) => catalogue(args, scheme),
         (_, Some(structure)) => of_two_rows(args, structure),
         // What looks like a name and is neither: say which schemes there are.
         (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => Err(unknown),
-        _ => from_file(args, file),
+        _ => from_file(args, file, &input::document(file)?),
     }
 }
 
@@ -111,12 +112,12 @@ fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
     }
 }
 
-fn from_file(args: &Args, file: &Path) -> Result<Subject, Failure> {
+fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, Failure> {
     let sizes = [("--k1", args.k1), ("--k2", args.k2), ("--ratio1", args.ratio1), ("--ratio2", args.ratio2)];
     if let Some((option, _)) = sizes.into_iter().find(|(_, size)| size.is_some()) {
         let message = "it is for schemes of the catalogue; the file says how large its rows are".to_owned();
         return Err(Failure::Option { option, message });
     }
     let choice = Choice::new(file.to_owned(), args.transmission.clone(), args.efficiency);
-    Ok(Subject { gearbox: analyze::gearbox(&choice)?, gearing: true })
+    Ok(Subject { gearbox: analyze::gearbox(&choice, document)?, gearing: true })
 }

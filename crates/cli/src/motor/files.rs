@@ -22,12 +22,11 @@ pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<(PathBuf, Stri
     let mut written = vec![];
     if files.svg.is_some() || files.dxf.is_some() {
         let scene = scene(files.view, drawn)?;
-        let fail = |error: epicyclic_drawing::Error| Failure::from(epicyclic_pictures::Error::from(error));
         if let Some(file) = &files.svg {
-            written.push((file.clone(), svg::write(&scene).map_err(fail)?));
+            written.push((file.clone(), svg::write(&scene)?));
         }
         if let Some(file) = &files.dxf {
-            written.push((file.clone(), dxf::write(&scene).map_err(fail)?));
+            written.push((file.clone(), dxf::write(&scene)?));
         }
     }
     if let Some(file) = &files.csv {

@@ -3,6 +3,7 @@
 use super::sheet::{Block, Section, Sheet};
 use crate::analyze::{Choice, Everything, Load, everything};
 use crate::failure::Failure;
+use epicyclic_formats::Document;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
@@ -13,8 +14,13 @@ use epicyclic_schemes::{Analysis, Gearbox};
 /// Places in a range of `k`.
 const PLACES: u32 = 60;
 
-pub(super) fn sheet(choice: &Choice, load: &Load, text: String) -> Result<Sheet, Failure> {
-    let Everything { subject, overview, gears } = everything(choice, load)?;
+pub(super) fn sheet(
+    choice: &Choice,
+    document: &Document,
+    load: &Load,
+    text: String,
+) -> Result<Sheet, Failure> {
+    let Everything { subject, overview, gears } = everything(choice, document, load)?;
     let gearbox = &subject.gearbox;
     let analyses = gearbox
         .gears()
@@ -170,18 +176,22 @@ struct Study {
 }
 
 fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
-    let samples: Vec<(f64, Option<Gearbox>)> = (0..=PLACES)
+    // Each sample is analysed once for all its curves.
+    let analyses = |k: f64| -> Vec<Option<Analysis>> {
+        let other = with_k(gearbox, row, k);
+        let gears = gearbox.gears().iter();
+        gears.map(|gear| other.as_ref()?.analyze(gear.name()).ok()).collect()
+    };
+    let samples: Vec<(f64, Vec<Option<Analysis>>)> = (0..=PLACES)
         .map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES))
-        .map(|k| (k, with_k(gearbox, row, k)))
+        .map(|k| (k, analyses(k)))
         .collect();
     let curves = |value: &dyn Fn(&Analysis) -> Option<f64>| {
         let curve = |(place, gear): (usize, &epicyclic_schemes::Gear)| {
-            let gear = gear.name();
-            let at = |(k, other): &(f64, Option<Gearbox>)| {
-                let value = other.as_ref().and_then(|other| value(&other.analyze(gear).ok()?));
-                [*k, value.unwrap_or(f64::NAN)]
+            let at = |(k, gears): &(f64, Vec<Option<Analysis>>)| {
+                [*k, gears[place].as_ref().and_then(value).unwrap_or(f64::NAN)]
             };
-            Curve::new(format!("gear {gear}"), samples.iter().map(at).collect()).colored(place)
+            Curve::new(format!("gear {}", gear.name()), samples.iter().map(at).collect()).colored(place)
         };
         let all = gearbox.gears().iter().enumerate().map(curve);
         all.filter(changes).collect::<Vec<_>>()
