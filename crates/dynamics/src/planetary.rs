@@ -37,7 +37,7 @@ use crate::units::{
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothSet;
 use epicyclic_gears::willis;
-use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::{GROUND, Gearbox};
 use uom::si::f64::{
     AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
@@ -79,7 +79,7 @@ impl SpeedRatios {
         let gearbox = gearbox(teeth)?;
         let analysis = gearbox.analyze(GEAR)?;
         let carrier = gearbox.link("carrier").and_then(|link| analysis.speed(link));
-        let planet = analysis.rows()[0].planets[0].absolute;
+        let planet = analysis.sets()[0].planets[0].absolute;
         let no_speed = || Error::NoSpeed { part: "the planet".into(), state: analysis.state().to_string() };
         planet.zip(carrier).map(|(planet, carrier)| Self { planet, carrier }).ok_or_else(no_speed)
     }
@@ -91,12 +91,12 @@ const GEAR: &str = "drive";
 /// The drive as a gearbox: one row, ring in the housing.
 fn gearbox(teeth: &ToothSet) -> Result<Gearbox, Error> {
     let members = ["sun", GROUND, "carrier"];
-    let row = RowSpec::teeth("row", RowKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
+    let row = SetSpec::teeth("row", SetKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
         .planet_teeth(teeth.planet, None)
         .planet_count(teeth.planets);
     let gearbox = Gearbox::builder("drive")
         .links(["sun", "carrier"])
-        .row(row)
+        .set(row)
         .input("sun")
         .output("carrier")
         .gear(GEAR, [""; 0]);

@@ -49,8 +49,8 @@ use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_schemes::pins::{Pin, RowSize};
-use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
+use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -277,7 +277,7 @@ pub enum KindEntry {
     InternalPair,
 }
 
-impl From<KindEntry> for RowKind {
+impl From<KindEntry> for SetKind {
     fn from(kind: KindEntry) -> Self {
         match kind {
             KindEntry::Simple => Self::Simple,
@@ -358,7 +358,7 @@ impl GearboxFile {
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
         for row in &self.rows {
-            builder = builder.row(row.spec()?);
+            builder = builder.set(row.spec()?);
         }
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
@@ -388,17 +388,17 @@ impl GearboxFile {
     /// # Errors
     /// [`DescriptionError::Row`] for a size that is none.
     pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<(usize, Pin)>, DescriptionError> {
-        let of_row = |(place, size): (usize, RowSize)| {
+        let of_row = |(place, size): (usize, SetSize)| {
             let pin = gearbox.pin(place, &size)?;
-            let row = || gearbox.rows()[place].id().to_owned();
+            let row = || gearbox.sets()[place].id().to_owned();
             Some(pin.map(|pin| (place, pin)).map_err(|source| DescriptionError::Row { row: row(), source }))
         };
         self.row_sizes().into_iter().enumerate().filter_map(of_row).collect()
     }
 
-    fn row_sizes(&self) -> Vec<RowSize> {
-        let usual = RowSize::default();
-        let of_row = |row: &RowEntry| RowSize {
+    fn row_sizes(&self) -> Vec<SetSize> {
+        let usual = SetSize::default();
+        let of_row = |row: &RowEntry| SetSize {
             module: row.module.map(|module| module.0),
             carrier_radius: row.carrier_radius.map(|radius| radius.0),
             face_width: row.face_width.map(|width| width.0),
@@ -413,10 +413,10 @@ impl GearboxFile {
 }
 
 impl RowEntry {
-    fn spec(&self) -> Result<RowSpec, DescriptionError> {
+    fn spec(&self) -> Result<SetSpec, DescriptionError> {
         let row = || self.id.clone();
         let gears = |source| DescriptionError::Row { row: row(), source };
-        let kind = RowKind::from(self.kind);
+        let kind = SetKind::from(self.kind);
         let carrier = match (&self.carrier, kind.is_pair()) {
             (None, true) => GROUND,
             (Some(carrier), false) => carrier,
@@ -424,9 +424,9 @@ impl RowEntry {
         };
         let members = [self.sun.as_str(), self.ring.as_str(), carrier];
         let mut spec = match (self.k, self.teeth) {
-            (Some(k), None) => RowSpec::new(&self.id, kind, members, k.get()),
+            (Some(k), None) => SetSpec::new(&self.id, kind, members, k.get()),
             (None, Some([first, second])) => {
-                RowSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
+                SetSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
             }
             _ => return Err(DescriptionError::RowKnownInOneWay { row: row() }),
         };
@@ -445,14 +445,14 @@ impl RowEntry {
         })
     }
 
-    fn loss(&self, kind: RowKind) -> Result<MeshLoss, DescriptionError> {
+    fn loss(&self, kind: SetKind) -> Result<MeshLoss, DescriptionError> {
         let eta = |eta: Quantity<Ratio>| {
             MeshEfficiency::new(eta.0.value)
                 .map_err(|source| DescriptionError::Row { row: self.id.clone(), source })
         };
         let expected = match kind {
-            RowKind::ExternalPair | RowKind::InternalPair => 1,
-            RowKind::DoublePlanet | RowKind::MeshingSuns => 3,
+            SetKind::ExternalPair | SetKind::InternalPair => 1,
+            SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
             _ => 2,
         };
         match (self.efficiency, self.meshes.as_deref()) {
@@ -491,12 +491,12 @@ mod tests {
             "row `P`: give either `k` or `teeth`"
         );
         let exact = read(&format!("{SCHEME}teeth: [20, 60] }}\n")).unwrap();
-        assert_eq!(exact.rows()[0].exact_ratio().unwrap().to_string(), "-3");
+        assert_eq!(exact.sets()[0].exact_ratio().unwrap().to_string(), "-3");
     }
 
     #[test]
     fn losses_are_of_the_row_or_of_its_meshes() {
-        let loss = |text: &str| read(&format!("{SCHEME}k: 3, {text} }}\n")).map(|g| g.rows()[0].spec().loss);
+        let loss = |text: &str| read(&format!("{SCHEME}k: 3, {text} }}\n")).map(|g| g.sets()[0].spec().loss);
         let eta = |value| MeshEfficiency::new(value).unwrap();
         assert_eq!(loss("efficiency: 0.97"), Ok(MeshLoss::Row(eta(0.97))));
         assert_eq!(loss("meshes: [0.98, 0.99]"), Ok(MeshLoss::sun_and_ring(eta(0.98), eta(0.99))));

@@ -15,9 +15,10 @@
 //! Left out: rows with two planets in mesh, whose forces hang on where these stand around each other; a planet that
 //! two rows share; bevel planets.
 
-use crate::row::{Gearing, Row, RowKind};
+use crate::Gearbox;
+use crate::planet_set::PlanetSet;
+use crate::set::{Gearing, SetKind, SetSpec};
 use crate::units::{degrees, in_metres, kg_per_m3, kilograms, metres, rad_per_s};
-use crate::{Gearbox, LinkId};
 use epicyclic_gears::geometry::{Toothing, Wheel};
 use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::mass::{self, WheelBody};
@@ -28,7 +29,7 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Tim
 
 /// What is known of the size of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RowSize {
+pub struct SetSize {
     /// Module of the mesh with wheel 1.
     pub module: Option<Length>,
     /// Radius `r_w` of the planets' centres; goes before that of module and teeth.
@@ -47,7 +48,7 @@ pub struct RowSize {
     pub pressure_angle: Angle,
 }
 
-impl Default for RowSize {
+impl Default for SetSize {
     /// Nothing but steel of 7850 kg/m³ and 20°.
     fn default() -> Self {
         Self {
@@ -76,7 +77,7 @@ pub enum Lack {
     /// The mass of a planet.
     Mass,
     /// Rows of this kind are left out.
-    Kind(RowKind),
+    Kind(SetKind),
     /// The planet is another row's too.
     SharedPlanet,
 }
@@ -136,25 +137,17 @@ impl Gearbox {
     /// # Errors
     /// [`Error::NotPositive`] and the like for a size that is none.
     #[must_use]
-    pub fn pin(&self, row: usize, size: &RowSize) -> Option<Result<Pin, Error>> {
-        let own = self.rows.get(row).filter(|row| !row.spec.kind.is_pair())?;
-        let is_shared = self.shared.iter().any(|mesh| mesh.rows.contains(&row));
-        Some(own.pin(size, is_shared))
+    pub fn pin(&self, row: usize, size: &SetSize) -> Option<Result<Pin, Error>> {
+        let own = self.sets.get(row).filter(|set| !set.is_pair())?;
+        Some(own.pin(size))
     }
 }
 
-impl Row {
-    /// The link of the carrier.
-    #[must_use]
-    pub fn carrier(&self) -> LinkId {
-        self.members[2]
-    }
-
-    fn pin(&self, size: &RowSize, is_shared: bool) -> Result<Pin, Error> {
+impl PlanetSet {
+    fn pin(&self, size: &SetSize) -> Result<Pin, Error> {
         size.check()?;
-        let spec = &self.spec;
         let mut pin = Pin {
-            planets: spec.planet_count,
+            planets: self.planet_count(),
             radius: None,
             wheels: None,
             mass: None,
@@ -162,25 +155,25 @@ impl Row {
             pressure_angle: size.pressure_angle,
             lacks: vec![],
         };
+        let Some(spec) = self.short() else {
+            pin.lacks.push(Lack::SharedPlanet);
+            return Ok(pin);
+        };
         let toothings = match spec.kind {
-            _ if is_shared => {
-                pin.lacks.push(Lack::SharedPlanet);
-                return Ok(pin);
-            }
-            RowKind::Simple | RowKind::SteppedSunRing => [Toothing::External, Toothing::Internal],
-            RowKind::SteppedSuns => [Toothing::External; 2],
-            RowKind::SteppedRings => [Toothing::Internal; 2],
+            SetKind::Simple | SetKind::SteppedSunRing => [Toothing::External, Toothing::Internal],
+            SetKind::SteppedSuns => [Toothing::External; 2],
+            SetKind::SteppedRings => [Toothing::Internal; 2],
             kind => {
                 pin.lacks.push(Lack::Kind(kind));
                 return Ok(pin);
             }
         };
-        pin.radius = size.carrier_radius.or_else(|| self.radius_of_teeth(size.module?, toothings[0]));
+        pin.radius = size.carrier_radius.or_else(|| spec.radius_of_teeth(size.module?, toothings[0]));
         pin.wheels = pin.radius.and_then(|radius| {
-            let [first, second] = self.pitch_radii(radius, toothings)?;
+            let [first, second] = spec.pitch_radii(self.basic_ratio().get(), radius, toothings)?;
             Some([(toothings[0], first), (toothings[1], second)])
         });
-        pin.mass = self.planet_mass(size, pin.radius)?;
+        pin.mass = spec.planet_mass(self.basic_ratio().get(), size, pin.radius)?;
         let lacks = [
             (pin.planets.is_none(), Lack::Planets),
             (pin.radius.is_none(), Lack::Radius),
@@ -190,9 +183,11 @@ impl Row {
         pin.lacks.extend(lacks.into_iter().filter(|(missing, _)| *missing).map(|(_, lack)| lack));
         Ok(pin)
     }
+}
 
+impl SetSpec {
     fn central_teeth(&self) -> Option<[f64; 2]> {
-        match self.spec.gearing {
+        match self.gearing {
             Gearing::Teeth(first, second) => Some([first.as_f64(), second.as_f64()]),
             Gearing::Parameter(_) => None,
         }
@@ -200,22 +195,22 @@ impl Row {
 
     fn radius_of_teeth(&self, module: Length, toothing: Toothing) -> Option<Length> {
         let [first, second] = self.central_teeth()?;
-        let in_modules = match self.spec.planet {
+        let in_modules = match self.planet {
             Some(planet) => between(first, planet.as_f64(), toothing) / 2.0,
-            None if self.spec.kind == RowKind::Simple => (first + second) / 4.0,
+            None if self.kind == SetKind::Simple => (first + second) / 4.0,
             None => return None,
         };
         (in_modules > 0.0).then(|| module * in_modules)
     }
 
-    fn pitch_radii(&self, radius: Length, toothings: [Toothing; 2]) -> Option<[Length; 2]> {
-        if self.spec.kind == RowKind::Simple {
-            let k = -self.ratio.get();
+    fn pitch_radii(&self, i0: f64, radius: Length, toothings: [Toothing; 2]) -> Option<[Length; 2]> {
+        if self.kind == SetKind::Simple {
+            let k = -i0;
             let sun = radius * (2.0 / (1.0 + k));
             return Some([sun, sun * k]);
         }
         let central = self.central_teeth()?;
-        let planets = [self.spec.planet?.as_f64(), self.spec.second_planet?.as_f64()];
+        let planets = [self.planet?.as_f64(), self.second_planet?.as_f64()];
         let of_wheel = |place: usize| {
             let apart = between(central[place], planets[place], toothings[place]);
             (apart > 0.0).then(|| radius * (central[place] / apart))
@@ -224,27 +219,27 @@ impl Row {
     }
 
     /// A stepped planet has two widths, so its mass is only ever given.
-    fn planet_mass(&self, size: &RowSize, radius: Option<Length>) -> Result<Option<Mass>, Error> {
+    fn planet_mass(&self, i0: f64, size: &SetSize, radius: Option<Length>) -> Result<Option<Mass>, Error> {
         if size.planet_mass.is_some() {
             return Ok(size.planet_mass);
         }
-        let (Some(width), RowKind::Simple) = (size.face_width, self.spec.kind) else { return Ok(None) };
+        let (Some(width), SetKind::Simple) = (size.face_width, self.kind) else { return Ok(None) };
         let bore = size.planet_bore.unwrap_or(metres(0.0));
         if let (Some(module), Some(teeth)) = (size.module, self.coaxial_planet()) {
             let body = WheelBody::external(&Wheel::external(module, teeth)?, width, bore, size.density)?;
             return Ok(Some(body.total().mass));
         }
         let Some(radius) = radius else { return Ok(None) };
-        let k = -self.ratio.get();
+        let k = -i0;
         let pitch_diameter = radius * (2.0 * (k - 1.0) / (k + 1.0));
         mass::ring(pitch_diameter, bore, width, size.density).map(|disc| Some(disc.mass))
     }
 
     /// The planet's teeth, given or by coaxiality.
     fn coaxial_planet(&self) -> Option<ToothCount> {
-        let Gearing::Teeth(sun, ring) = self.spec.gearing else { return None };
+        let Gearing::Teeth(sun, ring) = self.gearing else { return None };
         let between = ring.get().saturating_sub(sun.get());
-        self.spec.planet.or_else(|| ToothCount::new(between / 2).ok().filter(|_| between.is_multiple_of(2)))
+        self.planet.or_else(|| ToothCount::new(between / 2).ok().filter(|_| between.is_multiple_of(2)))
     }
 }
 
@@ -256,7 +251,7 @@ fn between(wheel: f64, planet: f64, toothing: Toothing) -> f64 {
     }
 }
 
-impl RowSize {
+impl SetSize {
     fn check(&self) -> Result<(), Error> {
         let lengths = [
             ("module", self.module),
@@ -331,7 +326,7 @@ impl Pin {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::row::{MeshLoss, RowSpec};
+    use crate::set::{MeshLoss, SetSpec};
     use crate::units::{angular_velocity, torque};
     use epicyclic_gears::efficiency::MeshEfficiency;
     use uom::si::{force::newton, length::millimeter, mass::kilogram};
@@ -340,10 +335,10 @@ mod tests {
         Length::new::<millimeter>(value)
     }
 
-    fn gearbox(row: RowSpec) -> Gearbox {
+    fn gearbox(row: SetSpec) -> Gearbox {
         Gearbox::builder("one row")
             .links(["a", "b", "H"])
-            .row(row)
+            .set(row)
             .brake("K", "b")
             .input("a")
             .output("H")
@@ -359,12 +354,12 @@ mod tests {
     /// Sun 20, planet 20, ring 60, module 3 mm: r_w = 60 mm, r_a = 30 mm, r_b = 90 mm; 100 N·m on the sun.
     #[test]
     fn a_simple_row_by_hand() {
-        let row = RowSpec::teeth("P", RowKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3);
+        let row = SetSpec::teeth("P", SetKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3);
         let gearbox = gearbox(row);
-        let size = RowSize {
+        let size = SetSize {
             module: Some(mm(3.0)),
             planet_mass: Some(Mass::new::<kilogram>(0.5)),
-            ..RowSize::default()
+            ..SetSize::default()
         };
         let pin = gearbox.pin(0, &size).unwrap().unwrap();
         assert_eq!(pin.lacks, []);
@@ -381,26 +376,26 @@ mod tests {
 
     #[test]
     fn without_a_size_the_lacks_are_named() {
-        let gearbox = gearbox(RowSpec::simple("P", ["a", "b", "H"], 3.0));
-        let pin = gearbox.pin(0, &RowSize::default()).unwrap().unwrap();
+        let gearbox = gearbox(SetSpec::simple("P", ["a", "b", "H"], 3.0));
+        let pin = gearbox.pin(0, &SetSize::default()).unwrap().unwrap();
         assert_eq!(pin.lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
         assert_eq!(pin.forces(Some([torque(1.0); 3]), None).unwrap(), PinForces::default());
-        let refused = gearbox.pin(0, &RowSize { module: Some(mm(-1.0)), ..RowSize::default() }).unwrap();
+        let refused = gearbox.pin(0, &SetSize { module: Some(mm(-1.0)), ..SetSize::default() }).unwrap();
         assert_eq!(refused.unwrap_err().to_string(), "module is -1 mm; it must be finite and above 0");
-        let double = RowSpec::teeth("P", RowKind::DoublePlanet, ["a", "b", "H"], 20, 60).unwrap();
-        let pin = self::gearbox(double).pin(0, &RowSize::default()).unwrap().unwrap();
-        assert_eq!(pin.lacks, [Lack::Kind(RowKind::DoublePlanet)]);
+        let double = SetSpec::teeth("P", SetKind::DoublePlanet, ["a", "b", "H"], 20, 60).unwrap();
+        let pin = self::gearbox(double).pin(0, &SetSize::default()).unwrap().unwrap();
+        assert_eq!(pin.lacks, [Lack::Kind(SetKind::DoublePlanet)]);
     }
 
     #[test]
     fn teeth_and_parameter_give_the_same_planet() {
-        let by_k = gearbox(RowSpec::simple("P", ["a", "b", "H"], 3.0).planet_count(3));
+        let by_k = gearbox(SetSpec::simple("P", ["a", "b", "H"], 3.0).planet_count(3));
         let by_teeth =
-            gearbox(RowSpec::teeth("P", RowKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3));
+            gearbox(SetSpec::teeth("P", SetKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3));
         let width = Some(mm(30.0));
-        let size = RowSize { carrier_radius: Some(mm(60.0)), face_width: width, ..RowSize::default() };
+        let size = SetSize { carrier_radius: Some(mm(60.0)), face_width: width, ..SetSize::default() };
         let one = by_k.pin(0, &size).unwrap().unwrap();
-        let size = RowSize { module: Some(mm(3.0)), face_width: width, ..RowSize::default() };
+        let size = SetSize { module: Some(mm(3.0)), face_width: width, ..SetSize::default() };
         let other = by_teeth.pin(0, &size).unwrap().unwrap();
         assert_eq!(one.wheels, other.wheels);
         // A disc of the pitch diameter against a body to the root and half a tooth zone: within an eighth.
@@ -412,22 +407,26 @@ mod tests {
     #[test]
     fn stepped_planets_turn_about_the_axis_as_the_meshes_push_them() {
         for (kind, [z1, z2], [g, f]) in [
-            (RowKind::SteppedSunRing, [20, 80], [40, 20]),
-            (RowKind::SteppedSuns, [20, 30], [40, 30]),
-            (RowKind::SteppedRings, [100, 90], [40, 30]),
+            (SetKind::SteppedSunRing, [20, 80], [40, 20]),
+            (SetKind::SteppedSuns, [20, 30], [40, 30]),
+            (SetKind::SteppedRings, [100, 90], [40, 30]),
         ] {
-            let row = RowSpec::teeth("P", kind, ["a", "b", "H"], z1, z2).unwrap();
+            let row = SetSpec::teeth("P", kind, ["a", "b", "H"], z1, z2).unwrap();
             let row = row.planet_teeth(teeth(g), Some(teeth(f))).planet_count(4);
             let gearbox = gearbox(row);
-            let ideal = gearbox.analyze("1").unwrap().ideal().unwrap().members[0].unwrap();
-            let size = RowSize { module: Some(mm(2.0)), ..RowSize::default() };
+            let ideal = gearbox.analyze("1").unwrap().ideal().unwrap().members[0].clone().unwrap();
+            let size = SetSize { module: Some(mm(2.0)), ..SetSize::default() };
             let pin = gearbox.pin(0, &size).unwrap().unwrap();
             assert_eq!(pin.lacks, [Lack::Mass], "{kind}");
             let [(_, r1), (_, r2)] = pin.wheels.unwrap();
             let radius = in_metres(pin.radius.unwrap());
             // No moment about the planet's own axis: the forces stand as the inverse steps.
             let (f1, f2) = (ideal[0] / (4.0 * in_metres(r1)), ideal[1] / (4.0 * in_metres(r2)));
-            let force = pin.forces(Some(ideal.map(torque)), None).unwrap().tangential.unwrap();
+            let force = pin
+                .forces(Some(<[f64; 3]>::try_from(ideal.clone()).unwrap().map(torque)), None)
+                .unwrap()
+                .tangential
+                .unwrap();
             assert!((force.get::<newton>() - (f1 + f2).abs()).abs() < 1e-9 * f1.abs(), "{kind}");
             assert!((f1 + f2 + ideal[2] / (4.0 * radius)).abs() < 1e-9 * f1.abs(), "{kind}");
         }
@@ -436,12 +435,12 @@ mod tests {
     #[test]
     fn losses_leave_a_little_of_the_radial_forces() {
         let eta = MeshEfficiency::new(0.97).unwrap();
-        let row = RowSpec::simple("P", ["a", "b", "H"], 3.0).with_loss(MeshLoss::Row(eta)).planet_count(3);
+        let row = SetSpec::simple("P", ["a", "b", "H"], 3.0).with_loss(MeshLoss::Row(eta)).planet_count(3);
         let gearbox = gearbox(row);
-        let members = gearbox.analyze("1").unwrap().driving().unwrap().members[0].unwrap();
-        let size = RowSize { carrier_radius: Some(mm(60.0)), ..RowSize::default() };
+        let members = gearbox.analyze("1").unwrap().driving().unwrap().members[0].clone().unwrap();
+        let size = SetSize { carrier_radius: Some(mm(60.0)), ..SetSize::default() };
         let pin = gearbox.pin(0, &size).unwrap().unwrap();
-        let forces = pin.forces(Some(members.map(torque)), None).unwrap();
+        let forces = pin.forces(Some(<[f64; 3]>::try_from(members).unwrap().map(torque)), None).unwrap();
         let share = forces.radial.unwrap() / forces.tangential.unwrap();
         // F_a − F_b = 0.03·F_a of F_a + F_b.
         assert!((share.value - 20_f64.to_radians().tan() * 0.03 / 1.97).abs() < 1e-3, "{}", share.value);

@@ -1,6 +1,6 @@
 //! What a gear does: its state, from the rank of its equations.
 //!
-//! Speeds obey one equation a row; torques obey one equation a link. Both systems are brought to
+//! Speeds obey the equations of the sets; torques obey one equation a link. Both systems are brought to
 //! reduced echelon form with input and output kept back, so the state is read off, not counted:
 //!
 //! | state | in the speeds | in the torques |
@@ -11,14 +11,16 @@
 //! | [`OutputAtRest`](State::OutputAtRest) | `ω_out = 0` follows, `ω_in` is free | |
 //! | [`TorquesIndeterminate`](State::TorquesIndeterminate) | `ω_out = ω_in/i` | a torque in relation with the input's is free |
 //! | [`Driven`](State::Driven) | `ω_out = ω_in/i` | all such torques follow |
+//! | [`SelfLocking`](State::SelfLocking) | as driven | but with losses `η ≤ 0`: no torque at the input moves a load |
 //!
 //! The first line that fits is the state. "In relation" means: in one part of the system's matroid
 //! (some least relation holds both). That is how parts beside the power path are told from it: an
-//! idle row that spins freely, an idle link held by two brakes at once, a row locked on its own do
+//! idle set that spins freely, an idle link held by two brakes at once, a set locked on its own do
 //! not spoil a driven gear; they only leave their own speed or torque unnamed.
 
-use crate::elimination::{Echelon, RANK_TOLERANCE, Scalar};
-use crate::topology::{Topology, factors};
+use crate::elimination::{Echelon, Scalar};
+use crate::tolerance::SPEED;
+use crate::topology::{Topology, factors, node_equations};
 use crate::{Gearbox, LinkId};
 use std::fmt;
 
@@ -45,31 +47,38 @@ pub enum State {
         links: Vec<String>,
     },
     /// Input and output are related, but only together with further speeds that nothing gives: a
-    /// differential with too few controls engaged.
+    /// differential with too few shift elements engaged.
     Underdetermined {
         /// How many further speeds must be given.
         missing: usize,
         /// The links whose speeds are not known, any of which could be held.
         links: Vec<String>,
     },
-    /// Speeds follow, but torques on the power path depend on how tightly redundant controls or rows
-    /// were engaged. Losses still follow where the unknown torques belong to controls alone, or to
-    /// rows that turn as a block.
+    /// Speeds follow, but torques on the power path depend on how tightly redundant shift elements or sets
+    /// were engaged. Losses still follow where the unknown torques belong to shift elements alone, or to
+    /// sets that turn as a block.
     TorquesIndeterminate {
         /// Links of the redundant parts.
         links: Vec<String>,
-        /// Redundant controls.
+        /// Redundant shift elements.
         controls: Vec<String>,
-        /// Rows of unknown torque.
-        rows: Vec<String>,
+        /// Sets of unknown torque.
+        sets: Vec<String>,
+    },
+    /// The mesh losses hold the gear: no torque at the input moves a load at the output.
+    SelfLocking {
+        /// The input.
+        links: Vec<String>,
+        /// Whether no torque at the output moves it either.
+        both_ways: bool,
     },
 }
 
 impl State {
-    /// Whether input and output turn at a known ratio: driven, or with torques indeterminate.
+    /// Whether input and output turn at a known ratio: driven, self-locking, or with torques indeterminate.
     #[must_use]
     pub fn has_ratio(&self) -> bool {
-        matches!(self, Self::Driven | Self::TorquesIndeterminate { .. })
+        matches!(self, Self::Driven | Self::TorquesIndeterminate { .. } | Self::SelfLocking { .. })
     }
 
     /// The state's name, as in reports.
@@ -82,6 +91,7 @@ impl State {
             Self::OutputFree { .. } => "output free",
             Self::Underdetermined { .. } => "underdetermined",
             Self::TorquesIndeterminate { .. } => "torques indeterminate",
+            Self::SelfLocking { .. } => "self-locking",
         }
     }
 
@@ -94,7 +104,8 @@ impl State {
             | Self::OutputAtRest { links }
             | Self::OutputFree { links }
             | Self::Underdetermined { links, .. }
-            | Self::TorquesIndeterminate { links, .. } => links,
+            | Self::TorquesIndeterminate { links, .. }
+            | Self::SelfLocking { links, .. } => links,
         }
     }
 }
@@ -113,37 +124,55 @@ impl fmt::Display for State {
 type Choice<'a> = &'a dyn Fn(LinkId) -> bool;
 
 /// The state of a gear and what else the two reductions tell.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Verdict {
     pub(crate) state: State,
     /// Speed of each node as a multiple of the input's; `None` where it does not follow.
     pub(crate) speeds: Vec<Option<f64>>,
-    /// Rows whose equations suffice, in the order of their pivots.
-    pub(crate) rows: Vec<usize>,
+    /// Equations that suffice, ascending.
+    pub(crate) equations: Vec<usize>,
     /// Nodes at speeds that can be chosen, the input apart.
     pub(crate) chosen: Vec<usize>,
-    /// Whether the torque of each row, and of each edge, follows from the input's.
-    pub(crate) row_known: Vec<bool>,
+    /// Whether the torque of each equation, and of each edge, follows from the input's.
+    pub(crate) equation_known: Vec<bool>,
     pub(crate) edge_known: Vec<bool>,
     /// Whether the losses follow: driven, or torques unknown only where nothing rolls.
     pub(crate) solvable: bool,
 }
 
-/// Reads the state off; `None` where a fraction outgrows its integers.
+/// Reads the state off; `None` where a number is in doubt or outgrows its kind.
 pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Verdict> {
     let speeds = speed_relations(topology, ratios)?;
-    let torques = Torques::new(gearbox, topology, ratios)?;
-    let parts = speeds.parts();
-    let depends = |node: usize| speeds.dependence(node);
-    let at_rest = |node: Option<usize>| node.is_none_or(|node| depends(node).is_empty());
+    let depends: Vec<Vec<(usize, S)>> = (0..topology.count).map(|node| speeds.dependence(node)).collect();
+    let at_rest = |node: Option<usize>| node.is_none_or(|node| depends[node].is_empty());
     let input_blocked = at_rest(topology.input);
-
-    let speed_of = |node: usize| match depends(node).as_slice() {
+    let speed_of = |depends: &Vec<(usize, S)>| match depends.as_slice() {
         [] => Some(0.0),
         [(free, factor)] if !input_blocked && Some(*free) == topology.input => Some(factor.number()),
         _ => None,
     };
-    let node_speeds: Vec<Option<f64>> = (0..topology.count).map(speed_of).collect();
+    let node_speeds: Vec<Option<f64>> = depends.iter().map(speed_of).collect();
+    let chosen: Vec<usize> =
+        speeds.free.iter().copied().filter(|node| Some(*node) != topology.input).collect();
+    let mut equations: Vec<usize> = speeds.pivots.iter().map(|(equation, _)| *equation).collect();
+    equations.sort_unstable();
+    let count = gearbox.equations.len();
+    // Independent equations that leave but the input free, and connections without a loop: every torque follows.
+    let is_square = equations.len() == count && topology.is_forest && chosen.is_empty() && !input_blocked;
+    if is_square && !at_rest(topology.output) {
+        return Some(Verdict {
+            state: State::Driven,
+            speeds: node_speeds,
+            equations,
+            chosen,
+            equation_known: vec![true; count],
+            edge_known: vec![true; topology.edges.len()],
+            solvable: true,
+        });
+    }
+
+    let torques = Torques::new(gearbox, topology, ratios)?;
+    let parts = speeds.parts();
     let names = |wanted: Choice| -> Vec<String> {
         (1..gearbox.links.len()).filter(|&l| wanted(LinkId(l))).map(|l| gearbox.links[l].clone()).collect()
     };
@@ -166,30 +195,26 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
     } else {
         torques.state(gearbox, topology, &names, &unknown)
     };
-    let chosen = speeds.free.iter().copied().filter(|n| Some(*n) != topology.input).collect();
-    let rows = speeds.pivots.iter().map(|(row, _)| *row).filter(|row| *row < gearbox.rows.len()).collect();
-    let (row_known, edge_known) =
-        (torques.known(0, gearbox.rows.len()), torques.known(gearbox.rows.len(), topology.edges.len()));
-    // Controls that share a torque, and rows that turn as a block, lose nothing however they share it.
-    let rolls = |row: usize| {
-        let [a, _, h] = topology.rows[row].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
-        a.zip(h).is_none_or(|(a, h)| (a - h).abs() > RANK_TOLERANCE)
+    let equation_known = torques.known(0, count);
+    let edge_known = torques.known(count, topology.edges.len());
+    // Shift elements that share a torque, and sets that turn as a block, lose nothing however they share it.
+    let rolls = |equation: usize| {
+        let [a, _, h] =
+            topology.equations[equation].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
+        a.zip(h).is_none_or(|(a, h)| (a - h).abs() > SPEED * a.abs().max(h.abs()))
     };
-    let unknown_row = |row: usize| !row_known[row] && rolls(row) && torques.on_power_path(row);
+    let unknown_equation = |one: usize| !equation_known[one] && rolls(one) && torques.on_power_path(one);
     let solvable = match state {
         State::Driven => true,
-        State::TorquesIndeterminate { .. } => !(0..gearbox.rows.len()).any(unknown_row),
+        State::TorquesIndeterminate { .. } => !(0..count).any(unknown_equation),
         _ => false,
     };
-    Some(Verdict { state, speeds: node_speeds, rows, chosen, row_known, edge_known, solvable })
+    Some(Verdict { state, speeds: node_speeds, equations, chosen, equation_known, edge_known, solvable })
 }
 
 /// Relations between the speeds of the nodes, input and output kept back.
 pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> Option<Echelon<S>> {
-    let mut equations = vec![];
-    for (members, &i0) in topology.rows.iter().zip(ratios) {
-        equations.push(row_equation(members, i0, topology.count)?);
-    }
+    let equations = node_equations(topology, ratios)?;
     let late: Vec<usize> = match (topology.output, topology.input) {
         (Some(output), Some(input)) if output != input => vec![output, input],
         (output, input) => input.or(output).into_iter().collect(),
@@ -197,50 +222,42 @@ pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> O
     Echelon::new(equations, topology.count, &late)
 }
 
-/// A row's equation over the nodes. A block whose factors cancel leaves nothing.
-pub(crate) fn row_equation<S: Scalar>(members: &[Option<usize>; 3], i0: S, count: usize) -> Option<Vec<S>> {
-    let mut equation = vec![S::ZERO; count];
-    for (member, factor) in members.iter().zip(factors(i0)?) {
-        if let Some(node) = *member {
-            equation[node] = equation[node].minus(S::ZERO.minus(factor)?)?;
-        }
-    }
-    Some(equation)
-}
-
-/// Relations between the torques: unknowns are the sun's of each row, those of the edges, the
+/// Relations between the torques: unknowns are `t` of each equation, those of the edges, the
 /// output's and the input's; equations are those of the links, so that edges in a loop show.
 struct Torques<S> {
     relations: Echelon<S>,
+    parts: Vec<usize>,
     input: usize,
 }
 
 impl<S: Scalar> Torques<S> {
     fn new(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Self> {
-        let (rows, edges) = (gearbox.rows.len(), topology.edges.len());
-        let (output, input) = (rows + edges, rows + edges + 1);
-        let mut equations = vec![vec![S::ZERO; input + 1]; gearbox.links.len()];
-        let minus_one = S::ZERO.minus(S::ONE)?;
-        for (place, (row, &i0)) in gearbox.rows.iter().zip(ratios).enumerate() {
-            for (link, factor) in row.members.iter().zip(factors(i0)?) {
-                let entry = &mut equations[link.0][place];
-                *entry = entry.minus(factor)?;
+        let (count, edges) = (gearbox.equations.len(), topology.edges.len());
+        let (output, input) = (count + edges, count + edges + 1);
+        let mut equations = vec![vec![S::zero(); input + 1]; gearbox.links.len()];
+        let minus_one = S::one().negative()?;
+        for (place, (one, ratio)) in gearbox.equations.iter().zip(ratios).enumerate() {
+            let links = one.links.map(|link| Some(link.0));
+            for (link, factor) in factors(links, ratio)? {
+                if let Some(link) = link {
+                    equations[link][place] = factor;
+                }
             }
         }
         for (place, edge) in topology.edges.iter().enumerate() {
-            equations[edge.links[0].0][rows + place] = S::ONE;
-            equations[edge.links[1].0][rows + place] = minus_one;
+            equations[edge.links[0].0][count + place] = S::one();
+            equations[edge.links[1].0][count + place] = minus_one.clone();
         }
         for (terminal, column) in topology.terminals.into_iter().zip([input, output]) {
-            equations[terminal.0][column] = S::ONE;
+            equations[terminal.0][column] = S::one();
         }
         equations.remove(0);
-        Some(Self { relations: Echelon::new(equations, input + 1, &[output, input])?, input })
+        let relations = Echelon::new(equations, input + 1, &[output, input])?;
+        Some(Self { parts: relations.parts(), relations, input })
     }
 
     fn on_power_path(&self, column: usize) -> bool {
-        let parts = self.relations.parts();
-        parts[column] == parts[self.input]
+        self.parts[column] == self.parts[self.input]
     }
 
     fn known(&self, from: usize, count: usize) -> Vec<bool> {
@@ -257,31 +274,33 @@ impl<S: Scalar> Torques<S> {
         names: &dyn Fn(Choice) -> Vec<String>,
         unknown_speed: &dyn Fn(LinkId) -> bool,
     ) -> State {
-        let parts = self.relations.parts();
-        let rows = gearbox.rows.len();
+        let count = gearbox.equations.len();
         let open = |column: usize| {
-            parts[column] == parts[self.input]
+            self.on_power_path(column)
                 && self.relations.dependence(column).iter().any(|(free, _)| *free != self.input)
         };
-        let open_rows: Vec<usize> = (0..rows).filter(|&r| open(r)).collect();
-        let open_edges: Vec<usize> = (0..topology.edges.len()).filter(|&e| open(rows + e)).collect();
-        if !open_rows.is_empty() || !open_edges.is_empty() {
+        let open_equations: Vec<usize> = (0..count).filter(|&one| open(one)).collect();
+        let open_edges: Vec<usize> = (0..topology.edges.len()).filter(|&e| open(count + e)).collect();
+        if !open_equations.is_empty() || !open_edges.is_empty() {
             let touched = |link: LinkId| {
-                open_rows.iter().any(|&r| gearbox.rows[r].members.contains(&link))
+                open_equations.iter().any(|&one| gearbox.equations[one].links.contains(&link))
                     || open_edges.iter().any(|&e| topology.edges[e].links.contains(&link))
             };
             let control = |&e: &usize| topology.edges[e].control.map(|c| gearbox.controls[c].id.clone());
+            let mut sets: Vec<usize> = open_equations.iter().map(|&one| gearbox.equations[one].set).collect();
+            sets.dedup();
             return State::TorquesIndeterminate {
                 links: names(&touched),
                 controls: open_edges.iter().filter_map(control).collect(),
-                rows: open_rows.iter().map(|&r| gearbox.rows[r].id().to_owned()).collect(),
+                sets: sets.into_iter().map(|set| gearbox.sets[set].id().to_owned()).collect(),
             };
         }
-        // A loaded row at an unknown speed: only with special dimensions (i₀ = 1 and a carrier that
+        // A loaded set at an unknown speed: only with special dimensions (i₀ = 1 and a carrier that
         // nothing holds, or torques that cancel), but then its losses do not follow.
-        let loaded = |r: usize| !self.relations.dependence(r).is_empty();
+        let loaded = |one: usize| !self.relations.dependence(one).is_empty();
         let adrift = |link: LinkId| {
-            unknown_speed(link) && (0..rows).any(|r| loaded(r) && gearbox.rows[r].members.contains(&link))
+            unknown_speed(link)
+                && (0..count).any(|one| loaded(one) && gearbox.equations[one].links.contains(&link))
         };
         let links = names(&adrift);
         if links.is_empty() { State::Driven } else { State::Underdetermined { missing: links.len(), links } }

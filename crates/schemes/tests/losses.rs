@@ -4,10 +4,10 @@
 
 mod common;
 
-use common::machines::ravigneaux_builder;
+use common::machines::{ravigneaux_builder, ravigneaux_set};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
-use epicyclic_schemes::{Direction, Gearbox, InputLoad};
+use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_schemes::{Direction, Gearbox, InputLoad, State, Warning};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Torque};
 use uom::si::torque::newton_meter;
@@ -16,21 +16,20 @@ fn eta(value: f64) -> MeshEfficiency {
     MeshEfficiency::new(value).unwrap()
 }
 
-fn meshes(first: f64, between: f64, second: f64) -> MeshLoss {
+fn meshes_of(first: f64, between: f64, second: f64) -> MeshLoss {
     MeshLoss::Meshes { first: eta(first), between: eta(between), second: eta(second) }
 }
 
-/// Second gear of a Ravigneaux set, wheel by wheel: small sun drives, large sun held.
+/// Second gear of a Ravigneaux set, gear by gear: small sun drives, large sun held.
 ///
 /// Seen from the carrier, power enters at the small sun, passes the short planets into the long
 /// ones, and leaves these at the large sun and at the ring.
 #[test]
 fn a_shared_mesh_loses_on_its_net_force() {
     let (sun, short_long, large, ring) = (0.985, 0.98, 0.99, 0.995);
-    let losses = [meshes(sun, short_long, ring), meshes(large, 1.0, ring)];
-    let gearbox = ravigneaux_builder(losses).shared_ring_mesh(["RAVa", "RAVb"]).build().unwrap();
+    let gearbox = ravigneaux_set([sun, short_long, large, ring]).build().unwrap();
     let found = gearbox.analyze("2").unwrap();
-    let i_double = 72.0 / 30.0; // and i₀ = −2 of the other row
+    let i_double = 72.0 / 30.0; // and i₀ = −2 between the large sun and the ring
 
     // By hand. Speeds with ω_Ss = 1, ω_Sl = 0: from both Willis equations.
     // ω_Ss − ω_C = 2.4·(ω_R − ω_C), −ω_C = −2·(ω_R − ω_C).
@@ -41,7 +40,7 @@ fn a_shared_mesh_loses_on_its_net_force() {
     // there follows from the balance of the carrier, which is loose: T_C = 0.
     // Long planet, as torque on the ring's radius: in 2.4·η·T, out to the ring and to the large sun.
     let driven = i_double * sun * short_long; // what the small sun's torque 1 brings to the long planet
-    // Large sun: torque x, its relative power −x·ω_C; x > 0 gives power to the sun side from planets.
+    // Large sun: torque x, its rolling power −x·ω_C; x > 0 gives power to the sun side from planets.
     let solve = |large_factor: f64, ring_factor: f64| {
         // T_R = −ring·(driven − 2·large·x);  1 + x + T_R = 0.
         (ring_factor * driven - 1.0) / (1.0 + 2.0 * ring_factor * large_factor)
@@ -55,22 +54,37 @@ fn a_shared_mesh_loses_on_its_net_force() {
         "{:?} {efficiency}",
         found.efficiency()
     );
+    assert!((efficiency - 0.97744).abs() < 5e-6);
     let case = found.driving().unwrap();
-    assert!((case.members[1].unwrap()[0] - x).abs() < 1e-13);
-    assert_eq!(case.shared_signs, [1]);
+    assert!((case.members[0].as_ref().unwrap()[1] - x).abs() < 1e-13);
     assert!((found.kreines().unwrap().efficiency - efficiency).abs() < 1e-13);
-    assert!(case.power.links[gearbox.link("C").unwrap().index()].unwrap() > carrier * 0.1);
+    // Nothing joins the carrier in this gear: no torque on it, no power through it.
+    assert!(case.power.links[gearbox.link("C").unwrap().index()].unwrap() < 1e-14);
+    assert_eq!(case.power.circulating, 0.0);
+    // Every mesh once: small sun to short, short to long, and from the long planets to large sun and ring.
+    let meshes = &case.power.sets[0].as_ref().unwrap().meshes;
+    let enters = 1.0 - carrier;
+    assert!((meshes[0].enters - enters).abs() < 1e-13 && (meshes[0].leaves - enters * sun).abs() < 1e-13);
+    assert!((meshes[1].leaves - enters * sun * short_long).abs() < 1e-13);
+    assert!((meshes[2].leaves - x * carrier).abs() < 1e-13);
+    let passes = meshes[1].leaves - meshes[2].enters;
+    assert!((meshes[3].enters - passes).abs() < 1e-13 && (meshes[3].leaves - passes * ring).abs() < 1e-13);
+    let equal = ravigneaux_set([0.98; 4]).build().unwrap();
+    assert!((equal.analyze("2").unwrap().efficiency().unwrap() - 0.96792).abs() < 5e-6);
 
-    // Unshared, each row loses in the ring mesh on its own part: the parts oppose each other, so
+    // As two sets, each loses in the ring mesh on its own part: the parts oppose each other, so
     // that way counts the loss of more power than the mesh carries.
-    let apart = ravigneaux_builder(losses).build().unwrap().analyze("2").unwrap();
-    assert!(apart.efficiency().unwrap() < efficiency);
+    let losses = [meshes_of(sun, short_long, ring), meshes_of(large, 1.0, ring)];
+    let apart = ravigneaux_builder(losses).build().unwrap();
+    assert!(apart.analyze("2").unwrap().efficiency().unwrap() < efficiency);
+    // The remark that says so needs the teeth of the ring.
+    assert!(matches!(apart.warnings(), [Warning::SharedPlanets { member: "ring", .. }]));
 }
 
 #[test]
 fn a_shared_mesh_without_loss_is_none() {
-    let losses = [meshes(0.98, 0.99, 1.0), meshes(0.97, 1.0, 1.0)];
-    let shared = ravigneaux_builder(losses).shared_ring_mesh(["RAVa", "RAVb"]).build().unwrap();
+    let losses = [meshes_of(0.98, 0.99, 1.0), meshes_of(0.97, 1.0, 1.0)];
+    let shared = ravigneaux_set([0.98, 0.99, 0.97, 1.0]).build().unwrap();
     let apart = ravigneaux_builder(losses).build().unwrap();
     for gear in shared.gears() {
         let [a, b] =
@@ -84,13 +98,13 @@ fn a_shared_mesh_without_loss_is_none() {
 #[test]
 fn losses_can_reverse_a_row_that_is_nearly_idle() {
     let row = |id: &str, kind, members, sun, ring, e| {
-        RowSpec::teeth(id, kind, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta(e)))
+        SetSpec::teeth(id, kind, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta(e)))
     };
     let gearbox = Gearbox::builder("nearly idle")
         .links(["in", "x", "y", "out"])
-        .row(row("1", RowKind::Simple, ["in", "y", "x"], 30, 71, 0.9136))
-        .row(row("2", RowKind::MeshingSuns, ["out", "y", "x"], 34, 76, 0.9899))
-        .row(row("3", RowKind::DoublePlanet, ["in", "y", "ground"], 48, 101, 0.9711))
+        .set(row("1", SetKind::Simple, ["in", "y", "x"], 30, 71, 0.9136))
+        .set(row("2", SetKind::MeshingSuns, ["out", "y", "x"], 34, 76, 0.9899))
+        .set(row("3", SetKind::DoublePlanet, ["in", "y", "ground"], 48, 101, 0.9711))
         .input("in")
         .output("out")
         .gear("1", [""; 0])
@@ -98,16 +112,16 @@ fn losses_can_reverse_a_row_that_is_nearly_idle() {
         .unwrap();
     let found = gearbox.analyze("1").unwrap();
     let kreines = found.kreines().unwrap();
-    assert_eq!(kreines.exponents, [1, -1, 1]);
-    assert_eq!(found.driving().unwrap().signs, [1, -1, -1]);
+    assert_eq!(kreines.exponents, [[1], [-1], [1]]);
+    assert_eq!(found.driving().unwrap().signs, [[1], [-1], [-1]]);
     assert_eq!(kreines.reversed, ["3"]);
     // Only one pattern bears itself out, and it is not the printed one.
     assert_eq!(found.patterns().len(), 1);
     let efficiency = found.efficiency().unwrap();
     assert!((kreines.efficiency - efficiency).abs() > 5e-4);
     assert!((kreines.efficiency_loaded.unwrap() - efficiency).abs() < 1e-13);
-    for row in &found.driving().unwrap().power.rows {
-        assert!(row.unwrap().loss > 0.0);
+    for set in found.driving().unwrap().power.sets.iter().flatten() {
+        assert!(set.loss > 0.0);
     }
 }
 
@@ -115,8 +129,8 @@ fn losses_can_reverse_a_row_that_is_nearly_idle() {
 fn slow_row(i0: f64, eta0: f64, input: &str, output: &str) -> Gearbox {
     Gearbox::builder("near one")
         .links(["sun", "ring", "carrier"])
-        .row(
-            RowSpec::new("1", RowKind::SteppedRings, ["sun", "ring", "carrier"], i0)
+        .set(
+            SetSpec::new("1", SetKind::SteppedRings, ["sun", "ring", "carrier"], i0)
                 .with_loss(MeshLoss::Row(eta(eta0))),
         )
         .ground("ring")
@@ -130,20 +144,23 @@ fn slow_row(i0: f64, eta0: f64, input: &str, output: &str) -> Gearbox {
 #[test]
 fn a_row_near_one_drives_one_way_only() {
     // Carrier to sun at i₀ = 0.99: T_H = (î₀ − 1)·T_a with power from sun to ring, î₀ = i₀·η₀.
-    let found = slow_row(0.99, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let found = gearbox.analyze("1").unwrap();
     let driving = 0.01 / (1.0 - 0.99 * 0.97);
     assert!((found.efficiency().unwrap() - driving).abs() < 1e-13);
     // Back: î₀ = i₀/η₀, (î₀ − 1) has changed its sign.
     let back = (1.0 - 0.99 / 0.97) / 0.01;
     assert!((found.overrun_efficiency().unwrap() - back).abs() < 1e-11);
     assert_eq!(found.is_self_locking(), Some(true));
-    let free = slow_row(0.5, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let gearbox = slow_row(0.5, 0.97, "carrier", "sun");
+    let free = gearbox.analyze("1").unwrap();
     assert_eq!(free.is_self_locking(), Some(false));
 }
 
 #[test]
 fn overrun_loads_scale_to_the_input() {
-    let found = slow_row(0.5, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let gearbox = slow_row(0.5, 0.97, "carrier", "sun");
+    let found = gearbox.analyze("1").unwrap();
     let rad = AngularVelocity::new::<radian_per_second>(10.0);
     let load = InputLoad::Torque(Torque::new::<newton_meter>(-7.0));
     let work = found.at(rad, load).unwrap();
@@ -152,7 +169,8 @@ fn overrun_loads_scale_to_the_input() {
     let entering = work.entering.get::<uom::si::power::watt>();
     assert!((70.0 / entering - found.overrun_efficiency().unwrap()).abs() < 1e-13);
     assert!((work.loss.get::<uom::si::power::watt>() - (entering - 70.0)).abs() < 1e-10);
-    let locked = slow_row(0.99, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let locked = gearbox.analyze("1").unwrap();
     assert!(locked.at(rad, load).is_err());
 }
 
@@ -160,13 +178,20 @@ fn overrun_loads_scale_to_the_input() {
 fn a_self_locking_gear_has_a_second_pattern() {
     // Sun to carrier at i₀ = 0.99: T_H = (î₀ − 1)·T_a. With power from ring to sun (the ideal sign)
     // î₀ = 0.99/0.97 and the output torque turns; the other sign contradicts itself.
-    let found = slow_row(0.99, 0.97, "sun", "carrier").analyze("1").unwrap();
+    let gearbox = slow_row(0.99, 0.97, "sun", "carrier");
+    let found = gearbox.analyze("1").unwrap();
     assert!(found.efficiency().unwrap() < 0.0);
+    // No torque at the input moves it, and the state says so; its speeds still follow.
+    assert_eq!(*found.state(), State::SelfLocking { links: vec!["sun".into()], both_ways: false });
+    assert_eq!(*found.kinematic_state(), State::Driven);
+    let rad = AngularVelocity::new::<radian_per_second>(10.0);
+    assert!(found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(7.0))).is_err());
     assert_eq!(found.patterns().len(), 1);
     assert!(found.patterns()[0].chosen);
     // Carrier to sun at 0.99 with the carrier's torque given: both signs bear themselves out when
     // the carrier's factor î₀ − 1 changes sign between them.
-    let found = slow_row(0.99, 0.97, "carrier", "sun").analyze("1").unwrap();
+    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let found = gearbox.analyze("1").unwrap();
     let efficiencies: Vec<f64> = found.patterns().iter().map(|p| p.efficiency).collect();
     assert_eq!(efficiencies.len(), 2, "{efficiencies:?}");
     assert!((efficiencies[0] - 0.01 / (1.0 - 0.99 * 0.97)).abs() < 1e-13);

@@ -110,7 +110,7 @@ fn gear(given: &GearGiven) -> Result<Results, Refusal> {
             results.number(format!("speed.{name}"), *speed);
         }
     }
-    for (row, motion) in gearbox.rows().iter().zip(found.rows()) {
+    for (row, motion) in gearbox.sets().iter().zip(found.sets()) {
         for (place, planet) in motion.planets.iter().enumerate() {
             let name = format!("planet.{}.{}", row.id(), place + 1);
             results.number(format!("{name}.relative"), planet.relative);
@@ -248,7 +248,7 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
             results.number(format!("ratio.{name}"), ratio);
             results.number(format!("efficiency.{name}"), efficiency);
         }
-        for (row, motion) in found.rows().iter().enumerate() {
+        for (row, motion) in found.sets().iter().enumerate() {
             for (member, speed) in ["a", "b", "H"].into_iter().zip(motion.members) {
                 let Some(speed) = speed else { continue };
                 fastest_link = fastest_link.max(speed.abs());

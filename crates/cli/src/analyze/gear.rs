@@ -180,7 +180,7 @@ impl Scene<'_> {
         let gear = self.analysis().gear();
         let terminal = |which: LinkId, name: &'static str| (which.index() == link).then(|| name.to_owned());
         let terminals = [terminal(gear.input(), "input"), terminal(gear.output(), "output")];
-        let of_rows = self.gearbox.rows().iter().flat_map(|row| {
+        let of_rows = self.gearbox.sets().iter().flat_map(|row| {
             let members = row.members().into_iter().zip(names).filter(|(member, _)| member.index() == link);
             members.map(|(_, name)| format!("{name} {}", row.id())).collect::<Vec<_>>()
         });
@@ -189,7 +189,7 @@ impl Scene<'_> {
 
     fn planets(&self) -> Records {
         let mut rows = vec![];
-        for (row, motion) in self.gearbox.rows().iter().zip(self.analysis().rows()) {
+        for (row, motion) in self.gearbox.sets().iter().zip(self.analysis().sets()) {
             for (place, planet) in motion.planets.iter().enumerate() {
                 rows.push(vec![
                     text(row.id()),
@@ -297,7 +297,7 @@ impl Scene<'_> {
         let analysis = self.analysis();
         let ideal = analysis.ideal();
         let kreines = analysis.kreines();
-        let rows = self.gearbox.rows().iter().enumerate().map(|(place, row)| {
+        let rows = self.gearbox.sets().iter().enumerate().map(|(place, row)| {
             let power = self.case().and_then(|case| case.power.rows[place]);
             let member = |of: Option<[f64; 3]>, member: usize| multiple(of.map(|of| of[member]));
             let ideal = ideal.and_then(|case| case.members[place]);
@@ -402,12 +402,12 @@ impl Scene<'_> {
 
     fn patterns(&self) -> Records {
         let arrows = |signs: &[i8]| {
-            let one = |(row, sign): (&epicyclic_schemes::row::Row, &i8)| match sign {
+            let one = |(row, sign): (&epicyclic_schemes::set::Row, &i8)| match sign {
                 0 => format!("{} 0", row.id()),
                 1 => format!("{} +", row.id()),
                 _ => format!("{} -", row.id()),
             };
-            self.gearbox.rows().iter().zip(signs).map(one).collect::<Vec<_>>().join(", ")
+            self.gearbox.sets().iter().zip(signs).map(one).collect::<Vec<_>>().join(", ")
         };
         let rows = self.analysis().patterns().iter().map(|pattern| {
             vec![

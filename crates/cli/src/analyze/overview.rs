@@ -9,7 +9,7 @@ use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::gearbox::PublishedGear;
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_schemes::row::Row;
+use epicyclic_schemes::set::Row;
 use epicyclic_schemes::{Analysis, Gear, Gearbox, State};
 
 /// The whole answer.
@@ -154,7 +154,7 @@ fn largest_speed(gearbox: &Gearbox, analysis: &Analysis) -> Option<f64> {
 }
 
 fn largest_planet_speed(analysis: &Analysis) -> Option<f64> {
-    let planets = analysis.rows().iter().flat_map(|row| &row.planets);
+    let planets = analysis.sets().iter().flat_map(|row| &row.planets);
     planets.map(|planet| planet.relative.abs()).reduce(f64::max)
 }
 
@@ -218,7 +218,7 @@ fn shift_table(gearbox: &Gearbox) -> String {
 
 /// Planets of a gear that turn faster on their carriers than is usual: more than twice the input's speed.
 pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis) -> Vec<(&'static str, String)> {
-    let fastest = gear.rows().iter().map(|row| {
+    let fastest = gear.sets().iter().map(|row| {
         row.planets.iter().map(|planet| planet.relative.abs()).filter(|speed| *speed > 2.0).reduce(f64::max)
     });
     let of_row = |(row, fastest): (&Row, Option<f64>)| {
@@ -228,7 +228,7 @@ pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis) -> Vec<(&'static 
         );
         Some(("planet-speed", message))
     };
-    gearbox.rows().iter().zip(fastest).filter_map(of_row).collect()
+    gearbox.sets().iter().zip(fastest).filter_map(of_row).collect()
 }
 
 /// Remarks on the gearbox itself.

@@ -53,7 +53,7 @@ fn rows(
     let newton_metres = Torque::new::<newton_meter>;
     let mut rows = vec![];
     for (place, pin) in pins {
-        let row = &subject.gearbox.rows()[*place];
+        let row = &subject.gearbox.sets()[*place];
         let of_input = |case: &LoadCase| Some(case.members[*place]?.map(|torque| torque / case.input));
         let of_input = case.and_then(of_input);
         let carrier_torque = of_input.map(|torques| torques[2].abs());
@@ -64,7 +64,7 @@ fn rows(
         let torques = worked.operation.as_ref().and_then(|operation| operation.members[*place]);
         let forces = pin.forces(torques, speed)?;
         // A row with a pin has one planet: of kinds with more no force follows.
-        let planet = analysis.rows()[*place].planets.first();
+        let planet = analysis.sets()[*place].planets.first();
         let turning = input.speed.zip(planet).map(|(speed, planet)| speed * planet.relative);
         let life = match forces.total.zip(turning) {
             Some((force, turning)) => pin.life(force, turning)?,
@@ -180,7 +180,7 @@ fn note(subject: &Subject, pins: &[(usize, Pin)], sized: bool, turns: bool) -> S
     }
     let mut told: Vec<(Lack, Vec<&str>)> = vec![];
     for (place, pin) in pins {
-        let row = subject.gearbox.rows()[*place].id();
+        let row = subject.gearbox.sets()[*place].id();
         for &lack in &pin.lacks {
             match told.iter_mut().find(|(known, _)| *known == lack) {
                 Some((_, rows)) => rows.push(row),

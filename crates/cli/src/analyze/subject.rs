@@ -10,8 +10,8 @@ use epicyclic_formats::gearbox::{
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
-use epicyclic_schemes::pins::{Pin, RowSize};
-use epicyclic_schemes::row::MeshLoss;
+use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::set::MeshLoss;
 use uom::si::f64::Ratio;
 
 /// What a file holds.
@@ -39,7 +39,7 @@ impl Subject {
 
     /// Whether any row loses power.
     pub(super) fn has_losses(&self) -> bool {
-        self.gearbox.rows().iter().any(|row| row.spec().loss.row_efficiency().get() < 1.0)
+        self.gearbox.sets().iter().any(|row| row.spec().loss.row_efficiency().get() < 1.0)
     }
 }
 
@@ -139,14 +139,14 @@ fn transmission(
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
     // The format of transmissions states no sizes.
-    let of_row = |place| Some(gearbox.pin(place, &RowSize::default())?.map(|pin| (place, pin)));
-    let pins = (0..gearbox.rows().len()).filter_map(of_row).collect::<Result<_, _>>()?;
+    let of_row = |place| Some(gearbox.pin(place, &SetSize::default())?.map(|pin| (place, pin)));
+    let pins = (0..gearbox.sets().len()).filter_map(of_row).collect::<Result<_, _>>()?;
     Ok(Box::new(Subject { gearbox, source, published, pins }))
 }
 
 /// The same gearbox with this efficiency of each row; the format of transmissions states none.
 fn with_losses(gearbox: &Gearbox, eta: MeshEfficiency) -> Result<Gearbox, Failure> {
-    Ok(gearbox.to_builder().map_rows(|row| row.with_loss(MeshLoss::Row(eta))).build()?)
+    Ok(gearbox.to_builder().map_sets(|row| row.with_loss(MeshLoss::Row(eta))).build()?)
 }
 
 /// What there is to choose from.

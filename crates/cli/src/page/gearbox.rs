@@ -8,7 +8,7 @@ use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
 use epicyclic_schemes::drawability::{self, Layout, Verdict};
-use epicyclic_schemes::row::{Gearing, RowKind, RowSpec};
+use epicyclic_schemes::set::{Gearing, SetKind, SetSpec};
 use epicyclic_schemes::{Analysis, Gearbox};
 
 /// Places in a range of `k`.
@@ -66,7 +66,7 @@ pub(super) fn sheet(
         title: gearbox.name().to_owned(),
         about: format!(
             "Planetary gearbox with {}, {} and {}",
-            count(gearbox.rows().len(), "row"),
+            count(gearbox.sets().len(), "row"),
             count(gearbox.controls().len(), "control"),
             count(gearbox.gears().len(), "gear")
         ),
@@ -134,7 +134,7 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
         "What changes with the k of one row while the others stay as they are; gears that do not change are left out. Planet: speed of that row's planet on its carrier, \
          over the input's. The mark is this gearbox.",
     )];
-    let rows = gearbox.rows().iter().enumerate().filter(|(_, row)| !row.spec().kind.is_pair());
+    let rows = gearbox.sets().iter().enumerate().filter(|(_, row)| !row.spec().kind.is_pair());
     for (place, row) in rows {
         let k = row.stationary_ratio().get().abs();
         let studied = study(gearbox, place, range(row.spec().kind, k));
@@ -161,9 +161,9 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
 }
 
 /// The `k` to look at: those usual for a row with sun and ring, and its own.
-fn range(kind: RowKind, k: f64) -> [f64; 2] {
+fn range(kind: SetKind, k: f64) -> [f64; 2] {
     match kind {
-        RowKind::Simple => [k.min(1.5), k.max(4.5)],
+        SetKind::Simple => [k.min(1.5), k.max(4.5)],
         _ => [0.6 * k, 1.6 * k],
     }
 }
@@ -200,7 +200,7 @@ fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
         ratios: curves(&|analysis| analysis.ratio().filter(|ratio| ratio.abs() < 20.0)),
         efficiencies: curves(&|analysis| analysis.efficiency().filter(|efficiency| *efficiency > 0.5)),
         planets: curves(&|analysis| {
-            let planets = analysis.rows().get(row)?.planets.iter();
+            let planets = analysis.sets().get(row)?.planets.iter();
             planets.map(|planet| planet.relative.abs()).reduce(f64::max).filter(|speed| *speed < 20.0)
         }),
     }
@@ -215,13 +215,13 @@ fn changes(curve: &Curve) -> bool {
 
 /// The gearbox with another `k` of one row; `None` where that is no row.
 fn with_k(gearbox: &Gearbox, row: usize, k: f64) -> Option<Gearbox> {
-    let id = gearbox.rows()[row].id().to_owned();
-    let change = |spec: RowSpec| {
+    let id = gearbox.sets()[row].id().to_owned();
+    let change = |spec: SetSpec| {
         if spec.id == id {
-            RowSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
+            SetSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
         } else {
             spec
         }
     };
-    gearbox.to_builder().map_rows(change).build().ok()
+    gearbox.to_builder().map_sets(change).build().ok()
 }

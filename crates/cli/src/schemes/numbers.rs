@@ -103,10 +103,10 @@ fn speeds(scheme: Scheme, gears: &[Analysis]) -> Records {
     let mut rows = vec![];
     for (place, links) in scheme.rows().iter().enumerate() {
         for (member, (symbol, role)) in ["a", "b", "H"].into_iter().zip(links).enumerate() {
-            let of = |gear: &Analysis| gear.rows()[place].members[member];
+            let of = |gear: &Analysis| gear.sets()[place].members[member];
             rows.push(line(format!("{symbol}{}", place + 1), role.symbol(), gears, of));
         }
-        let planet = |gear: &Analysis| gear.rows()[place].planets.first().copied();
+        let planet = |gear: &Analysis| gear.sets()[place].planets.first().copied();
         let absolute = |gear: &Analysis| planet(gear).and_then(|planet| planet.absolute);
         rows.push(line(format!("g{}", place + 1), "", gears, absolute));
         let relative = |gear: &Analysis| planet(gear).map(|planet| planet.relative);

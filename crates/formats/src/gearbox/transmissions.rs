@@ -3,7 +3,7 @@
 use super::DescriptionError;
 use crate::Number;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -186,7 +186,7 @@ impl Transmission {
         let nodes = self.nodes.keys().map(String::as_str).filter(|node| *node != GROUND);
         let mut builder = Gearbox::builder(&self.name).links(nodes).input(&self.input).output(&self.output);
         for row in &self.rows {
-            builder = builder.row(row.spec(&node_of)?);
+            builder = builder.set(row.spec(&node_of)?);
         }
         for (id, [first, second]) in &self.elements {
             builder = builder.clutch(id, first, second);
@@ -200,7 +200,7 @@ impl Transmission {
 }
 
 impl TransmissionRow {
-    fn spec(&self, node_of: &BTreeMap<&str, &str>) -> Result<RowSpec, DescriptionError> {
+    fn spec(&self, node_of: &BTreeMap<&str, &str>) -> Result<SetSpec, DescriptionError> {
         let missing = |missing| DescriptionError::Missing { row: self.id.clone(), missing };
         let gears = |source| DescriptionError::Row { row: self.id.clone(), source };
         let node = |member: &Option<String>, what| {
@@ -214,15 +214,15 @@ impl TransmissionRow {
             Planet::Pair => {
                 let wheels = [node(&self.gear_a, "`gear_a`")?, node(&self.gear_b, "`gear_b`")?];
                 let (a, b) = (self.z_a.ok_or(missing("`z_a`"))?, self.z_b.ok_or(missing("`z_b`"))?);
-                return RowSpec::pair(&self.id, wheels, a, b).map_err(gears);
+                return SetSpec::pair(&self.id, wheels, a, b).map_err(gears);
             }
-            Planet::Simple => RowKind::Simple,
-            Planet::Double => RowKind::DoublePlanet,
+            Planet::Simple => SetKind::Simple,
+            Planet::Double => SetKind::DoublePlanet,
         };
         let members =
             [node(&self.sun, "`sun`")?, node(&self.ring, "`ring`")?, node(&self.carrier, "`carrier`")?];
         let (sun, ring) = (self.z_s.ok_or(missing("`z_s`"))?, self.z_r.ok_or(missing("`z_r`"))?);
-        let mut spec = RowSpec::teeth(&self.id, kind, members, sun, ring).map_err(gears)?;
+        let mut spec = SetSpec::teeth(&self.id, kind, members, sun, ring).map_err(gears)?;
         if let Some(planet) = self.z_p {
             spec = spec.planet_teeth(ToothCount::new(planet).map_err(gears)?, None);
         }

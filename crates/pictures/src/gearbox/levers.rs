@@ -269,7 +269,7 @@ impl Sheet<'_> {
         let heading = Text::new([left, bounds.top + 6.0], TITLE_MM, self.scene.title()).align(Align::Left);
         self.scene.add(layer, heading);
         let mut lines: Vec<String> =
-            self.gearbox.rows().iter().enumerate().map(|(place, row)| words::row(place, row, true)).collect();
+            self.gearbox.sets().iter().enumerate().map(|(place, row)| words::row(place, row, true)).collect();
         lines.push(
             "along a lever: distances between links; the first row of a lever has its carrier 1 from wheel 2"
                 .into(),

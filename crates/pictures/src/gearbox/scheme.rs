@@ -79,11 +79,11 @@ impl Default for Options {
 /// ```
 /// use epicyclic_pictures::gearbox::scheme::{Options, Show, scene};
 /// use epicyclic_schemes::drawability::{self, Verdict};
-/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// use epicyclic_schemes::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("I")
 ///     .links(["D", "B", "T1"])
-///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
 ///     .brake("K1", "T1")
 ///     .input("D")
 ///     .output("B")
@@ -339,7 +339,7 @@ impl<'a> Sheet<'a> {
             y -= 4.6;
             y + 4.6
         };
-        for (place, row) in self.gearbox.rows().iter().enumerate() {
+        for (place, row) in self.gearbox.sets().iter().enumerate() {
             write(&mut self.scene, 0.0, words::row(place, row, options.gearing));
         }
         let Some(gear) = self.gear else { return };

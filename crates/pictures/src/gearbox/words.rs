@@ -1,6 +1,6 @@
 //! Numbers and rows in words.
 
-use epicyclic_schemes::row::{Gearing, Row, RowKind};
+use epicyclic_schemes::set::{Gearing, Row, SetKind};
 
 /// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is 0.
 pub(super) fn decimal(value: f64) -> String {
@@ -23,7 +23,7 @@ pub(super) fn row(place: usize, row: &Row, gearing: bool) -> String {
             words += &format!(", z {}/{}", first.get(), second.get());
         }
         let (symbol, size) = match row.spec().kind {
-            RowKind::Simple => ("k", -row.stationary_ratio().get()),
+            SetKind::Simple => ("k", -row.stationary_ratio().get()),
             _ => ("i0", row.stationary_ratio().get()),
         };
         words += &format!(", {symbol} = {}", decimal(size));

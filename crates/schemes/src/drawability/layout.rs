@@ -172,7 +172,7 @@ impl Drawing<'_> {
     }
 
     fn row_piece(&self, row: usize, member: usize) -> LinkId {
-        self.scheme.piece(self.gearbox.rows()[row].members()[member])
+        self.scheme.piece(self.gearbox.drawn_sets()[row].links[member])
     }
 
     /// The piece a vertex is drawn as part of.

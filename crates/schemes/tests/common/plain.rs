@@ -11,21 +11,21 @@ pub(crate) fn equations(gearbox: &Gearbox, gear: &Gear, ratios: &[f64]) -> DMatr
     let links = gearbox.links().len();
     let engaged = gear.engaged().iter().map(|&c| gearbox.controls()[c].links());
     let joined: Vec<[LinkId; 2]> = gearbox.permanent().iter().copied().chain(engaged).collect();
-    let mut matrix = DMatrix::zeros(gearbox.rows().len() + joined.len(), links);
-    for (r, (row, &i0)) in gearbox.rows().iter().zip(ratios).enumerate() {
+    let mut matrix = DMatrix::zeros(gearbox.sets().len() + joined.len(), links);
+    for (r, (row, &i0)) in gearbox.sets().iter().zip(ratios).enumerate() {
         for (link, factor) in row.members().iter().zip([1.0, -i0, i0 - 1.0]) {
             matrix[(r, link.index())] += factor;
         }
     }
     for (e, [first, second]) in joined.iter().enumerate() {
-        matrix[(gearbox.rows().len() + e, first.index())] += 1.0;
-        matrix[(gearbox.rows().len() + e, second.index())] -= 1.0;
+        matrix[(gearbox.sets().len() + e, first.index())] += 1.0;
+        matrix[(gearbox.sets().len() + e, second.index())] -= 1.0;
     }
     matrix.remove_column(0)
 }
 
 pub(crate) fn ratios(gearbox: &Gearbox) -> Vec<f64> {
-    gearbox.rows().iter().map(|row| row.stationary_ratio().get()).collect()
+    gearbox.sets().iter().map(|row| row.basic_ratio().get()).collect()
 }
 
 fn unit(links: usize, link: LinkId) -> DMatrix<f64> {
@@ -87,7 +87,7 @@ pub(crate) struct Plain {
 /// The torques obey the transposed system: `Cᵀ·t = T_in·e_in + T_out·e_out`, so with the equation of
 /// the input appended as a last row, `[C; e_in]ᵀ·(t; −T_in) = T_out·e_out`.
 pub(crate) fn solve(gearbox: &Gearbox, gear: &Gear, ratios: &[f64], etas: &[f64]) -> Option<Plain> {
-    let rows = gearbox.rows().len();
+    let rows = gearbox.sets().len();
     let system = |ratios: &[f64]| {
         let matrix = equations(gearbox, gear, ratios);
         let input = unit(matrix.ncols(), gear.input());
@@ -115,10 +115,10 @@ pub(crate) fn solve(gearbox: &Gearbox, gear: &Gear, ratios: &[f64], etas: &[f64]
     };
     let (ideal, _) = torques(matrix)?;
     let relative: Vec<f64> = gearbox
-        .rows()
+        .sets()
         .iter()
         .enumerate()
-        .map(|(r, row)| ideal[r] * (speed(row.members()[0]) - speed(row.members()[2])))
+        .map(|(r, row)| ideal[r] * (speed(row.members()[0]) - speed(row.carrier())))
         .collect();
     let largest = relative.iter().fold(1.0_f64, |m, p| m.max(p.abs()));
     let sign = |p: &f64| if p.abs() <= 1e-11 * largest { 0 } else { p.signum() as i8 };

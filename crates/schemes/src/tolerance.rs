@@ -1,0 +1,67 @@
+//! Every number below which something counts as nothing, and every limit of size, in one place.
+//!
+//! # What is nothing
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | [`ERROR_FACTOR`] | a number in an elimination | its own error bound, which is carried along with it |
+//! | [`POWER`] | a power, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
+//! | [`SLOPE`] | `∂ln i/∂ln i₀` of a set, over the largest | as [`POWER`], but behind a second elimination |
+//! | [`LOOP`] | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
+//! | [`PIVOT`] | a pivot of the numeric solution | the rank is settled before; this guards against zero |
+//! | [`POLE`] | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
+//! | [`SPEED`] | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
+//!
+//! # What is solved
+//! | constant | limits |
+//! |---|---|
+//! | [`MOST_SETS`] | planet sets and pairs of a gearbox |
+//! | [`MOST_LINKS`] | links |
+//! | [`MOST_ELEMENTS`] | shift elements |
+//! | [`MOST_GEARS`] | gears |
+//! | [`MOST_MEMBERS`] | central gears of one set |
+//! | [`MOST_PLANETS`] | planets of one set that differ |
+//! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
+
+/// Least size of a number that is certainly not zero, in multiples of its error bound.
+pub(crate) const ERROR_FACTOR: f64 = 4.0;
+
+/// A power below this share of the largest internal power is none: no loss and no sign.
+pub(crate) const POWER: f64 = 1e-11;
+
+/// A derivative below this share of the largest is none.
+pub(crate) const SLOPE: f64 = 1e-9;
+
+/// A flow below this share of the largest power is none.
+pub(crate) const LOOP: f64 = 1e-12;
+
+/// A pivot below this has vanished.
+pub(crate) const PIVOT: f64 = 1e-14;
+
+/// A torque above this multiple of the largest without losses is on the way to infinity.
+pub(crate) const POLE: f64 = 1e8;
+
+/// Speeds that differ by less than this share of the larger are equal.
+pub(crate) const SPEED: f64 = 1e-10;
+
+/// How many planet sets and pairs a gearbox may have.
+pub const MOST_SETS: usize = 64;
+
+/// How many links a gearbox may have besides the housing.
+pub const MOST_LINKS: usize = 256;
+
+/// How many brakes, clutches and one-way clutches a gearbox may have.
+pub const MOST_ELEMENTS: usize = 128;
+
+/// How many gears a gearbox may have.
+pub const MOST_GEARS: usize = 1000;
+
+/// How many central gears and planet shafts a set may have.
+pub const MOST_MEMBERS: usize = 12;
+
+/// How many different planets a set may have.
+pub const MOST_PLANETS: usize = 12;
+
+/// Largest size of a basic ratio; its inverse is the smallest.
+///
+/// Within it every quantity of a gear keeps its digits; beyond, a set is no set but a slip of the pen.
+pub const BASIC_RATIO: f64 = 1e9;

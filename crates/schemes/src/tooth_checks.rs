@@ -1,0 +1,1 @@
+//! Centre distances, clearance, assembly and undercut of the sets of a gearbox.
