@@ -26,7 +26,7 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
-  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nrows:\\n' > box.yaml
+  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nsets:\\n' > box.yaml
   printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> box.yaml
   printf '    k: 2.94\\n    efficiency: 0.97\\n' >> box.yaml
   printf 'brakes: [{ id: K1, link: T1 }]\\n' >> box.yaml
@@ -38,13 +38,17 @@ Example:
 
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
-  rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
+  sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
         kind, planet_teeth, planets, efficiency or meshes; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
         planet_bore; for their bearings' life bearing_capacity, bearing_rolling
-  brakes: id, link            clutches: id, links: [one, other]
-  gears: name, engaged, and optionally input, output
-  links, grounds, ties, shared_ring_meshes, density, pressure_angle: optional
+  compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
+        [teeth]), meshes (gears: [one, other], efficiency), and optionally
+        planets, bevels_left, bevels_right, planet_shafts
+  brakes: id, link            clutches: id, links: [one, other], or of a one-way
+                              clutch one_way: [not slower, than this]
+  gears: name, engaged, and optionally input, output, speeds, torques
+  links, grounds, ties, density, pressure_angle, note: optional
 or a list `transmissions` with published ratios, as in
 examples/real-transmissions.yaml.")]
 pub(crate) struct Args {
@@ -77,7 +81,8 @@ pub(crate) struct Choice {
     #[arg(long, value_name = "NAME")]
     transmission: Option<String>,
 
-    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97 or 97%.
+    /// Efficiency under a carrier at rest of each set for which the file states no losses: 0.97 or 97%. Of a compound
+    /// set each mesh takes its square root.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 }
@@ -190,14 +195,14 @@ fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {
 }
 
 /// The analysis with what the input's speed and load make of it.
-struct Worked {
-    analysis: Analysis,
+struct Worked<'g> {
+    analysis: Analysis<'g>,
     /// `None` where no load is given, or where the gear cannot take it.
     operation: Option<epicyclic_schemes::Operation>,
 }
 
 /// The analysis of a gear that `--gear` names.
-pub(crate) fn analysis(gearbox: &Gearbox, gear: &str) -> Result<Analysis, Failure> {
+pub(crate) fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Failure> {
     match gearbox.analyze(gear) {
         // With few short names, the nearest says less than all.
         Err(Error::Unknown { .. }) => {
@@ -209,9 +214,9 @@ pub(crate) fn analysis(gearbox: &Gearbox, gear: &str) -> Result<Analysis, Failur
     }
 }
 
-fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
+fn work<'g>(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Worked<'g>, Failure> {
     let analysis = analysis(gearbox, gear)?;
-    // At a torque alone, powers hang on a speed that nobody gave: none is shown.
+    // At a torque alone, powers depend on a speed that nobody gave: none is shown.
     let speed =
         input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));
     let operation = match input.load.map(|load| analysis.at(speed, load)) {

@@ -229,7 +229,7 @@ fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
     })
 }
 
-fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis>, Failure> {
+fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {
     Ok(gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect::<Result<_, _>>()?)
 }
 

@@ -176,9 +176,9 @@ const RUNS: &[(&str, &[&str])] = &[
 ];
 
 /// A gear that nothing holds, and one whose losses bear themselves out in two ways.
-const FREE: &str = "gearbox: free\ninput: D\noutput: B\nrows: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\n\
+const FREE: &str = "gearbox: free\ninput: D\noutput: B\nsets: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\n\
                     gears: [{ name: free }]\n";
-const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nrows:\n  - { id: P, kind: stepped_rings, \
+const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nsets:\n  - { id: P, kind: stepped_rings, \
                         sun: a, ring: b, carrier: H, k: 0.99, efficiency: 97 % }\ngears: [{ name: slow }]\n";
 
 fn folder() -> tempfile::TempDir {

@@ -13,7 +13,7 @@ use uom::si::f64::{Length, Mass, MomentOfInertia};
 pub struct Masses {
     /// Inertia of each link about the main axis, by the link's name; planets not included.
     pub links: Vec<(String, MomentOfInertia)>,
-    /// The planets of each row, by the row's name.
+    /// The planets of each set, by the set's name.
     pub planets: Vec<(String, PlanetMasses)>,
 }
 
@@ -79,14 +79,13 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
     for (name, planets) in &masses.planets {
         let row = gearbox.sets().iter().position(|row| row.id() == name).ok_or_else(|| unknown(name))?;
         let motion = &analysis.sets()[row];
-        let [_, _, carrier] = motion.members;
-        let carrier = carrier.ok_or_else(|| no_speed(name))?;
+        let carrier = motion.carrier().ok_or_else(|| no_speed(name))?;
         if planets.each.len() > motion.planets.len() {
             return Err(unknown(&format!("planet {} of row {name}", motion.planets.len() + 1)));
         }
         for (planet, moving) in planets.each.iter().zip(&motion.planets) {
             // A bevel planet turns about an axis across: its own spin and the carrier's are apart.
-            let speed = moving.absolute.ok_or_else(|| no_speed(name))?;
+            let speed = moving.and_then(|moving| moving.absolute).ok_or_else(|| no_speed(name))?;
             let orbit = Orbit { mass: planet.mass, radius: planet.radius, speed_ratio: carrier };
             links.push(Link {
                 name: format!("planets of {name}"),

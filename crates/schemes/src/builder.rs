@@ -356,7 +356,7 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
     let mut gears: Vec<(String, GearOf)> = vec![];
     let mut planets = vec![];
     for (place, planet) in spec.planets.iter().enumerate() {
-        if planet.teeth.is_empty() || planet.teeth.len() > MOST_PLANETS {
+        if planet.teeth.len() > MOST_PLANETS {
             return Err(fault(CompoundFault::PlanetGears {
                 planet: planet.name.clone(),
                 given: planet.teeth.len(),
@@ -364,6 +364,10 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
             }));
         }
         let mut counts = vec![];
+        if planet.teeth.is_empty() {
+            counts.push(None);
+            gears.push((planet.name.clone(), GearOf::Planet(place, 0)));
+        }
         for (step, &count) in planet.teeth.iter().enumerate() {
             let name = match planet.teeth.len() {
                 1 => planet.name.clone(),
@@ -428,7 +432,10 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
             [GearOf::Central(central), GearOf::Planet(planet, step)]
             | [GearOf::Planet(planet, step), GearOf::Central(central)] => match centrals[central].kind {
                 CentralKind::Sun => MeshKind::External,
-                CentralKind::Ring if centrals[central].teeth <= planets[planet].gears[step] => {
+                CentralKind::Ring
+                    if planets[planet].gears[step]
+                        .is_some_and(|teeth| centrals[central].teeth <= Some(teeth)) =>
+                {
                     return Err(wrong("a ring has more teeth than the planet in it"));
                 }
                 CentralKind::Ring => MeshKind::Internal,

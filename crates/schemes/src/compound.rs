@@ -84,7 +84,8 @@ pub struct CentralSpec {
 pub struct PlanetSpec {
     /// Its name; its gears are `name`, or `name.1`, `name.2`… where it has several.
     pub name: String,
-    /// Teeth of its gears.
+    /// Teeth of its gears; empty of a planet with one gear whose teeth are not known: an idler changes no ratio of
+    /// the others.
     pub teeth: Vec<u32>,
 }
 

@@ -7,6 +7,7 @@ use crate::compound::CentralKind;
 use crate::planet_set::GearOf;
 use crate::set::SetKind;
 use crate::{Analysis, Gearbox, LinkId, LoadCase};
+use epicyclic_gears::teeth::ToothCount;
 
 /// Three members of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +77,38 @@ impl DrawnSet {
         let is_turned = is_ring(ends[0]) && !is_ring(ends[1]);
         let members = if is_turned { [one.central, root, carrier] } else { [root, one.central, carrier] };
         Self { set: one.set, kind, members, links: members.map(|member| set.members()[member]), is_turned }
+    }
+}
+
+impl DrawnSet {
+    /// Basic ratio of its first central gear to its second.
+    #[must_use]
+    pub fn basic_ratio(&self, gearbox: &Gearbox) -> f64 {
+        let set = &gearbox.sets[self.set];
+        if set.short().is_some() {
+            return set.basic_ratio().get();
+        }
+        set.ratio_between(self.members[0], self.members[1])
+    }
+
+    /// Teeth of its central gears, where known.
+    #[must_use]
+    pub fn teeth(&self, gearbox: &Gearbox) -> Option<[ToothCount; 2]> {
+        let of = |member: usize| gearbox.sets[self.set].centrals()[member].teeth;
+        Some([of(self.members[0])?, of(self.members[1])?])
+    }
+
+    /// Teeth of the planets' gears in mesh with each of them, where known.
+    #[must_use]
+    pub fn planet_teeth(&self, gearbox: &Gearbox) -> [Option<ToothCount>; 2] {
+        let set = &gearbox.sets[self.set];
+        let path = set.path(self.members[0], self.members[1]);
+        [0, 1].map(|end| {
+            let central = GearOf::Central(self.members[end]);
+            let mesh =
+                path.iter().map(|&mesh| set.meshes()[mesh].gears).find(|gears| gears.contains(&central))?;
+            mesh.into_iter().find(|gear| *gear != central).and_then(|gear| set.teeth(gear))
+        })
     }
 }
 

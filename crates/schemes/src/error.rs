@@ -207,8 +207,8 @@ pub enum CompoundFault {
         /// The gear.
         gear: String,
     },
-    /// A planet without gears, or with too many.
-    #[error("planet `{planet}` has {given} gears: 1 to {most} are allowed")]
+    /// A planet with too many gears.
+    #[error("planet `{planet}` has {given} gears: {most} at most are allowed")]
     PlanetGears {
         /// The planet.
         planet: String,

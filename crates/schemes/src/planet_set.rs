@@ -360,7 +360,7 @@ impl PlanetSet {
         let tree = Tree::new(&description, root, &centrals, planets.len(), &mut meshes, loss)?;
         let members = centrals.iter().map(|central| central.link).chain([carrier]).collect();
         let mut set = Self { description, members, centrals, planets, meshes, factors, exact, tree };
-        set.find_factors()?;
+        set.find_factors();
         set.tree.ratios = set.tree.order.iter().map(|&central| set.ratio_between(root, central)).collect();
         let fraction = |central: usize| set.exact[set.centrals[central].body];
         let exact: Vec<Option<Fraction>> = set
@@ -385,32 +385,43 @@ impl PlanetSet {
     }
 
     /// Walks from the first central gear along the meshes and finds the factor of every body whose teeth are known.
-    fn find_factors(&mut self) -> Result<(), Error> {
+    fn find_factors(&mut self) {
+        // The teeth of a planet with one gear cancel between its meshes; it is taken by its pitch line.
+        let is_compound = self.short().is_none();
+        let count = |gear: GearOf| match (self.teeth(gear), gear) {
+            (None, GearOf::Planet(..)) if is_compound => Some(1),
+            (teeth, _) => teeth.map(ToothCount::get),
+        };
+        let counts: Vec<[Option<u32>; 2]> = self.meshes.iter().map(|mesh| mesh.gears.map(count)).collect();
         let start = self.centrals[0].body;
         self.factors[start] = Some(1.0);
         self.exact[start] = Some(Fraction::from_integer(1));
         for _ in 0..self.meshes.len() {
-            for mesh in self.meshes.clone() {
-                for [from, to] in [mesh.gears, [mesh.gears[1], mesh.gears[0]]] {
+            for (mesh, counts) in self.meshes.clone().into_iter().zip(&counts) {
+                let [one, other] = [0, 1].map(|end| (mesh.gears[end], counts[end]));
+                for [(from, z_from), (to, z_to)] in [[one, other], [other, one]] {
                     let (body, next) = (self.body(from), self.body(to));
-                    let (Some(z_from), Some(z_to)) = (self.teeth(from), self.teeth(to)) else { continue };
-                    let of = |teeth: ToothCount| i128::from(teeth.get());
+                    let (Some(z_from), Some(z_to)) = (z_from, z_to) else { continue };
                     if self.exact[next].is_none()
                         && let Some(known) = self.exact[body]
                     {
-                        let step = Fraction::new(mesh.kind.sign() * of(z_from), of(z_to));
+                        let step = Fraction::new(mesh.kind.sign() * i128::from(z_from), i128::from(z_to));
                         self.exact[next] = known.checked_times(step);
                     }
                     if self.factors[next].is_none()
                         && let Some(known) = self.factors[body]
                     {
-                        self.factors[next] =
-                            Some(known * mesh.kind.sign() as f64 * z_from.as_f64() / z_to.as_f64());
+                        let step = f64::from(z_from) / f64::from(z_to);
+                        self.factors[next] = Some(known * mesh.kind.sign() as f64 * step);
                     }
                 }
             }
         }
-        Ok(())
+        for planet in 0..self.planets.len() {
+            if is_compound && self.planets[planet].gears.contains(&None) {
+                self.factors[self.centrals.len() + planet] = None;
+            }
+        }
     }
 }
 

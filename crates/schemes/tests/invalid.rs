@@ -186,8 +186,8 @@ fn the_faults_of_a_compound_set_are_named() {
     twice.planets[1].name = "short".into();
     let mut toothless = compound();
     toothless.planets[0].teeth = vec![0];
-    let mut bare = compound();
-    bare.planets[0].teeth = vec![];
+    let mut long = compound();
+    long.planets[0].teeth = vec![18; 13];
     let mut small_ring = compound();
     small_ring.centrals[2].teeth = 17;
     let shaft_of_nothing = compound().planet_shaft("small", "wide");
@@ -199,7 +199,7 @@ fn the_faults_of_a_compound_set_are_named() {
                 "set `R`: `short` is named twice: central gears and planets of a set have names of their own",
             ),
             (toothless, "set `R`: gear `short` has 0 teeth: at least 1 is due"),
-            (bare, "set `R`: planet `short` has 0 gears: 1 to 12 are allowed"),
+            (long, "set `R`: planet `short` has 13 gears: 12 at most are allowed"),
             (
                 change(0, ["smal", "short"]),
                 "set `R`: no gear is called `smal`; did you mean `small`?; a gear of a planet with several is \

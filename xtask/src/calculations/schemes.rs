@@ -76,7 +76,7 @@ impl From<DescriptionError> for Refusal {
     fn from(error: DescriptionError) -> Self {
         match error {
             DescriptionError::Gearbox(error) => error.into(),
-            DescriptionError::Row { source, .. } => source.into(),
+            DescriptionError::Set { source, .. } => source.into(),
             error => Self::of(&error),
         }
     }
@@ -112,6 +112,7 @@ fn gear(given: &GearGiven) -> Result<Results, Refusal> {
     }
     for (row, motion) in gearbox.sets().iter().zip(found.sets()) {
         for (place, planet) in motion.planets.iter().enumerate() {
+            let Some(planet) = planet else { continue };
             let name = format!("planet.{}.{}", row.id(), place + 1);
             results.number(format!("{name}.relative"), planet.relative);
             if let Some(absolute) = planet.absolute {
@@ -233,9 +234,9 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
     };
     let within = |range: ParameterRange| {
         gearbox
-            .rows()
+            .sets()
             .iter()
-            .all(|row| RowParameter::new(-row.stationary_ratio().get()).is_ok_and(|k| range.contains(k)))
+            .all(|set| RowParameter::new(-set.basic_ratio().get()).is_ok_and(|k| range.contains(k)))
     };
     results
         .answer("k_within_1.7_to_7", within(ParameterRange::USED))
@@ -249,12 +250,12 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
             results.number(format!("efficiency.{name}"), efficiency);
         }
         for (row, motion) in found.sets().iter().enumerate() {
-            for (member, speed) in ["a", "b", "H"].into_iter().zip(motion.members) {
-                let Some(speed) = speed else { continue };
+            for (member, speed) in ["a", "b", "H"].into_iter().zip(&motion.members) {
+                let Some(speed) = *speed else { continue };
                 fastest_link = fastest_link.max(speed.abs());
                 results.number(format!("{name}.{member}{}", row + 1), speed);
             }
-            for planet in &motion.planets {
+            for planet in motion.planets.iter().flatten() {
                 fastest_planet = fastest_planet.max(planet.relative.abs());
                 results.number(format!("{name}.g{}.relative", row + 1), planet.relative);
                 if let Some(absolute) = planet.absolute {

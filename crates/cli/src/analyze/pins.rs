@@ -13,7 +13,11 @@ use uom::si::time::hour;
 use uom::si::torque::newton_meter;
 
 /// The planets of one gear, where it has any.
-pub(super) fn of_gear(subject: &Subject, worked: &Worked, input: Input) -> Result<Option<Records>, Failure> {
+pub(super) fn of_gear(
+    subject: &Subject,
+    worked: &Worked<'_>,
+    input: Input,
+) -> Result<Option<Records>, Failure> {
     let pins = &subject.pins;
     let sized = pins.iter().any(|(_, pin)| pin.radius.is_some());
     if pins.is_empty() || !(sized || worked.analysis.ideal().is_some()) {
@@ -26,7 +30,7 @@ pub(super) fn of_gear(subject: &Subject, worked: &Worked, input: Input) -> Resul
 /// The planets of all gears, where the size of any row is known.
 pub(super) fn of_gears(
     subject: &Subject,
-    worked: &[Worked],
+    worked: &[Worked<'_>],
     input: Input,
 ) -> Result<Option<Records>, Failure> {
     let pins = &subject.pins;
@@ -43,7 +47,7 @@ pub(super) fn of_gears(
 
 fn rows(
     subject: &Subject,
-    worked: &Worked,
+    worked: &Worked<'_>,
     input: Input,
     pins: &[(usize, Pin)],
 ) -> Result<Vec<Vec<Figure>>, Failure> {
@@ -54,17 +58,21 @@ fn rows(
     let mut rows = vec![];
     for (place, pin) in pins {
         let row = &subject.gearbox.sets()[*place];
-        let of_input = |case: &LoadCase| Some(case.members[*place]?.map(|torque| torque / case.input));
+        let of_input = |case: &LoadCase| {
+            let torques = <[f64; 3]>::try_from(case.members[*place].clone()?).ok()?;
+            Some(torques.map(|torque| torque / case.input))
+        };
         let of_input = case.and_then(of_input);
         let carrier_torque = of_input.map(|torques| torques[2].abs());
         let each = carrier_torque.zip(pin.planets).map(|(torque, count)| torque / f64::from(count));
         let per_unit = pin.forces(of_input.map(|torques| torques.map(newton_metres)), None)?;
         let carrier = analysis.speed(row.carrier());
         let speed = input.speed.zip(carrier).map(|(speed, of)| speed * of);
-        let torques = worked.operation.as_ref().and_then(|operation| operation.members[*place]);
+        let at = worked.operation.as_ref().and_then(|operation| operation.members[*place].clone());
+        let torques = at.and_then(|torques| <[Torque; 3]>::try_from(torques).ok());
         let forces = pin.forces(torques, speed)?;
         // A row with a pin has one planet: of kinds with more no force follows.
-        let planet = analysis.sets()[*place].planets.first();
+        let planet = analysis.sets()[*place].planets.first().copied().flatten();
         let turning = input.speed.zip(planet).map(|(speed, planet)| speed * planet.relative);
         let life = match forces.total.zip(turning) {
             Some((force, turning)) => pin.life(force, turning)?,
@@ -101,7 +109,7 @@ fn records(
     pins: &[(usize, Pin)],
     several: bool,
 ) -> Records {
-    let first: &[&'static str] = if several { &["gear", "row"] } else { &["row"] };
+    let first: &[&'static str] = if several { &["gear", "set"] } else { &["set"] };
     let sized = pins.iter().any(|(_, pin)| pin.radius.is_some());
     let shown: &[&'static str] = match (sized, loaded, input.speed) {
         (false, ..) => &["planets", "carrier_torque_of_input", "carrier_torque_each_of_input"],
@@ -146,7 +154,7 @@ fn records(
     Records {
         name: "planet_bearings",
         columns: vec![
-            Column::words("row", "row"),
+            Column::words("set", "set"),
             Column::words("gear", "gear"),
             Column::number("planets", "planets"),
             headed("carrier_radius", "at radius, mm", Dimension::Length),
@@ -193,9 +201,9 @@ fn note(subject: &Subject, pins: &[(usize, Pin)], sized: bool, turns: bool) -> S
         return notes.join(" ");
     }
     let of_rows = |rows: &[&str]| match rows.len() {
-        all if all == pins.len() => "all rows".to_owned(),
-        1 => format!("row {}", rows[0]),
-        _ => format!("rows {}", rows.join(", ")),
+        all if all == pins.len() => "all sets".to_owned(),
+        1 => format!("set {}", rows[0]),
+        _ => format!("sets {}", rows.join(", ")),
     };
     let missing: Vec<String> =
         told.iter().map(|(lack, rows)| format!("{} ({})", wanted(*lack), of_rows(rows))).collect();

@@ -9,9 +9,10 @@ use epicyclic_formats::gearbox::{
 };
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::planet_set::Description;
 use epicyclic_schemes::set::MeshLoss;
+use epicyclic_schemes::{Gearbox, PlanetSet};
 use uom::si::f64::Ratio;
 
 /// What a file holds.
@@ -37,9 +38,9 @@ impl Subject {
         self.published.iter().find(|published| published.name == gear)
     }
 
-    /// Whether any row loses power.
+    /// Whether any set loses power.
     pub(super) fn has_losses(&self) -> bool {
-        self.gearbox.sets().iter().any(|row| row.spec().loss.row_efficiency().get() < 1.0)
+        self.gearbox.sets().iter().any(PlanetSet::has_losses)
     }
 }
 
@@ -65,21 +66,24 @@ pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result
             message: "the file holds one gearbox; leave the option out".to_owned(),
         });
     }
-    let mut file: GearboxFile = document.read()?;
-    if let Some(eta) = args.efficiency {
-        for row in &mut file.rows {
-            if row.efficiency.is_none() && row.meshes.is_none() {
-                row.efficiency = Some(eta);
-            }
-        }
+    if has("shared_ring_meshes") {
+        let message =
+            "sets that share planets are one: describe them as an entry of compound_sets".to_owned();
+        let place = Path::root().key("shared_ring_meshes");
+        return Err(document.error(&place, Problem::Refused { message }).into());
     }
+    let file: GearboxFile = document.read()?;
     let at = |error: DescriptionError| located(document, &Path::root(), &error);
     let gearbox = file.gearbox().map_err(at)?;
+    let gearbox = match efficiency {
+        Some(eta) => with_losses(&gearbox, eta)?,
+        None => gearbox,
+    };
     let pins = file.pins(&gearbox).map_err(at)?;
     Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))
 }
 
-/// The efficiency of a row that `--efficiency` gives.
+/// The efficiency of a set that `--efficiency` gives.
 pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
     MeshEfficiency::new(eta.0.value)
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
@@ -144,9 +148,18 @@ fn transmission(
     Ok(Box::new(Subject { gearbox, source, published, pins }))
 }
 
-/// The same gearbox with this efficiency of each row; the format of transmissions states none.
+/// The same gearbox with this efficiency of each set for which none is stated.
 fn with_losses(gearbox: &Gearbox, eta: MeshEfficiency) -> Result<Gearbox, Failure> {
-    Ok(gearbox.to_builder().map_sets(|row| row.with_loss(MeshLoss::Row(eta))).build()?)
+    // A set with a sun and a ring has two meshes.
+    let each = MeshEfficiency::new(eta.get().sqrt()).unwrap_or(eta);
+    let lossless: Vec<String> =
+        gearbox.sets().iter().filter(|set| !set.has_losses()).map(|set| set.id().to_owned()).collect();
+    let change = |description: Description| match description {
+        description if !lossless.iter().any(|id| id == description.id()) => description,
+        Description::Short(spec) => spec.with_loss(MeshLoss::Row(eta)).into(),
+        Description::Compound(spec) => spec.with_mesh_efficiency(each).into(),
+    };
+    Ok(gearbox.to_builder().map_descriptions(change).build()?)
 }
 
 /// What there is to choose from.
@@ -156,8 +169,8 @@ pub(super) fn list(transmissions: &[Transmission]) -> Report {
         name: "transmissions",
         columns: vec![
             Column::words("name", ""),
-            Column::number("rows", "rows"),
-            Column::number("controls", "controls"),
+            Column::number("sets", "sets"),
+            Column::number("shift_elements", "shift elements"),
             Column::number("gears", "gears"),
         ],
         rows: transmissions
@@ -165,13 +178,13 @@ pub(super) fn list(transmissions: &[Transmission]) -> Report {
             .map(|one| {
                 vec![
                     text(&one.name),
-                    count(one.rows.len()),
-                    count(one.elements.len()),
+                    count(one.rows.len() + one.compound_sets.len()),
+                    count(one.elements.len() + one.one_way.len()),
                     count(one.gears.len()),
                 ]
             })
             .collect(),
-        views: vec![View::new("Transmissions", &["name", "rows", "controls", "gears"])],
+        views: vec![View::new("Transmissions", &["name", "sets", "shift_elements", "gears"])],
         is_answer: true,
     };
     let hint = "--transmission chooses one, by its name or a part of it.\n".to_owned();

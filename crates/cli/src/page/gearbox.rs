@@ -66,7 +66,7 @@ pub(super) fn sheet(
         title: gearbox.name().to_owned(),
         about: format!(
             "Planetary gearbox with {}, {} and {}",
-            count(gearbox.sets().len(), "row"),
+            count(gearbox.sets().len(), "set"),
             count(gearbox.controls().len(), "control"),
             count(gearbox.gears().len(), "gear")
         ),
@@ -128,18 +128,20 @@ fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T,
     drawn.map_err(|error| Failure::Format(error.to_string()))
 }
 
-/// Efficiency, ratio and planet speed of each gear over the `k` of each row.
+/// Efficiency, ratio and planet speed of each gear over the `k` of each set.
 fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
     let mut blocks = vec![Block::words(
-        "What changes with the k of one row while the others stay as they are; gears that do not change are left out. Planet: speed of that row's planet on its carrier, \
+        "What changes with the k of one set while the others stay as they are; gears that do not change are left out. Planet: speed of that set's planet on its carrier, \
          over the input's. The mark is this gearbox.",
     )];
-    let rows = gearbox.sets().iter().enumerate().filter(|(_, row)| !row.spec().kind.is_pair());
-    for (place, row) in rows {
-        let k = row.stationary_ratio().get().abs();
-        let studied = study(gearbox, place, range(row.spec().kind, k));
-        let across = format!("k of row {}", row.id());
-        let has_losses = row.spec().loss.row_efficiency().get() < 1.0;
+    // A set with more than two central gears has no one k.
+    let sets = gearbox.sets().iter().enumerate().filter(|(_, set)| !set.is_pair());
+    for (place, set) in sets {
+        let Some(kind) = set.kind() else { continue };
+        let k = set.basic_ratio().get().abs();
+        let studied = study(gearbox, place, range(kind, k));
+        let across = format!("k of set {}", set.id());
+        let has_losses = set.has_losses();
         let plots = [
             ("Ratio", "ratio i", Some(&studied.ratios)),
             ("Efficiency", "efficiency η", has_losses.then_some(&studied.efficiencies)),
@@ -147,7 +149,7 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
         ];
         for (title, up, curves) in plots {
             let Some(curves) = curves.filter(|curves| !curves.is_empty()) else { continue };
-            let title = format!("{title} over k of row {}", row.id());
+            let title = format!("{title} over k of set {}", set.id());
             let plot = curves
                 .iter()
                 .cloned()
@@ -176,34 +178,36 @@ struct Study {
 }
 
 fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
-    // Each sample is analysed once for all its curves.
-    let analyses = |k: f64| -> Vec<Option<Analysis>> {
-        let other = with_k(gearbox, row, k);
-        let gears = gearbox.gears().iter();
-        gears.map(|gear| other.as_ref()?.analyze(gear.name()).ok()).collect()
+    // Each sample is analysed once for all its curves: ratio, efficiency and planet speed of each gear.
+    type Sample = Vec<[Option<f64>; 3]>;
+    let of_gear = |other: &Gearbox, gear: &str| -> Option<[Option<f64>; 3]> {
+        let analysis = other.analyze(gear).ok()?;
+        let planets = analysis.sets().get(row)?.planets.iter().flatten();
+        let fastest = planets.map(|planet| planet.relative.abs()).reduce(f64::max);
+        Some([
+            analysis.ratio().filter(|ratio| ratio.abs() < 20.0),
+            analysis.efficiency().filter(|efficiency| *efficiency > 0.5),
+            fastest.filter(|speed| *speed < 20.0),
+        ])
     };
-    let samples: Vec<(f64, Vec<Option<Analysis>>)> = (0..=PLACES)
+    let sample = |k: f64| -> Sample {
+        let other = with_k(gearbox, row, k);
+        let of = |gear: &epicyclic_schemes::Gear| of_gear(other.as_ref()?, gear.name());
+        gearbox.gears().iter().map(|gear| of(gear).unwrap_or_default()).collect()
+    };
+    let samples: Vec<(f64, Sample)> = (0..=PLACES)
         .map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES))
-        .map(|k| (k, analyses(k)))
+        .map(|k| (k, sample(k)))
         .collect();
-    let curves = |value: &dyn Fn(&Analysis) -> Option<f64>| {
+    let curves = |value: usize| {
         let curve = |(place, gear): (usize, &epicyclic_schemes::Gear)| {
-            let at = |(k, gears): &(f64, Vec<Option<Analysis>>)| {
-                [*k, gears[place].as_ref().and_then(value).unwrap_or(f64::NAN)]
-            };
+            let at = |(k, gears): &(f64, Sample)| [*k, gears[place][value].unwrap_or(f64::NAN)];
             Curve::new(format!("gear {}", gear.name()), samples.iter().map(at).collect()).colored(place)
         };
         let all = gearbox.gears().iter().enumerate().map(curve);
         all.filter(changes).collect::<Vec<_>>()
     };
-    Study {
-        ratios: curves(&|analysis| analysis.ratio().filter(|ratio| ratio.abs() < 20.0)),
-        efficiencies: curves(&|analysis| analysis.efficiency().filter(|efficiency| *efficiency > 0.5)),
-        planets: curves(&|analysis| {
-            let planets = analysis.sets().get(row)?.planets.iter();
-            planets.map(|planet| planet.relative.abs()).reduce(f64::max).filter(|speed| *speed < 20.0)
-        }),
-    }
+    Study { ratios: curves(0), efficiencies: curves(1), planets: curves(2) }
 }
 
 /// Whether a curve is more than a level line.

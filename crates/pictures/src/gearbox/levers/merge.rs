@@ -16,8 +16,9 @@ impl Lever {
     /// The lever of one row: carrier at 0, wheel 2 at −1, wheel 1 at `−i₀`.
     #[must_use]
     pub fn of_row(gearbox: &Gearbox, row: usize) -> Self {
-        let members = gearbox.sets()[row].members().map(|link| piece_of(gearbox, link));
-        let at = [-gearbox.sets()[row].stationary_ratio().get(), -1.0, 0.0];
+        let drawn = &gearbox.drawn_sets()[row];
+        let members = drawn.links.map(|link| piece_of(gearbox, link));
+        let at = [-drawn.basic_ratio(gearbox), -1.0, 0.0];
         let mut nodes: Vec<(LinkId, f64)> = vec![];
         for node in members.into_iter().zip(at) {
             if nodes.iter().all(|(link, _)| *link != node.0) {
@@ -41,7 +42,7 @@ impl Lever {
     /// The members of its rows at a node, `a` wheel 1, `b` wheel 2, `H` carrier, with the numbers of their rows.
     pub(super) fn members(&self, gearbox: &Gearbox, link: LinkId) -> String {
         let of_row = |&row: &usize| {
-            let members = gearbox.sets()[row].members().map(|member| piece_of(gearbox, member));
+            let members = gearbox.drawn_sets()[row].links.map(|member| piece_of(gearbox, member));
             let here = members.into_iter().zip(["a", "b", "H"]).filter(move |(member, _)| *member == link);
             here.map(move |(_, letter)| format!("{letter}{}", row + 1))
         };
@@ -100,7 +101,8 @@ impl Lever {
 /// ```
 #[must_use]
 pub fn levers(gearbox: &Gearbox) -> Vec<Lever> {
-    let mut levers: Vec<Lever> = (0..gearbox.sets().len()).map(|row| Lever::of_row(gearbox, row)).collect();
+    let mut levers: Vec<Lever> =
+        (0..gearbox.drawn_sets().len()).map(|row| Lever::of_row(gearbox, row)).collect();
     let pair = |levers: &[Lever]| {
         (0..levers.len())
             .find_map(|a| (a + 1..levers.len()).find_map(|b| Some((a, b, levers[a].with(&levers[b])?))))

@@ -32,7 +32,7 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
     }
     let half = FORK_MM / super::ALONG_MM;
     for stack in &sheet.layout.rows {
-        let kind = sheet.gearbox.sets()[stack.row].spec().kind;
+        let kind = sheet.gearbox.drawn_sets()[stack.row].kind;
         if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
             continue;
         }
@@ -124,7 +124,7 @@ impl Sheet<'_> {
     /// Wheels and planets of all rows.
     pub(super) fn rows(&mut self) {
         for stack in self.layout.rows.clone() {
-            let kind = self.gearbox.sets()[stack.row].spec().kind;
+            let kind = self.gearbox.drawn_sets()[stack.row].kind;
             let x = at(Place { x: stack.x, y: 0.0 }).x;
             // Rims of stepped planets' wheels stand on two sides.
             let aside = if kind.is_stepped() { 3.2 } else { 0.0 };

@@ -1,6 +1,7 @@
 //! Radii of a row's wheels, and the lines of its links and planets over them.
 
-use epicyclic_schemes::set::{Gearing, Row, SetKind};
+use epicyclic_schemes::drawn::DrawnSet;
+use epicyclic_schemes::set::SetKind;
 use epicyclic_schemes::{Analysis, Gearbox, LinkId};
 
 /// A line of the plan between two points `[radius, velocity]`.
@@ -36,26 +37,28 @@ struct Radii {
 }
 
 /// `None` for the pins' radii where the row's kind or missing teeth leave them open.
-fn radii(row: &Row) -> Radii {
-    let i0 = row.stationary_ratio().get();
-    let size = i0.abs();
-    match row.spec().kind {
+fn radii(gearbox: &Gearbox, set: &DrawnSet) -> Radii {
+    let size = set.basic_ratio(gearbox).abs();
+    match set.kind {
         SetKind::Simple => Radii { wheels: [1.0, size], pins: vec![0.5 * (1.0 + size)] },
         // One beside the other, of equal sizes: a quarter and three quarters of the way.
         SetKind::DoublePlanet => {
             let pins = [0.25, 0.75].map(|part| 1.0 + part * (size - 1.0));
             Radii { wheels: [1.0, size], pins: pins.to_vec() }
         }
-        kind if kind.is_stepped() => stepped(row).unwrap_or(Radii { wheels: [1.0, size], pins: vec![] }),
+        kind if kind.is_stepped() => {
+            stepped(gearbox, set).unwrap_or(Radii { wheels: [1.0, size], pins: vec![] })
+        }
         _ => Radii { wheels: [1.0, size], pins: vec![] },
     }
 }
 
 /// Radii of a stepped row: its pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
-fn stepped(row: &Row) -> Option<Radii> {
-    let Gearing::Teeth(first, second) = row.spec().gearing else { return None };
-    let (g, f) = (row.spec().planet?.as_f64(), row.spec().second_planet?.as_f64());
-    let [outside_first, outside_second] = match row.spec().kind {
+fn stepped(gearbox: &Gearbox, set: &DrawnSet) -> Option<Radii> {
+    let [first, second] = set.teeth(gearbox)?;
+    let [g, f] = set.planet_teeth(gearbox);
+    let (g, f) = (g?.as_f64(), f?.as_f64());
+    let [outside_first, outside_second] = match set.kind {
         SetKind::SteppedSunRing => [1.0, -1.0],
         SetKind::SteppedSuns => [1.0, 1.0],
         _ => [-1.0, -1.0],
@@ -69,13 +72,13 @@ impl Plan {
     /// The plan of a row in a gear all of whose speeds are known.
     pub(super) fn of(gearbox: &Gearbox, gear: &Analysis, row: usize) -> Self {
         let number = row + 1;
-        let members = gearbox.sets()[row].members();
+        let drawn = &gearbox.drawn_sets()[row];
+        let (members, kind) = (drawn.links, drawn.kind);
         let speeds = members.map(|link| gear.speed(link).unwrap_or(0.0));
-        let kind = gearbox.sets()[row].spec().kind;
         if kind.is_pair() {
             return Self::of_pair(gearbox, row, [speeds[0], speeds[1]]);
         }
-        let Radii { wheels: [first, second], pins } = radii(&gearbox.sets()[row]);
+        let Radii { wheels: [first, second], pins } = radii(gearbox, drawn);
         let carrier = pins.iter().copied().fold(0.0, f64::max);
         let carrier = if carrier > 0.0 { carrier } else { first.max(second) };
         let line = |member: usize, letter: &str, radius: f64| Line {
@@ -129,9 +132,10 @@ impl Plan {
     /// A pair: wheel 1 about the axis, wheel 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
     fn of_pair(gearbox: &Gearbox, row: usize, speeds: [f64; 2]) -> Self {
         let number = row + 1;
-        let members = gearbox.sets()[row].members();
-        let size = gearbox.sets()[row].stationary_ratio().get().abs();
-        let outside = gearbox.sets()[row].spec().kind == SetKind::ExternalPair;
+        let drawn = &gearbox.drawn_sets()[row];
+        let members = drawn.links;
+        let size = drawn.basic_ratio(gearbox).abs();
+        let outside = drawn.kind == SetKind::ExternalPair;
         // Wheel 1 inside a ring stands above the ring's axis.
         let (first, second) =
             if outside { (0.0, 1.0 + size) } else { ((size - 1.0).max(0.0), (1.0 - size).max(0.0)) };
@@ -191,7 +195,7 @@ mod tests {
             let planet = plan.lines.iter().find(|line| line.link.is_none()).unwrap();
             let [[r, v], [further, faster]] = [planet.from, planet.to];
             let slope = (faster - v) / (further - r);
-            let speed = gear.sets()[0].planets[0].absolute.unwrap();
+            let speed = gear.sets()[0].planets[0].unwrap().absolute.unwrap();
             assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
             let carrier = plan.lines.iter().find(|line| line.name == "H1").unwrap();
             let on_line = v + slope * (carrier.to[0] - r);
