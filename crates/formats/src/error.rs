@@ -5,6 +5,7 @@ use std::{fmt, sync::Arc};
 use crate::{
     document::{Path, Position},
     quantity::QuantityError,
+    visible::one_line,
 };
 
 /// A [`Problem`] at its [`Place`]. Displays as `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
@@ -37,7 +38,8 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.at(), self.problem())
+        // Names in a file may hold anything; a message stays one line that shows all of it.
+        f.write_str(&one_line(&format!("{}: {}", self.at(), self.problem())))
     }
 }
 
@@ -77,6 +79,14 @@ pub enum Problem {
     ControlCharacter {
         /// Its code point.
         code: u32,
+    },
+    /// More bytes than a document may have.
+    #[error("the file is larger than {limit} bytes{}; a description is text and far smaller", has(*size))]
+    TooLarge {
+        /// The most that is read: [`crate::document::SIZE_LIMIT`].
+        limit: u64,
+        /// How many there are, if that is known.
+        size: Option<u64>,
     },
     /// No document in the file.
     #[error("the file is empty; write a document in it")]
@@ -194,6 +204,7 @@ impl Problem {
         match self {
             Self::NotUtf8 { .. } => "not-utf8",
             Self::ControlCharacter { .. } => "control-character",
+            Self::TooLarge { .. } => "too-large",
             Self::EmptyFile => "empty-file",
             Self::EmptyDocument => "empty-document",
             Self::SeveralDocuments { .. } => "several-documents",
@@ -215,6 +226,10 @@ impl Problem {
             Self::Quantity(error) => error.name(),
         }
     }
+}
+
+fn has(size: Option<u64>) -> String {
+    size.map(|size| format!(": it has {size}")).unwrap_or_default()
 }
 
 /// The one of `allowed` most like `text`, if one is like it at all.
