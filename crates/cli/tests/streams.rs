@@ -121,15 +121,18 @@ fn in_the_foreground(folder: &Path, args: &[&str]) -> Command {
     const PERL: [&str; 4] = ["perl", "-e", "$SIG{INT} = 'DEFAULT'; exec { $ARGV[0] } @ARGV or die", "--"];
     let works = |words: &[&str]| {
         let mut command = Command::new(words[0]);
-        command.args(&words[1..]).arg("true").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        command
+            .args(&words[1..])
+            .arg("true")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
         command.status().is_ok_and(|status| status.success())
     };
-    let Some(words) = [&ENV[..], &PERL].into_iter().find(|words| works(words)) else {
-        panic!(
-            "neither `env --default-signal=INT` (coreutils 8.31 or later) nor `perl` is here: these tests need one of them \
-             to start the program with the usual answer to Ctrl-C"
-        );
-    };
+    let words = [&ENV[..], &PERL].into_iter().find(|words| works(words)).expect(
+        "these tests need `env --default-signal=INT` (coreutils 8.31 or later) or `perl` to start the program with the usual \
+         answer to Ctrl-C, and neither is here",
+    );
     let mut command = Command::new(words[0]);
     command.args(&words[1..]).arg(PROGRAM).args(args).current_dir(folder);
     command.env_remove("COLUMNS").stdin(Stdio::null());
