@@ -115,6 +115,12 @@ pub enum Problem {
         /// How deep is allowed.
         limit: usize,
     },
+    /// More values than a description may have.
+    #[error("the file has more than {limit} values")]
+    TooManyValues {
+        /// How many are allowed.
+        limit: usize,
+    },
     /// A key written twice in one map.
     #[error("the key {key} is written twice, first at {first}; remove one")]
     DuplicateKey {
@@ -211,6 +217,7 @@ impl Problem {
             Self::Syntax { .. } => "syntax",
             Self::ReadTwoWays => "read-two-ways",
             Self::TooDeep { .. } => "too-deep",
+            Self::TooManyValues { .. } => "too-many-values",
             Self::DuplicateKey { .. } => "duplicate-key",
             Self::ComplexKey => "complex-key",
             Self::MergeKey => "merge-key",

@@ -417,6 +417,17 @@ fn a_file_beyond_the_limit_is_refused_unread() {
 }
 
 #[test]
+fn a_file_of_too_many_values_is_refused_where_they_become_too_many() {
+    let limit = super::index::VALUE_LIMIT;
+    // The sequence is a value too.
+    let of = |count: usize| format!("a:\n{}", "- x\n".repeat(count));
+    assert!(Document::parse_one("c.yaml", of(limit - 2).as_bytes()).is_ok());
+    let error = Document::parse_one("c.yaml", of(limit).as_bytes()).unwrap_err();
+    let due = "c.yaml:200000:3: a[199998]: the file has more than 200000 values";
+    assert_eq!((error.name(), error.to_string().as_str()), ("too-many-values", due));
+}
+
+#[test]
 fn a_message_is_one_line_that_shows_every_character_of_a_name() {
     let error =
         Document::parse_one("c\u{1b}[2J\n.yaml", b"{\"a\\e[31m\\n\": 1, \"a\\e[31m\\n\": 2}").unwrap_err();
