@@ -172,19 +172,22 @@ fn what_a_killed_program_left_is_removed_by_the_next() {
     let mut writer =
         program(folder.path(), &line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     let start = Instant::now();
-    let left = loop {
-        if let Some(name) = temporary() {
-            break name;
-        }
-        assert!(start.elapsed() < Duration::from_secs(60) && writer.try_wait().unwrap().is_none());
+    while temporary().is_none()
+        && start.elapsed() < Duration::from_secs(60)
+        && writer.try_wait().unwrap().is_none()
+    {
         std::thread::sleep(Duration::from_millis(2));
-    };
+    }
+    let left = temporary();
     let other = || output(folder.path(), &["schemes", "-o", "schemes.txt"]);
-    assert!(other().status.success());
-    assert_eq!(temporary(), Some(left.clone()), "a living writer's file");
+    let beside = other();
+    let kept = temporary();
+    // Before any of this is judged: nothing else would end it.
     writer.kill().unwrap();
     writer.wait().unwrap();
-    assert_eq!(temporary(), Some(left));
+    assert!(left.is_some() && beside.status.success(), "{beside:?}");
+    assert_eq!(kept, left, "a living writer's file");
+    assert_eq!(temporary(), left);
     assert!(other().status.success());
     assert_eq!(names(folder.path()), ["pipe", "schemes.txt"]);
 }
