@@ -7,9 +7,11 @@ use crate::analyze::analysis;
 use crate::failure::Failure;
 use crate::input;
 use crate::motor;
-use crate::output::{say, write_file};
+use crate::output::say;
+use crate::writing::write_files;
 use epicyclic_drawing::{Scene, dxf, svg};
 use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_schemes::drawability::{self, Verdict};
@@ -33,7 +35,7 @@ Example:
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
 pub(crate) struct Args {
     /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox or motor in YAML.
-    #[arg(value_name = "GEARBOX")]
+    #[arg(value_name = "GEARBOX", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 
     /// What is drawn.
@@ -159,13 +161,17 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         return say(&(svg::write(&scene)? + "\n"));
     }
     let mut said = String::new();
+    let mut written = vec![];
     let size = scene.bounds().grown(svg::MARGIN_MM);
     for (file, as_dxf) in files {
         let text = if as_dxf { dxf::write(&scene) } else { svg::write(&scene) };
-        write_file(file, text?.as_bytes())?;
+        written.push((file.to_owned(), text?.into_bytes()));
         let [width, height] = [size.width(), size.height()].map(|mm| trimmed(mm.round(), 4));
-        said += &format!("{}: {}, {width} x {height} mm\n", file.display(), scene.title());
+        let line = format!("{}: {}, {width} x {height} mm", file.display(), scene.title());
+        said += &one_line(&line);
+        said.push('\n');
     }
+    write_files(&written)?;
     say(&said)
 }
 

@@ -7,6 +7,7 @@
 //! | 2 | wrong usage, or an input that cannot be |
 //! | 3 | a file or stream that cannot be read or written |
 
+use epicyclic_formats::visible::one_line;
 use std::io;
 use std::path::PathBuf;
 
@@ -116,6 +117,22 @@ pub(crate) enum Failure {
         /// The fewest without undercut.
         least: u32,
     },
+    /// An output that would replace the input, or another output.
+    #[error("{one} and {other} are one file; {remedy}")]
+    OneFile {
+        /// The option and its file.
+        one: String,
+        /// The other option, or what is read, and its file.
+        other: String,
+        /// What to change.
+        remedy: &'static str,
+    },
+    /// A figure of an answer that no double holds.
+    #[error("not a finite number: {figure}; a given number is too small or too large for it")]
+    NotFinite {
+        /// Where it stands in the answer.
+        figure: String,
+    },
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
     Format(String),
@@ -133,6 +150,17 @@ impl Failure {
                 INPUT_OUTPUT
             }
             _ => WRONG,
+        }
+    }
+
+    /// What is told of it: one line, whatever the names in it hold, but for messages that list several things.
+    pub(crate) fn told(&self) -> String {
+        let text = self.to_string();
+        match self {
+            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::NoMotor { .. } => text,
+            // Names to choose from stand below each other, set in.
+            Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
+            _ => one_line(&text).into_owned(),
         }
     }
 

@@ -201,10 +201,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let design = design::read(&args.design)?;
     let files = files::content(&args.design.files, &design)?;
     let report = facts::report(&design)?;
-    for (file, content) in &files {
-        crate::output::write_file(file, content.as_bytes())?;
-    }
-    report.deliver(&args.design.output)
+    report.deliver_with(files, &args.design.output)
 }
 
 /// The motor of a file as a drawing.

@@ -9,7 +9,7 @@ use crate::analyze::{Choice, Load};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::Target;
-use epicyclic_formats::{Path, Problem};
+use epicyclic_formats::{Path, Problem, visible};
 
 /// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
 ///
@@ -58,5 +58,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     };
-    args.target.write(sheet.html()?.as_bytes())
+    // What HTML does not allow in a name, or turns its reading around, is written out.
+    args.target.write(visible::lines(&sheet.html()?).as_bytes())
 }

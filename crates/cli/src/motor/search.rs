@@ -7,7 +7,7 @@ use super::design::{Chosen, Drawn, refuse};
 use super::{Files, files};
 use crate::failure::Failure;
 use crate::lists::Quantities;
-use crate::output::{Format, OutputArgs, complain, write_file};
+use crate::output::{Format, OutputArgs, complain};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_hydromotor::checks::ToothHeights;
 use epicyclic_hydromotor::closure::Family;
@@ -217,10 +217,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let shown = &listed[..limit.min(listed.len())];
     let hidden = listed.len() - shown.len();
     let report = answer::report(&search, &found, shown, hidden, all);
-    for (file, content) in &files {
-        write_file(file, content.as_bytes())?;
-    }
-    report.deliver(&args.output)?;
+    report.deliver_with(files, &args.output)?;
     if format != Format::Table && hidden > 0 {
         complain(&format!("note: {} designs found, {} shown", found.designs.len(), shown.len()));
     }

@@ -125,7 +125,7 @@ fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Resu
 }
 
 fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T, Failure> {
-    drawn.map_err(|error| Failure::Format(error.to_string()))
+    drawn.map_err(Failure::from)
 }
 
 /// Efficiency, ratio and planet speed of each gear over the `k` of each set.
@@ -155,7 +155,7 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
                 .cloned()
                 .fold(Plot::new(&title, &across, up), Plot::with)
                 .mark("this gearbox", k);
-            let scene = plot.scene().map_err(|error| Failure::Format(error.to_string()))?;
+            let scene = plot.scene().map_err(Failure::from)?;
             blocks.push(Block::picture(scene, title));
         }
     }

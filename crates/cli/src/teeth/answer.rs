@@ -29,6 +29,11 @@ pub(super) fn in_words(mode: Mode) -> String {
 
 impl Answer<'_> {
     pub(super) fn text(&self, format: Format) -> Result<String, Failure> {
+        let is_finite = |set: &Candidate| set.ratio.is_finite() && set.ratio_error.is_finite();
+        if let Some(set) = self.shown.iter().find(|set| !is_finite(set)) {
+            let figure = format!("ratio_error of the tooth set {}", counts(set).join(" "));
+            return Err(Failure::NotFinite { figure });
+        }
         match format {
             Format::Table => Ok(self.table()),
             Format::Json => output::json(&self.json()),

@@ -157,7 +157,9 @@ pub struct PublishedGear {
     pub output: Option<String>,
     /// Input speed over output speed as published, negative in opposite senses.
     pub published_ratio: Number,
-    /// Decimals of the published figure.
+    /// Decimals of the published figure, from 0 to 12.
+    #[serde(deserialize_with = "few_decimals")]
+    #[schemars(range(max = MOST_DECIMALS))]
     pub printed_decimals: u32,
     /// How it came to its digits.
     #[serde(default)]
@@ -171,6 +173,19 @@ pub struct PublishedGear {
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
+}
+
+/// The most decimals of a published figure.
+const MOST_DECIMALS: u32 = 12;
+
+fn few_decimals<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    use serde::de::{Error, Unexpected};
+    let decimals = u32::deserialize(deserializer)?;
+    if decimals > MOST_DECIMALS {
+        let due = format!("a whole number from 0 to {MOST_DECIMALS}");
+        return Err(D::Error::invalid_value(Unexpected::Unsigned(decimals.into()), &due.as_str()));
+    }
+    Ok(decimals)
 }
 
 /// How a published figure came to its digits.
@@ -328,6 +343,19 @@ mod tests {
         assert!(!rounded.stands_for(ratio) && rounded.stands_for(-3.205));
         let inverted = PublishedGear { invert: true, ..rounded };
         assert!(inverted.stands_for(-1.0 / 3.2));
+    }
+
+    #[test]
+    fn a_published_figure_has_few_decimals() {
+        for (decimals, found) in [("13", "13"), ("65536", "65536"), ("4000000000", "4000000000")] {
+            let text = PAIR.replace("printed_decimals: 2", &format!("printed_decimals: {decimals}"));
+            let document = Document::parse_one("t.yaml", text.as_bytes()).unwrap();
+            let error = document.read::<TransmissionsFile>().unwrap_err().to_string();
+            let due = format!("the number {found} where a whole number from 0 to 12 is due");
+            let place = "t.yaml:9:73: transmissions[0].gears[0].printed_decimals";
+            assert_eq!(error, format!("{place}: {due}"));
+        }
+        assert_eq!(read(&PAIR.replace("decimals: 2", "decimals: 12")).gears[0].printed_decimals, 12);
     }
 
     #[test]
