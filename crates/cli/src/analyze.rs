@@ -2,6 +2,7 @@
 
 mod combinations;
 mod gear;
+mod inputs;
 mod overview;
 mod pins;
 mod subject;
@@ -23,6 +24,7 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 /// Without --gear a table of all gears and of what is engaged in each; with --gear everything about one. Speeds are
 /// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
 /// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
+/// A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at some.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -62,6 +64,9 @@ pub(crate) struct Args {
     /// Every set of brakes and clutches, with its state.
     #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
     all_combinations: bool,
+
+    #[command(flatten)]
+    several: inputs::Several,
 
     #[command(flatten)]
     load: Load,
@@ -151,7 +156,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.choice.file)?;
     let report = match subject::read(&args.choice, &document, args.gear.is_some() || args.all_combinations)? {
         Content::Several(transmissions) => subject::list(&transmissions),
-        Content::One(subject) => report(args, &subject)?,
+        Content::One(subject) => report(args, &subject, &document)?,
     };
     report.deliver(&args.output)
 }
@@ -185,9 +190,13 @@ pub(crate) fn everything(choice: &Choice, document: &Document, load: &Load) -> R
     Ok(Everything { gears: gears.collect::<Result<_, _>>()?, overview, subject })
 }
 
-fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {
+fn report(args: &Args, subject: &Subject, document: &Document) -> Result<Report, Failure> {
     let input = args.load.input();
     match &args.gear {
+        Some(name) if args.several.is_given() => inputs::report(subject, document, name, &args.several),
+        Some(name) if args.load.given().is_none() && inputs::in_file(subject, name) => {
+            inputs::report(subject, document, name, &args.several)
+        }
         Some(name) => gear::report(subject, name, input),
         None if args.all_combinations => combinations::report(subject),
         None => overview::report(subject, input),

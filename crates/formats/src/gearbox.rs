@@ -63,7 +63,7 @@ mod compound;
 mod place;
 mod transmissions;
 pub use compound::{CompoundEntry, MeshEntry, Note};
-pub use place::located;
+pub use place::{gear_place, located};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionRow, TransmissionsFile};
 
 /// A description that is no gearbox.

@@ -264,7 +264,7 @@ pub enum CompoundFault {
 #[non_exhaustive]
 pub enum InputsFault {
     /// Too few speeds.
-    #[error("{given} speeds are given and {needed} are needed: add {}", if candidates.len() == 1 { format!("that of {}", candidates[0]) } else { format!("those of {} of {}", needed - given, candidates.join(", ")) })]
+    #[error("{}", too_few(*given, *needed, candidates))]
     TooFewSpeeds {
         /// How many were given.
         given: usize,
@@ -288,7 +288,7 @@ pub enum InputsFault {
         why: &'static str,
     },
     /// Too few or too many torques.
-    #[error("{given} torques are given and {needed} are needed, at links where power enters or leaves: {}", candidates.join(", "))]
+    #[error("{needed} of the torques at {} must be given: {given} are", candidates.join(", "))]
     Torques {
         /// How many were given.
         given: usize,
@@ -306,6 +306,15 @@ pub enum InputsFault {
     /// No torques keep the gear moving at these speeds.
     #[error("no torques keep it moving this way: its mesh losses hold it")]
     Locked,
+}
+
+fn too_few(given: usize, needed: usize, candidates: &[String]) -> String {
+    let add = match (needed - given, candidates) {
+        (1, [only]) => format!("that of {only}"),
+        (1, all) => format!("that of one of {}", all.join(", ")),
+        (missing, all) => format!("those of {missing} of {}", all.join(", ")),
+    };
+    format!("the gear keeps {needed} freedoms and the speeds given are {given}: add {add}")
 }
 
 fn hint(suggestion: Option<&str>) -> String {

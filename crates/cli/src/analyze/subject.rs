@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::gearbox::{
-    DescriptionError, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
+    DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
 };
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -13,7 +13,8 @@ use epicyclic_schemes::pins::{Pin, SetSize};
 use epicyclic_schemes::planet_set::Description;
 use epicyclic_schemes::set::MeshLoss;
 use epicyclic_schemes::{Gearbox, PlanetSet};
-use uom::si::f64::Ratio;
+use std::collections::BTreeMap;
+use uom::si::f64::{AngularVelocity, Ratio, Torque};
 
 /// What a file holds.
 pub(super) enum Content {
@@ -28,14 +29,30 @@ pub(crate) struct Subject {
     /// Where its data stand.
     pub(crate) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
-    /// The planets of the rows that have any, with the row's place.
+    /// The planets of the sets that have any, with the set's place.
     pub(super) pins: Vec<(usize, Pin)>,
+    /// Its place in the file.
+    pub(super) base: Path,
+    /// Speeds and torques that the file states of gears.
+    pub(super) inputs: Vec<(String, GearInputs)>,
+}
+
+/// Speeds and torques of several links, as a file states them of a gear.
+#[derive(Debug, Clone)]
+pub(super) struct GearInputs {
+    pub(super) speeds: BTreeMap<String, Quantity<AngularVelocity>>,
+    pub(super) torques: BTreeMap<String, Quantity<Torque>>,
 }
 
 impl Subject {
     /// What is published of a gear.
     pub(super) fn published(&self, gear: &str) -> Option<&PublishedGear> {
         self.published.iter().find(|published| published.name == gear)
+    }
+
+    /// What the file states of several links in a gear.
+    pub(super) fn inputs(&self, gear: &str) -> Option<&GearInputs> {
+        self.inputs.iter().find(|(name, _)| name == gear).map(|(_, inputs)| inputs)
     }
 
     /// Whether any set loses power.
@@ -80,7 +97,13 @@ pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result
         None => gearbox,
     };
     let pins = file.pins(&gearbox).map_err(at)?;
-    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))
+    let of_gear = |gear: &GearEntry| {
+        let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
+        (gear.name.clone(), inputs)
+    };
+    let inputs = file.gears.iter().map(of_gear).collect();
+    let (source, published, base) = (None, vec![], Path::root());
+    Ok(Content::One(Box::new(Subject { gearbox, source, published, pins, base, inputs })))
 }
 
 /// The efficiency of a set that `--efficiency` gives.
@@ -145,7 +168,12 @@ fn transmission(
     // The format of transmissions states no sizes.
     let of_row = |place| Some(gearbox.pin(place, &SetSize::default())?.map(|pin| (place, pin)));
     let pins = (0..gearbox.sets().len()).filter_map(of_row).collect::<Result<_, _>>()?;
-    Ok(Box::new(Subject { gearbox, source, published, pins }))
+    let of_gear = |gear: &PublishedGear| {
+        let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
+        (gear.name.clone(), inputs)
+    };
+    let inputs = transmission.gears.iter().map(of_gear).collect();
+    Ok(Box::new(Subject { gearbox, source, published, pins, base, inputs }))
 }
 
 /// The same gearbox with this efficiency of each set for which none is stated.

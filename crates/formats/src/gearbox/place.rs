@@ -33,6 +33,13 @@ pub fn located(document: &Document, base: &Path, error: &DescriptionError) -> Er
     document.error(&file.place(error), Problem::Refused { message: error.to_string() })
 }
 
+/// The place of a key of a gear, of a gear that has it; else the gear's.
+#[must_use]
+pub fn gear_place(document: &Document, base: &Path, gear: &str, key: &str) -> Path {
+    let file = File { document, base };
+    file.key(file.entry(&["gears"], gear), key)
+}
+
 struct File<'a> {
     document: &'a Document,
     base: &'a Path,

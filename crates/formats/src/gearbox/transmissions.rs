@@ -10,7 +10,7 @@ use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use uom::si::f64::Ratio;
+use uom::si::f64::{AngularVelocity, Ratio, Torque};
 
 /// A file of transmissions.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -155,6 +155,12 @@ pub struct PublishedGear {
     /// Node where power leaves in this gear, if another.
     #[serde(default)]
     pub output: Option<String>,
+    /// Speeds of nodes, as many as the gear keeps freedoms: of a power split or summing gear.
+    #[serde(default)]
+    pub speeds: BTreeMap<String, Quantity<AngularVelocity>>,
+    /// Torques at nodes where power enters or leaves, with `speeds`.
+    #[serde(default)]
+    pub torques: BTreeMap<String, Quantity<Torque>>,
     /// Input speed over output speed as published, negative in opposite senses.
     pub published_ratio: Number,
     /// Decimals of the published figure, from 0 to 12.
