@@ -30,11 +30,13 @@ fn every_published_ratio_of_five_transmissions_holds() {
 #[test]
 fn closed_planetary_gears_have_the_ratios_of_their_comments() {
     let (k1, k2) = (3.0, 2.5);
-    let of = |name: &str| example::<GearboxFile>(name).gearbox().unwrap().analyze("closed").unwrap();
-    let by_train = of("closed-by-ordinary-train.yaml");
+    let of = |name: &str| example::<GearboxFile>(name).gearbox().unwrap();
+    let gearbox = of("closed-by-ordinary-train.yaml");
+    let by_train = gearbox.analyze("closed").unwrap();
     assert!((by_train.ratio().unwrap() - (-k1 - k2 - k1 * k2)).abs() < 1e-13);
     assert!(by_train.ideal().unwrap().power.circulating < 1e-12);
-    let by_row = of("closed-by-planetary-gear.yaml");
+    let gearbox = of("closed-by-planetary-gear.yaml");
+    let by_row = gearbox.analyze("closed").unwrap();
     assert!((by_row.ratio().unwrap() - (1.0 - k1 / k2)).abs() < 1e-13);
     assert!(by_row.ideal().unwrap().power.circulating > 1.0);
 }

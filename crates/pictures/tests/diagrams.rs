@@ -15,7 +15,7 @@ fn all() -> impl Iterator<Item = Gearbox> {
     catalogue().into_iter().chain(in_service())
 }
 
-fn gears(gearbox: &Gearbox) -> Vec<Analysis> {
+fn gears(gearbox: &Gearbox) -> Vec<Analysis<'_>> {
     gearbox.gears().iter().map(|gear| gearbox.analyze(gear.name()).unwrap()).collect()
 }
 

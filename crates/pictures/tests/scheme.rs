@@ -139,7 +139,7 @@ fn widths_are_powers() {
     let scene = in_gear(&gearbox, "2", true);
     let found = widths(&scene, "links", POWER);
     assert!(found.len() > 8);
-    let mut powers: Vec<f64> = case.power.rows.iter().flatten().flat_map(|row| row.members).collect();
+    let mut powers: Vec<f64> = case.power.sets.iter().flatten().flat_map(|set| set.members.clone()).collect();
     powers.extend([1.0, case.efficiency]);
     for width in &found {
         let power = width / 2.2;

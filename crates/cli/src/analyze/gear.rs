@@ -1,7 +1,7 @@
 //! Everything about one gear.
 
 use super::overview::{
-    as_published, contradictions, engaged, fast_planets, in_words, published_figure, warnings,
+    as_published, contradictions, duty, engaged, fast_planets, in_words, published_figure, warnings,
 };
 use super::subject::Subject;
 use super::{Input, Worked, pins, work};
@@ -9,7 +9,6 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::Dimension;
-use epicyclic_schemes::one_way::Duty;
 use epicyclic_schemes::planet_set::GearOf;
 use epicyclic_schemes::{Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet};
 
@@ -367,7 +366,6 @@ impl Scene<'_> {
                         "basic_ratio",
                         "exact_ratio",
                         "efficiency",
-                        "rolling_power_runs",
                         "rolling_power",
                         "loss",
                     ],
@@ -594,17 +592,5 @@ impl Scene<'_> {
             all.push(("self-locking", "the gear is self-locking when driven from its output".to_owned()));
         }
         all
-    }
-}
-
-/// What a one-way clutch does, as an answer.
-fn duty(duty: Duty) -> Figure {
-    match duty {
-        Duty::Holds => Figure::Answer("holds", "holds"),
-        Duty::Overruns => Figure::Answer("overruns", "overruns"),
-        Duty::Idles => Figure::Answer("idles", "idles"),
-        Duty::WouldOverrun => Figure::Answer("would_overrun", "would overrun"),
-        Duty::WouldHold => Figure::Answer("would_hold", "would hold"),
-        Duty::Unknown => Figure::None,
     }
 }

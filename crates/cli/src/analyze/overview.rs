@@ -21,7 +21,7 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .map(|gear| work(gearbox, gear.name(), input))
         .collect::<Result<Vec<Worked<'_>>, Failure>>()?;
     let source = subject.source.as_ref().map(|source| Part::Words(wrapped("Source:", source)));
-    let states = states(&worked);
+    let states = states(subject, &worked);
     let forces = pins::of_gears(subject, &worked, input)?;
     let parts = source
         .into_iter()
@@ -29,6 +29,7 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .chain((!states.is_empty()).then_some(Part::Words(states)))
         .chain(forces.map(Part::Records))
         .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
+        .chain(one_way_clutches(gearbox, &worked).map(Part::Records))
         .collect();
     let mut warnings = warnings(gearbox);
     warnings.extend(worked.iter().flat_map(|gear| fast_planets(gearbox, &gear.analysis)));
@@ -168,12 +169,22 @@ fn note(subject: &Subject) -> String {
     }
 }
 
-fn states(worked: &[Worked<'_>]) -> String {
+fn states(subject: &Subject, worked: &[Worked<'_>]) -> String {
     let gears = worked.iter().map(|worked| &worked.analysis);
     let not_driven = gears.filter(|analysis| *analysis.state() != State::Driven);
-    let lines: String = not_driven
-        .map(|analysis| wrapped(" -", &format!("{}: {}", analysis.gear().name(), in_words(analysis.state()))))
-        .collect();
+    let line = |analysis: &Analysis<'_>| {
+        let name = analysis.gear().name();
+        match subject.inputs(name).map(|inputs| inputs.speeds.keys().cloned().collect::<Vec<_>>()) {
+            Some(links) if !links.is_empty() => {
+                format!(
+                    "{name}: settled by the speeds of {}; --gear '{name}' shows its state",
+                    links.join(", ")
+                )
+            }
+            _ => format!("{name}: {}", in_words(analysis.state())),
+        }
+    };
+    let lines: String = not_driven.map(|analysis| wrapped(" -", &line(analysis))).collect();
     if lines.is_empty() { lines } else { format!("Not simply driven\n{lines}") }
 }
 
@@ -239,6 +250,58 @@ pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'sta
         Some(("planet-speed", message))
     };
     gearbox.sets().iter().zip(fastest).filter_map(of_set).collect()
+}
+
+/// What the one-way clutches do in each gear; `None` without any.
+fn one_way_clutches(gearbox: &Gearbox, worked: &[Worked<'_>]) -> Option<Records> {
+    if !gearbox.controls().iter().any(epicyclic_schemes::Control::is_one_way) {
+        return None;
+    }
+    let mut rows = vec![];
+    for Worked { analysis, .. } in worked {
+        for one in analysis.one_way_clutches() {
+            rows.push(vec![
+                text(analysis.gear().name()),
+                text(gearbox.controls()[one.control].id()),
+                Figure::YesNo(one.is_relied_on),
+                duty(one.drive),
+                duty(one.coast),
+                analysis.has_engine_braking().map_or(Figure::None, Figure::YesNo),
+            ]);
+        }
+    }
+    Some(Records {
+        name: "one_way_clutches",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("clutch", "clutch"),
+            Column::words("relied_on", "relied on"),
+            Column::words("drive", "on drive"),
+            Column::words("coast", "on coast"),
+            Column::words("engine_braking", "engine braking"),
+        ],
+        rows,
+        views: vec![View {
+            note: "Engine braking: of gears that rely on one.".to_owned(),
+            ..View::new(
+                "One-way clutches",
+                &["gear", "clutch", "relied_on", "drive", "coast", "engine_braking"],
+            )
+        }],
+        is_answer: false,
+    })
+}
+
+/// What a one-way clutch does, as an answer.
+pub(super) fn duty(duty: Duty) -> Figure {
+    match duty {
+        Duty::Holds => Figure::Answer("holds", "holds"),
+        Duty::Overruns => Figure::Answer("overruns", "overruns"),
+        Duty::Idles => Figure::Answer("idles", "idles"),
+        Duty::WouldOverrun => Figure::Answer("would_overrun", "would overrun"),
+        Duty::WouldHold => Figure::Answer("would_hold", "would hold"),
+        Duty::Unknown => Figure::None,
+    }
 }
 
 /// One-way clutches that do not do what the gear's engaged elements say.
