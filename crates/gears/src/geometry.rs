@@ -1,12 +1,12 @@
 //! Diameters of a spur wheel from its module, teeth and basic rack; centre distance of a pair.
 //!
-//! Uncorrected wheels (no profile shift). Left out: undercut, interference, tip relief, and whether the tip of an
+//! Uncorrected wheels (no profile shift). Left out: interference, tip relief, and whether the tip of an
 //! internal wheel stays outside its base circle.
 
-use uom::si::f64::{Angle, Length};
+use uom::si::f64::Length;
 
-use crate::units::{acute_angle, angle_from_degrees, degrees, millimetres, not_negative, positive};
-use crate::units::{positive_length, radians};
+pub use crate::rack::BasicRack;
+use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, ToothCount};
 
 /// Relative difference below which two modules or pressure angles are the same: two spellings of one number in
@@ -20,38 +20,6 @@ pub enum Toothing {
     External,
     /// Teeth point to the axis: ring.
     Internal,
-}
-
-/// Proportions of the basic rack, in modules.
-///
-/// | symbol | field | meaning | unit | default |
-/// |---|---|---|---|---|
-/// | `h_a*` | `addendum` | addendum coefficient | 1 | 1 |
-/// | `c*` | `clearance` | clearance coefficient | 1 | 0.25 |
-/// | `α` | `pressure_angle` | pressure angle | ° | 20 |
-///
-/// The defaults are those of ISO 53 and GOST 13755; excavator-dynamics (section 4) takes `c*` = 0.2.
-///
-/// ```
-/// use epicyclic_gears::geometry::BasicRack;
-///
-/// let older = BasicRack { clearance: 0.2, ..BasicRack::default() };
-/// assert_eq!(older.addendum, 1.0);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BasicRack {
-    /// Addendum coefficient `h_a*`.
-    pub addendum: f64,
-    /// Clearance coefficient `c*`.
-    pub clearance: f64,
-    /// Pressure angle `α`.
-    pub pressure_angle: Angle,
-}
-
-impl Default for BasicRack {
-    fn default() -> Self {
-        Self { addendum: 1.0, clearance: 0.25, pressure_angle: angle_from_degrees(20.0) }
-    }
 }
 
 /// A spur wheel without profile shift, whose circles all exist.
@@ -109,8 +77,7 @@ impl Wheel {
     ) -> Result<Self, Error> {
         positive_length("module", module)?;
         positive("addendum coefficient", rack.addendum, "")?;
-        not_negative("clearance coefficient", rack.clearance, "")?;
-        acute_angle("pressure angle", rack.pressure_angle)?;
+        rack.check()?;
         let wheel = Self { toothing, module, teeth, rack };
         let z = teeth.get();
         match toothing {
@@ -276,7 +243,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::units::{length_from_mm, metres};
+    use crate::units::{angle_from_degrees, length_from_mm, metres};
 
     fn teeth(count: u32) -> ToothCount {
         ToothCount::new(count).unwrap()

@@ -142,11 +142,27 @@ fn wheels(design: &DriveDesign) -> Vec<Row> {
             "d_f",
             wheels.map(|wheel| quantity(wheel.root_diameter())),
         ),
+        Row::new(
+            "base_diameter",
+            "base diameter",
+            "d_b",
+            wheels.map(|wheel| quantity(wheel.base_diameter())),
+        ),
     ]
 }
 
 fn mesh(design: &DriveDesign) -> Vec<Row> {
+    let rack = design.wheels.sun.rack();
     vec![
+        Row {
+            remark: format!("2·h_a*/sin²α = {}", trimmed(rack.undercut_limit(), 4)),
+            ..Row::new(
+                "least_teeth_without_undercut",
+                "external teeth without undercut, at least",
+                "z_min",
+                [Figure::Count(rack.least_teeth_without_undercut())],
+            )
+        },
         Row::new("module", "module", "m", [quantity(design.wheels.sun.module())]),
         Row::new("face_width", "face width", "b", [quantity(design.wheels.face_width)]),
         Row::new("centre_distance", "centre distance", "a_w", [quantity(design.wheels.centre_distance)]),

@@ -4,7 +4,7 @@ use super::*;
 use crate::units::{inertia, joules, kg_m2, length, power, rad_per_s2, seconds, torque, watts};
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
-use epicyclic_gears::geometry::BasicRack;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_gears::teeth::ToothCount;
 use proptest::prelude::*;
@@ -47,7 +47,8 @@ fn shape() -> CarrierSpec {
 /// The source's drive with its shafts, bearings and carrier.
 fn excavator() -> DriveSpec {
     let mut spec = DriveSpec::new(power(106.5e3), rpm(1950.0), 6.0, mm(8.0), mm(60.0));
-    spec.teeth = TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(1.0) });
+    spec.teeth =
+        TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(BasicRack::default()) });
     spec.wheels.rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
     spec.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
     spec.wheels.sun_bore = Bore::Bearing;
@@ -204,7 +205,7 @@ fn attached_inertias_are_counted_where_they_turn() {
 
 #[test]
 fn of_equally_near_sets_the_one_with_most_planets_is_taken() {
-    let open = DriveSpec { teeth: TeethSpec::Within(default_bounds(1.0)), ..excavator() };
+    let open = DriveSpec { teeth: TeethSpec::Within(default_bounds(BasicRack::default())), ..excavator() };
     assert_eq!(design(&open).unwrap().gear.teeth, set(18, 36, 90, 4));
 }
 
@@ -237,14 +238,14 @@ fn doubtful_drives_are_calculated_with_warnings() {
     assert_eq!(with(|s| s.carrier = CarrierSpec::Neglected), ["carrier-neglected"]);
     assert_eq!(with(|s| s.wheels.module = mm(8.5)), ["pin-off-centre"]);
     assert_eq!(
-        with(|s| s.teeth = TeethSpec::Given(set(20, 40, 100, 5))),
+        with(|s| s.teeth = TeethSpec::given(set(20, 40, 100, 5))),
         // Five arms of 80 mm fit as well.
         ["neighbour-gap"]
     );
-    assert_eq!(with(|s| s.teeth = TeethSpec::Given(set(21, 39, 99, 4))), ["ratio-departs"]);
+    assert_eq!(with(|s| s.teeth = TeethSpec::given(set(21, 39, 99, 4))), ["ratio-departs"]);
     assert_eq!(
         with(|s| {
-            s.teeth = TeethSpec::Given(set(13, 40, 93, 3));
+            s.teeth = TeethSpec::given(set(13, 40, 93, 3));
             s.ratio = 106.0 / 13.0;
             s.wheels.sun_bore = Bore::Given(mm(50.0));
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
@@ -254,7 +255,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
     );
     assert_eq!(
         with(|s| {
-            s.teeth = TeethSpec::Given(set(60, 30, 120, 4));
+            s.teeth = TeethSpec::given(set(60, 30, 120, 4));
             s.ratio = 3.0;
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
         }),
@@ -262,12 +263,46 @@ fn doubtful_drives_are_calculated_with_warnings() {
     );
     assert_eq!(
         with(|s| {
-            s.teeth = TeethSpec::Given(set(60, 29, 118, 2));
+            s.teeth = TeethSpec::given(set(60, 29, 118, 2));
             s.ratio = 178.0 / 60.0;
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
         }),
         ["ratio-outside-usual-range"]
     );
+}
+
+/// 13 teeth are undercut at 20°, and not at 25°; 20 are, at 14.5°.
+#[test]
+fn undercut_follows_the_pressure_angle() {
+    use epicyclic_gears::synthesis::Placement;
+    use uom::si::angle::degree;
+    let at = |alpha_deg: f64, sun: u32| {
+        let mut spec = excavator();
+        spec.wheels.rack.pressure_angle = uom::si::f64::Angle::new::<degree>(alpha_deg);
+        spec.wheels.sun_bore = Bore::Given(mm(0.0));
+        spec.teeth = TeethSpec::given(set(sun, 40, sun + 80, 3));
+        let teeth = design(&spec).unwrap();
+        let undercut = teeth.warnings.iter().find_map(|warning| match warning {
+            Warning::Undercut { wheel: Wheel::Sun, at_least, .. } => Some(*at_least),
+            _ => None,
+        });
+        let sought = default_bounds(spec.wheels.rack).sun;
+        (undercut, *sought.start())
+    };
+    assert_eq!((at(14.5, 20), at(14.5, 32)), ((Some(32), 32), (None, 32)));
+    assert_eq!((at(20.0, 16), at(20.0, 17)), ((Some(17), 17), (None, 17)));
+    assert_eq!((at(25.0, 10), at(25.0, 11)), ((Some(11), 11), (None, 11)));
+
+    // What was asked of the spacing holds for a given set too: 23 + 103 slots are no multiple of 4.
+    let given = |placement, tip_gap| {
+        let mut spec = excavator();
+        spec.teeth = TeethSpec::Given { teeth: set(23, 40, 103, 4), placement, tip_gap };
+        names(&design(&spec).unwrap())
+    };
+    assert!(given(Placement::Equal, 0.0).contains(&"unequal-spacing"));
+    assert!(!given(Placement::LeastUnequal, 0.0).contains(&"unequal-spacing"));
+    assert!(!given(Placement::Equal, 0.1).contains(&"tip-gap-below-wanted"));
+    assert!(given(Placement::Equal, 3.0).contains(&"tip-gap-below-wanted"));
 }
 
 #[test]
@@ -295,15 +330,15 @@ fn impossible_drives_are_refused() {
     refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::NotFinite { what: "load torque", .. });
     refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothSet { nearest: Some(_), .. }));
     refused!(
-        |s| s.teeth = TeethSpec::Given(set(20, 40, 101, 4)),
+        |s| s.teeth = TeethSpec::given(set(20, 40, 101, 4)),
         Error::NotCoaxial { sun: 20, planet: 40, ring: 101 }
     );
     refused!(
-        |s| s.teeth = TeethSpec::Given(set(u32::MAX, 1, 1, 4)),
+        |s| s.teeth = TeethSpec::given(set(u32::MAX, 1, 1, 4)),
         Error::Gear(Gear::ToothRange { wheel: "sun", .. })
     );
     refused!(
-        |s| s.teeth = TeethSpec::Given(set(20, 40, 100, u32::MAX)),
+        |s| s.teeth = TeethSpec::given(set(20, 40, 100, u32::MAX)),
         Error::Gear(Gear::PlanetNumber { .. })
     );
     refused!(|s| s.wheels.module = mm(-8.0), Error::Gear(Gear::NotPositive { quantity: "module", .. }));
@@ -348,9 +383,9 @@ prop_compose! {
         given: bool, sun_range in 12..60_u32,
     ) -> TeethSpec {
         if given {
-            TeethSpec::Given(set(sun, planet, sun + 2 * planet + off, planets))
+            TeethSpec::given(set(sun, planet, sun + 2 * planet + off, planets))
         } else {
-            TeethSpec::Within(Bounds { sun: sun_range..=sun_range + 2, planets: planets..=8, ..default_bounds(1.0) })
+            TeethSpec::Within(Bounds { sun: sun_range..=sun_range + 2, planets: planets..=8, ..default_bounds(BasicRack::default()) })
         }
     }
 }
@@ -392,7 +427,7 @@ prop_compose! {
     ) -> DriveSpec {
         let ratio = f64::from(2 * (sun + planet)) / f64::from(sun);
         let mut spec = DriveSpec::new(power(power_w), rpm(speed), ratio, mm(module), mm(width));
-        spec.teeth = TeethSpec::Given(set(sun, planet, sun + 2 * planet, planets));
+        spec.teeth = TeethSpec::given(set(sun, planet, sun + 2 * planet, planets));
         spec.wheels.sun_bore = Bore::Given(length(0.0));
         spec.wheels.planet_bore = Bore::Given(mm(module));
         spec.load = load.map(torque);
