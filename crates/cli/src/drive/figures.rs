@@ -48,12 +48,24 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
 fn warnings(design: &DriveDesign) -> Vec<(&'static str, String)> {
     let of_design = design.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
     // In balance is how every drive stands whose load is its nominal one; the outcome says so.
-    let start = matches!(design.with_losses.start, Start::Overloaded(_)).then(|| {
-        (
+    let [least, greatest] = design.with_losses.held.map(|load| trimmed(load.si(), 5));
+    let start = match design.with_losses.start {
+        Start::After(_) | Start::InBalance => None,
+        Start::Held => Some((
             "no-start",
-            "with the losses of the meshes it does not start: the load exceeds the driving torque".to_owned(),
-        )
-    });
+            format!(
+                "it does not start: with this driving torque the friction of the meshes holds loads from {least} to \
+                 {greatest} N·m; the drive starts forward below them and runs backward above"
+            ),
+        )),
+        Start::Backward(_) => Some((
+            "runs-backward",
+            format!(
+                "the load turns the drive backward: with this driving torque the friction of the meshes holds no more \
+                 than {greatest} N·m; it starts forward below {least} N·m"
+            ),
+        )),
+    };
     of_design.chain(start).collect()
 }
 
@@ -261,6 +273,8 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
     let motions = [design.without_losses, design.with_losses];
     let of = |figure: fn(&Motion) -> Figure| motions.map(|motion| figure(&motion));
     vec![
+        Row::new("held_from", "forward at loads below", "", of(|motion| quantity(motion.held[0]))),
+        Row::new("held_to", "backward at loads above", "", of(|motion| quantity(motion.held[1]))),
         Row::new(
             "generalized_force",
             "generalized force",
@@ -291,9 +305,10 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
             "outcome",
             "",
             of(|motion| match motion.start {
-                Start::After(_) => Figure::Answer("starts", "starts"),
+                Start::After(_) => Figure::Answer("starts", "starts forward"),
                 Start::InBalance => Figure::Answer("in-balance", "in balance: does not start"),
-                Start::Overloaded(_) => Figure::Answer("overloaded", "overloaded: does not start"),
+                Start::Held => Figure::Answer("held", "held by mesh friction"),
+                Start::Backward(_) => Figure::Answer("runs-backward", "runs backward"),
             }),
         ),
         Row::new(
@@ -302,7 +317,7 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
             "t",
             of(|motion| match motion.start {
                 Start::After(time) => quantity(time),
-                Start::InBalance | Start::Overloaded(_) => optional::<Time>(None),
+                Start::InBalance | Start::Held | Start::Backward(_) => optional::<Time>(None),
             }),
         ),
     ]

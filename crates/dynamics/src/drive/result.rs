@@ -231,12 +231,15 @@ pub struct Reduction {
 /// How the drive moves under the starting torques.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
-    /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses.
+    /// The inertia that the driving torque feels: `J_pr`, or `J_η` with losses; where it is held, that of forward motion.
     pub inertia: MomentOfInertia,
-    /// Generalized force.
+    /// Generalized force from rest, friction taken off; 0 where it is held.
     pub generalized_force: Torque,
-    /// Accelerations of the links, for a drive that turns forward.
+    /// Accelerations of the links from rest; 0 where it is held.
     pub accelerations: Accelerations,
+    /// Loads on the carrier that keep it at rest, the least and the greatest: below it starts forward, above it runs
+    /// backward. One load without losses.
+    pub held: [Torque; 2],
     /// Whether and when it reaches its speed.
     pub start: Start,
 }
@@ -246,10 +249,12 @@ pub struct Motion {
 pub enum Start {
     /// After this time, both torques constant.
     After(Time),
-    /// Never: driving torque and load balance. A drive that turns keeps turning, one at rest stays so.
+    /// Never: driving torque and load balance. A drive that turns forward keeps turning, one at rest stays so.
     InBalance,
-    /// Never: the load exceeds the driving torque by this much, reduced to the sun's shaft.
-    Overloaded(Torque),
+    /// Never: the friction of the meshes holds it. A drive that turns forward slows down and stays.
+    Held,
+    /// Never: the load turns it backward, with this generalized force at the sun's shaft.
+    Backward(Torque),
 }
 
 /// A shaft of the drive.
