@@ -5,7 +5,7 @@ use crate::report::{Part, Report, Row, Section};
 use epicyclic_dynamics::drive::{Choice, DriveDesign, Motion, ShaftDesign, Start, WheelMass};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
-use uom::si::f64::{AngularVelocity, Length, MomentOfInertia, Time};
+use uom::si::f64::{AngularVelocity, Force, Length, MomentOfInertia, Time};
 
 const WHEELS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
 const SHAFTS: &[(&str, &str)] =
@@ -15,6 +15,11 @@ const MOTIONS: &[(&str, &str)] = &[("without_losses", "without losses"), ("with_
 
 const PIN: &str = "A planet's pin carries no torque. The method sizes it by the torque on the planets all the same; \
                    check its bending by the force on it.";
+
+const FORCES: &str = "The sum of both mesh forces is the tangential force on the pin: they hold the friction of the \
+                      teeth. The nominal forces, for the strength of teeth, lay the whole torque on the pitch circle. \
+                      They leave out the torque of friction on the planet, so they are larger and their sum is not the \
+                      pin's force.";
 
 /// The whole answer.
 pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
@@ -28,7 +33,13 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
             section("powers", "Powers", &[], powers(design)),
             section("wheels", "Wheels", WHEELS, wheels(design)),
             section("wheels", "Wheels together", &[], mesh(design)),
-            section("forces", "Forces, planets sharing evenly", &[], forces(design)),
+            Part::Facts(Section {
+                name: "forces",
+                title: "Forces, planets sharing evenly",
+                columns: &[],
+                rows: forces(design),
+                note: FORCES,
+            }),
             Part::Facts(Section {
                 name: "shafts",
                 title: "Shafts by torsion, and bearings",
@@ -183,12 +194,24 @@ fn mesh(design: &DriveDesign) -> Vec<Row> {
 
 fn forces(design: &DriveDesign) -> Vec<Row> {
     let forces = &design.forces;
+    let nominal = |name, label, nominal: Force, real: Force| Row {
+        remark: format!("{:+.1} %", 100.0 * (nominal.si() / real.si() - 1.0)),
+        ..Row::new(name, label, "", [quantity(nominal)])
+    };
     vec![
         Row::new("sun_mesh", "tangential, at each mesh with the sun", "", [quantity(forces.sun_mesh)]),
         Row::new("ring_mesh", "tangential, at each mesh with the ring", "", [quantity(forces.ring_mesh)]),
         Row::new("pin_tangential", "pin, from the carrier's torque", "", [quantity(forces.pin_tangential)]),
+        Row::new("pin_meshes", "pin, radial of both meshes, outwards", "", [quantity(forces.pin_meshes)]),
         Row::new("pin_centrifugal", "pin, centrifugal", "", [quantity(forces.pin_centrifugal)]),
-        Row::new("pin", "pin, both", "", [quantity(forces.pin)]),
+        Row::new("pin", "pin, together", "", [quantity(forces.pin)]),
+        nominal(
+            "sun_nominal",
+            "nominal, of a tooth of the sun, 2·T₁/(N·d₁)",
+            forces.sun_nominal,
+            forces.sun_mesh,
+        ),
+        nominal("ring_nominal", "nominal, of the ring, 2·T₃/(N·d₃)", forces.ring_nominal, forces.ring_mesh),
     ]
 }
 

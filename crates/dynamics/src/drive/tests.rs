@@ -131,14 +131,25 @@ fn the_excavators_shafts_are_too_thin() {
 fn the_excavators_forces() {
     let found = design(&excavator()).unwrap().forces;
     let t1 = 106_500.0 / (65.0 * PI);
-    close(found.sun_mesh.get::<newton>(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
-    close(found.ring_mesh.get::<newton>(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
+    close(found.sun_nominal.get::<newton>(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
+    close(found.ring_nominal.get::<newton>(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
     let tangential = 5.753 * t1 / (4.0 * 0.24);
+    // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point, by
+    // η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
+    let of_sun = 0.03 / (1.0 / 0.16 + 0.97 / 0.08);
+    let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
+    close(found.sun_mesh.get::<newton>(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
+    close(found.ring_mesh.get::<newton>(), 4.753 * t1 / (4.0 * (0.4 + of_ring)), 1e-8);
+    // The nominal forces together miss the pin's by 1.7 %.
+    let nominal = (found.sun_nominal + found.ring_nominal).get::<newton>();
+    close(nominal / tangential, 1.0172, 5e-5);
+    // (1597.2 − 1528.2)·tan 20°
+    close(found.pin_meshes.get::<newton>(), 25.1, 0.05);
     close(found.pin_tangential.get::<newton>(), tangential, 1e-8);
     // 31.565 kg: the source's 31.549 with π for 3.14.
     let centrifugal = exact(31.549) * (65.0 * PI / 6.0).powi(2) * 0.24;
     close(found.pin_centrifugal.get::<newton>(), centrifugal, 0.2);
-    close(found.pin.get::<newton>(), tangential.hypot(centrifugal), 0.2);
+    close(found.pin.get::<newton>(), tangential.hypot(centrifugal + 25.1), 0.2);
 }
 
 #[test]
@@ -488,6 +499,12 @@ proptest! {
         let p = &found.powers;
         let left = watts(p.input) - watts(p.output) - watts(p.lost);
         prop_assert!(left.abs() < 1e-12 * watts(p.input));
+        // Both meshes of a planet and its pin balance, with losses too.
+        let meshes = (found.forces.sun_mesh + found.forces.ring_mesh).get::<newton>();
+        prop_assert!((meshes / found.forces.pin_tangential.get::<newton>() - 1.0).abs() < 1e-12);
+        // Nominal forces are larger, by no more than the meshes lose.
+        let nominal = (found.forces.sun_nominal + found.forces.ring_nominal).get::<newton>();
+        prop_assert!(nominal > meshes && nominal / meshes - 1.0 < 1.0 - found.efficiency.stationary);
         // The pins carry the carrier's torque.
         let pins = found.forces.pin_tangential.get::<newton>() * meters(found.wheels.centre_distance);
         let all = pins * f64::from(found.gear.teeth.planets);
