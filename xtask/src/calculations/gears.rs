@@ -192,7 +192,7 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
         .number("ratio", row.ratio(Mode::new(Member::Sun, Member::Carrier)?)?)
         .count("coaxiality_difference", coaxiality)
         .count("most_planets", bounds.most_planets(sun, planet))
-        .number("slots_per_planet", f64::from(spacing.slots()) / f64::from(given.planets.max(1)))
+        .number("slots_per_planet", spacing.slots() as f64 / f64::from(given.planets.max(1)))
         .answer("assembles_equally_spaced", spacing.is_equal())
         .quantity("planet_angle", Angle::new::<radian>(TAU / f64::from(given.planets.max(1))))
         .quantity("smallest_planet_angle", spacing.smallest_gap());

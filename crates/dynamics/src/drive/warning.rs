@@ -82,7 +82,7 @@ pub enum Warning {
         /// Number of planets.
         planets: u32,
         /// Angles at which a planet fits, `z_a + z_b`.
-        slots: u32,
+        slots: u64,
         /// Greatest deviation from equal spacing, degrees.
         deviation_deg: f64,
     },
