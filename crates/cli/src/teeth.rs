@@ -32,7 +32,7 @@ pub(crate) struct Args {
     #[arg(long, default_value = "aH^b", value_parser = mode)]
     mode: Mode,
 
-    /// How far the ratio may be off: 1%, or 0.01.
+    /// How far the ratio may be off, below 100%: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 

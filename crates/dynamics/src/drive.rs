@@ -61,7 +61,7 @@ use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_gears::geometry::{self, Toothing, centre_distance};
 use epicyclic_gears::row::{Member, Mode};
-use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::synthesis::{ToothSet, check_tolerance};
 use epicyclic_gears::{pin, willis};
 use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::power::kilowatt;
@@ -131,9 +131,7 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
     positive("power", spec.power.get::<kilowatt>(), "kW")?;
     positive("speed", spec.speed.get::<revolution_per_minute>(), "rpm")?;
     positive("ratio", spec.ratio, "")?;
-    if !(spec.ratio_tolerance >= 0.0 && spec.ratio_tolerance.is_finite()) {
-        return Err(epicyclic_gears::Error::Tolerance { tolerance: spec.ratio_tolerance }.into());
-    }
+    check_tolerance(spec.ratio_tolerance)?;
     if let Some(driving) = spec.driving_torque {
         positive("driving torque", n_m(driving), "N·m")?;
     }

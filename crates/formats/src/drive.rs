@@ -40,7 +40,7 @@ pub struct DriveFile {
     pub speed: Quantity<AngularVelocity>,
     /// Ratio of the speeds of sun and carrier. It may be left out where `teeth` gives sun, planets, and planet or ring.
     pub ratio: Option<Number>,
-    /// How far the ratio may be off. Default 1 %.
+    /// How far the ratio may be off, below 100 %. Default 1 %.
     pub ratio_tolerance: Option<Quantity<Ratio>>,
     /// Tooth numbers, or bounds for them. Default: sought.
     pub teeth: Option<TeethFile>,

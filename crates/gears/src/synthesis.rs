@@ -249,9 +249,7 @@ impl Bounds {
         tolerance: f64,
         done: impl FnMut(f64),
     ) -> Result<Vec<Candidate>, Error> {
-        if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            return Err(Error::Tolerance { tolerance });
-        }
+        check_tolerance(tolerance)?;
         if wanted == 0.0 || !wanted.is_finite() {
             return Err(Error::Ratio { ratio: wanted });
         }
@@ -307,6 +305,14 @@ impl Bounds {
             if clears(below + 1) { below + 1 } else { below.max(1) }
         })
     }
+}
+
+/// Refuses a relative tolerance of a ratio outside 0 ≤ t < 1: from 100 % on it allows a ratio of 0.
+///
+/// # Errors
+/// [`Error::Tolerance`].
+pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
+    if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
 }
 
 /// The neighbour condition's limit as a number, `180°/arcsin((z_g + 2·h_a*)/(z_a + z_g))`: fewer
@@ -454,7 +460,14 @@ mod tests {
         for (bounds, expected) in cases {
             assert_eq!(bounds.tooth_sets(), Err(expected));
         }
-        assert_eq!(base().for_ratio(6.0, sun_to_carrier(), -0.1), Err(Error::Tolerance { tolerance: -0.1 }));
+        for tolerance in [-0.1, 1.0, 1e308, f64::INFINITY] {
+            assert_eq!(
+                base().for_ratio(6.0, sun_to_carrier(), tolerance),
+                Err(Error::Tolerance { tolerance })
+            );
+        }
+        assert!(matches!(base().for_ratio(6.0, sun_to_carrier(), f64::NAN), Err(Error::Tolerance { .. })));
+        assert!(base().for_ratio(6.0, sun_to_carrier(), 0.999).is_ok());
         assert!(matches!(base().for_ratio(0.0, sun_to_carrier(), 0.1), Err(Error::Ratio { .. })));
     }
 

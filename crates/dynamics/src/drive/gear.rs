@@ -3,7 +3,7 @@
 use super::result::{Gear, Wheel, Wheels};
 use super::spec::{DriveSpec, TeethSpec};
 use super::warning::Warning;
-use super::{USUAL_RATIO, mode};
+use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
 use crate::units::{length, meters};
 use epicyclic_gears::row::exact_ratio;
@@ -86,6 +86,7 @@ pub(super) fn conditions(
         tip_gap: length(chord - meters(wheels.planet.tip_diameter())),
         spacing,
     };
+    finite("error of the ratio", gear.ratio_error)?;
     if gear.ratio_error.abs() > spec.ratio_tolerance + 4.0 * f64::EPSILON {
         warnings.push(Warning::RatioDeparts { wanted: spec.ratio, ratio, tolerance: spec.ratio_tolerance });
     }

@@ -353,6 +353,14 @@ fn impossible_drives_are_refused() {
     refused!(|s| s.speed = rpm(f64::NAN), Error::Gear(Gear::NotPositive { quantity: "speed", .. }));
     refused!(|s| s.ratio = -6.0, Error::Gear(Gear::NotPositive { quantity: "ratio", .. }));
     refused!(|s| s.ratio_tolerance = -1.0, Error::Gear(Gear::Tolerance { .. }));
+    refused!(|s| s.ratio_tolerance = 1.0, Error::Gear(Gear::Tolerance { .. }));
+    refused!(
+        |s| {
+            s.teeth = TeethSpec::given(set(20, 40, 100, 4));
+            s.ratio = 1e-308;
+        },
+        Error::Overflow { what: "error of the ratio", .. }
+    );
     refused!(
         |s| s.driving_torque = Some(torque(0.0)),
         Error::Gear(Gear::NotPositive { quantity: "driving torque", .. })
