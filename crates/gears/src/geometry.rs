@@ -312,6 +312,21 @@ mod tests {
         );
     }
 
+    /// Two spellings of a module differ by rounding; what differs by more is another module.
+    #[test]
+    fn modules_and_pressure_angles_are_the_same_to_a_part_in_1e12() {
+        let with = |module: f64, alpha: f64| {
+            let rack = BasicRack { pressure_angle: angle_from_degrees(alpha), ..BasicRack::default() };
+            Wheel::new(Toothing::External, length_from_mm(module), teeth(20), rack).unwrap()
+        };
+        let one = with(8.0, 20.0);
+        assert!(centre_distance(&one, &with(8.0 * (1.0 + 5e-13), 20.0 * (1.0 - 5e-13))).is_ok());
+        let other = with(8.0 * (1.0 + 4e-12), 20.0);
+        assert!(matches!(centre_distance(&one, &other), Err(Error::ModulesDiffer { .. })));
+        let other = with(8.0, 20.0 * (1.0 + 4e-12));
+        assert!(matches!(centre_distance(&one, &other), Err(Error::PressureAnglesDiffer { .. })));
+    }
+
     #[test]
     fn refused_pairs_say_why() {
         let (sun, ring) = (wheel(Toothing::External, 20), wheel(Toothing::Internal, 100));

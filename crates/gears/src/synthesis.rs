@@ -471,6 +471,27 @@ mod tests {
         assert!(matches!(base().for_ratio(0.0, sun_to_carrier(), 0.1), Err(Error::Ratio { .. })));
     }
 
+    /// 7/6.25 − 1 is 0.12 exactly, and as floats a rounding above it.
+    #[test]
+    fn a_set_at_the_tolerance_itself_is_within() {
+        let exact = |tolerance: f64| {
+            let found = Bounds::default().for_ratio(6.25, sun_to_carrier(), tolerance).unwrap();
+            found.iter().any(|set| set.ratio == 7.0)
+        };
+        assert!(7.0 / 6.25 - 1.0 > 0.12);
+        assert!(exact(0.12) && !exact(0.12 - 1e-14));
+    }
+
+    #[test]
+    fn ten_thousand_teeth_are_the_most() {
+        let sun = |to| Bounds { sun: 9_998..=to, planet: 1..=1, ring: 1..=10_000, ..Bounds::default() };
+        let wide = |to| Bounds { row_parameter: 1.0001..=2.0, planets: 2..=2, tip_gap: 0.0, ..sun(to) };
+        assert_eq!(MOST_TEETH, 10_000);
+        assert_eq!(wide(10_000).tooth_sets().unwrap().len(), 1);
+        let refused = Error::ToothRange { wheel: "sun", from: 9_998, to: 10_001, most: 10_000 };
+        assert_eq!(wide(10_001).tooth_sets(), Err(refused));
+    }
+
     #[test]
     fn planets_that_just_touch_are_not_neighbours() {
         // Six planets: (z_a + z_g)/2 = z_g + 2 leaves no gap at all.
