@@ -8,10 +8,11 @@ use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::row::Mode;
-use epicyclic_gears::synthesis::{Bounds, Placement, least_teeth_without_undercut};
+use epicyclic_gears::synthesis::{Bounds, Placement};
 use std::ops::RangeInclusive;
-use uom::si::f64::Ratio;
+use uom::si::f64::{Angle, Ratio};
 
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -31,7 +32,7 @@ pub(crate) struct Args {
     #[arg(long, default_value = "aH^b", value_parser = mode)]
     mode: Mode,
 
-    /// How far the ratio may be off: 1%, or 0.01.
+    /// How far the ratio may be off, below 100%: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
@@ -63,11 +64,15 @@ pub(crate) struct Args {
     #[arg(long, default_value = "0", allow_negative_numbers = true)]
     tip_gap: Number,
 
-    /// Addendum coefficient.
+    /// Addendum coefficient of the basic rack: tips of planets, and undercut.
     #[arg(long, default_value = "1", allow_negative_numbers = true)]
     addendum: Number,
 
-    /// Leave out sets in which a rack would undercut sun or planet.
+    /// Pressure angle of the basic rack: undercut.
+    #[arg(long, value_name = "ANGLE", default_value = "20deg", allow_hyphen_values = true)]
+    pressure_angle: Quantity<Angle>,
+
+    /// Leave out sets in which the rack would undercut sun or planet.
     #[arg(long)]
     no_undercut: bool,
 
@@ -129,8 +134,13 @@ fn refuse(error: Error) -> Failure {
 
 fn bounds(args: &Args) -> Result<Bounds, Failure> {
     let usual = Bounds::default();
-    let addendum = args.addendum.get();
-    let least = if args.no_undercut { least_teeth_without_undercut(addendum) } else { 1 };
+    let rack = BasicRack {
+        addendum: args.addendum.get(),
+        pressure_angle: args.pressure_angle.0,
+        ..BasicRack::default()
+    };
+    rack.check().map_err(refuse)?;
+    let least = if args.no_undercut { rack.least_teeth_without_undercut() } else { 1 };
     let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
         let (from, most) = options::of_wheel(option, span, usual)?.into_inner();
         let from = from.max(least);
@@ -142,7 +152,7 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
         ring: options::of_wheel("--ring", args.ring, usual.ring)?,
         planets: closed("--planets", args.planets, usual.planets)?,
         row_parameter: closed("--k", args.k, usual.row_parameter)?,
-        addendum,
+        rack,
         tip_gap: args.tip_gap.get(),
         placement: match args.spacing {
             Spacing::Equal => Placement::Equal,

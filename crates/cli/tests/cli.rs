@@ -45,10 +45,28 @@ fn help_says_what_there_is() {
 }
 
 #[test]
-fn a_drive_that_its_load_holds_is_warned_of() {
-    let folder = with("carrier:\n", "start: { load: 4 kN·m }\ncarrier:\n");
-    let printed = text(&output(folder.path(), &["drive", "drive.yaml"]).stdout);
-    assert!(printed.contains("it does not start: the load exceeds"), "{printed}");
+fn a_drive_that_does_not_start_forward_is_warned_of() {
+    let at = |load: &str| {
+        let folder = with("carrier:\n", &format!("start: {{ load: {load} }}\ncarrier:\n"));
+        let answer = output(folder.path(), &["drive", "drive.yaml", "--format", "json"]).stdout;
+        let answer: serde_json::Value = serde_json::from_slice(&answer).unwrap();
+        let motion = answer["start"]["with_losses"].clone();
+        let outcome = motion["outcome"].as_str().unwrap().to_owned();
+        let acceleration = motion["acceleration_sun_rad_s2"].as_f64().unwrap();
+        let warning =
+            answer["warnings"].as_array().unwrap().last().unwrap()["message"].as_str().unwrap().to_owned();
+        (outcome, acceleration, motion["starting_time_s"].as_f64(), warning)
+    };
+    // Between 3000.4 and 3264.7 N·m the meshes hold it.
+    let (outcome, acceleration, time, warning) = at("3050 N·m");
+    assert_eq!((outcome.as_str(), acceleration, time), ("held", 0.0, None));
+    assert!(warning.contains("holds loads from 3000.4 to 3264.7 N·m"), "{warning}");
+    let (outcome, acceleration, time, warning) = at("3300 N·m");
+    assert_eq!((outcome.as_str(), time), ("runs-backward", None));
+    assert!(acceleration < 0.0 && warning.contains("turns the drive backward"), "{acceleration} {warning}");
+    let (outcome, acceleration, time, _) = at("2900 N·m");
+    assert_eq!(outcome, "starts");
+    assert!(acceleration > 0.0 && time.is_some());
 }
 
 #[test]
@@ -182,6 +200,10 @@ fn wrong_usage() {
             &["teeth", "--ratio", "6", "--sun", "40..12"],
             &["teeth", "--ratio", "6", "--sun", "12-40"],
             &["teeth", "--ratio", "6", "--tolerance", "1 mm"],
+            &["teeth", "--ratio", "6", "--tolerance", "100%"],
+            &["teeth", "--ratio", "6", "--tolerance", "1e308"],
+            &["teeth", "--ratio", "6", "--pressure-angle", "90deg"],
+            &["teeth", "--ratio", "6", "--pressure-angle", "20"],
             &["teeth", "--ratio", "6", "--format", "xml"],
             &["drive"],
             &["gears"],

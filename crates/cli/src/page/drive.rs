@@ -94,7 +94,7 @@ fn start(design: &DriveDesign) -> Option<Plot> {
     let speed = design.speeds.sun.get::<revolution_per_minute>();
     let time = |start: Start| match start {
         Start::After(time) => Some(time.get::<second>()),
-        Start::InBalance | Start::Overloaded(_) => None,
+        Start::InBalance | Start::Held | Start::Backward(_) => None,
     };
     let starts = [
         ("without losses", time(design.without_losses.start)),
