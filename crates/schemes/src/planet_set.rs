@@ -232,7 +232,7 @@ impl PlanetSet {
         &self.meshes
     }
 
-    /// A gear in words: `sun`, `ring`, `planet`, `planet long.2`.
+    /// A gear in words: `sun`, `ring drum`, `planet`, `long.2`.
     #[must_use]
     pub fn gear_name(&self, gear: GearOf) -> String {
         match gear {
@@ -256,7 +256,7 @@ impl PlanetSet {
                         format!("planet{}", if step.is_empty() { step } else { format!(" {}", &step[1..]) })
                     }
                     ("", _) => format!("planet {}{step}", planet + 1),
-                    (name, _) => format!("planet {name}{step}"),
+                    (name, _) => format!("{name}{step}"),
                 }
             }
         }

@@ -1,7 +1,8 @@
 //! Everything about one gear.
 
 use super::overview::{
-    as_published, contradictions, duty, engaged, fast_planets, in_words, published_figure, warnings,
+    as_published, contradictions, duty, engaged, fast_planets, in_words, moving, published_figure,
+    self_locking, warnings,
 };
 use super::subject::Subject;
 use super::{Input, Worked, pins, work};
@@ -10,7 +11,9 @@ use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::Dimension;
 use epicyclic_schemes::planet_set::GearOf;
-use epicyclic_schemes::{Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet};
+use epicyclic_schemes::{
+    Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, State,
+};
 
 const CASES: &[(&str, &str)] =
     &[("without_losses", "without losses"), ("with_losses", "with losses"), ("at_load", "at the load")];
@@ -85,7 +88,6 @@ impl Scene<'_> {
         let (analysis, gearbox) = (self.analysis(), self.gearbox);
         let gear = analysis.gear();
         let exact = analysis.exact_ratio().map(|ratio| ratio.to_string());
-        let locks = analysis.is_self_locking().map_or(Figure::None, Figure::YesNo);
         let mut rows = vec![
             Row::new("gear", "gear", "", [text(gear.name())]),
             Row::new("engaged", "engaged", "", [Figure::Texts(engaged(gearbox, gear))]),
@@ -120,20 +122,20 @@ impl Scene<'_> {
             }
         }
         rows.extend([
-            Row::new("efficiency", "efficiency", "η", [multiple(analysis.efficiency())]),
+            Row::new("efficiency", "efficiency", "η", [moving(analysis.efficiency())]),
             Row::new(
                 "kreines_efficiency",
                 "the same by Kreines' rule",
                 "",
-                [multiple(analysis.kreines().map(|kreines| kreines.efficiency))],
+                [moving(analysis.kreines().map(|kreines| kreines.efficiency))],
             ),
             Row::new(
                 "overrun_efficiency",
                 "back-driving efficiency",
                 "",
-                [multiple(analysis.overrun_efficiency())],
+                [moving(analysis.overrun_efficiency())],
             ),
-            Row::new("self_locking", "self-locking when back-driven", "", [locks]),
+            Row::new("self_locking", "self-locking", "", [self_locking(analysis)]),
         ]);
         Section { name: "gear", title: "Gear", columns: &[], rows, note: "" }
     }
@@ -308,8 +310,18 @@ impl Scene<'_> {
                 row("output", "at the output", |case| case.output, |at| at.output),
                 row("housing", "from the housing", |case| case.housing, |at| -at.input - at.output),
             ],
-            note: "",
+            note: if self.is_held() {
+                "With losses: the torques at which it just moves, the output helped along. With less there the meshes \
+                 hold it, whatever the input's torque."
+            } else {
+                ""
+            },
         }
+    }
+
+    /// Whether no torque at the input moves it.
+    fn is_held(&self) -> bool {
+        matches!(self.analysis().state(), State::SelfLocking { .. })
     }
 
     fn sets(&self) -> Records {
@@ -510,6 +522,9 @@ impl Scene<'_> {
             Row::new("circulating", "circulates", "", [of(|case| case.power.circulating)]),
             Row::new("largest", "largest of any member", "", [of(|case| case.power.largest)]),
         ];
+        if self.is_held() {
+            rows[0] = Row::new("helping", "enters at the output too", "", [of(|case| -case.efficiency)]);
+        }
         if let Some(operation) = self.powered() {
             let entering = operation.entering;
             let at = |of: Option<f64>| of.map_or(Figure::None, |of| quantity(entering * of));
@@ -574,7 +589,7 @@ impl Scene<'_> {
         let analysis = self.analysis();
         let mut all = warnings(self.gearbox);
         all.extend(fast_planets(self.gearbox, analysis));
-        if *analysis.state() != epicyclic_schemes::State::Driven {
+        if *analysis.state() != State::Driven {
             all.push(("state", in_words(analysis.state())));
         }
         if self.input.load.is_some() && self.operation().is_none() {

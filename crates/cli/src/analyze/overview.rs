@@ -110,15 +110,34 @@ fn row(subject: &Subject, worked: &[Worked<'_>], place: usize, input: Input) -> 
             .zip(analysis.ratio())
             .map_or(Figure::None, |(gear, ratio)| Figure::YesNo(gear.stands_for(ratio))),
         published.and_then(remark).map_or_else(|| text(""), text),
-        multiple(analysis.efficiency()),
-        multiple(analysis.overrun_efficiency()),
-        analysis.is_self_locking().map_or(Figure::None, Figure::YesNo),
+        moving(analysis.efficiency()),
+        moving(analysis.overrun_efficiency()),
+        self_locking(analysis),
         multiple(analysis.driving().map(|case| case.power.circulating)),
         multiple(largest_speed(gearbox, analysis)),
         multiple(largest_planet_speed(analysis)),
         column(input.speed.zip(output_speed).map(|(speed, of)| speed * of)),
         column(operation.as_ref().map(|operation| operation.output)),
     ]
+}
+
+/// An efficiency of a gear that moves; none of one that its losses hold.
+pub(super) fn moving(efficiency: Option<f64>) -> Figure {
+    multiple(efficiency.filter(|efficiency| *efficiency > 0.0))
+}
+
+/// From which end a gear is self-locking.
+pub(super) fn self_locking(analysis: &Analysis<'_>) -> Figure {
+    let from_output = match analysis.is_self_locking() {
+        Some(from_output) => from_output,
+        None => return Figure::None,
+    };
+    match (matches!(analysis.state(), State::SelfLocking { .. }), from_output) {
+        (false, false) => Figure::Answer("no", "no"),
+        (false, true) => Figure::Answer("from_output", "from output"),
+        (true, false) => Figure::Answer("from_input", "from input"),
+        (true, true) => Figure::Answer("both_ways", "both ways"),
+    }
 }
 
 /// Names of what is engaged.
