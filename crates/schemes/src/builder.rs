@@ -7,8 +7,10 @@ use crate::groups::Groups;
 use crate::planet_set::{
     Central, Description, GearOf, Mesh, MeshKind, Parts, Planet, PlanetSet, parts_of_short,
 };
-use crate::set::{Gearing, SetKind, SetSpec};
-use crate::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS};
+use crate::set::SetSpec;
+use crate::tolerance::{
+    MOST_ALIKE, MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS,
+};
 use crate::{Error, GROUND, Gearbox, LinkId, Named, Warning};
 use epicyclic_gears::teeth::ToothCount;
 
@@ -190,8 +192,8 @@ impl GearboxBuilder {
     /// # Errors
     /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set that
     /// are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements that join a
-    /// link with itself, permanent connections in a loop, terminals at the housing, more than is solved. Teeth
-    /// that break equal centre distances only leave a [`Warning`].
+    /// link with itself, permanent connections in a loop, terminals at the housing, more than is solved. What teeth
+    /// do not fit is asked of [`Gearbox::tooth_checks`].
     pub fn build(self) -> Result<Gearbox, Error> {
         for (what, count, limit) in [
             (Named::Set, self.sets.len(), MOST_SETS),
@@ -239,7 +241,6 @@ impl GearboxBuilder {
         }
         for description in self.sets {
             let set = build_set(&gearbox, description, &groups)?;
-            gearbox.warnings.extend(coaxiality(&set));
             gearbox.push_set(set);
         }
         for (id, [first, second], one_way) in self.controls {
@@ -316,6 +317,9 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
         }
     };
     let set = PlanetSet::new(description, carrier, parts)?;
+    if let Some(given) = set.planet_count().filter(|count| !(1..=MOST_ALIKE).contains(count)) {
+        return Err(Error::PlanetCount { set: id, given });
+    }
     // Members joined for ever make the set one block whatever is engaged. Where the two are the
     // housing the set is locked, which is the same mistake. Joined by a *shift element* they are the
     // ordinary direct drive.
@@ -455,18 +459,6 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
         exact: vec![None; bodies],
         rational: None,
         loss: None,
-    })
-}
-
-/// `z_b ≠ z_a + 2·z_g` of a simple set. Other kinds have their modules to play with.
-fn coaxiality(set: &PlanetSet) -> Option<Warning> {
-    let spec = set.short()?;
-    let (Gearing::Teeth(sun, ring), Some(planet)) = (spec.gearing, spec.planet) else { return None };
-    let unshifted = sun.get().saturating_add(planet.get().saturating_mul(2));
-    (spec.kind == SetKind::Simple && unshifted != ring.get()).then(|| Warning::Coaxiality {
-        set: spec.id.clone(),
-        ring: ring.get(),
-        unshifted,
     })
 }
 

@@ -1,7 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
 use crate::set::SetKind;
-use crate::tolerance::BASIC_RATIO;
+use crate::tolerance::{BASIC_RATIO, MOST_ALIKE};
 use std::fmt;
 
 /// What a name stands for in a gearbox.
@@ -108,6 +108,16 @@ pub enum Error {
         set: String,
         /// Its kind.
         kind: SetKind,
+    },
+    /// A number of planets that no set has.
+    #[error(
+        "set `{set}` has {given} planets: 1 to {MOST_ALIKE} of each are allowed; leave the number out where it is unknown"
+    )]
+    PlanetCount {
+        /// The set.
+        set: String,
+        /// The number given.
+        given: u32,
     },
     /// A compound set that is none.
     #[error("set `{set}`: {fault}")]
@@ -346,17 +356,6 @@ fn plural(what: Named) -> &'static str {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Warning {
-    /// Teeth that break equal centre distances without profile shift, `z_b ≠ z_a + 2·z_g`.
-    ///
-    /// Many gears in service do so on purpose, so it is no error.
-    Coaxiality {
-        /// The set.
-        set: String,
-        /// The ring's teeth.
-        ring: u32,
-        /// `z_a + 2·z_g`.
-        unshifted: u32,
-    },
     /// An input or output that no set, shift element or permanent connection ever reaches.
     Unreachable {
         /// The link.
@@ -385,10 +384,6 @@ pub enum Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Coaxiality { set, ring, unshifted } => write!(
-                f,
-                "set `{set}`: z_b = {ring}, but z_a + 2·z_g = {unshifted}: coaxial only with shifted profiles"
-            ),
             Self::Unreachable { link } => write!(f, "nothing ever joins `{link}` to a set"),
             Self::NoGears => f.write_str("no gears are described: there is nothing to analyse"),
             Self::SameTerminals { gear, link } => {

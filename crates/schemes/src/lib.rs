@@ -95,6 +95,7 @@ pub mod one_way;
 pub mod operating;
 mod pair;
 pub mod pins;
+mod planet_places;
 pub mod planet_set;
 pub mod power_flow;
 pub mod regimes;

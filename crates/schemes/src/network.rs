@@ -231,7 +231,7 @@ fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let pivot = (k..n).max_by(|&r, &s| a[r][k].abs().total_cmp(&a[s][k].abs()))?;
         a.swap(k, pivot);
         b.swap(k, pivot);
-        if !(a[k][k].abs() > PIVOT * PIVOT) {
+        if a[k][k].abs() <= PIVOT * PIVOT || a[k][k].is_nan() {
             return None;
         }
         let (done, rest) = a.split_at_mut(k + 1);

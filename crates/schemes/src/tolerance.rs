@@ -20,6 +20,7 @@
 //! | [`MOST_GEARS`] | gears |
 //! | [`MOST_MEMBERS`] | central gears of one set |
 //! | [`MOST_PLANETS`] | planets of one set that differ |
+//! | [`MOST_ALIKE`] | how many of one planet stand around the axis |
 //! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
 
 /// Least size of a number that is certainly not zero, in multiples of its error bound.
@@ -60,6 +61,9 @@ pub const MOST_MEMBERS: usize = 12;
 
 /// How many different planets a set may have.
 pub const MOST_PLANETS: usize = 12;
+
+/// How many of one planet may stand around the axis.
+pub const MOST_ALIKE: u32 = 1000;
 
 /// Largest size of a basic ratio; its inverse is the smallest.
 ///

@@ -7,6 +7,7 @@ use epicyclic_gears::teeth::ToothCount;
 use epicyclic_schemes::compound::CompoundSpec;
 use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_schemes::tolerance::MOST_SETS;
+use epicyclic_schemes::tooth_checks::ToothForm;
 use epicyclic_schemes::{
     CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Solution, Values,
     Warning,
@@ -132,15 +133,34 @@ fn power_does_not_enter_at_the_housing() {
 }
 
 #[test]
-fn shifted_profiles_are_a_warning() {
+fn shifted_profiles_are_a_matter_of_tooth_checks() {
     let row = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 22, 58).unwrap();
     let gearbox = sound().set(row.planet_teeth(ToothCount::new(17).unwrap(), None)).build().unwrap();
-    let expected = Warning::Coaxiality { set: "2".into(), ring: 58, unshifted: 56 };
-    assert_eq!(gearbox.warnings(), std::slice::from_ref(&expected));
+    assert_eq!(gearbox.warnings(), []);
+    let found = gearbox.tooth_checks(ToothForm::default());
     assert_eq!(
-        expected.to_string(),
-        "set `2`: z_b = 58, but z_a + 2·z_g = 56: coaxial only with shifted profiles"
+        found.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        [
+            "set `2`: planet (17 teeth) is 19.5 modules from the axis by the sun (22 teeth) and 20.5 by the ring (58 \
+          teeth): equal centre distances need shifted profiles"
+        ]
     );
+}
+
+#[test]
+fn a_set_has_a_planet_or_says_nothing_of_their_number() {
+    let set = |count| SetSpec::simple("2", ["drive", "ring", "driven"], 3.0).planet_count(count);
+    for given in [0, 1001] {
+        let error = fault(sound().set(set(given)));
+        assert_eq!(error, Error::PlanetCount { set: "2".into(), given });
+    }
+    assert_eq!(
+        fault(sound().set(set(0))).to_string(),
+        "set `2` has 0 planets: 1 to 1000 of each are allowed; leave the number out where it is unknown"
+    );
+    assert!(sound().set(set(1)).build().is_ok());
+    let fault = sound().links(["small"]).compound_set(compound().planet_count(0)).build().unwrap_err();
+    assert_eq!(fault, Error::PlanetCount { set: "R".into(), given: 0 });
 }
 
 #[test]

@@ -6,8 +6,11 @@ mod common;
 
 use common::machines::{self, Machine};
 use common::plain;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::row::Fraction;
-use epicyclic_schemes::{Analysis, CompiledGear, Direction, Solution, State, Warning};
+use epicyclic_schemes::planet_set::Description;
+use epicyclic_schemes::set::{MeshLoss, SetKind};
+use epicyclic_schemes::{Analysis, CompiledGear, Direction, Gearbox, Solution, State, Warning};
 
 #[test]
 fn every_gear_has_its_published_ratio() {
@@ -140,4 +143,49 @@ fn the_compiled_gear_equals_the_analysis_and_the_plain_way() {
             }
         }
     }
+}
+
+/// Ford AOD: gears 4 and R turn the long planets by the large sun, 36 teeth at the input's speed against the carrier.
+/// The short ones are in mesh with them, so the double planet's speeds need its teeth: 18 and 18 make all planets
+/// alike, 15 of the short ones turn them the fastest.
+#[test]
+fn planets_in_mesh_turn_by_their_teeth() {
+    let planets = |gearbox: &Gearbox, gear: &str, set: usize| -> Vec<Option<f64>> {
+        let found = gearbox.analyze(gear).unwrap();
+        found.sets()[set].planets.iter().map(|planet| planet.map(|planet| planet.relative)).collect()
+    };
+    let teeth = |count| ToothCount::new(count).unwrap();
+    for (short, fastest) in [(18, 2.0), (15, 2.4)] {
+        let two_sets = machines::ravigneaux_builder([MeshLoss::IDEAL; 2])
+            .map_sets(|set| match set.kind {
+                SetKind::DoublePlanet => set.planet_teeth(teeth(short), Some(teeth(18))),
+                _ => set,
+            })
+            .build()
+            .unwrap();
+        let one_set = machines::ravigneaux_set([1.0; 4])
+            .map_descriptions(|description| match description {
+                Description::Compound(mut set) => {
+                    set.planets[0].teeth = vec![short];
+                    Description::Compound(set)
+                }
+                short => short,
+            })
+            .build()
+            .unwrap();
+        for (gear, sense) in [("R", 1.0), ("4", -1.0)] {
+            // Against the carrier the large sun turns as the input in R, and backwards as fast in 4.
+            let expected = [sense * 36.0 / f64::from(short), -sense * 36.0 / 18.0];
+            for found in [planets(&two_sets, gear, 0), planets(&one_set, gear, 0)] {
+                let fastest_found = found.iter().flatten().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+                assert!((fastest_found - fastest).abs() < 1e-12, "{gear}");
+                for (speed, expected) in found.iter().zip(expected) {
+                    assert!((speed.unwrap() - expected).abs() < 1e-12, "{gear} {found:?}");
+                }
+            }
+            assert!((planets(&two_sets, gear, 1)[0].unwrap() + sense * 2.0).abs() < 1e-12);
+        }
+    }
+    // Without their teeth they are missing, not those of the other set.
+    assert_eq!(planets(&machines::ravigneaux().gearbox, "R", 0), [None, None]);
 }
