@@ -49,11 +49,12 @@
 use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::life::Rolling;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_schemes::pins::{Pin, SetSize};
 use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_schemes::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named};
+use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -62,7 +63,7 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Rat
 mod compound;
 mod place;
 mod transmissions;
-pub use compound::{CompoundEntry, MeshEntry, Note};
+pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use place::{gear_place, located};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionRow, TransmissionsFile};
 
@@ -134,6 +135,14 @@ pub enum DescriptionError {
         /// The reason.
         source: epicyclic_gears::Error,
     },
+    /// A size of a planet that the set has not.
+    #[error("set `{set}`: no planet is called `{planet}`: `planet_sizes` has names of `planet_gears`")]
+    NoSuchPlanet {
+        /// The set.
+        set: String,
+        /// The name.
+        planet: String,
+    },
     /// A clutch with links and with a one-way sense, or with neither.
     #[error("clutch `{clutch}`: give either `links`, or `one_way` for a one-way clutch")]
     Clutch {
@@ -182,9 +191,12 @@ pub struct GearboxFile {
     /// Density of the planets, for their mass. Default 7850 kg/m³, steel.
     #[serde(default)]
     pub density: Option<Quantity<MassDensity>>,
-    /// Working pressure angle, for the radial forces on planets. Default 20 deg.
+    /// Pressure angle, for the radial forces on planets and the checks of teeth. Default 20 deg.
     #[serde(default)]
     pub pressure_angle: Option<Quantity<Angle>>,
+    /// Addendum in modules, for the checks of teeth. Default 1.
+    #[serde(default)]
+    pub addendum: Option<Number>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
@@ -428,32 +440,57 @@ impl GearboxFile {
 }
 
 impl GearboxFile {
-    /// The planets of each set that has any on their pins, as far as their size is known, with the row's place.
+    /// The planets of each set that has any on their pins, as far as their size is known.
     ///
     /// # Errors
-    /// [`DescriptionError::Set`] for a size that is none.
-    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<(usize, Pin)>, DescriptionError> {
-        let of_row = |(place, size): (usize, SetSize)| {
-            let pin = gearbox.pin(place, &size)?;
-            let set = || gearbox.sets()[place].id().to_owned();
-            Some(pin.map(|pin| (place, pin)).map_err(|source| DescriptionError::Set { set: set(), source }))
-        };
-        self.set_sizes().into_iter().enumerate().filter_map(of_row).collect()
+    /// [`DescriptionError::Set`] for an invalid size.
+    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
+        let mut all = vec![];
+        for (place, set) in gearbox.sets().iter().enumerate() {
+            if let Some(pins) = gearbox.pins(place, &self.size(set)) {
+                let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
+                all.extend(pins.map_err(refuse)?);
+            }
+        }
+        Ok(all)
     }
 
-    fn set_sizes(&self) -> Vec<SetSize> {
+    /// The basic rack that the teeth are checked by.
+    ///
+    /// # Errors
+    /// That of [`BasicRack::check`].
+    pub fn rack(&self) -> Result<BasicRack, epicyclic_gears::Error> {
+        let usual = BasicRack::default();
+        let rack = BasicRack {
+            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            addendum: self.addendum.map_or(usual.addendum, Number::get),
+            ..usual
+        };
+        rack.check()?;
+        Ok(rack)
+    }
+
+    /// What the file says of the size of a set.
+    fn size(&self, set: &PlanetSet) -> SetSize {
         let usual = SetSize::default();
-        let of_set = |row: &SetEntry| SetSize {
-            module: row.module.map(|module| module.0),
-            carrier_radius: row.carrier_radius.map(|radius| radius.0),
-            face_width: row.face_width.map(|width| width.0),
-            planet_bore: row.planet_bore.map(|bore| bore.0),
-            planet_mass: row.planet_mass.map(|mass| mass.0),
-            bearing: row.bearing_capacity.map(|capacity| (capacity.0, row.bearing_rolling.into())),
+        let usual = SetSize {
             density: self.density.map_or(usual.density, |density| density.0),
             pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            ..usual
         };
-        self.sets.iter().map(of_set).collect()
+        if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
+            return SetSize {
+                module: entry.module.map(|module| module.0),
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                face_width: entry.face_width.map(|width| width.0),
+                planet_bore: entry.planet_bore.map(|bore| bore.0),
+                planet_mass: entry.planet_mass.map(|mass| mass.0),
+                bearing: entry.bearing_capacity.map(|capacity| (capacity.0, entry.bearing_rolling.into())),
+                ..usual
+            };
+        }
+        let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
+        entry.map_or(usual.clone(), |entry| entry.size(set, usual))
     }
 }
 

@@ -46,8 +46,8 @@ fn a_sized_gearbox_lacks_nothing_for_the_forces_on_its_planets() {
     let file: GearboxFile = example("sized-gearbox.yaml");
     let pins = file.pins(&file.gearbox().unwrap()).unwrap();
     assert_eq!(pins.len(), 2);
-    assert!(pins.iter().all(|(_, pin)| pin.lacks.is_empty()), "{pins:?}");
+    assert!(pins.iter().all(|pin| pin.lacks.is_empty()), "{pins:?}");
     let unsized_: GearboxFile = example("scheme-ii-3.yaml");
     let pins = unsized_.pins(&unsized_.gearbox().unwrap()).unwrap();
-    assert!(pins.iter().all(|(_, pin)| pin.lacks.len() == 3), "{pins:?}");
+    assert!(pins.iter().all(|pin| pin.lacks.len() == 3), "{pins:?}");
 }

@@ -161,8 +161,8 @@ fn gearbox(text: &str) -> Result<(), String> {
     work_through(&gearbox);
     let speed = AngularVelocity::new::<radian_per_second>(150.0);
     let torques = [1.0, 3.0, -4.0].map(Torque::new::<newton_meter>);
-    for (_, pin) in file.pins(&gearbox).map_err(at)? {
-        let _ = pin.forces(Some(torques), Some(speed));
+    for pin in file.pins(&gearbox).map_err(at)? {
+        let _ = pin.forces(Some(&torques), Some(speed));
     }
     Ok(())
 }

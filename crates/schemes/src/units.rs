@@ -78,7 +78,3 @@ pub(crate) fn radians(angle: Angle) -> f64 {
 pub(crate) fn force(force_n: f64) -> Force {
     Force::new::<uom::si::force::newton>(force_n)
 }
-
-pub(crate) fn in_degrees(angle: Angle) -> f64 {
-    angle.get::<uom::si::angle::degree>()
-}

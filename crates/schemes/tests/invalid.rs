@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_schemes::compound::CompoundSpec;
 use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_schemes::tolerance::MOST_SETS;
-use epicyclic_schemes::tooth_checks::ToothForm;
 use epicyclic_schemes::{
     CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Solution, Values,
     Warning,
@@ -137,7 +137,7 @@ fn shifted_profiles_are_a_matter_of_tooth_checks() {
     let row = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 22, 58).unwrap();
     let gearbox = sound().set(row.planet_teeth(ToothCount::new(17).unwrap(), None)).build().unwrap();
     assert_eq!(gearbox.warnings(), []);
-    let found = gearbox.tooth_checks(ToothForm::default());
+    let found = gearbox.tooth_checks(&BasicRack::default());
     assert_eq!(
         found.iter().map(ToString::to_string).collect::<Vec<_>>(),
         [

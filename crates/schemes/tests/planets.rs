@@ -4,10 +4,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_schemes::compound::{CentralKind, CompoundSpec};
 use epicyclic_schemes::pins::{Lack, MeshSize, Pin, SetSize};
 use epicyclic_schemes::planet_set::{GearOf, MeshKind};
-use epicyclic_schemes::tooth_checks::{ToothForm, ToothWarning};
+use epicyclic_schemes::tooth_checks::ToothWarning;
 use epicyclic_schemes::{Gearbox, PlanetSet};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -240,7 +241,7 @@ fn of((kind, suns, planets, rings, count): Drawn) -> Gearbox {
 
 /// The numbers that assemble instead, where this one does not.
 fn assembly(gearbox: &Gearbox) -> Option<(Option<u32>, Option<u32>)> {
-    gearbox.tooth_checks(ToothForm::default()).into_iter().find_map(|found| match found {
+    gearbox.tooth_checks(&BasicRack::default()).into_iter().find_map(|found| match found {
         ToothWarning::Assembly { fewer, more, .. } => Some((fewer, more)),
         _ => None,
     })
@@ -260,7 +261,7 @@ fn random_sets_of_every_form_meet_both_answers() {
             counter[drawn.0] += 1;
         }
         let drawn = teeth().new_tree(&mut runner).unwrap().current();
-        let found = of(drawn).tooth_checks(ToothForm::default());
+        let found = of(drawn).tooth_checks(&BasicRack::default());
         let is_none = found.iter().any(|found| matches!(found, ToothWarning::NoTriangle { .. }));
         let counter = if is_none { &mut stands_not } else { &mut stands };
         counter[drawn.0] += 1;
@@ -338,8 +339,8 @@ proptest! {
         sun in 6..60_u32, planet in 6..60_u32, count in 1..12_u32, addendum in 0.5..1.5_f64,
     ) {
         let set = form(0, [sun, 1], [planet, 1, 1], [sun + planet, 1], count);
-        let form = ToothForm::new(ToothForm::default().pressure_angle(), addendum).unwrap();
-        let found = alone(set).tooth_checks(form);
+        let form = BasicRack { addendum, ..BasicRack::default() };
+        let found = alone(set).tooth_checks(&form);
         let radius = f64::from(sun + planet) / 2.0;
         let at = |place: u32| {
             let (sin, cos) = (TAU * f64::from(place) / f64::from(count)).sin_cos();

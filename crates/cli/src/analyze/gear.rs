@@ -200,12 +200,11 @@ impl Scene<'_> {
         let mut rows = vec![];
         for (set, motion) in self.gearbox.sets().iter().zip(self.analysis().sets()) {
             for (place, planet) in motion.planets.iter().enumerate() {
-                let name = &set.planets()[place].name;
                 let relative = planet.map(|planet| planet.relative);
                 let absolute = planet.and_then(|planet| planet.absolute);
                 rows.push(vec![
                     text(set.id()),
-                    text(if name.is_empty() { (place + 1).to_string() } else { name.clone() }),
+                    text(pins::planet_name(set, place)),
                     multiple(relative),
                     self.speed(relative),
                     multiple(absolute),
@@ -587,7 +586,7 @@ impl Scene<'_> {
 
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let analysis = self.analysis();
-        let mut all = warnings(self.gearbox);
+        let mut all = warnings(self.subject);
         all.extend(fast_planets(self.gearbox, analysis));
         if *analysis.state() != State::Driven {
             all.push(("state", in_words(analysis.state())));

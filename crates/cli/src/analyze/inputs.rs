@@ -1,6 +1,7 @@
 //! Gears with several inputs: speeds and torques of several links, at one point or over a map.
 
 use super::overview::{engaged, warnings};
+use super::pins;
 use super::subject::Subject;
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
@@ -221,7 +222,7 @@ impl Task<'_> {
                 "--torques engine=100N·m, or torques of the gear in the file, adds torques and powers.\n";
             parts.push(Part::Words(words.to_owned()));
         }
-        let mut all = warnings(self.gearbox);
+        let mut all = warnings(self.subject);
         all.extend(self.one_way(state));
         Report {
             title: Some(format!("{}, gear {}", self.gearbox.name(), self.gear.name())),
@@ -279,10 +280,9 @@ impl Task<'_> {
         let mut rows = vec![];
         for (set, motion) in self.gearbox.sets().iter().zip(&state.sets) {
             for (place, planet) in motion.planets.iter().enumerate() {
-                let name = &set.planets()[place].name;
                 rows.push(vec![
                     text(set.id()),
-                    text(if name.is_empty() { (place + 1).to_string() } else { name.clone() }),
+                    text(pins::planet_name(set, place)),
                     column(planet.map(|planet| speed(planet.relative))),
                     column(planet.and_then(|planet| planet.absolute).map(speed)),
                 ]);
@@ -529,7 +529,7 @@ impl Task<'_> {
         Ok(Report {
             title: Some(format!("{}, gear {}", self.gearbox.name(), self.gear.name())),
             parts: vec![Part::Records(records)],
-            warnings: Some(warnings(self.gearbox)),
+            warnings: Some(warnings(self.subject)),
         })
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
         .chain(one_way_clutches(gearbox, &worked).map(Part::Records))
         .collect();
-    let mut warnings = warnings(gearbox);
+    let mut warnings = warnings(subject);
     warnings.extend(worked.iter().flat_map(|gear| fast_planets(gearbox, &gear.analysis)));
     warnings.extend(worked.iter().flat_map(|gear| contradictions(gearbox, &gear.analysis)));
     Ok(Report { title: Some(gearbox.name().to_owned()), parts, warnings: Some(warnings) })
@@ -345,15 +345,18 @@ pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'s
 }
 
 /// Remarks on the gearbox itself.
-pub(super) fn warnings(gearbox: &Gearbox) -> Vec<(&'static str, String)> {
+pub(super) fn warnings(subject: &Subject) -> Vec<(&'static str, String)> {
+    let gearbox = &subject.gearbox;
     use epicyclic_schemes::Warning;
     let name = |warning: &Warning| match warning {
-        Warning::Coaxiality { .. } => "coaxiality",
         Warning::Unreachable { .. } => "unreachable",
         Warning::NoGears => "no-gears",
         Warning::SameTerminals { .. } => "same-terminals",
         Warning::SharedPlanets { .. } => "shared-planets",
         _ => "other",
     };
-    gearbox.warnings().iter().map(|warning| (name(warning), warning.to_string())).collect()
+    let of_gearbox = gearbox.warnings().iter().map(|warning| (name(warning), warning.to_string()));
+    // How gears must be arranged is no fault.
+    let teeth = gearbox.tooth_checks(&subject.rack).into_iter().filter(|warning| !warning.is_note());
+    of_gearbox.chain(teeth.map(|warning| ("teeth", warning.to_string()))).collect()
 }

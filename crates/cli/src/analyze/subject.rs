@@ -9,6 +9,7 @@ use epicyclic_formats::gearbox::{
 };
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_schemes::pins::{Pin, SetSize};
 use epicyclic_schemes::planet_set::Description;
 use epicyclic_schemes::set::MeshLoss;
@@ -29,8 +30,10 @@ pub(crate) struct Subject {
     /// Where its data stand.
     pub(crate) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
-    /// The planets of the sets that have any, with the set's place.
-    pub(super) pins: Vec<(usize, Pin)>,
+    /// The planets of the sets that have any.
+    pub(super) pins: Vec<Pin>,
+    /// What their teeth are checked by.
+    pub(super) rack: BasicRack,
     /// Its place in the file.
     pub(super) base: Path,
     /// Speeds and torques that the file states of gears.
@@ -97,13 +100,18 @@ pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result
         None => gearbox,
     };
     let pins = file.pins(&gearbox).map_err(at)?;
+    let rack = file.rack().map_err(|error| {
+        let key = if error.to_string().contains("pressure angle") { "pressure_angle" } else { "addendum" };
+        let problem = Problem::Refused { message: error.to_string() };
+        Failure::from(document.error(&Path::root().key(key), problem))
+    })?;
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
     let inputs = file.gears.iter().map(of_gear).collect();
     let (source, published, base) = (None, vec![], Path::root());
-    Ok(Content::One(Box::new(Subject { gearbox, source, published, pins, base, inputs })))
+    Ok(Content::One(Box::new(Subject { gearbox, source, published, pins, rack, base, inputs })))
 }
 
 /// The efficiency of a set that `--efficiency` gives.
@@ -166,14 +174,15 @@ fn transmission(
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
     // The format of transmissions states no sizes.
-    let of_row = |place| Some(gearbox.pin(place, &SetSize::default())?.map(|pin| (place, pin)));
-    let pins = (0..gearbox.sets().len()).filter_map(of_row).collect::<Result<_, _>>()?;
+    let of_set = |place| gearbox.pins(place, &SetSize::default());
+    let pins = (0..gearbox.sets().len()).filter_map(of_set).collect::<Result<Vec<_>, _>>()?.concat();
     let of_gear = |gear: &PublishedGear| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
     let inputs = transmission.gears.iter().map(of_gear).collect();
-    Ok(Box::new(Subject { gearbox, source, published, pins, base, inputs }))
+    let rack = BasicRack::default();
+    Ok(Box::new(Subject { gearbox, source, published, pins, rack, base, inputs }))
 }
 
 /// The same gearbox with this efficiency of each set for which none is stated.

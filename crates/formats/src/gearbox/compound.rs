@@ -1,14 +1,17 @@
 //! Compound sets in files, and remarks.
 
-use super::DescriptionError;
+use super::{DescriptionError, RollingEntry};
 use crate::Quantity;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::PlanetSet;
 use epicyclic_schemes::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
+use epicyclic_schemes::pins::{MeshSize, PlanetSize, SetSize};
+use epicyclic_schemes::planet_set::Planet;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use uom::si::f64::{Length, Ratio};
+use uom::si::f64::{Force, Length, Mass, Ratio};
 
 /// A set gear by gear: any central gears, any planets, any tree of meshes.
 ///
@@ -44,6 +47,12 @@ pub struct CompoundEntry {
     /// How many of each planet stand around the axis.
     #[serde(default)]
     pub planets: Option<u32>,
+    /// Module of its meshes, for the forces on the bearings of planets.
+    #[serde(default)]
+    pub module: Option<Quantity<Length>>,
+    /// Sizes of single planets, by their names.
+    #[serde(default)]
+    pub planet_sizes: BTreeMap<String, PlanetSizeEntry>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
@@ -61,6 +70,34 @@ pub struct MeshEntry {
     /// Its module, if not that of the set.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
+    /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive direction
+    /// of rotation. The forces on their bearings depend on it.
+    #[serde(default)]
+    pub behind: bool,
+}
+
+/// The size of a planet of a compound set, for the forces on its bearing.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetSizeEntry {
+    /// Radius of its centre; goes before that of module and teeth.
+    #[serde(default)]
+    pub carrier_radius: Option<Quantity<Length>>,
+    /// Face width of each of its gears, for its mass.
+    #[serde(default)]
+    pub face_widths: Vec<Quantity<Length>>,
+    /// Its bore. Default: solid.
+    #[serde(default)]
+    pub bore: Option<Quantity<Length>>,
+    /// Its mass with what turns about its pin; goes before that of its shape.
+    #[serde(default)]
+    pub mass: Option<Quantity<Mass>>,
+    /// Basic dynamic load rating of its bearings together, for their life.
+    #[serde(default)]
+    pub bearing_capacity: Option<Quantity<Force>>,
+    /// What rolls in these bearings. Default balls.
+    #[serde(default)]
+    pub bearing_rolling: RollingEntry,
 }
 
 /// A remark of any form: a text, a list, keys with values. Nothing reads it.
@@ -117,6 +154,9 @@ impl CompoundEntry {
             let refuse = |source| DescriptionError::Set { set: self.id.clone(), source };
             meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency: eta.map_err(refuse)? });
         }
+        if let Some(name) = self.planet_sizes.keys().find(|name| !self.planet_gears.contains_key(*name)) {
+            return Err(DescriptionError::NoSuchPlanet { set: self.id.clone(), planet: name.clone() });
+        }
         let planet =
             |(name, teeth): (&String, &Vec<u32>)| PlanetSpec { name: name.clone(), teeth: teeth.clone() };
         Ok(CompoundSpec {
@@ -127,6 +167,30 @@ impl CompoundEntry {
             meshes,
             planet_count: self.planets,
         })
+    }
+
+    /// What it says of its size; the rest as usual.
+    pub(super) fn size(&self, set: &PlanetSet, usual: SetSize) -> SetSize {
+        let planet = |planet: &Planet| {
+            let Some(entry) = self.planet_sizes.get(&planet.name) else { return PlanetSize::default() };
+            PlanetSize {
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                face_widths: entry.face_widths.iter().map(|width| Some(width.0)).collect(),
+                bore: entry.bore.map(|bore| bore.0),
+                mass: entry.mass.map(|mass| mass.0),
+                bearing: entry.bearing_capacity.map(|capacity| (capacity.0, entry.bearing_rolling.into())),
+            }
+        };
+        let mesh = |mesh: &MeshEntry| MeshSize {
+            module: mesh.module.map(|module| module.0),
+            is_behind: mesh.behind,
+        };
+        SetSize {
+            module: self.module.map(|module| module.0),
+            planets: set.planets().iter().map(planet).collect(),
+            meshes: self.meshes.iter().map(mesh).collect(),
+            ..usual
+        }
     }
 
     /// Names of its members, the carrier last.

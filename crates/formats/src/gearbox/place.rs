@@ -56,6 +56,7 @@ impl File<'_> {
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
             E::MemberInNoNode { set, member } => self.text(self.set(set), member),
+            E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
             E::Clutch { clutch } => self.entry(&CONTROLS, clutch),
             E::MemberInTwoNodes { member, second, .. } => {
                 self.text(self.base.clone().key("nodes").key(second.as_str()), member)
