@@ -53,7 +53,7 @@ pub(crate) struct Args {
     #[arg(long)]
     teeth: bool,
 
-    /// Show at most this many designs. Default: 10 in a table, otherwise all, of tooth numbers 10.
+    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, up to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
@@ -297,6 +297,9 @@ fn refuse(error: SelectionError) -> Failure {
         E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",
         E::Rating { what: "load factor K", .. } => "--load-factor",
         E::PlanetNumber { .. } => "--planets",
+        E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
+        E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
+        E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
         E::Row(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
             None => return Failure::Selection(SelectionError::Row(error.clone())),

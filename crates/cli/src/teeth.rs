@@ -17,6 +17,9 @@ use uom::si::f64::{Angle, Ratio};
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
 
+/// The most sets that are written: their text is built whole, in some 100 MB.
+const MOST_SHOWN: usize = 100_000;
+
 /// Every tooth set of a simple planetary gear for a ratio.
 ///
 /// A tooth set goes together: sun, planets and ring share one centre distance, the planets clear each other and
@@ -76,7 +79,7 @@ pub(crate) struct Args {
     #[arg(long)]
     no_undercut: bool,
 
-    /// Show at most this many sets. Default: 20 in a table, otherwise all.
+    /// Show at most this many sets. Default: 20 in a table, otherwise all, up to 100000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
@@ -105,21 +108,25 @@ fn mode(text: &str) -> Result<Mode, String> {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
     let shown = Progress::new();
-    let found = bounds
-        .for_ratio_watched(args.ratio.get(), args.mode, args.tolerance.0.si(), |share| shown.at(share))
-        .map_err(refuse)?;
-    drop(shown);
     let format = args.output.format;
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
-    let answer = answer::Answer {
-        ratio: args.ratio.get(),
-        mode: args.mode,
-        tolerance: args.tolerance.0.si(),
-        found: found.len(),
-        shown: &found[..limit.min(found.len())],
-    };
+    let (ratio, tolerance) = (args.ratio.get(), args.tolerance.0.si());
+    let most = limit.min(MOST_SHOWN);
+    let ranked =
+        bounds.first_for_ratio(ratio, args.mode, tolerance, most, |share| shown.at(share)).map_err(refuse)?;
+    drop(shown);
+    if limit > MOST_SHOWN && ranked.found > MOST_SHOWN as u64 {
+        let message = format!(
+            "{} tooth sets are within the tolerance and at most {MOST_SHOWN} are written: narrow --tolerance, --k or \
+             the ranges of teeth, or ask for the most exact with --limit {MOST_SHOWN}",
+            ranked.found
+        );
+        return Err(Failure::Option { option: "--limit", message });
+    }
+    let answer =
+        answer::Answer { ratio, mode: args.mode, tolerance, found: ranked.found, shown: &ranked.first };
     args.output.write(&answer.text(format)?)?;
-    if format != Format::Table && answer.shown.len() < answer.found {
+    if format != Format::Table && (answer.shown.len() as u64) < answer.found {
         complain(&format!("note: {}", answer.count()));
     }
     Ok(())

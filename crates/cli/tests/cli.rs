@@ -187,6 +187,32 @@ fn demands_that_no_gear_meets() {
     ));
 }
 
+/// Spaces too large are refused with their size, and what to narrow; the most exact are still to be had.
+#[test]
+fn spaces_beyond_memory_are_refused_with_their_size() {
+    let folder = here();
+    let wide = ["--sun", "1..10000", "--planet", "1..10000", "--ring", "1..10000", "--tolerance", "50%"];
+    let run = |args: &[&str]| {
+        let found = output(folder.path(), &[args, &wide].concat());
+        (found.status.code(), text(&found.stderr), text(&found.stdout).lines().count())
+    };
+    let (code, said, _) = run(&["teeth", "--ratio", "6", "--format", "csv"]);
+    assert_eq!(code, Some(2));
+    assert!(said.starts_with("error: --limit: 10517675 tooth sets are within the tolerance"), "{said}");
+    assert!(said.contains("narrow --tolerance"), "{said}");
+    let (code, said, lines) = run(&["teeth", "--ratio", "6", "--format", "csv", "--limit", "1000"]);
+    assert_eq!((code, lines), (Some(0), 1001));
+    assert_eq!(said, "note: 10517675 tooth sets found, 1000 shown; --limit shows more.\n");
+    let (code, said, _) = run(&["select", "--ratios", "1.5, 2.5", "--teeth"]);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("22566387 tooth sets a row") && said.contains("narrow the ranges of teeth"),
+        "{said}"
+    );
+    let (code, said, _) = run(&["select", "--ratios", "1.5, 2.5", "--teeth", "--limit", "10001"]);
+    assert!(code == Some(2) && said.contains("at most 10000"), "{said}");
+}
+
 #[test]
 fn wrong_usage() {
     insta::assert_snapshot!(sessions(

@@ -166,6 +166,22 @@ impl Bounds {
         Ok(found)
     }
 
+    /// How many tooth sets there are within the bounds, without holding them.
+    ///
+    /// # Errors
+    /// As [`tooth_sets`](Self::tooth_sets).
+    pub fn count(&self) -> Result<u64, Error> {
+        let mut count = 0;
+        self.visit(
+            |_| {},
+            |_| {
+                count += 1;
+                Ok(())
+            },
+        )?;
+        Ok(count)
+    }
+
     /// Each tooth set in turn, and after each sun the share of suns that are done.
     fn visit(
         &self,
@@ -249,42 +265,91 @@ impl Bounds {
         tolerance: f64,
         done: impl FnMut(f64),
     ) -> Result<Vec<Candidate>, Error> {
+        Ok(self.first_for_ratio(wanted, mode, tolerance, usize::MAX, done)?.first)
+    }
+
+    /// How many tooth sets there are for a ratio, and the first `most` of them in the order of
+    /// [`for_ratio`](Self::for_ratio); memory holds no more than twice these. `done` as there.
+    ///
+    /// # Errors
+    /// As [`for_ratio`](Self::for_ratio).
+    pub fn first_for_ratio(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        most: usize,
+        done: impl FnMut(f64),
+    ) -> Result<Ranked, Error> {
+        let order = |one: &Near, other: &Near| {
+            let key = |near: &Near| (near.teeth.ring, near.teeth.sun, near.teeth.planets);
+            one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
+        };
+        let mut held: Vec<Near> = Vec::new();
+        let found = self.each_for_ratio(wanted, mode, tolerance, done, |near| {
+            held.push(near);
+            if most > 0 && held.len() >= most.saturating_mul(2) {
+                held.select_nth_unstable_by(most, order);
+                held.truncate(most);
+            } else if most == 0 {
+                held.clear();
+            }
+        })?;
+        held.sort_by(order);
+        held.truncate(most);
+        Ok(Ranked { found, first: held.into_iter().map(|near| self.candidate(near, mode)).collect() })
+    }
+
+    /// Each tooth set for a ratio in turn, in no order that matters, and how many there were; nothing is held. `done` as
+    /// in [`for_ratio_watched`](Self::for_ratio_watched).
+    ///
+    /// # Errors
+    /// As [`for_ratio`](Self::for_ratio).
+    pub fn each_for_ratio(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        done: impl FnMut(f64),
+        mut each: impl FnMut(Near),
+    ) -> Result<u64, Error> {
         check_tolerance(tolerance)?;
         if wanted == 0.0 || !wanted.is_finite() {
             return Err(Error::Ratio { ratio: wanted });
         }
         let mut nearest: Option<(f64, f64)> = None;
-        let mut found = Vec::new();
+        let mut found = 0;
         self.visit(done, |teeth| {
             let ratio = teeth.stationary_ratio().ratio(mode)?;
-            let error = ratio / wanted - 1.0;
-            if nearest.is_none_or(|(_, least)| error.abs() < least) {
-                nearest = Some((ratio, error.abs()));
+            let ratio_error = ratio / wanted - 1.0;
+            if nearest.is_none_or(|(_, least)| ratio_error.abs() < least) {
+                nearest = Some((ratio, ratio_error.abs()));
             }
             // A set that is off by the tolerance itself, but for rounding, is within.
-            if error.abs() <= tolerance + 4.0 * f64::EPSILON {
-                found.push(Candidate {
-                    ratio,
-                    exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode),
-                    ratio_error: error,
-                    most_planets: self.most_planets(teeth.sun, teeth.planet),
-                    undercut_sun: self.rack.undercuts(teeth.sun),
-                    undercut_planet: self.rack.undercuts(teeth.planet),
-                    spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
-                    teeth,
-                });
+            if ratio_error.abs() <= tolerance + 4.0 * f64::EPSILON {
+                found += 1;
+                each(Near { teeth, ratio, ratio_error });
             }
             Ok(())
         })?;
-        if found.is_empty() {
+        if found == 0 {
             let nearest = nearest.map(|(ratio, _)| ratio);
             return Err(Error::NoToothSet { wanted, mode, tolerance, nearest });
         }
-        found.sort_by(|one, other| {
-            let key = |c: &Candidate| (c.teeth.ring, c.teeth.sun, c.teeth.planets);
-            one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
-        });
         Ok(found)
+    }
+
+    fn candidate(&self, Near { teeth, ratio, ratio_error }: Near, mode: Mode) -> Candidate {
+        Candidate {
+            ratio,
+            exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode),
+            ratio_error,
+            most_planets: self.most_planets(teeth.sun, teeth.planet),
+            undercut_sun: self.rack.undercuts(teeth.sun),
+            undercut_planet: self.rack.undercuts(teeth.planet),
+            spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
+            teeth,
+        }
     }
 
     /// The largest number of equally spaced planets whose tips clear each other by the bounds' gap,
@@ -332,6 +397,26 @@ fn planet_number_limit(sine: f64) -> Option<f64> {
 /// Sine of half the smallest angle between planets placed as evenly as they assemble.
 fn half_gap_sine(slots: u32, planets: u32) -> f64 {
     (PI * f64::from(slots / planets) / f64::from(slots)).sin()
+}
+
+/// A tooth set whose ratio is near a wanted one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Near {
+    /// The teeth and the number of planets.
+    pub teeth: ToothSet,
+    /// The ratio it has.
+    pub ratio: f64,
+    /// Relative error of the ratio, `i/i_wanted − 1`.
+    pub ratio_error: f64,
+}
+
+/// The tooth sets for a ratio: how many, and the first of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ranked {
+    /// How many there are.
+    pub found: u64,
+    /// The first, the most exact before the others.
+    pub first: Vec<Candidate>,
 }
 
 /// A tooth set that meets a wanted ratio, and what there is to know of it.
@@ -480,6 +565,19 @@ mod tests {
         };
         assert!(7.0 / 6.25 - 1.0 > 0.12);
         assert!(exact(0.12) && !exact(0.12 - 1e-14));
+    }
+
+    #[test]
+    fn the_first_are_those_of_all_and_none_is_held_beyond_them() {
+        let bounds = Bounds { placement: Placement::LeastUnequal, ..Bounds::default() };
+        let all = bounds.for_ratio(5.3, sun_to_carrier(), 0.2).unwrap();
+        assert!(all.len() > 1000, "{}", all.len());
+        for most in [0, 1, 7, 100, all.len() - 1, all.len(), all.len() + 1] {
+            let ranked = bounds.first_for_ratio(5.3, sun_to_carrier(), 0.2, most, |_| {}).unwrap();
+            assert_eq!(ranked.found, all.len() as u64);
+            assert_eq!(ranked.first, all[..most.min(all.len())]);
+        }
+        assert_eq!(Bounds::default().count(), Ok(8016));
     }
 
     #[test]

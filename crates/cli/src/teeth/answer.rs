@@ -17,7 +17,7 @@ pub(super) struct Answer<'a> {
     /// Its relative tolerance.
     pub(super) tolerance: f64,
     /// How many sets there are.
-    pub(super) found: usize,
+    pub(super) found: u64,
     /// Those to be shown.
     pub(super) shown: &'a [Candidate],
 }
@@ -45,7 +45,7 @@ impl Answer<'_> {
     pub(super) fn count(&self) -> String {
         let sets = if self.found == 1 { "set" } else { "sets" };
         match self.shown.len() {
-            shown if shown == self.found => format!("{} tooth {sets}.", self.found),
+            shown if shown as u64 == self.found => format!("{} tooth {sets}.", self.found),
             shown => format!("{} tooth {sets} found, {shown} shown; --limit shows more.", self.found),
         }
     }
@@ -148,7 +148,7 @@ struct Json {
     ratio: f64,
     mode: String,
     tolerance: f64,
-    found: usize,
+    found: u64,
     shown: usize,
     tooth_sets: Vec<JsonSet>,
 }

@@ -8,7 +8,9 @@ use crate::Error;
 use crate::units::{length, meters};
 use epicyclic_gears::row::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS, MOST_TEETH, Placement, ToothSet, neighbour_limit};
+use epicyclic_gears::synthesis::{
+    Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothSet, neighbour_limit,
+};
 use std::cmp::Reverse;
 use uom::si::angle::{degree, radian};
 use uom::si::length::millimeter;
@@ -25,12 +27,24 @@ pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
         }
         TeethSpec::Within(bounds) => {
             let bounds = Bounds { rack: spec.wheels.rack, ..bounds.clone() };
-            let found = bounds.for_ratio(spec.ratio, mode()?, spec.ratio_tolerance)?;
-            // The candidates come ordered by error, ring, sun; `min_by` keeps the first of equals.
-            let best = found.iter().min_by(|one, other| {
-                let by_error = one.ratio_error.abs().total_cmp(&other.ratio_error.abs());
-                by_error.then(Reverse(one.teeth.planets).cmp(&Reverse(other.teeth.planets)))
-            });
+            // By error, then most planets, smallest ring, smallest sun. One is held at a time.
+            let key = |near: &Near| (Reverse(near.teeth.planets), near.teeth.ring, near.teeth.sun);
+            let mut best: Option<Near> = None;
+            bounds.each_for_ratio(
+                spec.ratio,
+                mode()?,
+                spec.ratio_tolerance,
+                |_| {},
+                |near| {
+                    let nearer = |best: &Near| {
+                        let by_error = near.ratio_error.abs().total_cmp(&best.ratio_error.abs());
+                        by_error.then_with(|| key(&near).cmp(&key(best))).is_lt()
+                    };
+                    if best.as_ref().is_none_or(nearer) {
+                        best = Some(near);
+                    }
+                },
+            )?;
             let nothing = epicyclic_gears::Error::NoToothSet {
                 wanted: spec.ratio,
                 mode: mode()?,
