@@ -8,7 +8,7 @@
 use crate::branch::{self, Lossy};
 use crate::compiled::Solution;
 use crate::network::{Loads, Network};
-use crate::tolerance::SPEED;
+use crate::tolerance::{ALIKE, SPEED};
 use crate::torques::Scene;
 
 /// A self-consistent pattern of signs.
@@ -75,7 +75,7 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
         let pattern = named(&is, efficiency, false);
         let known = found.first().is_some_and(|first| {
             first.signs == pattern.signs
-                || (first.efficiency - efficiency).abs() < 1e-12 * (1.0 + efficiency.abs())
+                || (first.efficiency - efficiency).abs() < ALIKE * (1.0 + efficiency.abs())
         });
         if !known {
             found.push(pattern);

@@ -14,7 +14,7 @@
 
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
-use crate::tolerance::LOOP;
+use crate::tolerance::{LOOP, TORQUE};
 use crate::topology::Topology;
 use crate::{Gearbox, LinkId};
 use std::collections::VecDeque;
@@ -127,12 +127,13 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
             pieces.join(edge.links[0].0, edge.links[1].0);
         }
     }
+    let nothing = TORQUE * terminals.iter().fold(0.0_f64, |most, (_, torque)| most.max(torque.abs()));
     let mut first_segment = 0;
     for (place, (set, torques)) in gearbox.sets.iter().zip(members).enumerate() {
         let segments = set.tree.segments.len();
         let signs = signs.map(|signs| &signs[first_segment..first_segment + segments]);
         first_segment += segments;
-        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs));
+        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs, nothing));
         for (member, link) in set.members().iter().enumerate() {
             let own = power.as_ref().map(|power| power.members[member]);
             add(link.0, own);
@@ -181,15 +182,17 @@ fn torque_times(torque: Option<f64>, speed: Option<f64>) -> Option<f64> {
     if torque == Some(0.0) { Some(0.0) } else { Some(torque? * speed?) }
 }
 
-/// Powers of a set under these torques on its members; `None` where a speed is missing.
+/// Powers of a set under these torques on its members, of which those up to `nothing` are none; `None` where a speed
+/// is missing.
 pub(crate) fn set_power(
     set: &PlanetSet,
     torques: &[f64],
     speeds: &[Option<f64>],
     signs: Option<&[i8]>,
+    nothing: f64,
 ) -> Option<SetPower> {
     let centrals = set.centrals().len();
-    let idle = torques.iter().all(|torque| torque.abs() < 1e-12);
+    let idle = torques.iter().all(|torque| torque.abs() <= nothing);
     let known: Option<Vec<f64>> = set.members().iter().map(|link| speeds[link.0]).collect();
     let omega = match known {
         Some(omega) => omega,

@@ -9,6 +9,8 @@
 //! | [`LOOP`] | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
 //! | [`PIVOT`] | a pivot of the numeric solution | the rank is settled before; this guards against zero |
 //! | [`POLE`] | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
+//! | [`TORQUE`] | a torque, over the largest from outside | a set at an unknown speed with less is idle |
+//! | [`ALIKE`] | a difference of two efficiencies, over 1 and their size | two sign patterns with less are one |
 //! | [`SPEED`] | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
 //!
 //! # What is solved
@@ -43,6 +45,12 @@ pub(crate) const POLE: f64 = 1e8;
 
 /// Speeds that differ by less than this share of the larger are equal.
 pub(crate) const SPEED: f64 = 1e-10;
+
+/// A torque below this share of the largest from outside is none.
+pub(crate) const TORQUE: f64 = 1e-12;
+
+/// Efficiencies that differ by less are alike.
+pub(crate) const ALIKE: f64 = 1e-12;
 
 /// How many planet sets and pairs a gearbox may have.
 pub const MOST_SETS: usize = 64;

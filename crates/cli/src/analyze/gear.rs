@@ -417,9 +417,9 @@ impl Scene<'_> {
             shown.push("torque_of_input");
         }
         shown.extend(self.operation().map(|_| "torque"));
-        shown.push("power");
+        shown.push("power_of_entering");
         if self.case().is_some_and(|case| case.power.circulating > 0.0) {
-            shown.push("circulating_power");
+            shown.push("circulating_of_entering");
         }
         Records {
             name: "members",
@@ -430,8 +430,8 @@ impl Scene<'_> {
                 Column::number("ideal_torque_of_input", "ideal T"),
                 Column::number("torque_of_input", "T"),
                 Column::quantity("torque", Dimension::Torque),
-                Column::number("power", "power"),
-                Column::number("circulating_power", "circulating"),
+                Column::number("power_of_entering", "power"),
+                Column::number("circulating_of_entering", "circulating"),
             ],
             rows,
             views: vec![View {
@@ -473,15 +473,15 @@ impl Scene<'_> {
                 Column::words("from", "from"),
                 Column::words("to", "to"),
                 Column::number("efficiency", "η"),
-                Column::number("enters", "enters"),
-                Column::number("leaves", "leaves"),
+                Column::number("enters_of_entering", "enters"),
+                Column::number("leaves_of_entering", "leaves"),
             ],
             rows,
             views: vec![View {
                 note: "In the sense of the power.".to_owned(),
                 ..View::new(
                     "Power through the meshes over what enters the gear, seen from the carriers",
-                    &["set", "from", "to", "efficiency", "enters", "leaves"],
+                    &["set", "from", "to", "efficiency", "enters_of_entering", "leaves_of_entering"],
                 )
             }],
             is_answer: false,

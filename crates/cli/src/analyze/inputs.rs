@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::gearbox::gear_place;
+use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Dimension, Document, Physical, Problem, Quantity};
 use epicyclic_schemes::inputs::{MultiLoad, MultiState};
 use epicyclic_schemes::planet_set::GearOf;
@@ -23,11 +24,13 @@ impl<T: FromStr<Err: ToString>> FromStr for Assignments<T> {
 
     fn from_str(written: &str) -> Result<Self, String> {
         let one = |part: &str| {
-            let (link, value) = part
-                .split_once('=')
-                .ok_or_else(|| format!("{part}: write a link and its value, as engine=2000rpm"))?;
-            let value =
-                value.trim().parse().map_err(|error: T::Err| format!("{link}: {}", error.to_string()))?;
+            let (link, value) = part.split_once('=').ok_or_else(|| {
+                format!("{}: write a link and its value, as engine=2000rpm", one_line(part))
+            })?;
+            let value = value
+                .trim()
+                .parse()
+                .map_err(|error: T::Err| format!("{}: {}", one_line(link), error.to_string()))?;
             Ok((link.trim().to_owned(), value))
         };
         written.split([',', ';']).map(str::trim).map(one).collect::<Result<_, String>>().map(Self)
@@ -49,7 +52,8 @@ impl FromStr for Steps {
     type Err = String;
 
     fn from_str(written: &str) -> Result<Self, String> {
-        let form = || format!("{written}: write a range and how many places, as 800rpm..4000rpm/9");
+        let form =
+            || format!("{}: write a range and how many places, as 800rpm..4000rpm/9", one_line(written));
         let (range, places) = written.rsplit_once('/').ok_or_else(form)?;
         let (from, to) = range.split_once("..").ok_or_else(form)?;
         let speed = |text: &str| {

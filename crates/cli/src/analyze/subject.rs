@@ -99,12 +99,16 @@ pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result
         Some(eta) => with_losses(&gearbox, eta)?,
         None => gearbox,
     };
-    let pins = file.pins(&gearbox).map_err(at)?;
     let rack = file.rack().map_err(|error| {
-        let key = if error.to_string().contains("pressure angle") { "pressure_angle" } else { "addendum" };
+        let key = if matches!(error, epicyclic_gears::Error::OutOfRange { .. }) {
+            "pressure_angle"
+        } else {
+            "addendum"
+        };
         let problem = Problem::Refused { message: error.to_string() };
         Failure::from(document.error(&Path::root().key(key), problem))
     })?;
+    let pins = file.pins(&gearbox).map_err(at)?;
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
