@@ -350,13 +350,19 @@ impl Records {
     }
 
     fn lines(&self) -> Vec<Vec<String>> {
+        // As many columns as it takes to tell the things apart.
+        let are_apart = |named: &usize| {
+            let mut seen = std::collections::BTreeSet::new();
+            self.rows.iter().all(|row| seen.insert(named_by(row, *named)))
+        };
+        let named = (1..self.columns.len()).find(are_apart).unwrap_or(1);
         let line = |item: &str, column: &Column, cell: &Figure| {
             let (value, unit) = cell.csv();
             vec![self.name.to_owned(), item.to_owned(), column.name.to_owned(), value, unit]
         };
         let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
-            let item = row[0].csv().0;
-            self.columns.iter().zip(row).skip(1).map(|(column, cell)| line(&item, column, cell)).collect()
+            let item = named_by(row, named);
+            self.columns.iter().zip(row).skip(named).map(|(column, cell)| line(&item, column, cell)).collect()
         };
         self.rows.iter().flat_map(record).collect()
     }
@@ -377,4 +383,9 @@ pub(crate) fn wrapped(mark: &str, text: &str) -> String {
         line += word;
     }
     lines + &line + "\n"
+}
+
+/// The cells of the first columns, which name a thing.
+fn named_by(row: &[Figure], columns: usize) -> String {
+    row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
 }
