@@ -8,7 +8,9 @@ use crate::planet_set::{
     Central, Description, GearOf, Mesh, MeshKind, Parts, Planet, PlanetSet, parts_of_short,
 };
 use crate::set::{Gearing, SetKind, SetSpec};
-use crate::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS};
+use crate::tolerance::{
+    MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS, SPREAD,
+};
 use crate::{Error, GROUND, Gearbox, LinkId, Named, Warning};
 use epicyclic_gears::teeth::ToothCount;
 
@@ -241,6 +243,14 @@ impl GearboxBuilder {
             let set = build_set(&gearbox, description, &groups)?;
             gearbox.warnings.extend(coaxiality(&set));
             gearbox.push_set(set);
+        }
+        let exponent: f64 = gearbox
+            .equations
+            .iter()
+            .map(|one| (1.0 + one.ratio.abs().max(1.0 / one.ratio.abs())).log10())
+            .sum();
+        if exponent > SPREAD.log10() {
+            return Err(Error::Spread { exponent });
         }
         for (id, [first, second], one_way) in self.controls {
             let place = || format!("shift element `{id}`");

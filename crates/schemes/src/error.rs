@@ -1,7 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
 use crate::set::SetKind;
-use crate::tolerance::BASIC_RATIO;
+use crate::tolerance::{BASIC_RATIO, SPREAD};
 use std::fmt;
 
 /// What a name stands for in a gearbox.
@@ -100,6 +100,12 @@ pub enum Error {
         second: String,
         /// The ratio.
         ratio: f64,
+    },
+    /// Basic ratios that multiply to more than numbers can tell.
+    #[error("the basic ratios of all sets multiply to 1e{exponent:.0}: up to {SPREAD:e} is solved")]
+    Spread {
+        /// Decimal exponent of the product.
+        exponent: f64,
     },
     /// A stepped set whose teeth lack those of its planet.
     #[error("set `{set}` ({kind}) needs the teeth of both steps of its planet, z_g and z_f")]

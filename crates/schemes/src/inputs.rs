@@ -18,7 +18,7 @@ use crate::error::InputsFault;
 use crate::network::{Loads, Network};
 use crate::power_flow::{Flowing, PowerFlow, power_flow};
 use crate::speeds::{SetMotion, set_motion};
-use crate::topology::{Topology, bounded, fractions, node_equations, rationals};
+use crate::topology::{Topology, bounded, exact, fractions, node_equations, rationals};
 use crate::torques::{self, Members, demands, edge_torques};
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque};
 use crate::{Error, Gear, Gearbox, LinkId};
@@ -142,7 +142,10 @@ impl Gearbox {
             .or_else(|| freedom(&topology, fractions(self), &nodes))
             .or_else(|| freedom(&topology, rationals(self), &nodes))
             .or_else(|| freedom(&topology, Some(bounded::<false>(self)), &nodes))
-            .unwrap_or_else(|| unreachable!("basic ratios are limited, so that no number overflows"));
+            .or_else(|| freedom(&topology, exact(self), &nodes))
+            .unwrap_or_else(|| {
+                unreachable!("a number is a rational, and rationals of any size do not overflow")
+            });
         self.check_speeds(&topology, &given, &freedom)?;
 
         // Parts that nothing given moves carry no torque: their free speeds are held.
@@ -161,6 +164,7 @@ impl Gearbox {
             runs: vec![],
             etas: vec![],
             count,
+            least_pivot: 0.0,
         };
         let values: Vec<f64> = speeds.iter().map(|(_, speed)| rad_per_s(*speed)).collect();
         let at: Vec<(usize, f64)> =

@@ -14,7 +14,7 @@
 
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
-use crate::tolerance::LOOP;
+use crate::tolerance::{LOOP, POWER};
 use crate::topology::Topology;
 use crate::{Gearbox, LinkId};
 use std::collections::VecDeque;
@@ -147,6 +147,12 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
         }
         sets.push(power);
     }
+    // A mesh that passes no more than rounding leaves is idle, and has no sense.
+    for mesh in sets.iter_mut().flatten().flat_map(|set: &mut SetPower| &mut set.meshes) {
+        if mesh.enters <= POWER * largest {
+            *mesh = MeshPower::default();
+        }
+    }
     for (edge, torque) in topology.edges.iter().zip(edges) {
         let [first, second] = edge.links.map(|link| link.0);
         let power = torque_times(*torque, speeds[first]);
@@ -247,14 +253,7 @@ fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<Me
             _ => MeshPower::default(),
         }
     };
-    let mut powers: Vec<MeshPower> = (0..parts.len()).map(of_mesh).collect();
-    let most = rolling.iter().fold(0.0_f64, |most, power| most.max(power.abs()));
-    for power in &mut powers {
-        if power.enters <= LOOP * most {
-            *power = MeshPower::default();
-        }
-    }
-    powers
+    (0..parts.len()).map(of_mesh).collect()
 }
 
 /// Whether a mesh lies farther from the root than another, on a path through it.

@@ -144,11 +144,16 @@ pub(crate) struct Verdict {
 pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Verdict> {
     let speeds = speed_relations(topology, ratios)?;
     let depends: Vec<Vec<(usize, S)>> = (0..topology.count).map(|node| speeds.dependence(node)).collect();
+    if depends.iter().flatten().any(|(_, factor)| !factor.is_sharp()) {
+        return None;
+    }
     let at_rest = |node: Option<usize>| node.is_none_or(|node| depends[node].is_empty());
     let input_blocked = at_rest(topology.input);
     let speed_of = |depends: &Vec<(usize, S)>| match depends.as_slice() {
         [] => Some(0.0),
-        [(free, factor)] if !input_blocked && Some(*free) == topology.input => Some(factor.number()),
+        [(free, factor)] if !input_blocked && Some(*free) == topology.input => {
+            Some(factor.number()).filter(|speed| speed.is_normal())
+        }
         _ => None,
     };
     let node_speeds: Vec<Option<f64>> = depends.iter().map(speed_of).collect();

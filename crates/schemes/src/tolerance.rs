@@ -7,7 +7,8 @@
 //! | [`POWER`] | a power, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
 //! | [`SLOPE`] | `∂ln i/∂ln i₀` of a set, over the largest | as [`POWER`], but behind a second elimination |
 //! | [`LOOP`] | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
-//! | [`PIVOT`] | a pivot of the numeric solution | the rank is settled before; this guards against zero |
+//! | [`PIVOT`] | a pivot of a gear solved at other ratios than its own | at its own the rank is proved |
+//! | [`SHARP`] | the error bound of a speed, over it | a speed that is less certain is found again without rounding |
 //! | [`POLE`] | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
 //! | [`SPEED`] | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
 //!
@@ -21,6 +22,7 @@
 //! | [`MOST_MEMBERS`] | central gears of one set |
 //! | [`MOST_PLANETS`] | planets of one set that differ |
 //! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
+//! | [`SPREAD`] | what the basic ratios of a gearbox can multiply to |
 
 /// Least size of a number that is certainly not zero, in multiples of its error bound.
 pub(crate) const ERROR_FACTOR: f64 = 4.0;
@@ -36,6 +38,9 @@ pub(crate) const LOOP: f64 = 1e-12;
 
 /// A pivot below this has vanished.
 pub(crate) const PIVOT: f64 = 1e-14;
+
+/// A speed is certain where its error bound is below this share of it.
+pub(crate) const SHARP: f64 = 1e-11;
 
 /// A torque above this multiple of the largest without losses is on the way to infinity.
 pub(crate) const POLE: f64 = 1e8;
@@ -65,3 +70,8 @@ pub const MOST_PLANETS: usize = 12;
 ///
 /// Within it every quantity of a gear keeps its digits; beyond, a set is no set but a slip of the pen.
 pub const BASIC_RATIO: f64 = 1e9;
+
+/// Largest product of `1 + |i|`, or `1 + 1/|i|` where that is larger, over the basic ratios of a gearbox.
+///
+/// No ratio of links in series is larger. Beyond, neither speeds nor torques can be told as numbers.
+pub const SPREAD: f64 = 1e200;
