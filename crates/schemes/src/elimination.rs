@@ -328,13 +328,17 @@ impl<S: Scalar> Echelon<S> {
     }
 
     /// How an unknown follows from the free ones: the factors that are not zero.
-    pub(crate) fn dependence(&self, unknown: usize) -> Vec<(usize, S)> {
-        let Some(place) = self.pivot_of[unknown] else {
-            return vec![(unknown, S::one())];
-        };
-        let row = &self.reduced[place];
-        let factor = |f: usize| row[f].negative().map(|x| (f, x));
-        self.free.iter().filter_map(|&f| factor(f)).filter(|(_, x)| x.weight() > 0.0).collect()
+    pub(crate) fn dependence(&self, unknown: usize) -> impl Iterator<Item = (usize, S)> {
+        let row = self.pivot_of[unknown].map(|place| &self.reduced[place]);
+        self.free.iter().filter_map(move |&free| match row {
+            Some(row) => row[free].negative().map(|x| (free, x)).filter(|(_, x)| x.weight() > 0.0),
+            None => (free == unknown).then(|| (free, S::one())),
+        })
+    }
+
+    /// Whether an unknown is 0 whatever the free ones are.
+    pub(crate) fn is_nothing(&self, unknown: usize) -> bool {
+        self.dependence(unknown).next().is_none()
     }
 
     /// Which unknowns stand together in some least relation: a label for each.
@@ -394,7 +398,7 @@ mod tests {
         // x + y − 2z = 0, with z kept back.
         let echelon = Echelon::<Strict>::new(rows(&[&[1, 1, -2], &[1, -1, 0]], rounded), 3, &[2]).unwrap();
         assert_eq!(echelon.free, [2]);
-        let factor = echelon.dependence(0)[0];
+        let factor = echelon.dependence(0).next().unwrap();
         assert!(factor.0 == 2 && (factor.1.number() - 1.0).abs() < 1e-15);
     }
 

@@ -86,7 +86,7 @@ fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usiz
     let echelon = Echelon::new(equations, topology.count, given)?;
     let dependent = given.iter().copied().find(|node| echelon.pivots.iter().any(|(_, pivot)| pivot == node));
     let follows = (0..topology.count)
-        .map(|node| echelon.dependence(node).iter().all(|(free, _)| given.contains(free)))
+        .map(|node| echelon.dependence(node).all(|(free, _)| given.contains(&free)))
         .collect();
     let mut active: Vec<usize> = echelon.pivots.iter().map(|(equation, _)| *equation).collect();
     active.sort_unstable();

@@ -127,12 +127,14 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
             pieces.join(edge.links[0].0, edge.links[1].0);
         }
     }
+    let torque = |most: f64, torque: &f64| most.max(torque.abs());
+    let no_torque = POWER * members.iter().flatten().flatten().fold(0.0, torque);
     let mut first_segment = 0;
     for (place, (set, torques)) in gearbox.sets.iter().zip(members).enumerate() {
         let segments = set.tree.segments.len();
         let signs = signs.map(|signs| &signs[first_segment..first_segment + segments]);
         first_segment += segments;
-        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs));
+        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs, no_torque));
         for (member, link) in set.members().iter().enumerate() {
             let own = power.as_ref().map(|power| power.members[member]);
             add(link.0, own);
@@ -188,25 +190,29 @@ fn torque_times(torque: Option<f64>, speed: Option<f64>) -> Option<f64> {
 }
 
 /// Powers of a set under these torques on its members; `None` where a speed is missing.
-pub(crate) fn set_power(
+fn set_power(
     set: &PlanetSet,
     torques: &[f64],
     speeds: &[Option<f64>],
     signs: Option<&[i8]>,
+    no_torque: f64,
 ) -> Option<SetPower> {
     let centrals = set.centrals().len();
-    let idle = torques.iter().all(|torque| torque.abs() < 1e-12);
-    let known: Option<Vec<f64>> = set.members().iter().map(|link| speeds[link.0]).collect();
-    let omega = match known {
-        Some(omega) => omega,
-        None if idle => vec![0.0; centrals + 1],
-        None => return None,
-    };
-    let carrier = omega[centrals];
-    let rolling: Vec<f64> =
-        torques[..centrals].iter().zip(&omega).map(|(torque, omega)| torque * (omega - carrier)).collect();
+    // At an unknown speed, what carries no torque has no power.
+    let is_idle = torques.iter().all(|torque| torque.abs() <= no_torque);
+    let speed = |member: usize| speeds[set.members()[member].0].or(is_idle.then_some(0.0));
+    let carrier = speed(centrals)?;
+    let mut members = Vec::with_capacity(centrals + 1);
+    let mut rolling = Vec::with_capacity(centrals);
+    for (member, torque) in torques.iter().enumerate() {
+        let omega = speed(member)?;
+        members.push(torque * omega);
+        if member < centrals {
+            rolling.push(torque * (omega - carrier));
+        }
+    }
     Some(SetPower {
-        members: torques.iter().zip(&omega).map(|(torque, omega)| torque * omega).collect(),
+        members,
         coupling: torques[..centrals].iter().map(|torque| torque * carrier).collect(),
         meshes: mesh_powers(set, &rolling, signs),
         // From rolling powers: the coupling powers, which may be large, cancel exactly.
@@ -272,14 +278,15 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
 fn circulations(mut flows: Vec<Flow>, vertices: usize, nothing: f64) -> Vec<(Flow, f64)> {
     flows.retain(|flow| flow.power > nothing && flow.from != flow.to);
     // What no loop can hold: vertices that only give or only take, again and again.
+    let mut ends = vec![(false, false); vertices];
     loop {
-        let (mut gives, mut takes) = (vec![false; vertices], vec![false; vertices]);
+        ends.fill((false, false));
         for flow in &flows {
-            gives[flow.from] = true;
-            takes[flow.to] = true;
+            ends[flow.from].0 = true;
+            ends[flow.to].1 = true;
         }
         let before = flows.len();
-        flows.retain(|flow| takes[flow.from] && gives[flow.to]);
+        flows.retain(|flow| ends[flow.from].1 && ends[flow.to].0);
         if flows.len() == before {
             break;
         }

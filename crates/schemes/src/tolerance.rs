@@ -4,7 +4,7 @@
 //! | constant | of | why this size |
 //! |---|---|---|
 //! | [`ERROR_FACTOR`] | a number in an elimination | its own error bound, which is carried along with it |
-//! | [`POWER`] | a power, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
+//! | [`POWER`] | a power or torque, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
 //! | [`SLOPE`] | `∂ln i/∂ln i₀` of a set, over the largest | as [`POWER`], but behind a second elimination |
 //! | [`LOOP`] | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
 //! | [`PIVOT`] | a pivot of a gear solved at other ratios than its own | at its own the rank is proved |
