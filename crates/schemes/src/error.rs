@@ -309,6 +309,12 @@ pub enum InputsFault {
         /// Links that may carry one.
         candidates: Vec<String>,
     },
+    /// Sets whose torques depend on how tightly they were engaged.
+    #[error("sets {} share a torque that nothing settles", sets.join(", "))]
+    SharedTorques {
+        /// The sets.
+        sets: Vec<String>,
+    },
     /// No torques keep the gear moving at these speeds.
     #[error("no torques keep it moving this way: its mesh losses hold it")]
     Locked,

@@ -18,6 +18,8 @@ use crate::error::InputsFault;
 use crate::network::{Loads, Network};
 use crate::power_flow::{Flowing, PowerFlow, power_flow};
 use crate::speeds::{SetMotion, set_motion};
+use crate::state::Torques;
+use crate::tolerance::LARGEST_LOAD;
 use crate::topology::{Topology, bounded, exact, fractions, node_equations, rationals};
 use crate::torques::{self, Members, demands, edge_torques};
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque};
@@ -81,9 +83,36 @@ struct Freedom {
     follows: Vec<bool>,
 }
 
+/// Which torques follow from those at the terminals.
+struct Settled {
+    /// Sets on the power path whose torques do not.
+    open_sets: Vec<usize>,
+    edges: Vec<bool>,
+}
+
+fn settled<S: Scalar>(
+    gearbox: &Gearbox,
+    topology: &Topology,
+    ratios: Option<Vec<S>>,
+    terminals: &[LinkId],
+) -> Option<Settled> {
+    let torques = Torques::new(gearbox, topology, &ratios?, terminals)?;
+    let count = gearbox.equations.len();
+    let known = torques.known(0, count);
+    let is_open = |set: &usize| {
+        gearbox.equations_of(*set).any(|equation| !known[equation] && torques.on_power_path(equation))
+    };
+    Some(Settled {
+        open_sets: (0..gearbox.sets.len()).filter(is_open).collect(),
+        edges: torques.known(count, topology.edges.len()),
+    })
+}
+
 fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usize]) -> Option<Freedom> {
     let equations = node_equations(topology, &ratios?)?;
-    let echelon = Echelon::new(equations, topology.count, given)?;
+    // Those given last depend on the others.
+    let late: Vec<usize> = given.iter().rev().copied().collect();
+    let echelon = Echelon::new(equations, topology.count, &late)?;
     let dependent = given.iter().copied().find(|node| echelon.pivots.iter().any(|(_, pivot)| pivot == node));
     let follows = (0..topology.count)
         .map(|node| echelon.dependence(node).all(|(free, _)| given.contains(&free)))
@@ -126,8 +155,9 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, and where the mesh losses
-    /// hold the gear; [`Error::ForeignGear`] for a gear of another gearbox.
+    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, where sets share a torque
+    /// that nothing settles, and where the mesh losses hold the gear; [`Error::OperatingPoint`] for what is no number;
+    /// [`Error::ForeignGear`] for a gear of another gearbox.
     pub fn with_inputs(
         &self,
         gear: &Gear,
@@ -135,6 +165,13 @@ impl Gearbox {
         torques: &[(LinkId, Torque)],
     ) -> Result<MultiState, Error> {
         self.check_gear(gear)?;
+        let values = speeds.iter().map(|(_, speed)| rad_per_s(*speed));
+        if !values
+            .chain(torques.iter().map(|(_, torque)| n_m(*torque)))
+            .all(|value| value.abs() <= LARGEST_LOAD)
+        {
+            return Err(Error::OperatingPoint { why: "speeds and torques are numbers up to 1e50 in size" });
+        }
         let topology = Topology::new(self, gear);
         let given = self.given_nodes(&topology, speeds.iter().map(|(link, _)| *link), true)?;
         let nodes: Vec<usize> = given.iter().map(|(_, node)| *node).collect();
@@ -263,20 +300,24 @@ impl Gearbox {
         given_torques: &[(LinkId, Torque)],
     ) -> Result<MultiLoad, Error> {
         let torque_nodes = self.given_nodes(topology, given_torques.iter().map(|(link, _)| *link), false)?;
-        // One terminal a node, the gear's own first.
-        let own =
-            [gear.input, gear.output].into_iter().filter_map(|link| Some((link, topology.node[link.0]?)));
+        // One terminal a node, the gear's own first; these are two even where a clutch makes them one node.
         let mut terminals: Vec<(LinkId, usize, Option<f64>)> = vec![];
-        for (link, node) in own.chain(given.iter().copied()).chain(torque_nodes.iter().copied()) {
+        for link in [gear.input, gear.output] {
+            let Some(node) = topology.node[link.0] else { continue };
+            if !terminals.iter().any(|(other, ..)| *other == link) {
+                terminals.push((link, node, None));
+            }
+        }
+        for &(link, node) in given.iter().chain(&torque_nodes) {
             if !terminals.iter().any(|(_, other, _)| *other == node) {
                 terminals.push((link, node, None));
             }
         }
-        for ((_, node), (_, given)) in torque_nodes.iter().zip(given_torques) {
-            for (_, other, torque) in &mut terminals {
-                if other == node {
-                    *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
-                }
+        for ((link, node), (_, given)) in torque_nodes.iter().zip(given_torques) {
+            let place = terminals.iter().position(|(other, ..)| other == link);
+            let place = place.or_else(|| terminals.iter().position(|(_, other, _)| other == node));
+            if let Some((.., torque)) = place.map(|place| &mut terminals[place]) {
+                *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
             }
         }
         let names =
@@ -285,6 +326,19 @@ impl Gearbox {
         let needed = terminals.len().saturating_sub(given.len());
         if known != needed {
             return Err(InputsFault::Torques { given: known, needed, candidates: names() }.into());
+        }
+        let links: Vec<LinkId> = terminals.iter().map(|(link, ..)| *link).collect();
+        let settled = settled(self, topology, Some(bounded::<true>(self)), &links)
+            .or_else(|| settled(self, topology, fractions(self), &links))
+            .or_else(|| settled(self, topology, rationals(self), &links))
+            .or_else(|| settled(self, topology, Some(bounded::<false>(self)), &links))
+            .or_else(|| settled(self, topology, exact(self), &links))
+            .unwrap_or_else(|| {
+                unreachable!("a number is a rational, and rationals of any size do not overflow")
+            });
+        if !settled.open_sets.is_empty() {
+            let sets = settled.open_sets.iter().map(|&set| self.sets[set].id().to_owned()).collect();
+            return Err(InputsFault::SharedTorques { sets }.into());
         }
         for segment in &self.segments {
             let from = freedom.equations.partition_point(|&one| one < segment.behind.start);
@@ -318,7 +372,7 @@ impl Gearbox {
         for &(link, torque) in &outside {
             demand[link.0] -= torque;
         }
-        let edges = edge_torques(topology, &vec![topology.is_forest; topology.edges.len()], &demand);
+        let edges = edge_torques(topology, &settled.edges, &demand);
         let mut controls = vec![Some(torque(0.0)); self.controls.len()];
         for (edge, own) in topology.edges.iter().zip(&edges) {
             if let Some(control) = edge.control {

@@ -23,6 +23,7 @@ use crate::tolerance::SPEED;
 use crate::topology::{Topology, factors, node_equations};
 use crate::{Gearbox, LinkId};
 use std::fmt;
+use std::ops::Range;
 
 /// State of a gear, with the links it concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -176,7 +177,8 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
         });
     }
 
-    let torques = Torques::new(gearbox, topology, ratios)?;
+    let [input, output] = topology.terminals;
+    let torques = Torques::new(gearbox, topology, ratios, &[output, input])?;
     let parts = speeds.parts();
     let names = |wanted: Choice| -> Vec<String> {
         (1..gearbox.links.len()).filter(|&l| wanted(LinkId(l))).map(|l| gearbox.links[l].clone()).collect()
@@ -227,19 +229,25 @@ pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> O
     Echelon::new(equations, topology.count, &late)
 }
 
-/// Relations between the torques: unknowns are `t` of each equation, those of the edges, the
-/// output's and the input's; equations are those of the links, so that edges in a loop show.
-struct Torques<S> {
+/// Relations between the torques: unknowns are `t` of each equation, those of the edges and of the terminals;
+/// equations are those of the links, so that edges in a loop show.
+pub(crate) struct Torques<S> {
     relations: Echelon<S>,
     parts: Vec<usize>,
-    input: usize,
+    terminals: Range<usize>,
 }
 
 impl<S: Scalar> Torques<S> {
-    fn new(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Self> {
+    /// The last terminals stay free as long as they can.
+    pub(crate) fn new(
+        gearbox: &Gearbox,
+        topology: &Topology,
+        ratios: &[S],
+        terminals: &[LinkId],
+    ) -> Option<Self> {
         let (count, edges) = (gearbox.equations.len(), topology.edges.len());
-        let (output, input) = (count + edges, count + edges + 1);
-        let mut equations = vec![vec![S::zero(); input + 1]; gearbox.links.len()];
+        let columns = count + edges..count + edges + terminals.len();
+        let mut equations = vec![vec![S::zero(); columns.end]; gearbox.links.len()];
         let minus_one = S::one().negative()?;
         for (place, (one, ratio)) in gearbox.equations.iter().zip(ratios).enumerate() {
             let links = one.links.map(|link| Some(link.0));
@@ -253,11 +261,12 @@ impl<S: Scalar> Torques<S> {
             equations[edge.links[0].0][count + place] = S::one();
             equations[edge.links[1].0][count + place] = minus_one.clone();
         }
-        for (terminal, column) in topology.terminals.into_iter().zip([input, output]) {
+        for (terminal, column) in terminals.iter().zip(columns.clone()) {
             equations[terminal.0][column] = S::one();
         }
         equations.remove(0);
-        let relations = Echelon::new(equations, input + 1, &[output, input])?;
+        let late: Vec<usize> = columns.clone().collect();
+        let relations = Echelon::new(equations, columns.end, &late)?;
         // The equations of a set share planets: they are one part, whichever gear they refer to.
         let mut parts = relations.parts();
         for set in 0..gearbox.sets.len() {
@@ -267,17 +276,20 @@ impl<S: Scalar> Torques<S> {
                 parts.iter_mut().filter(|part| **part == joined).for_each(|part| *part = kept);
             }
         }
-        Some(Self { parts, relations, input })
+        Some(Self { parts, relations, terminals: columns })
     }
 
-    fn on_power_path(&self, column: usize) -> bool {
-        self.parts[column] == self.parts[self.input]
+    pub(crate) fn on_power_path(&self, column: usize) -> bool {
+        self.terminals.clone().any(|terminal| self.parts[column] == self.parts[terminal])
     }
 
-    fn known(&self, from: usize, count: usize) -> Vec<bool> {
-        (from..from + count)
-            .map(|column| self.relations.dependence(column).all(|(free, _)| free == self.input))
-            .collect()
+    /// Whether a torque follows from those at the terminals.
+    fn follows(&self, column: usize) -> bool {
+        self.relations.dependence(column).all(|(free, _)| self.terminals.contains(&free))
+    }
+
+    pub(crate) fn known(&self, from: usize, count: usize) -> Vec<bool> {
+        (from..from + count).map(|column| self.follows(column)).collect()
     }
 
     /// The state of a gear whose speeds from input to output follow.
@@ -289,10 +301,7 @@ impl<S: Scalar> Torques<S> {
         unknown_speed: &dyn Fn(LinkId) -> bool,
     ) -> State {
         let count = gearbox.equations.len();
-        let open = |column: usize| {
-            self.on_power_path(column)
-                && self.relations.dependence(column).any(|(free, _)| free != self.input)
-        };
+        let open = |column: usize| self.on_power_path(column) && !self.follows(column);
         let is_open = |set: &usize| gearbox.equations_of(*set).any(open);
         let open_sets: Vec<usize> = (0..gearbox.sets.len()).filter(is_open).collect();
         let open_edges: Vec<usize> = (0..topology.edges.len()).filter(|&e| open(count + e)).collect();

@@ -22,6 +22,7 @@
 //! | [`MOST_MEMBERS`] | central gears of one set |
 //! | [`MOST_PLANETS`] | planets of one set that differ |
 //! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
+//! | [`LARGEST_LOAD`] | a speed in rad/s or torque in N·m from outside |
 //! | [`SPREAD`] | what the basic ratios of a gearbox can multiply to |
 
 /// Least size of a number that is certainly not zero, in multiples of its error bound.
@@ -70,6 +71,9 @@ pub const MOST_PLANETS: usize = 12;
 ///
 /// Within it every quantity of a gear keeps its digits; beyond, a set is no set but a slip of the pen.
 pub const BASIC_RATIO: f64 = 1e9;
+
+/// Largest size of a speed in rad/s or of a torque in N·m from outside: what follows from it is a number too.
+pub const LARGEST_LOAD: f64 = 1e50;
 
 /// Largest product of `1 + |i|`, or `1 + 1/|i|` where that is larger, over the basic ratios of a gearbox.
 ///
