@@ -81,12 +81,16 @@ struct Freedom {
     parts: Vec<usize>,
     /// Nodes whose speed follows from nodes at rest and given ones.
     follows: Vec<bool>,
+    /// Free nodes that input or output depend on and that are not given.
+    missing: usize,
 }
 
 /// Which torques follow from those at the terminals.
 struct Settled {
     /// Sets on the power path whose torques do not.
     open_sets: Vec<usize>,
+    /// Sets that carry torque.
+    loaded_sets: Vec<usize>,
     edges: Vec<bool>,
 }
 
@@ -102,8 +106,10 @@ fn settled<S: Scalar>(
     let is_open = |set: &usize| {
         gearbox.equations_of(*set).any(|equation| !known[equation] && torques.on_power_path(equation))
     };
+    let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| torques.is_loaded(equation));
     Some(Settled {
         open_sets: (0..gearbox.sets.len()).filter(is_open).collect(),
+        loaded_sets: (0..gearbox.sets.len()).filter(is_loaded).collect(),
         edges: torques.known(count, topology.edges.len()),
     })
 }
@@ -117,9 +123,22 @@ fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usiz
     let follows = (0..topology.count)
         .map(|node| echelon.dependence(node).all(|(free, _)| given.contains(&free)))
         .collect();
+    let missing = |free: &&usize| {
+        let terminals = [topology.input, topology.output].into_iter().flatten();
+        !given.contains(free)
+            && terminals.flat_map(|node| echelon.dependence(node)).any(|(other, _)| other == **free)
+    };
+    let missing = echelon.free.iter().filter(missing).count();
     let mut active: Vec<usize> = echelon.pivots.iter().map(|(equation, _)| *equation).collect();
     active.sort_unstable();
-    Some(Freedom { equations: active, parts: echelon.parts(), free: echelon.free, dependent, follows })
+    Some(Freedom {
+        equations: active,
+        parts: echelon.parts(),
+        free: echelon.free,
+        dependent,
+        follows,
+        missing,
+    })
 }
 
 impl Gearbox {
@@ -274,16 +293,15 @@ impl Gearbox {
             .chain(given.iter().map(|(_, node)| *node))
             .map(|node| freedom.parts[node])
             .collect();
-        let is_open = |node: usize| touched.contains(&freedom.parts[node]) && !freedom.follows[node];
-        let needed = freedom.free.iter().filter(|&&node| touched.contains(&freedom.parts[node])).count();
-        let nodes: Vec<usize> = (0..topology.count).filter(|&node| is_open(node)).collect();
-        if nodes.is_empty() {
+        if freedom.missing == 0 {
             return Ok(());
         }
+        let is_open = |node: usize| touched.contains(&freedom.parts[node]) && !freedom.follows[node];
         let candidates = (1..self.links.len())
-            .filter(|&link| topology.node[link].is_some_and(|node| nodes.contains(&node)))
+            .filter(|&link| topology.node[link].is_some_and(is_open))
             .map(|link| self.links[link].clone())
             .collect();
+        let needed = given.len() + freedom.missing;
         Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into())
     }
 
@@ -339,6 +357,17 @@ impl Gearbox {
         if !settled.open_sets.is_empty() {
             let sets = settled.open_sets.iter().map(|&set| self.sets[set].id().to_owned()).collect();
             return Err(InputsFault::SharedTorques { sets }.into());
+        }
+        // What a loaded set loses does not follow while a member's speed does not.
+        let is_adrift = |link: &usize| {
+            let is_member = |set: &usize| self.sets[*set].members().iter().any(|member| member.0 == *link);
+            omega[*link].is_none() && settled.loaded_sets.iter().any(is_member)
+        };
+        let candidates: Vec<String> =
+            (1..self.links.len()).filter(is_adrift).map(|link| self.links[link].clone()).collect();
+        if !candidates.is_empty() {
+            let needed = given.len() + 1;
+            return Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into());
         }
         for segment in &self.segments {
             let from = freedom.equations.partition_point(|&one| one < segment.behind.start);

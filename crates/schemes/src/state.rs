@@ -288,6 +288,11 @@ impl<S: Scalar> Torques<S> {
         self.relations.dependence(column).all(|(free, _)| self.terminals.contains(&free))
     }
 
+    /// Whether an equation carries any torque.
+    pub(crate) fn is_loaded(&self, equation: usize) -> bool {
+        !self.relations.is_nothing(equation)
+    }
+
     pub(crate) fn known(&self, from: usize, count: usize) -> Vec<bool> {
         (from..from + count).map(|column| self.follows(column)).collect()
     }
@@ -319,8 +324,7 @@ impl<S: Scalar> Torques<S> {
         }
         // A loaded set at an unknown speed: only with special dimensions (i₀ = 1 and a carrier that
         // nothing holds, or torques that cancel), but then its losses do not follow.
-        let is_loaded =
-            |set: &usize| gearbox.equations_of(*set).any(|equation| !self.relations.is_nothing(equation));
+        let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| self.is_loaded(equation));
         let loaded: Vec<usize> = (0..gearbox.sets.len()).filter(is_loaded).collect();
         let adrift = |link: LinkId| {
             unknown_speed(link) && loaded.iter().any(|&set| gearbox.sets[set].members().contains(&link))
