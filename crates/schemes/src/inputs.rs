@@ -401,7 +401,7 @@ impl Gearbox {
         for &(link, torque) in &outside {
             demand[link.0] -= torque;
         }
-        let edges = edge_torques(topology, &settled.edges, &demand);
+        let edges = edge_torques(topology, &settled.edges, demand);
         let mut controls = vec![Some(torque(0.0)); self.controls.len()];
         for (edge, own) in topology.edges.iter().zip(&edges) {
             if let Some(control) = edge.control {

@@ -115,7 +115,8 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let count = gearbox.links.len();
     let mut largest = least;
     let mut sets = Vec::with_capacity(members.len());
-    let mut flows = vec![];
+    let member_count: usize = gearbox.sets.iter().map(|set| set.members().len()).sum();
+    let mut flows = Vec::with_capacity(member_count + topology.edges.len());
     let mut through = vec![Some(0.0); count];
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
@@ -226,14 +227,12 @@ fn set_power(
 fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<MeshPower> {
     let tree = &set.tree;
     let sign = |segment: usize| signs.map_or(0, |signs| signs[segment]);
-    // What a central gear takes, seen from a mesh on its path: divided by the losses between.
-    let part = |mesh: usize| {
-        let segment = tree.segments.iter().position(|segment| segment.meshes.contains(&mesh));
-        let sense = segment.map_or(0, sign);
-        set.meshes()[mesh].efficiency.get().powi(i32::from(sense))
+    // What a mesh leaves of the power that comes from the side of the root, in the sense of its segment.
+    let part = |mesh: usize| match tree.in_segment[mesh].map_or(0, |(segment, _)| sign(segment)) {
+        0 => 1.0,
+        1 => set.meshes()[mesh].efficiency.get(),
+        _ => 1.0 / set.meshes()[mesh].efficiency.get(),
     };
-    // The whole set's efficiency is exact where only that is known.
-    let parts: Vec<f64> = (0..set.meshes().len()).map(part).collect();
     let of_mesh = |mesh: usize| {
         let behind = &tree.behind[mesh];
         // Power that leaves the mesh outwards: what the central gears behind it take.
@@ -241,17 +240,14 @@ fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<Me
             .clone()
             .map(|place| {
                 let central = tree.order[place];
-                let beyond: f64 = (0..parts.len())
-                    .filter(|&other| {
-                        let range = &tree.behind[other];
-                        range.contains(&place) && is_beyond(tree, other, mesh)
-                    })
-                    .map(|other| parts[other])
+                let beyond: f64 = (0..set.meshes().len())
+                    .filter(|&other| tree.behind[other].contains(&place) && is_beyond(tree, other, mesh))
+                    .map(part)
                     .product();
                 -rolling[central] / beyond
             })
             .sum();
-        let inside = outwards / parts[mesh];
+        let inside = outwards / part(mesh);
         let sense = i8::from(outwards > 0.0) - i8::from(outwards < 0.0);
         match sense {
             1 => MeshPower { sense, enters: inside, leaves: outwards },
@@ -259,7 +255,7 @@ fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<Me
             _ => MeshPower::default(),
         }
     };
-    (0..parts.len()).map(of_mesh).collect()
+    (0..set.meshes().len()).map(of_mesh).collect()
 }
 
 /// Whether a mesh lies farther from the root than another, on a path through it.
@@ -267,9 +263,7 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
     let (inner, outer) = (&tree.behind[mesh], &tree.behind[other]);
     if inner == outer {
         // In one segment: its meshes stand outwards.
-        let segment = tree.segments.iter().find(|segment| segment.meshes.contains(&mesh));
-        let place = |mesh| segment.and_then(|one| one.meshes.iter().position(|&one| one == mesh));
-        return place(mesh) > place(other);
+        return tree.in_segment[mesh] > tree.in_segment[other];
     }
     outer.start <= inner.start && inner.end <= outer.end
 }

@@ -298,3 +298,40 @@ fn an_idle_ring_neither_loses_nor_circulates() {
     let by_hand = each * 79.0 / 28.0 * ring + (1.0 - each) * (1.0 - carrier) - 1.0;
     assert!((circulating - by_hand).abs() < 1e-12, "{circulating} {by_hand}");
 }
+
+/// Two sets of i₀ near 1 face to face: from either end one of them is driven from its sun.
+#[test]
+fn a_gear_can_lock_itself_from_both_ends() {
+    let set = |id: &str, sun: &str| {
+        SetSpec::new(id, SetKind::SteppedRings, [sun, "ground", "x"], 0.99)
+            .with_loss(MeshLoss::Row(eta(0.97)))
+    };
+    let gearbox = Gearbox::builder("face to face")
+        .links(["a", "x", "b"])
+        .set(set("1", "a"))
+        .set(set("2", "b"))
+        .input("a")
+        .output("b")
+        .gear("g", [""; 0])
+        .build()
+        .unwrap();
+    let found = gearbox.analyze("g").unwrap();
+    assert_eq!(*found.state(), State::SelfLocking { links: vec!["a".into()], both_ways: true });
+    assert!(found.state().has_ratio() && found.ratio() == Some(1.0));
+    assert!(found.efficiency().is_none_or(|eta| eta <= 0.0));
+    assert!(found.overrun_efficiency().is_none_or(|eta| eta <= 0.0));
+    let rad = AngularVelocity::new::<radian_per_second>(10.0);
+    for torque in [7.0, -7.0] {
+        assert!(found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(torque))).is_err());
+    }
+    // Only forwards: the output can still drive the input.
+    let gearbox = slow_row(0.99, 0.97, "sun", "carrier");
+    let found = gearbox.analyze("1").unwrap();
+    assert_eq!(*found.state(), State::SelfLocking { links: vec!["sun".into()], both_ways: false });
+    let back = found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(-7.0))).unwrap();
+    assert_eq!(back.direction, Direction::Overrun);
+    // Only backwards: driven, as a hoist is.
+    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let found = gearbox.analyze("1").unwrap();
+    assert_eq!((found.state(), found.is_self_locking()), (&State::Driven, Some(true)));
+}
