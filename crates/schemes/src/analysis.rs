@@ -194,6 +194,7 @@ impl<'g> Analysis<'g> {
                 |equation| gearbox.equations[equation].ratio,
                 |segment| gearbox.segments[segment].efficiency,
                 direction,
+                0.0,
                 &mut solution,
             );
             solved.then_some(solution)

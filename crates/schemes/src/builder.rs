@@ -9,7 +9,7 @@ use crate::planet_set::{
 };
 use crate::set::SetSpec;
 use crate::tolerance::{
-    MOST_ALIKE, MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS,
+    MOST_ALIKE, MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS, SPREAD,
 };
 use crate::{Error, GROUND, Gearbox, LinkId, Named, Warning};
 use epicyclic_gears::teeth::ToothCount;
@@ -242,6 +242,14 @@ impl GearboxBuilder {
         for description in self.sets {
             let set = build_set(&gearbox, description, &groups)?;
             gearbox.push_set(set);
+        }
+        let exponent: f64 = gearbox
+            .equations
+            .iter()
+            .map(|one| (1.0 + one.ratio.abs().max(1.0 / one.ratio.abs())).log10())
+            .sum();
+        if exponent > SPREAD.log10() {
+            return Err(Error::Spread { exponent });
         }
         for (id, [first, second], one_way) in self.controls {
             let place = || format!("shift element `{id}`");

@@ -9,7 +9,8 @@ use crate::elimination::Scalar;
 use crate::kernel::{MOST_EQUATIONS, MOST_SEGMENTS, Problem, narrow};
 use crate::network::Network;
 use crate::state::{Verdict, classify};
-use crate::topology::{Topology, bounded, fractions, rationals};
+use crate::tolerance::PIVOT;
+use crate::topology::{Topology, bounded, exact, fractions, rationals};
 use crate::{Error, Gear, Gearbox, LinkId};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::StationaryRatio;
@@ -265,7 +266,7 @@ impl CompiledGear {
                 return Err(Error::ValueCount { what, given, expected });
             }
         }
-        if self.solve_numbers(|e| ratios[e].get(), |s| efficiencies[s].get(), direction, solution) {
+        if self.solve_numbers(|e| ratios[e].get(), |s| efficiencies[s].get(), direction, PIVOT, solution) {
             Ok(())
         } else {
             Err(Error::NotDriven {
@@ -274,24 +275,26 @@ impl CompiledGear {
         }
     }
 
+    /// Pivots up to `least_pivot` have vanished; 0 for the ratios whose rank is proved.
     #[inline]
     pub(crate) fn solve_numbers(
         &self,
         i0: impl Fn(usize) -> f64,
         eta: impl Fn(usize) -> f64,
         direction: Direction,
+        least_pivot: f64,
         solution: &mut Solution,
     ) -> bool {
         macro_rules! sizes {
             ($($n:literal)*) => {
                 match (self.equations.len(), self.is_plain) {
                     $(
-                        ($n, true) => self.problem::<$n, $n, true>(i0, eta, direction).solve(solution),
+                        ($n, true) => self.problem::<$n, $n, true>(i0, eta, direction, least_pivot).solve(solution),
                         ($n, false) => {
-                            self.problem::<$n, MOST_SEGMENTS, false>(i0, eta, direction).solve(solution)
+                            self.problem::<$n, MOST_SEGMENTS, false>(i0, eta, direction, least_pivot).solve(solution)
                         }
                     )*
-                    _ => Network::of_gear(self, i0, eta).solve_gear(usize::from(self.output), direction, solution),
+                    _ => Network::of_gear(self, i0, eta, least_pivot).solve_gear(usize::from(self.output), direction, solution),
                 }
             };
         }
@@ -303,6 +306,7 @@ impl CompiledGear {
         i0: impl Fn(usize) -> f64,
         eta: impl Fn(usize) -> f64,
         direction: Direction,
+        least_pivot: f64,
     ) -> Problem<'_, N, M, PLAIN> {
         const { assert!(N <= MOST_EQUATIONS) };
         let mut problem = Problem {
@@ -312,6 +316,7 @@ impl CompiledGear {
             runs: &self.runs,
             output: usize::from(narrow(self.output)),
             direction,
+            least_pivot,
         };
         for ((j, &equation), nodes) in self.equations.iter().enumerate().zip(&self.nodes) {
             problem.nodes[j] = nodes.map(narrow);
@@ -340,5 +345,6 @@ pub(crate) fn verdict(gearbox: &Gearbox, topology: &Topology) -> Verdict {
         .or_else(|| of(gearbox, topology, fractions(gearbox)))
         .or_else(|| of(gearbox, topology, rationals(gearbox)))
         .or_else(|| of(gearbox, topology, Some(bounded::<false>(gearbox))))
-        .unwrap_or_else(|| unreachable!("basic ratios are limited, so that no number overflows"))
+        .or_else(|| of(gearbox, topology, exact(gearbox)))
+        .unwrap_or_else(|| unreachable!("a number is a rational, and rationals of any size do not overflow"))
 }

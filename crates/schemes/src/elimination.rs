@@ -1,21 +1,22 @@
 //! Which unknowns of a homogeneous system follow from which: reduced echelon form with full pivoting.
 //!
-//! Rank decides the state of a gear, so it must not depend on rounding. One code over three kinds of numbers,
+//! Rank decides the state of a gear, so it must not depend on rounding. One code over all kinds of numbers,
 //! tried in this order:
 //!
 //! 1. [`Bounded`]: `f64` with a bound on its error, carried through every operation. A number larger than its
 //!    bound is certainly not zero; a zero that no rounding touched certainly is one. Where every decision is
 //!    certain, the verdict is proved, and this is the fast and the usual way.
-//! 2. [`Fraction`], then [`BigRational`]: where a number is as small as its bound, and all ratios are tooth counts
-//!    or decimals, the elimination is done again without rounding, in 128 bits, and where these do not hold the
-//!    numbers, in as many as it takes.
+//! 2. [`Fraction`], then [`BigRational`]: where a number is as small as its bound, or a speed has lost digits, and
+//!    all ratios are tooth counts or decimals, the elimination is done again without rounding, in 128 bits, and
+//!    where these do not hold the numbers, in as many as it takes.
 //! 3. [`Bounded`] again where some ratio is a number of no known origin: what is as small as its error bound is
 //!    zero. The bound grows with the numbers, so this scales with the gear.
+//! 4. [`BigRational`] with the numbers as they stand, where even so one overflows.
 //!
 //! Some unknowns can be kept back until no other can serve as a pivot: what then still depends on
 //! them depends on nothing else.
 
-use crate::tolerance::ERROR_FACTOR;
+use crate::tolerance::{ERROR_FACTOR, SHARP};
 use epicyclic_gears::row::Fraction;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -27,6 +28,10 @@ pub(crate) trait Scalar: Clone {
     fn one() -> Self;
     /// Rank in the choice of a pivot; 0 for what is zero.
     fn weight(&self) -> f64;
+    /// What the weights of an equation are measured by: the largest of its entries'.
+    fn size(&self) -> f64 {
+        self.weight()
+    }
     fn minus(&self, other: &Self) -> Option<Self>;
     fn times(&self, other: &Self) -> Option<Self>;
     fn over(&self, other: &Self) -> Option<Self>;
@@ -34,6 +39,11 @@ pub(crate) trait Scalar: Clone {
 
     fn is_zero(&self) -> bool {
         self.weight() == 0.0
+    }
+
+    /// Whether its digits are certain.
+    fn is_sharp(&self) -> bool {
+        true
     }
 
     fn negative(&self) -> Option<Self> {
@@ -57,6 +67,10 @@ impl<const STRICT: bool> Bounded<STRICT> {
     }
 }
 
+/// Error bounds by which a number loses weight as a pivot: one known to six digits or fewer has the least.
+const LATE: f64 = 1e6;
+const LEAST_WEIGHT: f64 = 1e-6;
+
 impl<const STRICT: bool> Scalar for Bounded<STRICT> {
     fn zero() -> Self {
         Self { value: 0.0, error: 0.0 }
@@ -66,13 +80,22 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
         Self { value: 1.0, error: 0.0 }
     }
 
+    /// Uncertain numbers last: as pivots they would spread their error.
     fn weight(&self) -> f64 {
+        let size = self.value.abs();
+        (size - self.error * LATE).max(size * LEAST_WEIGHT)
+    }
+
+    fn size(&self) -> f64 {
         self.value.abs()
     }
 
     fn minus(&self, other: &Self) -> Option<Self> {
         if other.value == 0.0 {
             return Some(*self);
+        }
+        if self.value == 0.0 {
+            return Some(Self { value: -other.value, error: other.error });
         }
         let value = self.value - other.value;
         let error = self.error + other.error + value.abs() * f64::EPSILON;
@@ -84,6 +107,12 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
     }
 
     fn times(&self, other: &Self) -> Option<Self> {
+        // What a number times ±1 is, is as certain as it was.
+        for (one, other) in [(self, other), (other, self)] {
+            if one.error == 0.0 && one.value.abs() == 1.0 {
+                return Some(Self { value: one.value * other.value, error: other.error });
+            }
+        }
         let value = self.value * other.value;
         let error = self.value.abs() * other.error + other.value.abs() * self.error;
         // Neither overflow nor what is lost below the least number leaves anything certain.
@@ -95,8 +124,8 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
         if self.value == 0.0 {
             return Some(Self::zero());
         }
-        if self == other {
-            return Some(Self::one());
+        if other.error == 0.0 && (other.value.abs() == 1.0 || self == other) {
+            return Some(Self { value: self.value / other.value, error: self.error });
         }
         let value = self.value / other.value;
         let least = other.value.abs() - other.error;
@@ -106,6 +135,10 @@ impl<const STRICT: bool> Scalar for Bounded<STRICT> {
 
     fn number(&self) -> f64 {
         self.value
+    }
+
+    fn is_sharp(&self) -> bool {
+        !STRICT || self.error <= SHARP * self.value.abs()
     }
 }
 
@@ -295,13 +328,17 @@ impl<S: Scalar> Echelon<S> {
     }
 
     /// How an unknown follows from the free ones: the factors that are not zero.
-    pub(crate) fn dependence(&self, unknown: usize) -> Vec<(usize, S)> {
-        let Some(place) = self.pivot_of[unknown] else {
-            return vec![(unknown, S::one())];
-        };
-        let row = &self.reduced[place];
-        let factor = |f: usize| row[f].negative().map(|x| (f, x));
-        self.free.iter().filter_map(|&f| factor(f)).filter(|(_, x)| x.weight() > 0.0).collect()
+    pub(crate) fn dependence(&self, unknown: usize) -> impl Iterator<Item = (usize, S)> {
+        let row = self.pivot_of[unknown].map(|place| &self.reduced[place]);
+        self.free.iter().filter_map(move |&free| match row {
+            Some(row) => row[free].negative().map(|x| (free, x)).filter(|(_, x)| x.weight() > 0.0),
+            None => (free == unknown).then(|| (free, S::one())),
+        })
+    }
+
+    /// Whether an unknown is 0 whatever the free ones are.
+    pub(crate) fn is_nothing(&self, unknown: usize) -> bool {
+        self.dependence(unknown).next().is_none()
     }
 
     /// Which unknowns stand together in some least relation: a label for each.
@@ -325,7 +362,7 @@ fn largest<S: Scalar>(rows: &[Vec<S>], from: usize, columns: &[usize]) -> Option
     let mut best = None;
     let mut best_weight = 0.0;
     for (place, row) in rows.iter().enumerate().skip(from) {
-        let scale = row.iter().fold(0.0_f64, |most, entry| most.max(entry.weight()));
+        let scale = row.iter().fold(0.0_f64, |most, entry| most.max(entry.size()));
         if scale == 0.0 {
             continue;
         }
@@ -361,7 +398,7 @@ mod tests {
         // x + y − 2z = 0, with z kept back.
         let echelon = Echelon::<Strict>::new(rows(&[&[1, 1, -2], &[1, -1, 0]], rounded), 3, &[2]).unwrap();
         assert_eq!(echelon.free, [2]);
-        let factor = echelon.dependence(0)[0];
+        let factor = echelon.dependence(0).next().unwrap();
         assert!(factor.0 == 2 && (factor.1.number() - 1.0).abs() < 1e-15);
     }
 

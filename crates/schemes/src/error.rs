@@ -1,7 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
 use crate::set::SetKind;
-use crate::tolerance::{BASIC_RATIO, MOST_ALIKE};
+use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
 
 /// What a name stands for in a gearbox.
@@ -100,6 +100,12 @@ pub enum Error {
         second: String,
         /// The ratio.
         ratio: f64,
+    },
+    /// Basic ratios that multiply to more than numbers can tell.
+    #[error("the basic ratios of all sets multiply to 1e{exponent:.0}: up to {SPREAD:e} is solved")]
+    Spread {
+        /// Decimal exponent of the product.
+        exponent: f64,
     },
     /// A stepped set whose teeth lack those of its planet.
     #[error("set `{set}` ({kind}) needs the teeth of both steps of its planet, z_g and z_f")]
@@ -312,6 +318,12 @@ pub enum InputsFault {
     DependentTorques {
         /// Links that may carry one.
         candidates: Vec<String>,
+    },
+    /// Sets whose torques depend on how tightly they were engaged.
+    #[error("sets {} share a torque that nothing settles", sets.join(", "))]
+    SharedTorques {
+        /// The sets.
+        sets: Vec<String>,
     },
     /// No torques keep the gear moving at these speeds.
     #[error("no torques keep it moving this way: its mesh losses hold it")]

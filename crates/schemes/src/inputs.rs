@@ -18,7 +18,9 @@ use crate::error::InputsFault;
 use crate::network::{Loads, Network};
 use crate::power_flow::{Flowing, PowerFlow, power_flow};
 use crate::speeds::{SetMotion, set_motion};
-use crate::topology::{Topology, bounded, fractions, node_equations, rationals};
+use crate::state::Torques;
+use crate::tolerance::LARGEST_LOAD;
+use crate::topology::{Topology, bounded, exact, fractions, node_equations, rationals};
 use crate::torques::{self, Members, demands, edge_torques};
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque};
 use crate::{Error, Gear, Gearbox, LinkId};
@@ -79,18 +81,64 @@ struct Freedom {
     parts: Vec<usize>,
     /// Nodes whose speed follows from nodes at rest and given ones.
     follows: Vec<bool>,
+    /// Free nodes that input or output depend on and that are not given.
+    missing: usize,
+}
+
+/// Which torques follow from those at the terminals.
+struct Settled {
+    /// Sets on the power path whose torques do not.
+    open_sets: Vec<usize>,
+    /// Sets that carry torque.
+    loaded_sets: Vec<usize>,
+    edges: Vec<bool>,
+}
+
+fn settled<S: Scalar>(
+    gearbox: &Gearbox,
+    topology: &Topology,
+    ratios: Option<Vec<S>>,
+    terminals: &[LinkId],
+) -> Option<Settled> {
+    let torques = Torques::new(gearbox, topology, &ratios?, terminals)?;
+    let count = gearbox.equations.len();
+    let known = torques.known(0, count);
+    let is_open = |set: &usize| {
+        gearbox.equations_of(*set).any(|equation| !known[equation] && torques.on_power_path(equation))
+    };
+    let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| torques.is_loaded(equation));
+    Some(Settled {
+        open_sets: (0..gearbox.sets.len()).filter(is_open).collect(),
+        loaded_sets: (0..gearbox.sets.len()).filter(is_loaded).collect(),
+        edges: torques.known(count, topology.edges.len()),
+    })
 }
 
 fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usize]) -> Option<Freedom> {
     let equations = node_equations(topology, &ratios?)?;
-    let echelon = Echelon::new(equations, topology.count, given)?;
+    // Those given last depend on the others.
+    let late: Vec<usize> = given.iter().rev().copied().collect();
+    let echelon = Echelon::new(equations, topology.count, &late)?;
     let dependent = given.iter().copied().find(|node| echelon.pivots.iter().any(|(_, pivot)| pivot == node));
     let follows = (0..topology.count)
-        .map(|node| echelon.dependence(node).iter().all(|(free, _)| given.contains(free)))
+        .map(|node| echelon.dependence(node).all(|(free, _)| given.contains(&free)))
         .collect();
+    let missing = |free: &&usize| {
+        let terminals = [topology.input, topology.output].into_iter().flatten();
+        !given.contains(free)
+            && terminals.flat_map(|node| echelon.dependence(node)).any(|(other, _)| other == **free)
+    };
+    let missing = echelon.free.iter().filter(missing).count();
     let mut active: Vec<usize> = echelon.pivots.iter().map(|(equation, _)| *equation).collect();
     active.sort_unstable();
-    Some(Freedom { equations: active, parts: echelon.parts(), free: echelon.free, dependent, follows })
+    Some(Freedom {
+        equations: active,
+        parts: echelon.parts(),
+        free: echelon.free,
+        dependent,
+        follows,
+        missing,
+    })
 }
 
 impl Gearbox {
@@ -126,8 +174,9 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, and where the mesh losses
-    /// hold the gear; [`Error::ForeignGear`] for a gear of another gearbox.
+    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, where sets share a torque
+    /// that nothing settles, and where the mesh losses hold the gear; [`Error::OperatingPoint`] for what is no number;
+    /// [`Error::ForeignGear`] for a gear of another gearbox.
     pub fn with_inputs(
         &self,
         gear: &Gear,
@@ -135,6 +184,13 @@ impl Gearbox {
         torques: &[(LinkId, Torque)],
     ) -> Result<MultiState, Error> {
         self.check_gear(gear)?;
+        let values = speeds.iter().map(|(_, speed)| rad_per_s(*speed));
+        if !values
+            .chain(torques.iter().map(|(_, torque)| n_m(*torque)))
+            .all(|value| value.abs() <= LARGEST_LOAD)
+        {
+            return Err(Error::OperatingPoint { why: "speeds and torques are numbers up to 1e50 in size" });
+        }
         let topology = Topology::new(self, gear);
         let given = self.given_nodes(&topology, speeds.iter().map(|(link, _)| *link), true)?;
         let nodes: Vec<usize> = given.iter().map(|(_, node)| *node).collect();
@@ -142,7 +198,10 @@ impl Gearbox {
             .or_else(|| freedom(&topology, fractions(self), &nodes))
             .or_else(|| freedom(&topology, rationals(self), &nodes))
             .or_else(|| freedom(&topology, Some(bounded::<false>(self)), &nodes))
-            .unwrap_or_else(|| unreachable!("basic ratios are limited, so that no number overflows"));
+            .or_else(|| freedom(&topology, exact(self), &nodes))
+            .unwrap_or_else(|| {
+                unreachable!("a number is a rational, and rationals of any size do not overflow")
+            });
         self.check_speeds(&topology, &given, &freedom)?;
 
         // Parts that nothing given moves carry no torque: their free speeds are held.
@@ -161,6 +220,7 @@ impl Gearbox {
             runs: vec![],
             etas: vec![],
             count,
+            least_pivot: 0.0,
         };
         let values: Vec<f64> = speeds.iter().map(|(_, speed)| rad_per_s(*speed)).collect();
         let at: Vec<(usize, f64)> =
@@ -233,16 +293,15 @@ impl Gearbox {
             .chain(given.iter().map(|(_, node)| *node))
             .map(|node| freedom.parts[node])
             .collect();
-        let is_open = |node: usize| touched.contains(&freedom.parts[node]) && !freedom.follows[node];
-        let needed = freedom.free.iter().filter(|&&node| touched.contains(&freedom.parts[node])).count();
-        let nodes: Vec<usize> = (0..topology.count).filter(|&node| is_open(node)).collect();
-        if nodes.is_empty() {
+        if freedom.missing == 0 {
             return Ok(());
         }
+        let is_open = |node: usize| touched.contains(&freedom.parts[node]) && !freedom.follows[node];
         let candidates = (1..self.links.len())
-            .filter(|&link| topology.node[link].is_some_and(|node| nodes.contains(&node)))
+            .filter(|&link| topology.node[link].is_some_and(is_open))
             .map(|link| self.links[link].clone())
             .collect();
+        let needed = given.len() + freedom.missing;
         Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into())
     }
 
@@ -259,20 +318,24 @@ impl Gearbox {
         given_torques: &[(LinkId, Torque)],
     ) -> Result<MultiLoad, Error> {
         let torque_nodes = self.given_nodes(topology, given_torques.iter().map(|(link, _)| *link), false)?;
-        // One terminal a node, the gear's own first.
-        let own =
-            [gear.input, gear.output].into_iter().filter_map(|link| Some((link, topology.node[link.0]?)));
+        // One terminal a node, the gear's own first; these are two even where a clutch makes them one node.
         let mut terminals: Vec<(LinkId, usize, Option<f64>)> = vec![];
-        for (link, node) in own.chain(given.iter().copied()).chain(torque_nodes.iter().copied()) {
+        for link in [gear.input, gear.output] {
+            let Some(node) = topology.node[link.0] else { continue };
+            if !terminals.iter().any(|(other, ..)| *other == link) {
+                terminals.push((link, node, None));
+            }
+        }
+        for &(link, node) in given.iter().chain(&torque_nodes) {
             if !terminals.iter().any(|(_, other, _)| *other == node) {
                 terminals.push((link, node, None));
             }
         }
-        for ((_, node), (_, given)) in torque_nodes.iter().zip(given_torques) {
-            for (_, other, torque) in &mut terminals {
-                if other == node {
-                    *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
-                }
+        for ((link, node), (_, given)) in torque_nodes.iter().zip(given_torques) {
+            let place = terminals.iter().position(|(other, ..)| other == link);
+            let place = place.or_else(|| terminals.iter().position(|(_, other, _)| other == node));
+            if let Some((.., torque)) = place.map(|place| &mut terminals[place]) {
+                *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
             }
         }
         let names =
@@ -281,6 +344,30 @@ impl Gearbox {
         let needed = terminals.len().saturating_sub(given.len());
         if known != needed {
             return Err(InputsFault::Torques { given: known, needed, candidates: names() }.into());
+        }
+        let links: Vec<LinkId> = terminals.iter().map(|(link, ..)| *link).collect();
+        let settled = settled(self, topology, Some(bounded::<true>(self)), &links)
+            .or_else(|| settled(self, topology, fractions(self), &links))
+            .or_else(|| settled(self, topology, rationals(self), &links))
+            .or_else(|| settled(self, topology, Some(bounded::<false>(self)), &links))
+            .or_else(|| settled(self, topology, exact(self), &links))
+            .unwrap_or_else(|| {
+                unreachable!("a number is a rational, and rationals of any size do not overflow")
+            });
+        if !settled.open_sets.is_empty() {
+            let sets = settled.open_sets.iter().map(|&set| self.sets[set].id().to_owned()).collect();
+            return Err(InputsFault::SharedTorques { sets }.into());
+        }
+        // What a loaded set loses does not follow while a member's speed does not.
+        let is_adrift = |link: &usize| {
+            let is_member = |set: &usize| self.sets[*set].members().iter().any(|member| member.0 == *link);
+            omega[*link].is_none() && settled.loaded_sets.iter().any(is_member)
+        };
+        let candidates: Vec<String> =
+            (1..self.links.len()).filter(is_adrift).map(|link| self.links[link].clone()).collect();
+        if !candidates.is_empty() {
+            let needed = given.len() + 1;
+            return Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into());
         }
         for segment in &self.segments {
             let from = freedom.equations.partition_point(|&one| one < segment.behind.start);
@@ -314,7 +401,7 @@ impl Gearbox {
         for &(link, torque) in &outside {
             demand[link.0] -= torque;
         }
-        let edges = edge_torques(topology, &vec![topology.is_forest; topology.edges.len()], &demand);
+        let edges = edge_torques(topology, &settled.edges, demand);
         let mut controls = vec![Some(torque(0.0)); self.controls.len()];
         for (edge, own) in topology.edges.iter().zip(&edges) {
             if let Some(control) = edge.control {

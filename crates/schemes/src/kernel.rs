@@ -21,7 +21,6 @@
 
 use crate::branch::{self, Lossy};
 use crate::compiled::{Direction, RESTING, Run, Solution};
-use crate::tolerance::PIVOT;
 
 /// Columns of a matrix of factors; the last one collects what is tied to the housing.
 const COLUMNS: usize = 16;
@@ -41,6 +40,8 @@ pub(crate) struct Problem<'a, const N: usize, const M: usize, const PLAIN: bool>
     pub(crate) runs: &'a [Run],
     pub(crate) output: usize,
     pub(crate) direction: Direction,
+    /// A pivot up to this has vanished; 0 where the rank is proved.
+    pub(crate) least_pivot: f64,
 }
 
 type Matrix<const N: usize> = [[f64; COLUMNS]; N];
@@ -65,7 +66,7 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
     pub(crate) fn solve(&self, solution: &mut Solution) -> bool {
         solution.resize(N, self.segments());
         let matrix = self.matrix(&self.i0);
-        let Some(speeds) = speeds(&matrix) else { return false };
+        let Some(speeds) = speeds(&matrix, self.least_pivot) else { return false };
         solution.speeds[0] = 1.0;
         solution.speeds[1..=N].copy_from_slice(&speeds);
         let member = self.members(&solution.speeds);
@@ -146,7 +147,7 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
                 right[place] = given;
             }
         }
-        let root = gauss(equations, right)?;
+        let root = gauss(equations, right, self.least_pivot)?;
         if known == other {
             return Some((root, -given));
         }
@@ -233,23 +234,22 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Lossy<[i8; M]> for Loade
 }
 
 /// Speeds of nodes 1…N for a speed of 1 of node 0.
-fn speeds<const N: usize>(matrix: &Matrix<N>) -> Option<[f64; N]> {
+fn speeds<const N: usize>(matrix: &Matrix<N>, least_pivot: f64) -> Option<[f64; N]> {
     let mut equations = [[0.0; N]; N];
     let mut right = [0.0; N];
     for (j, row) in matrix.iter().enumerate() {
         equations[j].copy_from_slice(&row[1..=N]);
         right[j] = -row[0];
     }
-    gauss(equations, right)
+    gauss(equations, right, least_pivot)
 }
 
 /// Solves `a·x = b` by elimination with row pivoting; `None` where a pivot vanishes.
 ///
-/// Equations are not scaled: the rank was settled when the gear was compiled, and a pivot is measured by the
-/// largest entry.
+/// Equations are not scaled: at the gear's own ratios the rank is proved, and no pivot is too small.
 #[inline]
 #[allow(clippy::needless_range_loop, reason = "indices are those of the formulas")]
-fn gauss<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Option<[f64; N]> {
+fn gauss<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N], least_pivot: f64) -> Option<[f64; N]> {
     for k in 0..N {
         let mut pivot = k;
         for r in k + 1..N {
@@ -261,7 +261,7 @@ fn gauss<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> Option<[f64; 
             a.swap(k, pivot);
             b.swap(k, pivot);
         }
-        if a[k][k].abs() <= PIVOT || a[k][k].is_nan() {
+        if a[k][k].abs() <= least_pivot || a[k][k].is_nan() {
             return None;
         }
         let inverse = 1.0 / a[k][k];

@@ -104,9 +104,10 @@ pub(crate) fn ratio<S: Scalar>(topology: &Topology, ratios: &[Option<S>]) -> Opt
     };
     let equations = topology.equations.iter().zip(ratios).filter_map(equation).collect::<Option<Vec<_>>>()?;
     let echelon = Echelon::new(equations, topology.count, &[input, output])?;
-    match echelon.dependence(input).as_slice() {
-        [] => Some(S::zero()),
-        [(free, factor)] if *free == output => Some(factor.clone()),
+    let mut depends = echelon.dependence(input);
+    match (depends.next(), depends.next()) {
+        (None, _) => Some(S::zero()),
+        (Some((free, factor)), None) if free == output => Some(factor),
         _ => None,
     }
 }

@@ -9,7 +9,6 @@
 
 use crate::branch::{self, Lossy};
 use crate::compiled::{CompiledGear, Direction, RESTING, Run, Solution};
-use crate::tolerance::PIVOT;
 
 /// Equations on nodes, with their losses.
 pub(crate) struct Network {
@@ -19,6 +18,8 @@ pub(crate) struct Network {
     pub(crate) etas: Vec<f64>,
     /// How many nodes there are.
     pub(crate) count: usize,
+    /// A pivot up to this has vanished; 0 where the rank is proved.
+    pub(crate) least_pivot: f64,
 }
 
 /// Torques of a network.
@@ -47,6 +48,7 @@ impl Network {
         gear: &CompiledGear,
         i0: impl Fn(usize) -> f64,
         eta: impl Fn(usize) -> f64,
+        least_pivot: f64,
     ) -> Self {
         let node = |node: u16| (node != RESTING).then_some(usize::from(node));
         Self {
@@ -55,6 +57,7 @@ impl Network {
             runs: gear.runs.clone(),
             etas: gear.segments.iter().map(|&segment| eta(segment)).collect(),
             count: gear.equations.len() + 1,
+            least_pivot,
         }
     }
 
@@ -82,7 +85,7 @@ impl Network {
             equations.push(row);
             right.push(speed);
         }
-        gauss(equations, right)
+        gauss(equations, right, self.least_pivot)
     }
 
     /// Speeds of root, central gear and carrier of an equation.
@@ -158,7 +161,7 @@ impl Loads<'_> {
             system.remove(0);
             right.remove(0);
         }
-        let solved = gauss(system, right)?;
+        let solved = gauss(system, right, network.least_pivot)?;
         let mut found = solved[equations..].iter();
         let terminals =
             self.terminals.iter().map(|(_, torque)| torque.or_else(|| found.next().copied()).unwrap_or(0.0));
@@ -215,7 +218,7 @@ impl Lossy<Vec<i8>> for Loads<'_> {
 
 /// Solves a square system by elimination with row pivoting, each equation scaled to its largest entry; `None`
 /// where it is not square or a pivot vanishes.
-fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>, least_pivot: f64) -> Option<Vec<f64>> {
     let n = a.len();
     if a.iter().any(|row| row.len() != n) {
         return None;
@@ -231,7 +234,7 @@ fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let pivot = (k..n).max_by(|&r, &s| a[r][k].abs().total_cmp(&a[s][k].abs()))?;
         a.swap(k, pivot);
         b.swap(k, pivot);
-        if a[k][k].abs() <= PIVOT * PIVOT || a[k][k].is_nan() {
+        if a[k][k].abs() <= least_pivot || a[k][k].is_nan() {
             return None;
         }
         let (done, rest) = a.split_at_mut(k + 1);

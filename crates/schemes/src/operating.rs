@@ -1,6 +1,7 @@
 //! A gear at work: its speeds, torques and powers as quantities.
 
 use crate::compiled::Direction;
+use crate::tolerance::LARGEST_LOAD;
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
 use crate::{Analysis, Error, State};
 use uom::si::f64::{AngularVelocity, Power, Torque};
@@ -86,8 +87,8 @@ impl Analysis<'_> {
             }
             InputLoad::Power(power) => watts(power) / speed_rad_s,
         };
-        if !(speed_rad_s.is_finite() && torque_n_m.is_finite()) {
-            return Err(refuse("speed and load are finite numbers"));
+        if ![speed_rad_s, torque_n_m].iter().all(|value| value.abs() <= LARGEST_LOAD) {
+            return Err(refuse("speed and load are numbers up to 1e50 in size"));
         }
         if self.ideal().is_none()
             || matches!(self.state(), State::SelfLocking { .. }) && torque_n_m * speed_rad_s >= 0.0

@@ -14,7 +14,7 @@
 
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
-use crate::tolerance::{LOOP, TORQUE};
+use crate::tolerance::{LOOP, POWER};
 use crate::topology::Topology;
 use crate::{Gearbox, LinkId};
 use std::collections::VecDeque;
@@ -115,7 +115,8 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let count = gearbox.links.len();
     let mut largest = least;
     let mut sets = Vec::with_capacity(members.len());
-    let mut flows = vec![];
+    let member_count: usize = gearbox.sets.iter().map(|set| set.members().len()).sum();
+    let mut flows = Vec::with_capacity(member_count + topology.edges.len());
     let mut through = vec![Some(0.0); count];
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
@@ -127,13 +128,14 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
             pieces.join(edge.links[0].0, edge.links[1].0);
         }
     }
-    let nothing = TORQUE * terminals.iter().fold(0.0_f64, |most, (_, torque)| most.max(torque.abs()));
+    let torque = |most: f64, torque: &f64| most.max(torque.abs());
+    let no_torque = POWER * members.iter().flatten().flatten().fold(0.0, torque);
     let mut first_segment = 0;
     for (place, (set, torques)) in gearbox.sets.iter().zip(members).enumerate() {
         let segments = set.tree.segments.len();
         let signs = signs.map(|signs| &signs[first_segment..first_segment + segments]);
         first_segment += segments;
-        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs, nothing));
+        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs, no_torque));
         for (member, link) in set.members().iter().enumerate() {
             let own = power.as_ref().map(|power| power.members[member]);
             add(link.0, own);
@@ -147,6 +149,12 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
             largest = power.members.iter().chain(&power.rolling).fold(largest, |m, p| m.max(p.abs()));
         }
         sets.push(power);
+    }
+    // A mesh that passes no more than rounding leaves is idle, and has no sense.
+    for mesh in sets.iter_mut().flatten().flat_map(|set: &mut SetPower| &mut set.meshes) {
+        if mesh.enters <= POWER * largest {
+            *mesh = MeshPower::default();
+        }
     }
     for (edge, torque) in topology.edges.iter().zip(edges) {
         let [first, second] = edge.links.map(|link| link.0);
@@ -182,28 +190,30 @@ fn torque_times(torque: Option<f64>, speed: Option<f64>) -> Option<f64> {
     if torque == Some(0.0) { Some(0.0) } else { Some(torque? * speed?) }
 }
 
-/// Powers of a set under these torques on its members, of which those up to `nothing` are none; `None` where a speed
-/// is missing.
-pub(crate) fn set_power(
+/// Powers of a set under these torques on its members; `None` where a speed is missing.
+fn set_power(
     set: &PlanetSet,
     torques: &[f64],
     speeds: &[Option<f64>],
     signs: Option<&[i8]>,
-    nothing: f64,
+    no_torque: f64,
 ) -> Option<SetPower> {
     let centrals = set.centrals().len();
-    let idle = torques.iter().all(|torque| torque.abs() <= nothing);
-    let known: Option<Vec<f64>> = set.members().iter().map(|link| speeds[link.0]).collect();
-    let omega = match known {
-        Some(omega) => omega,
-        None if idle => vec![0.0; centrals + 1],
-        None => return None,
-    };
-    let carrier = omega[centrals];
-    let rolling: Vec<f64> =
-        torques[..centrals].iter().zip(&omega).map(|(torque, omega)| torque * (omega - carrier)).collect();
+    // At an unknown speed, what carries no torque has no power.
+    let is_idle = torques.iter().all(|torque| torque.abs() <= no_torque);
+    let speed = |member: usize| speeds[set.members()[member].0].or(is_idle.then_some(0.0));
+    let carrier = speed(centrals)?;
+    let mut members = Vec::with_capacity(centrals + 1);
+    let mut rolling = Vec::with_capacity(centrals);
+    for (member, torque) in torques.iter().enumerate() {
+        let omega = speed(member)?;
+        members.push(torque * omega);
+        if member < centrals {
+            rolling.push(torque * (omega - carrier));
+        }
+    }
     Some(SetPower {
-        members: torques.iter().zip(&omega).map(|(torque, omega)| torque * omega).collect(),
+        members,
         coupling: torques[..centrals].iter().map(|torque| torque * carrier).collect(),
         meshes: mesh_powers(set, &rolling, signs),
         // From rolling powers: the coupling powers, which may be large, cancel exactly.
@@ -217,14 +227,12 @@ pub(crate) fn set_power(
 fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<MeshPower> {
     let tree = &set.tree;
     let sign = |segment: usize| signs.map_or(0, |signs| signs[segment]);
-    // What a central gear takes, seen from a mesh on its path: divided by the losses between.
-    let part = |mesh: usize| {
-        let segment = tree.segments.iter().position(|segment| segment.meshes.contains(&mesh));
-        let sense = segment.map_or(0, sign);
-        set.meshes()[mesh].efficiency.get().powi(i32::from(sense))
+    // What a mesh leaves of the power that comes from the side of the root, in the sense of its segment.
+    let part = |mesh: usize| match tree.in_segment[mesh].map_or(0, |(segment, _)| sign(segment)) {
+        0 => 1.0,
+        1 => set.meshes()[mesh].efficiency.get(),
+        _ => 1.0 / set.meshes()[mesh].efficiency.get(),
     };
-    // The whole set's efficiency is exact where only that is known.
-    let parts: Vec<f64> = (0..set.meshes().len()).map(part).collect();
     let of_mesh = |mesh: usize| {
         let behind = &tree.behind[mesh];
         // Power that leaves the mesh outwards: what the central gears behind it take.
@@ -232,17 +240,14 @@ fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<Me
             .clone()
             .map(|place| {
                 let central = tree.order[place];
-                let beyond: f64 = (0..parts.len())
-                    .filter(|&other| {
-                        let range = &tree.behind[other];
-                        range.contains(&place) && is_beyond(tree, other, mesh)
-                    })
-                    .map(|other| parts[other])
+                let beyond: f64 = (0..set.meshes().len())
+                    .filter(|&other| tree.behind[other].contains(&place) && is_beyond(tree, other, mesh))
+                    .map(part)
                     .product();
                 -rolling[central] / beyond
             })
             .sum();
-        let inside = outwards / parts[mesh];
+        let inside = outwards / part(mesh);
         let sense = i8::from(outwards > 0.0) - i8::from(outwards < 0.0);
         match sense {
             1 => MeshPower { sense, enters: inside, leaves: outwards },
@@ -250,14 +255,7 @@ fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<Me
             _ => MeshPower::default(),
         }
     };
-    let mut powers: Vec<MeshPower> = (0..parts.len()).map(of_mesh).collect();
-    let most = rolling.iter().fold(0.0_f64, |most, power| most.max(power.abs()));
-    for power in &mut powers {
-        if power.enters <= LOOP * most {
-            *power = MeshPower::default();
-        }
-    }
-    powers
+    (0..set.meshes().len()).map(of_mesh).collect()
 }
 
 /// Whether a mesh lies farther from the root than another, on a path through it.
@@ -265,9 +263,7 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
     let (inner, outer) = (&tree.behind[mesh], &tree.behind[other]);
     if inner == outer {
         // In one segment: its meshes stand outwards.
-        let segment = tree.segments.iter().find(|segment| segment.meshes.contains(&mesh));
-        let place = |mesh| segment.and_then(|one| one.meshes.iter().position(|&one| one == mesh));
-        return place(mesh) > place(other);
+        return tree.in_segment[mesh] > tree.in_segment[other];
     }
     outer.start <= inner.start && inner.end <= outer.end
 }
@@ -276,14 +272,15 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
 fn circulations(mut flows: Vec<Flow>, vertices: usize, nothing: f64) -> Vec<(Flow, f64)> {
     flows.retain(|flow| flow.power > nothing && flow.from != flow.to);
     // What no loop can hold: vertices that only give or only take, again and again.
+    let mut ends = vec![(false, false); vertices];
     loop {
-        let (mut gives, mut takes) = (vec![false; vertices], vec![false; vertices]);
+        ends.fill((false, false));
         for flow in &flows {
-            gives[flow.from] = true;
-            takes[flow.to] = true;
+            ends[flow.from].0 = true;
+            ends[flow.to].1 = true;
         }
         let before = flows.len();
-        flows.retain(|flow| takes[flow.from] && gives[flow.to]);
+        flows.retain(|flow| ends[flow.from].1 && ends[flow.to].0);
         if flows.len() == before {
             break;
         }

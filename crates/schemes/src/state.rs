@@ -23,6 +23,7 @@ use crate::tolerance::SPEED;
 use crate::topology::{Topology, factors, node_equations};
 use crate::{Gearbox, LinkId};
 use std::fmt;
+use std::ops::Range;
 
 /// State of a gear, with the links it concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -143,15 +144,20 @@ pub(crate) struct Verdict {
 /// Reads the state off; `None` where a number is in doubt or outgrows its kind.
 pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Verdict> {
     let speeds = speed_relations(topology, ratios)?;
-    let depends: Vec<Vec<(usize, S)>> = (0..topology.count).map(|node| speeds.dependence(node)).collect();
-    let at_rest = |node: Option<usize>| node.is_none_or(|node| depends[node].is_empty());
+    let at_rest = |node: Option<usize>| node.is_none_or(|node| speeds.is_nothing(node));
     let input_blocked = at_rest(topology.input);
-    let speed_of = |depends: &Vec<(usize, S)>| match depends.as_slice() {
-        [] => Some(0.0),
-        [(free, factor)] if !input_blocked && Some(*free) == topology.input => Some(factor.number()),
-        _ => None,
-    };
-    let node_speeds: Vec<Option<f64>> = depends.iter().map(speed_of).collect();
+    let mut node_speeds: Vec<Option<f64>> = Vec::with_capacity(topology.count);
+    for node in 0..topology.count {
+        let mut speed = Some(0.0);
+        for (place, (free, factor)) in speeds.dependence(node).enumerate() {
+            if !factor.is_sharp() {
+                return None;
+            }
+            let is_of_input = place == 0 && !input_blocked && Some(free) == topology.input;
+            speed = Some(factor.number()).filter(|speed| is_of_input && speed.is_normal());
+        }
+        node_speeds.push(speed);
+    }
     let chosen: Vec<usize> =
         speeds.free.iter().copied().filter(|node| Some(*node) != topology.input).collect();
     let mut equations: Vec<usize> = speeds.pivots.iter().map(|(equation, _)| *equation).collect();
@@ -171,7 +177,8 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
         });
     }
 
-    let torques = Torques::new(gearbox, topology, ratios)?;
+    let [input, output] = topology.terminals;
+    let torques = Torques::new(gearbox, topology, ratios, &[output, input])?;
     let parts = speeds.parts();
     let names = |wanted: Choice| -> Vec<String> {
         (1..gearbox.links.len()).filter(|&l| wanted(LinkId(l))).map(|l| gearbox.links[l].clone()).collect()
@@ -222,19 +229,25 @@ pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> O
     Echelon::new(equations, topology.count, &late)
 }
 
-/// Relations between the torques: unknowns are `t` of each equation, those of the edges, the
-/// output's and the input's; equations are those of the links, so that edges in a loop show.
-struct Torques<S> {
+/// Relations between the torques: unknowns are `t` of each equation, those of the edges and of the terminals;
+/// equations are those of the links, so that edges in a loop show.
+pub(crate) struct Torques<S> {
     relations: Echelon<S>,
     parts: Vec<usize>,
-    input: usize,
+    terminals: Range<usize>,
 }
 
 impl<S: Scalar> Torques<S> {
-    fn new(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Self> {
+    /// The last terminals stay free as long as they can.
+    pub(crate) fn new(
+        gearbox: &Gearbox,
+        topology: &Topology,
+        ratios: &[S],
+        terminals: &[LinkId],
+    ) -> Option<Self> {
         let (count, edges) = (gearbox.equations.len(), topology.edges.len());
-        let (output, input) = (count + edges, count + edges + 1);
-        let mut equations = vec![vec![S::zero(); input + 1]; gearbox.links.len()];
+        let columns = count + edges..count + edges + terminals.len();
+        let mut equations = vec![vec![S::zero(); columns.end]; gearbox.links.len()];
         let minus_one = S::one().negative()?;
         for (place, (one, ratio)) in gearbox.equations.iter().zip(ratios).enumerate() {
             let links = one.links.map(|link| Some(link.0));
@@ -248,22 +261,40 @@ impl<S: Scalar> Torques<S> {
             equations[edge.links[0].0][count + place] = S::one();
             equations[edge.links[1].0][count + place] = minus_one.clone();
         }
-        for (terminal, column) in topology.terminals.into_iter().zip([input, output]) {
+        for (terminal, column) in terminals.iter().zip(columns.clone()) {
             equations[terminal.0][column] = S::one();
         }
         equations.remove(0);
-        let relations = Echelon::new(equations, input + 1, &[output, input])?;
-        Some(Self { parts: relations.parts(), relations, input })
+        let late: Vec<usize> = columns.clone().collect();
+        let relations = Echelon::new(equations, columns.end, &late)?;
+        // The equations of a set share planets: they are one part, whichever gear they refer to.
+        let mut parts = relations.parts();
+        for set in 0..gearbox.sets.len() {
+            let own = gearbox.equations_of(set);
+            for one in own.start + 1..own.end {
+                let (kept, joined) = (parts[own.start], parts[one]);
+                parts.iter_mut().filter(|part| **part == joined).for_each(|part| *part = kept);
+            }
+        }
+        Some(Self { parts, relations, terminals: columns })
     }
 
-    fn on_power_path(&self, column: usize) -> bool {
-        self.parts[column] == self.parts[self.input]
+    pub(crate) fn on_power_path(&self, column: usize) -> bool {
+        self.terminals.clone().any(|terminal| self.parts[column] == self.parts[terminal])
     }
 
-    fn known(&self, from: usize, count: usize) -> Vec<bool> {
-        (from..from + count)
-            .map(|column| self.relations.dependence(column).iter().all(|(free, _)| *free == self.input))
-            .collect()
+    /// Whether a torque follows from those at the terminals.
+    fn follows(&self, column: usize) -> bool {
+        self.relations.dependence(column).all(|(free, _)| self.terminals.contains(&free))
+    }
+
+    /// Whether an equation carries any torque.
+    pub(crate) fn is_loaded(&self, equation: usize) -> bool {
+        !self.relations.is_nothing(equation)
+    }
+
+    pub(crate) fn known(&self, from: usize, count: usize) -> Vec<bool> {
+        (from..from + count).map(|column| self.follows(column)).collect()
     }
 
     /// The state of a gear whose speeds from input to output follow.
@@ -275,32 +306,28 @@ impl<S: Scalar> Torques<S> {
         unknown_speed: &dyn Fn(LinkId) -> bool,
     ) -> State {
         let count = gearbox.equations.len();
-        let open = |column: usize| {
-            self.on_power_path(column)
-                && self.relations.dependence(column).iter().any(|(free, _)| *free != self.input)
-        };
-        let open_equations: Vec<usize> = (0..count).filter(|&one| open(one)).collect();
+        let open = |column: usize| self.on_power_path(column) && !self.follows(column);
+        let is_open = |set: &usize| gearbox.equations_of(*set).any(open);
+        let open_sets: Vec<usize> = (0..gearbox.sets.len()).filter(is_open).collect();
         let open_edges: Vec<usize> = (0..topology.edges.len()).filter(|&e| open(count + e)).collect();
-        if !open_equations.is_empty() || !open_edges.is_empty() {
+        if !open_sets.is_empty() || !open_edges.is_empty() {
             let touched = |link: LinkId| {
-                open_equations.iter().any(|&one| gearbox.equations[one].links.contains(&link))
+                open_sets.iter().any(|&set| gearbox.sets[set].members().contains(&link))
                     || open_edges.iter().any(|&e| topology.edges[e].links.contains(&link))
             };
             let control = |&e: &usize| topology.edges[e].control.map(|c| gearbox.controls[c].id.clone());
-            let mut sets: Vec<usize> = open_equations.iter().map(|&one| gearbox.equations[one].set).collect();
-            sets.dedup();
             return State::TorquesIndeterminate {
                 links: names(&touched),
                 controls: open_edges.iter().filter_map(control).collect(),
-                sets: sets.into_iter().map(|set| gearbox.sets[set].id().to_owned()).collect(),
+                sets: open_sets.iter().map(|&set| gearbox.sets[set].id().to_owned()).collect(),
             };
         }
         // A loaded set at an unknown speed: only with special dimensions (i₀ = 1 and a carrier that
         // nothing holds, or torques that cancel), but then its losses do not follow.
-        let loaded = |one: usize| !self.relations.dependence(one).is_empty();
+        let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| self.is_loaded(equation));
+        let loaded: Vec<usize> = (0..gearbox.sets.len()).filter(is_loaded).collect();
         let adrift = |link: LinkId| {
-            unknown_speed(link)
-                && (0..count).any(|one| loaded(one) && gearbox.equations[one].links.contains(&link))
+            unknown_speed(link) && loaded.iter().any(|&set| gearbox.sets[set].members().contains(&link))
         };
         let links = names(&adrift);
         if links.is_empty() { State::Driven } else { State::Underdetermined { missing: links.len(), links } }

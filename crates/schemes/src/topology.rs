@@ -66,7 +66,8 @@ impl Topology {
 
 /// The factors `1, −i, i − 1` of an equation over the nodes of its three links, sums of those that share a node.
 ///
-/// Sums are taken in closed form, so that a block leaves exactly nothing.
+/// Sums are taken in closed form, so that a block leaves exactly nothing. Where two members are one node, the
+/// equation says that the third turns with them, and its factors are 1 and −1.
 pub(crate) fn factors<S: Scalar>(nodes: [Option<usize>; 3], i: &S) -> Option<[(Option<usize>, S); 3]> {
     let none = (None, S::zero());
     let [r, c, h] = nodes;
@@ -74,11 +75,12 @@ pub(crate) fn factors<S: Scalar>(nodes: [Option<usize>; 3], i: &S) -> Option<[(O
         [none.clone(), none.clone(), none]
     } else if r == c {
         // (1 − i)·(ω_r − ω_H)
-        let factor = S::one().minus(i)?;
+        let mut factor = S::one().minus(i)?;
+        if factor.weight() > 0.0 {
+            factor = S::one();
+        }
         [(r, factor.clone()), none, (h, factor.negative()?)]
-    } else if r == h {
-        [(r, i.clone()), (c, i.negative()?), none]
-    } else if c == h {
+    } else if r == h || c == h {
         [(r, S::one()), (c, S::one().negative()?), none]
     } else {
         [(r, S::one()), (c, i.negative()?), (h, i.minus(&S::one())?)]
@@ -103,6 +105,11 @@ pub(crate) fn fractions(gearbox: &Gearbox) -> Option<Vec<Fraction>> {
 /// The same as rationals of any size.
 pub(crate) fn rationals(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
     gearbox.equations.iter().map(|one| one.rational.as_ref().map(big)).collect()
+}
+
+/// The numbers as they stand as rationals, for what no other kind holds.
+pub(crate) fn exact(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
+    gearbox.equations.iter().map(|one| BigRational::from_float(one.ratio)).collect()
 }
 
 /// The equations over the nodes. A block whose factors cancel leaves nothing.

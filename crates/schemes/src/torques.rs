@@ -145,7 +145,7 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
     let [input_link, output_link] = scene.topology.terminals;
     demand[input_link.0] -= input;
     demand[output_link.0] -= output;
-    let edges = edge_torques(scene.topology, &verdict.edge_known, &demand);
+    let edges = edge_torques(scene.topology, &verdict.edge_known, demand);
     let mut controls = vec![Some(0.0); gearbox.controls.len()];
     for (edge, torque) in scene.topology.edges.iter().zip(&edges) {
         if let Some(control) = edge.control {
@@ -207,12 +207,11 @@ pub(crate) fn demands(gearbox: &Gearbox, sets: &[Vec<f64>]) -> Vec<f64> {
 ///
 /// A connection that is the only way between two sides carries what the side away from the housing
 /// demands. One in a loop carries an unknown share.
-pub(crate) fn edge_torques(topology: &Topology, known: &[bool], demand: &[f64]) -> Vec<Option<f64>> {
+pub(crate) fn edge_torques(topology: &Topology, known: &[bool], mut demand: Vec<f64>) -> Vec<Option<f64>> {
     let mut torques: Vec<Option<f64>> = vec![None; topology.edges.len()];
     if topology.edges.is_empty() {
         return torques;
     }
-    let mut demand = demand.to_vec();
     let mut degree = vec![0_usize; demand.len()];
     for Edge { links, .. } in &topology.edges {
         degree[links[0].0] += 1;

@@ -339,3 +339,19 @@ fn an_operating_point_is_finite_and_moves() {
     let free = gearbox.analyze("0").unwrap();
     assert!(matches!(free.at(rad(1.0), nm(1.0)), Err(Error::NotDriven { .. })));
 }
+
+#[test]
+fn a_description_of_a_thousand_sets_is_refused_at_once() {
+    let builder = (0..1000).fold(Gearbox::builder("many"), |builder, place| {
+        let [a, b, h] = [0, 1, 2].map(|member| format!("n{}", 3 * place + member));
+        builder.links([a.clone(), b.clone(), h.clone()]).set(SetSpec::simple(
+            &place.to_string(),
+            [&a, &b, &h],
+            3.0,
+        ))
+    });
+    let start = std::time::Instant::now();
+    let refused = builder.input("n0").output("n1").build().unwrap_err();
+    assert_eq!(refused, Error::TooMany { what: Named::Set, count: 1000, limit: 64 });
+    assert!(start.elapsed().as_millis() < 20, "{:?}", start.elapsed());
+}

@@ -6,8 +6,10 @@ mod common;
 
 use common::machines::{ravigneaux_builder, ravigneaux_set};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::teeth::ToothCount;
+use epicyclic_schemes::compound::CompoundSpec;
 use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
-use epicyclic_schemes::{Direction, Gearbox, InputLoad, State, Warning};
+use epicyclic_schemes::{Direction, Gearbox, GearboxBuilder, InputLoad, State, Warning};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Torque};
 use uom::si::torque::newton_meter;
@@ -196,4 +198,140 @@ fn a_self_locking_gear_has_a_second_pattern() {
     assert_eq!(efficiencies.len(), 2, "{efficiencies:?}");
     assert!((efficiencies[0] - 0.01 / (1.0 - 0.99 * 0.97)).abs() < 1e-13);
     assert!((efficiencies[1] - 0.01 / (1.0 - 0.99 / 0.97)).abs() < 1e-13);
+}
+
+/// Steps 34 and 30, rings 100 held and 96 driven: 51 to 1.
+#[test]
+fn a_wolfrom_drive_loses_in_three_meshes_not_in_four() {
+    let each = eta(0.99);
+    let terminals =
+        |builder: GearboxBuilder| builder.input("S").output("out").gear("only", [""; 0]).build().unwrap();
+    let links = || Gearbox::builder("Wolfrom").links(["S", "arm", "out"]);
+    let whole = CompoundSpec::new("W", "arm")
+        .sun("S", 32)
+        .ring("ground", 100)
+        .ring("out", 96)
+        .planet("p", &[34, 30])
+        .mesh("S", "p.1", each)
+        .mesh("p.1", "ground", each)
+        .mesh("p.2", "out", each);
+    let gearbox = terminals(links().compound_set(whole));
+    let found = gearbox.analyze("only").unwrap();
+    assert_eq!(found.exact_ratio().unwrap().to_string(), "51");
+    assert!((found.efficiency().unwrap() - 0.803).abs() < 5e-4, "{:?}", found.efficiency());
+    assert_eq!(*found.state(), State::Driven);
+
+    let teeth = |z| ToothCount::new(z).unwrap();
+    // As two sets, the sun's mesh is loaded twice, one way by each.
+    let apart = links()
+        .set(SetSpec::teeth("1", SetKind::Simple, ["S", "ground", "arm"], 32, 100).unwrap())
+        .set(
+            SetSpec::teeth("2", SetKind::SteppedSunRing, ["S", "out", "arm"], 32, 96)
+                .unwrap()
+                .planet_teeth(teeth(34), Some(teeth(30))),
+        )
+        .map_sets(|set| set.with_loss(meshes_of(0.99, 1.0, 0.99)));
+    let found = terminals(apart);
+    let found = found.analyze("only").unwrap();
+    assert!((found.ratio().unwrap() - 51.0).abs() < 1e-10);
+    assert!((found.efficiency().unwrap() - 0.680).abs() < 5e-4, "{:?}", found.efficiency());
+}
+
+/// Low gear of a two-speed Ravigneaux set: the 28-tooth sun drives long planets, these short ones, these the held sun
+/// of 23 teeth; the ring on the short planets idles, the carrier drives.
+#[test]
+fn an_idle_ring_neither_loses_nor_circulates() {
+    let each = eta(0.99);
+    let set = CompoundSpec::new("PG", "out")
+        .sun("in", 28)
+        .sun("low", 23)
+        .ring("rev", 79)
+        .planet("long", &[18])
+        .planet("short", &[28])
+        .mesh("in", "long", each)
+        .mesh("long", "short", each)
+        .mesh("short", "low", each)
+        .mesh("short", "rev", each);
+    let gears = |builder: GearboxBuilder| {
+        builder
+            .brake("B", "low")
+            .brake("R", "rev")
+            .input("in")
+            .output("out")
+            .gear("L", ["B"])
+            .gear("R", ["R"])
+    };
+    let links = || Gearbox::builder("Powerglide").links(["in", "low", "rev", "out"]);
+    let gearbox = gears(links().compound_set(set)).build().unwrap();
+    let low = gearbox.analyze("L").unwrap();
+    assert_eq!(low.exact_ratio().unwrap().to_string(), "51/28");
+    let by_hand = (1.0 + 0.99_f64.powi(3) * 23.0 / 28.0) / (1.0 + 23.0 / 28.0);
+    assert!((low.efficiency().unwrap() - by_hand).abs() < 1e-14 && (by_hand - 0.9866).abs() < 5e-5);
+    let case = low.driving().unwrap();
+    assert_eq!(case.power.circulating, 0.0);
+    assert_eq!(case.power.sets[0].as_ref().unwrap().meshes[3].enters, 0.0);
+    let reverse = gearbox.analyze("R").unwrap();
+    assert_eq!(reverse.exact_ratio().unwrap().to_string(), "-51/28");
+    // Ring held, 79/28 − 1 out for 1 in: (0.99³·79/28 − 1)/(79/28 − 1).
+    let by_hand = (0.99_f64.powi(3) * 79.0 / 28.0 - 1.0) / (79.0 / 28.0 - 1.0);
+    assert!((reverse.efficiency().unwrap() - by_hand).abs() < 1e-14);
+
+    // As two sets, the ring's mesh is loaded from both sides.
+    let apart = links()
+        .set(
+            SetSpec::teeth("1", SetKind::DoublePlanet, ["in", "rev", "out"], 28, 79)
+                .unwrap()
+                .with_loss(meshes_of(0.99, 0.99, 0.99)),
+        )
+        .set(
+            SetSpec::teeth("2", SetKind::Simple, ["low", "rev", "out"], 23, 79)
+                .unwrap()
+                .with_loss(meshes_of(0.99, 1.0, 0.99)),
+        );
+    let apart = gears(apart).build().unwrap();
+    let apart = apart.analyze("L").unwrap();
+    assert!((apart.efficiency().unwrap() - 0.9779).abs() < 5e-5);
+    let circulating = apart.driving().unwrap().power.circulating;
+    // The first set gives at the ring what enters and what the carrier brings back, less its loss.
+    let (carrier, ring) = (28.0 / 51.0, 28.0 / 51.0 * (1.0 + 23.0 / 79.0));
+    let each = 0.99_f64.powi(3);
+    let by_hand = each * 79.0 / 28.0 * ring + (1.0 - each) * (1.0 - carrier) - 1.0;
+    assert!((circulating - by_hand).abs() < 1e-12, "{circulating} {by_hand}");
+}
+
+/// Two sets of i₀ near 1 face to face: from either end one of them is driven from its sun.
+#[test]
+fn a_gear_can_lock_itself_from_both_ends() {
+    let set = |id: &str, sun: &str| {
+        SetSpec::new(id, SetKind::SteppedRings, [sun, "ground", "x"], 0.99)
+            .with_loss(MeshLoss::Row(eta(0.97)))
+    };
+    let gearbox = Gearbox::builder("face to face")
+        .links(["a", "x", "b"])
+        .set(set("1", "a"))
+        .set(set("2", "b"))
+        .input("a")
+        .output("b")
+        .gear("g", [""; 0])
+        .build()
+        .unwrap();
+    let found = gearbox.analyze("g").unwrap();
+    assert_eq!(*found.state(), State::SelfLocking { links: vec!["a".into()], both_ways: true });
+    assert!(found.state().has_ratio() && found.ratio() == Some(1.0));
+    assert!(found.efficiency().is_none_or(|eta| eta <= 0.0));
+    assert!(found.overrun_efficiency().is_none_or(|eta| eta <= 0.0));
+    let rad = AngularVelocity::new::<radian_per_second>(10.0);
+    for torque in [7.0, -7.0] {
+        assert!(found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(torque))).is_err());
+    }
+    // Only forwards: the output can still drive the input.
+    let gearbox = slow_row(0.99, 0.97, "sun", "carrier");
+    let found = gearbox.analyze("1").unwrap();
+    assert_eq!(*found.state(), State::SelfLocking { links: vec!["sun".into()], both_ways: false });
+    let back = found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(-7.0))).unwrap();
+    assert_eq!(back.direction, Direction::Overrun);
+    // Only backwards: driven, as a hoist is.
+    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let found = gearbox.analyze("1").unwrap();
+    assert_eq!((found.state(), found.is_self_locking()), (&State::Driven, Some(true)));
 }

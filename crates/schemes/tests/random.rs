@@ -4,6 +4,7 @@
 
 mod common;
 
+use common::oracle::{BoxPlan, Dice};
 use common::plain::{self, Motion};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::set::{Gearing, MeshLoss, SetKind, SetSpec};
@@ -169,8 +170,12 @@ fn circulation(case: &LoadCase) -> Result<(), TestCaseError> {
 fn laws(gearbox: &Gearbox, found: &Analysis<'_>) -> Result<(), TestCaseError> {
     let ideal = found.ideal().unwrap();
     for (row, motion) in gearbox.sets().iter().zip(found.sets()) {
-        if let [Some(a), Some(b), Some(h)] = motion.members[..] {
-            let i0 = row.basic_ratio().get();
+        for other in 1..row.centrals().len() {
+            let (Some(a), Some(b), Some(h)) = (motion.members[0], motion.members[other], motion.carrier())
+            else {
+                continue;
+            };
+            let i0 = row.ratio_between(0, other);
             let scale = (1.0 + i0.abs()) * [a, b, h].iter().fold(1.0_f64, |m, x| m.max(x.abs()));
             prop_assert!(((a - h) - i0 * (b - h)).abs() < 1e-9 * scale);
         }
@@ -202,6 +207,67 @@ fn laws(gearbox: &Gearbox, found: &Analysis<'_>) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+/// What a state says of the speeds.
+fn motion_of(found: &Analysis<'_>) -> Motion {
+    match found.state() {
+        State::InputBlocked { .. } => Motion::InputBlocked,
+        State::OutputAtRest { .. } => Motion::OutputAtRest,
+        State::OutputFree { .. } => Motion::Open,
+        State::Underdetermined { .. } if found.ratio().is_none() => Motion::Open,
+        _ => Motion::Follows,
+    }
+}
+
+/// A gearbox with compound sets and as many conditions as speeds, one more or one fewer.
+fn with_compound_sets(dice: &mut Dice) -> BoxPlan {
+    let mut plan = BoxPlan::random(5, 60, dice);
+    match dice.below(6) {
+        0 => plan.elements.iter_mut().for_each(|(_, on)| *on = true),
+        1 => plan.elements.iter_mut().take(1).for_each(|(_, on)| *on = false),
+        2 => plan.elements.extend(plan.elements.first().copied()),
+        3 => plan.sets.extend(plan.sets.first().cloned()),
+        _ => {}
+    }
+    plan
+}
+
+#[test]
+fn compound_sets_have_a_state_finite_numbers_and_obey_the_laws() {
+    let mut dice = Dice(0xc0ffee);
+    let mut states = std::collections::BTreeMap::<&str, usize>::new();
+    for round in 0..6000 {
+        let plan = with_compound_sets(&mut dice);
+        let Ok(gearbox) = plan.build(None) else { continue };
+        let found = gearbox.analyze("g").unwrap();
+        *states.entry(found.state().name()).or_default() += 1;
+        assert!(numbers_are_finite(&found), "{round}: {found:?}");
+        assert_eq!(
+            plain::motion(&gearbox, gearbox.gear("g").unwrap()),
+            motion_of(&found),
+            "{round}: {}",
+            found.state()
+        );
+        if found.ideal().is_some() {
+            laws(&gearbox, &found).unwrap();
+        }
+        let other = plan.build(Some(&mut dice)).unwrap();
+        let again = other.analyze("g").unwrap();
+        let sorted = |state: &State| {
+            let mut links = state.links().to_vec();
+            links.sort();
+            links
+        };
+        assert_eq!(found.state().name(), again.state().name(), "{round}");
+        assert_eq!(sorted(found.state()), sorted(again.state()), "{round}");
+        assert_eq!(found.exact_ratio(), again.exact_ratio());
+        if let Some((one, two)) = found.driving().zip(again.driving()) {
+            assert!((one.efficiency - two.efficiency).abs() < 1e-9 * one.power.largest, "{round}");
+        }
+    }
+    println!("{states:?}");
+    assert!(states.len() == 7 && states["driven"] > 1000, "{states:?}");
+}
+
 proptest! {
     #![proptest_config(Config { cases: 4000, failure_persistence: None, ..Config::default() })]
 
@@ -211,14 +277,7 @@ proptest! {
         let found = gearbox.analyze("g").unwrap();
         prop_assert!(numbers_are_finite(&found), "{:?}", found);
         let motion = plain::motion(&gearbox, gearbox.gear("g").unwrap());
-        let expected = match found.state() {
-            State::InputBlocked { .. } => Motion::InputBlocked,
-            State::OutputAtRest { .. } => Motion::OutputAtRest,
-            State::OutputFree { .. } => Motion::Open,
-            State::Underdetermined { .. } if found.ratio().is_none() => Motion::Open,
-            _ => Motion::Follows,
-        };
-        prop_assert_eq!(motion, expected, "{}", found.state());
+        prop_assert_eq!(motion, motion_of(&found), "{}", found.state());
         if found.ideal().is_some() {
             laws(&gearbox, &found)?;
         }

@@ -23,6 +23,8 @@ pub(crate) struct Tree {
     pub(crate) segments: Vec<Segment>,
     /// Equations behind each mesh, as seen from the root.
     pub(crate) behind: Vec<Behind>,
+    /// Of each mesh its segment, and its place there; none where nothing is behind.
+    pub(crate) in_segment: Vec<Option<(usize, usize)>>,
 }
 
 /// Meshes with the same central gears behind them.
@@ -167,7 +169,24 @@ impl Tree {
         if let (Some(whole), [only]) = (whole, segments.as_mut_slice()) {
             only.efficiency = whole.get();
         }
-        Ok(Self { root, order, ratios: vec![], rationals: vec![], exact: vec![], segments, behind })
+        let in_segment = (0..count)
+            .map(|mesh| {
+                let of = |(place, one): (usize, &Segment)| {
+                    Some((place, one.meshes.iter().position(|&other| other == mesh)?))
+                };
+                segments.iter().enumerate().find_map(of)
+            })
+            .collect();
+        Ok(Self {
+            root,
+            order,
+            ratios: vec![],
+            rationals: vec![],
+            exact: vec![],
+            segments,
+            behind,
+            in_segment,
+        })
     }
 
     /// The equation of a central gear; none of the root.
