@@ -2,7 +2,8 @@
 //!
 //! A gear whose state is [underdetermined](crate::State::Underdetermined) keeps `F` freedoms, more than one. As many
 //! speeds, given for independent links, settle all others. Torques act from outside at the *terminals*: input and
-//! output of the gear, and every link for which a speed or a torque is given. Of `τ` terminals the torques of
+//! output of the gear, and every link for which a speed or a torque is given; where the torques given would be too
+//! many for these, also the open ends, links with a single member of a single set. Of `τ` terminals the torques of
 //! `τ − F` settle the rest:
 //!
 //! ```text
@@ -305,6 +306,30 @@ impl Gearbox {
         Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into())
     }
 
+    /// Moving links with a single member of a single set, which nothing else joins: shafts that lead out.
+    fn open_ends(
+        &self,
+        topology: &Topology,
+        omega: &[Option<f64>],
+        terminals: &[(LinkId, usize, Option<f64>)],
+    ) -> Vec<(LinkId, usize, Option<f64>)> {
+        let mut members = vec![0_usize; topology.count];
+        for link in self.sets.iter().flat_map(crate::PlanetSet::members) {
+            if let Some(node) = topology.node[link.0] {
+                members[node] += 1;
+            }
+        }
+        let open = |link: usize| {
+            let node = topology.node[link]?;
+            let is_open = members[node] == 1
+                && omega[link].is_some()
+                && self.sets.iter().any(|set| set.members().contains(&LinkId(link)))
+                && !terminals.iter().any(|(_, other, _)| *other == node);
+            is_open.then_some((LinkId(link), node, None))
+        };
+        (1..self.links.len()).filter_map(open).collect()
+    }
+
     #[allow(clippy::too_many_arguments, reason = "one step of `with_inputs`, with what it has found")]
     fn multi_load(
         &self,
@@ -337,6 +362,12 @@ impl Gearbox {
             if let Some((.., torque)) = place.map(|place| &mut terminals[place]) {
                 *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
             }
+        }
+        let known = terminals.iter().filter(|(.., torque)| torque.is_some()).count();
+        // Torques that would be too many say that power passes at the open ends too.
+        let ends = self.open_ends(topology, omega, &terminals);
+        if known + given.len() == terminals.len() + ends.len() {
+            terminals.extend(ends);
         }
         let names =
             || terminals.iter().map(|(link, ..)| self.link_name(*link).to_owned()).collect::<Vec<_>>();

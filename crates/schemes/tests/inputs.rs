@@ -69,6 +69,31 @@ fn at(
     gearbox.with_inputs(gearbox.gear(gear).unwrap(), &speeds, &torques)
 }
 
+/// With the speeds of engine and ring given, the generator is an open end, and takes what the ring's torque leaves.
+#[test]
+fn an_open_end_takes_the_torque_that_is_left() {
+    let gearbox = power_split(0.97);
+    let by_end =
+        at(&gearbox, "split", &[("engine", 150.0), ("ring", 200.0)], &[("ring", -60.0), ("mg2", 5.0)]);
+    let generator = speed(by_end.as_ref().unwrap(), gearbox.link("mg1").unwrap());
+    let named =
+        at(&gearbox, "split", &[("engine", 150.0), ("mg1", generator)], &[("ring", -60.0), ("mg2", 5.0)]);
+    let torques = |state: Result<MultiState, Error>| -> Vec<f64> {
+        let terminals = state.unwrap().load.unwrap().terminals;
+        let mut all: Vec<f64> = terminals.iter().map(|end| end.torque.get::<newton_meter>()).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let (by_end, named) = (torques(by_end), torques(named));
+    assert_eq!(by_end.len(), 4);
+    for (one, other) in by_end.iter().zip(&named) {
+        assert!((one - other).abs() < 1e-9, "{by_end:?} {named:?}");
+    }
+    // Two open ends share what is left in ways that one torque does not settle.
+    let open = at(&gearbox, "split", &[("engine", 150.0), ("ring", 200.0)], &[("ring", -60.0)]);
+    assert!(matches!(open, Err(Error::Inputs(InputsFault::Torques { .. }))));
+}
+
 #[test]
 fn a_power_split_divides_torque_by_its_teeth() {
     let gearbox = power_split(1.0);
