@@ -115,7 +115,7 @@ fn settled<S: Scalar>(
 }
 
 fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usize]) -> Option<Freedom> {
-    let equations = node_equations(topology, &ratios?)?;
+    let equations = node_equations(topology, ratios?.iter().map(Some))?;
     // Those given last depend on the others.
     let late: Vec<usize> = given.iter().rev().copied().collect();
     let echelon = Echelon::new(equations, topology.count, &late)?;

@@ -221,12 +221,13 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
 
 /// Relations between the speeds of the nodes, input and output kept back.
 pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> Option<Echelon<S>> {
-    let equations = node_equations(topology, ratios)?;
-    let late: Vec<usize> = match (topology.output, topology.input) {
-        (Some(output), Some(input)) if output != input => vec![output, input],
-        (output, input) => input.or(output).into_iter().collect(),
-    };
-    Echelon::new(equations, topology.count, &late)
+    let equations = node_equations(topology, ratios.iter().map(Some))?;
+    match (topology.output, topology.input) {
+        (Some(output), Some(input)) if output != input => {
+            Echelon::new(equations, topology.count, &[output, input])
+        }
+        (output, input) => Echelon::new(equations, topology.count, input.or(output).as_slice()),
+    }
 }
 
 /// Relations between the torques: unknowns are `t` of each equation, those of the edges and of the terminals;
@@ -247,24 +248,30 @@ impl<S: Scalar> Torques<S> {
     ) -> Option<Self> {
         let (count, edges) = (gearbox.equations.len(), topology.edges.len());
         let columns = count + edges..count + edges + terminals.len();
-        let mut equations = vec![vec![S::zero(); columns.end]; gearbox.links.len()];
+        // Of all links but the housing.
+        let mut equations = vec![S::zero(); columns.end * (gearbox.links.len() - 1)];
+        let at = |link: usize, column: usize| link.checked_sub(1).map(|row| row * columns.end + column);
         let minus_one = S::one().negative()?;
         for (place, (one, ratio)) in gearbox.equations.iter().zip(ratios).enumerate() {
             let links = one.links.map(|link| Some(link.0));
             for (link, factor) in factors(links, ratio)? {
-                if let Some(link) = link {
-                    equations[link][place] = factor;
+                if let Some(entry) = link.and_then(|link| at(link, place)) {
+                    equations[entry] = factor;
                 }
             }
         }
         for (place, edge) in topology.edges.iter().enumerate() {
-            equations[edge.links[0].0][count + place] = S::one();
-            equations[edge.links[1].0][count + place] = minus_one.clone();
+            for (link, factor) in edge.links.iter().zip([S::one(), minus_one.clone()]) {
+                if let Some(entry) = at(link.0, count + place) {
+                    equations[entry] = factor;
+                }
+            }
         }
         for (terminal, column) in terminals.iter().zip(columns.clone()) {
-            equations[terminal.0][column] = S::one();
+            if let Some(entry) = at(terminal.0, column) {
+                equations[entry] = S::one();
+            }
         }
-        equations.remove(0);
         let late: Vec<usize> = columns.clone().collect();
         let relations = Echelon::new(equations, columns.end, &late)?;
         // The equations of a set share planets: they are one part, whichever gear they refer to.

@@ -112,19 +112,22 @@ pub(crate) fn exact(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
     gearbox.equations.iter().map(|one| BigRational::from_float(one.ratio)).collect()
 }
 
-/// The equations over the nodes. A block whose factors cancel leaves nothing.
-pub(crate) fn node_equations<S: Scalar>(topology: &Topology, ratios: &[S]) -> Option<Vec<Vec<S>>> {
-    let of = |(&nodes, ratio): (&[Option<usize>; 3], &S)| node_equation(nodes, ratio, topology.count);
-    topology.equations.iter().zip(ratios).map(of).collect()
-}
-
-/// An equation over the nodes.
-pub(crate) fn node_equation<S: Scalar>(nodes: [Option<usize>; 3], ratio: &S, count: usize) -> Option<Vec<S>> {
-    let mut equation = vec![S::zero(); count];
-    for (node, factor) in factors(nodes, ratio)? {
-        if let Some(node) = node {
-            equation[node] = factor;
+/// The equations over the nodes, one after the other. A block whose factors cancel leaves nothing.
+pub(crate) fn node_equations<'r, S: Scalar + 'r>(
+    topology: &Topology,
+    ratios: impl Iterator<Item = Option<&'r S>>,
+) -> Option<Vec<S>> {
+    let mut entries = Vec::with_capacity(topology.equations.len() * topology.count);
+    for (&nodes, ratio) in topology.equations.iter().zip(ratios) {
+        // What has no ratio is left out.
+        let Some(ratio) = ratio else { continue };
+        let from = entries.len();
+        entries.resize(from + topology.count, S::zero());
+        for (node, factor) in factors(nodes, ratio)? {
+            if let Some(node) = node {
+                entries[from + node] = factor;
+            }
         }
     }
-    Some(equation)
+    Some(entries)
 }

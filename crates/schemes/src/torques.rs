@@ -100,12 +100,12 @@ pub(crate) fn ideal(scene: &Scene, ratios: &[f64], solution: &Solution) -> LoadC
         scene,
         &Found {
             direction: Direction::Drive,
-            root: &solution.ideal_root,
+            root: solution.ideal_sun_torques(),
             effective: &effective,
             entering: 1.0,
             leaving: solution.ideal_other,
             efficiency: 1.0,
-            signs: &solution.ideal_signs,
+            signs: solution.ideal_signs(),
             is_lossy: false,
         },
     )
@@ -122,12 +122,12 @@ pub(crate) fn loaded(scene: &Scene, direction: Direction, solution: &Solution) -
         scene,
         &Found {
             direction,
-            root: &solution.root,
-            effective: &solution.effective,
+            root: solution.root(),
+            effective: solution.effective(),
             entering,
             leaving: solution.other,
             efficiency,
-            signs: &solution.signs,
+            signs: solution.signs(),
             is_lossy: true,
         },
     ))
