@@ -249,8 +249,8 @@ impl CompiledGear {
         }
         let place = |node: Option<usize>| node.map_or(RESTING, |node| slot[node]);
         let equations = verdict.equations.clone();
-        let mut segments = vec![];
-        let mut runs = vec![];
+        let mut segments = Vec::with_capacity(gearbox.segments.len());
+        let mut runs = Vec::with_capacity(gearbox.segments.len());
         for (place, segment) in gearbox.segments.iter().enumerate() {
             let from = equations.partition_point(|&one| one < segment.behind.start);
             let to = equations.partition_point(|&one| one < segment.behind.end);

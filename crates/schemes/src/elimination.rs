@@ -294,13 +294,16 @@ impl<S: Scalar> Echelon<S> {
     /// `None` where a number is in doubt or outgrows its kind.
     pub(crate) fn new(mut entries: Vec<S>, columns: usize, late: &[usize]) -> Option<Self> {
         let count = entries.len().checked_div(columns).unwrap_or(0);
-        let early: Vec<usize> = (0..columns).filter(|c| !late.contains(c)).collect();
         let mut origin: Vec<usize> = (0..count).collect();
         let mut pivots = Vec::with_capacity(count.min(columns));
         let mut pivot_row: Vec<S> = Vec::with_capacity(columns);
         let mut pivot_of = vec![None; columns];
-        for class in std::iter::once(early.as_slice()).chain(late.chunks(1)) {
-            while let Some((row, column)) = largest(&entries, columns, pivots.len(), class) {
+        for class in std::iter::once(None).chain(late.iter().map(Some)) {
+            let is_meant = |column: usize| match class {
+                Some(only) => *only == column,
+                None => !late.contains(&column),
+            };
+            while let Some((row, column)) = largest(&entries, columns, pivots.len(), is_meant) {
                 let place = pivots.len();
                 origin.swap(place, row);
                 pivot_row.clear();
@@ -367,18 +370,24 @@ impl<S: Scalar> Echelon<S> {
     }
 }
 
-/// The remaining entry that is largest within its equation.
-fn largest<S: Scalar>(entries: &[S], width: usize, from: usize, columns: &[usize]) -> Option<(usize, usize)> {
+/// The remaining entry that is largest within its equation, in a column that is meant.
+fn largest<S: Scalar>(
+    entries: &[S],
+    columns: usize,
+    from: usize,
+    is_meant: impl Fn(usize) -> bool,
+) -> Option<(usize, usize)> {
     let mut best = None;
     let mut best_weight = 0.0;
-    for (place, row) in entries.chunks_exact(width.max(1)).enumerate().skip(from) {
+    for (place, row) in entries.chunks_exact(columns.max(1)).enumerate().skip(from) {
         let scale = row.iter().fold(0.0_f64, |most, entry| most.max(entry.size()));
         if scale == 0.0 {
             continue;
         }
-        for &column in columns {
-            let weight = row[column].weight() / scale;
-            if weight > best_weight {
+        let share = scale.recip();
+        for (column, entry) in row.iter().enumerate() {
+            let weight = entry.weight() * share;
+            if weight > best_weight && is_meant(column) {
                 best_weight = weight;
                 best = Some((place, column));
             }

@@ -134,11 +134,33 @@ pub(crate) struct Verdict {
     pub(crate) equations: Vec<usize>,
     /// Nodes at speeds that can be chosen, the input apart.
     pub(crate) chosen: Vec<usize>,
-    /// Whether the torque of each equation, and of each edge, follows from the input's.
-    pub(crate) equation_known: Vec<bool>,
-    pub(crate) edge_known: Vec<bool>,
+    /// Which torques follow from the input's.
+    pub(crate) known: Known,
     /// Whether the losses follow: driven, or torques unknown only where nothing rolls.
     pub(crate) solvable: bool,
+}
+
+/// Whether the torque of each equation, and of each edge, follows from those at the terminals.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Known {
+    All,
+    Some { equations: Vec<bool>, edges: Vec<bool> },
+}
+
+impl Known {
+    pub(crate) fn equation(&self, equation: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Some { equations, .. } => equations[equation],
+        }
+    }
+
+    pub(crate) fn edge(&self, edge: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Some { edges, .. } => edges[edge],
+        }
+    }
 }
 
 /// Reads the state off; `None` where a number is in doubt or outgrows its kind.
@@ -171,8 +193,7 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
             speeds: node_speeds,
             equations,
             chosen,
-            equation_known: vec![true; count],
-            edge_known: vec![true; topology.edges.len()],
+            known: Known::All,
             solvable: true,
         });
     }
@@ -202,21 +223,20 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
     } else {
         torques.state(gearbox, topology, &names, &unknown)
     };
-    let equation_known = torques.known(0, count);
-    let edge_known = torques.known(count, topology.edges.len());
+    let known = torques.known(gearbox, topology);
     // Shift elements that share a torque, and sets that turn as a block, lose nothing however they share it.
     let rolls = |equation: usize| {
         let [a, _, h] =
             topology.equations[equation].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
         a.zip(h).is_none_or(|(a, h)| (a - h).abs() > SPEED * a.abs().max(h.abs()))
     };
-    let unknown_equation = |one: usize| !equation_known[one] && rolls(one) && torques.on_power_path(one);
+    let unknown_equation = |one: usize| !known.equation(one) && rolls(one) && torques.on_power_path(one);
     let solvable = match state {
         State::Driven => true,
         State::TorquesIndeterminate { .. } => !(0..count).any(unknown_equation),
         _ => false,
     };
-    Some(Verdict { state, speeds: node_speeds, equations, chosen, equation_known, edge_known, solvable })
+    Some(Verdict { state, speeds: node_speeds, equations, chosen, known, solvable })
 }
 
 /// Relations between the speeds of the nodes, input and output kept back.
@@ -300,8 +320,10 @@ impl<S: Scalar> Torques<S> {
         !self.relations.is_nothing(equation)
     }
 
-    pub(crate) fn known(&self, from: usize, count: usize) -> Vec<bool> {
-        (from..from + count).map(|column| self.follows(column)).collect()
+    pub(crate) fn known(&self, gearbox: &Gearbox, topology: &Topology) -> Known {
+        let follows = |columns: Range<usize>| columns.map(|column| self.follows(column)).collect();
+        let (count, edges) = (gearbox.equations.len(), topology.edges.len());
+        Known::Some { equations: follows(0..count), edges: follows(count..count + edges) }
     }
 
     /// The state of a gear whose speeds from input to output follow.

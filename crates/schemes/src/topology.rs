@@ -44,18 +44,16 @@ impl Topology {
         for edge in &edges {
             is_forest &= groups.join(edge.links[0].0, edge.links[1].0);
         }
-        let mut of_root = vec![None; gearbox.links.len()];
         let mut count = 0;
-        let mut node = vec![None; gearbox.links.len()];
-        for (link, node) in node.iter_mut().enumerate() {
+        let mut node: Vec<Option<usize>> = vec![None; gearbox.links.len()];
+        for link in 1..node.len() {
+            // A part is known by its smallest link, which comes first.
             let root = groups.root(link);
-            if root == 0 {
-                continue;
-            }
-            *node = Some(*of_root[root].get_or_insert_with(|| {
+            node[link] = node[root];
+            if root == link {
+                node[link] = Some(count);
                 count += 1;
-                count - 1
-            }));
+            }
         }
         let equations = gearbox.equations.iter().map(|one| one.links.map(|link| node[link.0])).collect();
         let (input, output) = (node[gear.input.0], node[gear.output.0]);
