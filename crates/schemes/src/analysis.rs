@@ -272,7 +272,7 @@ impl<'g> Analysis<'g> {
         let rule = || {
             let solution = self.solution(Direction::Drive)?;
             let mut signs = vec![0; self.gearbox.segments.len()];
-            for (&segment, &sign) in self.compiled()?.segments.iter().zip(&solution.signs) {
+            for (&segment, &sign) in self.compiled()?.segments.iter().zip(solution.signs()) {
                 signs[segment] = sign;
             }
             kreines(self.gearbox, &self.topology, solution.has_branch.then_some(signs.as_slice()))

@@ -109,39 +109,75 @@ pub(crate) struct Run {
 /// [`Direction`]. Equations and segments are the gear's active ones.
 #[derive(Debug, Clone, Default)]
 pub struct Solution {
-    /// Of the nodes, the input first.
-    pub(crate) speeds: Vec<f64>,
+    /// Of each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of the nodes.
+    numbers: Vec<f64>,
+    equations: usize,
+    /// Of each segment the sense of its power without losses, then with losses.
+    senses: Vec<i8>,
     pub(crate) output_speed: f64,
-    pub(crate) relative_speed: Vec<f64>,
-    pub(crate) ideal_root: Vec<f64>,
     pub(crate) ideal_other: f64,
-    pub(crate) ideal_signs: Vec<i8>,
-    pub(crate) signs: Vec<i8>,
     /// Whether any torque keeps the gear moving against its losses.
     pub(crate) has_branch: bool,
-    /// `t_j` of each equation, with losses.
-    pub(crate) root: Vec<f64>,
-    /// `î` of each equation.
-    pub(crate) effective: Vec<f64>,
     /// Torque at the terminal where power leaves.
     pub(crate) other: f64,
     pub(crate) efficiency: f64,
 }
 
+/// What a solution holds, to be written.
+pub(crate) struct Written<'s> {
+    pub(crate) relative_speed: &'s mut [f64],
+    pub(crate) ideal_root: &'s mut [f64],
+    pub(crate) root: &'s mut [f64],
+    pub(crate) effective: &'s mut [f64],
+    pub(crate) speeds: &'s mut [f64],
+    pub(crate) ideal_signs: &'s mut [i8],
+    pub(crate) signs: &'s mut [i8],
+}
+
 impl Solution {
     pub(crate) fn resize(&mut self, equations: usize, segments: usize) {
-        if self.speeds.len() != equations + 1 {
-            self.speeds.resize(equations + 1, 0.0);
-            for vector in
-                [&mut self.relative_speed, &mut self.ideal_root, &mut self.root, &mut self.effective]
-            {
-                vector.resize(equations, 0.0);
-            }
+        let numbers = 5 * equations + 1;
+        if self.numbers.len() != numbers {
+            self.numbers.resize(numbers, 0.0);
+            self.equations = equations;
         }
-        if self.signs.len() != segments {
-            self.ideal_signs.resize(segments, 0);
-            self.signs.resize(segments, 0);
+        if self.senses.len() != 2 * segments {
+            self.senses.resize(2 * segments, 0);
         }
+    }
+
+    pub(crate) fn written(&mut self) -> Written<'_> {
+        let count = self.equations;
+        let (relative_speed, rest) = self.numbers.split_at_mut(count);
+        let (ideal_root, rest) = rest.split_at_mut(count);
+        let (root, rest) = rest.split_at_mut(count);
+        let (effective, speeds) = rest.split_at_mut(count);
+        let segments = self.senses.len() / 2;
+        let (ideal_signs, signs) = self.senses.split_at_mut(segments);
+        Written { relative_speed, ideal_root, root, effective, speeds, ideal_signs, signs }
+    }
+
+    fn of_equations(&self, block: usize) -> &[f64] {
+        &self.numbers[block * self.equations..(block + 1) * self.equations]
+    }
+
+    /// `t` of each equation, with losses.
+    pub(crate) fn root(&self) -> &[f64] {
+        self.of_equations(2)
+    }
+
+    /// `î` of each equation.
+    pub(crate) fn effective(&self) -> &[f64] {
+        self.of_equations(3)
+    }
+
+    /// Speeds of the nodes, the input first.
+    pub(crate) fn speeds(&self) -> &[f64] {
+        &self.numbers[4 * self.equations..]
+    }
+
+    pub(crate) fn ideal_signs(&self) -> &[i8] {
+        &self.senses[..self.senses.len() / 2]
     }
 
     /// Ratio `i = ω_in/ω_out`.
@@ -161,25 +197,25 @@ impl Solution {
     /// Torque on the first central gear of each active set with two of them.
     #[must_use]
     pub fn sun_torques(&self) -> Option<&[f64]> {
-        self.has_branch.then_some(&self.root)
+        self.has_branch.then(|| self.root())
     }
 
     /// The same without losses.
     #[must_use]
     pub fn ideal_sun_torques(&self) -> &[f64] {
-        &self.ideal_root
+        self.of_equations(1)
     }
 
     /// Speed relative to the carrier of the gear of reference of each active equation, `ω_r − ω_H`.
     #[must_use]
     pub fn relative_speeds(&self) -> &[f64] {
-        &self.relative_speed
+        self.of_equations(0)
     }
 
     /// Sense of the rolling power of each segment: 1 away from the gear of reference, −1 towards it, 0 none.
     #[must_use]
     pub fn signs(&self) -> &[i8] {
-        &self.signs
+        &self.senses[self.senses.len() / 2..]
     }
 }
 
@@ -213,8 +249,8 @@ impl CompiledGear {
         }
         let place = |node: Option<usize>| node.map_or(RESTING, |node| slot[node]);
         let equations = verdict.equations.clone();
-        let mut segments = vec![];
-        let mut runs = vec![];
+        let mut segments = Vec::with_capacity(gearbox.segments.len());
+        let mut runs = Vec::with_capacity(gearbox.segments.len());
         for (place, segment) in gearbox.segments.iter().enumerate() {
             let from = equations.partition_point(|&one| one < segment.behind.start);
             let to = equations.partition_point(|&one| one < segment.behind.end);
@@ -332,7 +368,7 @@ impl CompiledGear {
     #[must_use]
     pub fn link_speed(&self, solution: &Solution, link: LinkId) -> Option<f64> {
         let node = self.link_nodes.get(link.0).copied()??;
-        Some(if node == RESTING { 0.0 } else { solution.speeds[usize::from(node)] })
+        Some(if node == RESTING { 0.0 } else { solution.speeds()[usize::from(node)] })
     }
 }
 

@@ -39,14 +39,14 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
     };
     let mut found: Vec<Pattern> = solution
         .efficiency()
-        .map(|efficiency| named(&solution.signs, efficiency, true))
+        .map(|efficiency| named(solution.signs(), efficiency, true))
         .into_iter()
         .collect();
     let eta = |segment: usize| gearbox.segments[segment].efficiency;
     // Only those that can lose anything.
     let rolls = |place: &usize| {
-        let relative = solution.relative_speed[compiled.runs[*place].from];
-        let largest = solution.speeds.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let relative = solution.relative_speeds()[compiled.runs[*place].from];
+        let largest = solution.speeds().iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
         eta(compiled.segments[*place]) < 1.0 && relative.abs() > SPEED * largest
     };
     let lossy: Vec<usize> = (0..compiled.segments.len()).filter(rolls).collect();
@@ -57,7 +57,7 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
     let output = usize::from(compiled.output);
     let terminals = [(0, Some(1.0)), (output, None)];
     let terminals = if output == 0 { &terminals[..0] } else { &terminals[..] };
-    let loads = Loads { network: &network, speeds: &solution.speeds, terminals };
+    let loads = Loads { network: &network, speeds: solution.speeds(), terminals };
     for bits in 0..1_u32 << lossy.len() {
         let mut signs = vec![0_i8; compiled.segments.len()];
         for (bit, &place) in lossy.iter().enumerate() {

@@ -283,25 +283,34 @@ pub(crate) struct Echelon<S> {
     pub(crate) pivots: Vec<(usize, usize)>,
     /// Unknowns that can be chosen.
     pub(crate) free: Vec<usize>,
-    reduced: Vec<Vec<S>>,
+    /// The equations one after the other.
+    reduced: Vec<S>,
     /// Place of the pivot of each unknown that has one.
     pivot_of: Vec<Option<usize>>,
 }
 
 impl<S: Scalar> Echelon<S> {
-    /// Reduces; the unknowns in `late` become pivots only where no other can, in their order.
+    /// Reduces equations that stand one after the other; the unknowns in `late` become pivots only where no other can, in their order.
     /// `None` where a number is in doubt or outgrows its kind.
-    pub(crate) fn new(mut rows: Vec<Vec<S>>, columns: usize, late: &[usize]) -> Option<Self> {
-        let early: Vec<usize> = (0..columns).filter(|c| !late.contains(c)).collect();
-        let mut origin: Vec<usize> = (0..rows.len()).collect();
-        let mut pivots = vec![];
+    pub(crate) fn new(mut entries: Vec<S>, columns: usize, late: &[usize]) -> Option<Self> {
+        let count = entries.len().checked_div(columns).unwrap_or(0);
+        let mut origin: Vec<usize> = (0..count).collect();
+        let mut pivots = Vec::with_capacity(count.min(columns));
+        let mut pivot_row: Vec<S> = Vec::with_capacity(columns);
         let mut pivot_of = vec![None; columns];
-        for class in std::iter::once(early.as_slice()).chain(late.chunks(1)) {
-            while let Some((row, column)) = largest(&rows, pivots.len(), class) {
+        for class in std::iter::once(None).chain(late.iter().map(Some)) {
+            let is_meant = |column: usize| match class {
+                Some(only) => *only == column,
+                None => !late.contains(&column),
+            };
+            while let Some((row, column)) = largest(&entries, columns, pivots.len(), is_meant) {
                 let place = pivots.len();
-                rows.swap(place, row);
                 origin.swap(place, row);
-                let mut pivot_row = std::mem::take(&mut rows[place]);
+                pivot_row.clear();
+                pivot_row.extend_from_slice(&entries[row * columns..(row + 1) * columns]);
+                for at in 0..columns {
+                    entries.swap(place * columns + at, row * columns + at);
+                }
                 let pivot = pivot_row[column].clone();
                 for (at, entry) in pivot_row.iter_mut().enumerate() {
                     if at == column {
@@ -310,7 +319,10 @@ impl<S: Scalar> Echelon<S> {
                         *entry = entry.over(&pivot)?;
                     }
                 }
-                for row in rows.iter_mut().filter(|row| !row.is_empty() && !row[column].is_zero()) {
+                for (at, row) in entries.chunks_exact_mut(columns).enumerate() {
+                    if at == place || row[column].is_zero() {
+                        continue;
+                    }
                     let factor = std::mem::replace(&mut row[column], S::zero());
                     for (at, (entry, pivot_entry)) in row.iter_mut().zip(&pivot_row).enumerate() {
                         if at != column && !pivot_entry.is_zero() {
@@ -318,18 +330,19 @@ impl<S: Scalar> Echelon<S> {
                         }
                     }
                 }
-                rows[place] = pivot_row;
+                entries[place * columns..(place + 1) * columns].clone_from_slice(&pivot_row);
                 pivot_of[column] = Some(place);
                 pivots.push((origin[place], column));
             }
         }
         let free = (0..columns).filter(|&c| pivot_of[c].is_none()).collect();
-        Some(Self { pivots, free, reduced: rows, pivot_of })
+        Some(Self { pivots, free, reduced: entries, pivot_of })
     }
 
     /// How an unknown follows from the free ones: the factors that are not zero.
     pub(crate) fn dependence(&self, unknown: usize) -> impl Iterator<Item = (usize, S)> {
-        let row = self.pivot_of[unknown].map(|place| &self.reduced[place]);
+        let columns = self.pivot_of.len();
+        let row = self.pivot_of[unknown].map(|place| &self.reduced[place * columns..(place + 1) * columns]);
         self.free.iter().filter_map(move |&free| match row {
             Some(row) => row[free].negative().map(|x| (free, x)).filter(|(_, x)| x.weight() > 0.0),
             None => (free == unknown).then(|| (free, S::one())),
@@ -357,18 +370,24 @@ impl<S: Scalar> Echelon<S> {
     }
 }
 
-/// The remaining entry that is largest within its equation.
-fn largest<S: Scalar>(rows: &[Vec<S>], from: usize, columns: &[usize]) -> Option<(usize, usize)> {
+/// The remaining entry that is largest within its equation, in a column that is meant.
+fn largest<S: Scalar>(
+    entries: &[S],
+    columns: usize,
+    from: usize,
+    is_meant: impl Fn(usize) -> bool,
+) -> Option<(usize, usize)> {
     let mut best = None;
     let mut best_weight = 0.0;
-    for (place, row) in rows.iter().enumerate().skip(from) {
+    for (place, row) in entries.chunks_exact(columns.max(1)).enumerate().skip(from) {
         let scale = row.iter().fold(0.0_f64, |most, entry| most.max(entry.size()));
         if scale == 0.0 {
             continue;
         }
-        for &column in columns {
-            let weight = row[column].weight() / scale;
-            if weight > best_weight {
+        let share = scale.recip();
+        for (column, entry) in row.iter().enumerate() {
+            let weight = entry.weight() * share;
+            if weight > best_weight && is_meant(column) {
                 best_weight = weight;
                 best = Some((place, column));
             }
@@ -385,8 +404,8 @@ mod tests {
     type Strict = Bounded<true>;
     type Lenient = Bounded<false>;
 
-    fn rows<S: Scalar>(rows: &[&[i32]], of: impl Fn(i32) -> S) -> Vec<Vec<S>> {
-        rows.iter().map(|row| row.iter().map(|&x| of(x)).collect()).collect()
+    fn rows<S: Scalar>(rows: &[&[i32]], of: impl Fn(i32) -> S) -> Vec<S> {
+        rows.iter().flat_map(|row| row.iter()).map(|&x| of(x)).collect()
     }
 
     fn rounded<const STRICT: bool>(x: i32) -> Bounded<STRICT> {
@@ -424,12 +443,12 @@ mod tests {
     #[test]
     fn a_doubtful_zero_ends_the_strict_elimination_only() {
         let third = 1.0 / 3.0;
-        let equations = |_: ()| vec![vec![1.0, third], vec![3.0, 1.0]];
-        fn of<const S: bool>(rows: Vec<Vec<f64>>) -> Vec<Vec<Bounded<S>>> {
-            rows.into_iter().map(|row| row.into_iter().map(Bounded::rounded).collect()).collect()
+        fn of<const S: bool>(entries: [f64; 4]) -> Vec<Bounded<S>> {
+            entries.map(Bounded::rounded).into()
         }
-        assert!(Echelon::<Strict>::new(of(equations(())), 2, &[]).is_none());
-        assert_eq!(Echelon::<Lenient>::new(of(equations(())), 2, &[]).unwrap().pivots.len(), 1);
+        let equations = [1.0, third, 3.0, 1.0];
+        assert!(Echelon::<Strict>::new(of(equations), 2, &[]).is_none());
+        assert_eq!(Echelon::<Lenient>::new(of(equations), 2, &[]).unwrap().pivots.len(), 1);
     }
 
     #[test]

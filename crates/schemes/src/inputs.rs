@@ -19,7 +19,7 @@ use crate::error::InputsFault;
 use crate::network::{Loads, Network};
 use crate::power_flow::{Flowing, PowerFlow, power_flow};
 use crate::speeds::{SetMotion, set_motion};
-use crate::state::Torques;
+use crate::state::{Known, Torques};
 use crate::tolerance::LARGEST_LOAD;
 use crate::topology::{Topology, bounded, exact, fractions, node_equations, rationals};
 use crate::torques::{self, Members, demands, edge_torques};
@@ -92,7 +92,7 @@ struct Settled {
     open_sets: Vec<usize>,
     /// Sets that carry torque.
     loaded_sets: Vec<usize>,
-    edges: Vec<bool>,
+    known: Known,
 }
 
 fn settled<S: Scalar>(
@@ -102,21 +102,22 @@ fn settled<S: Scalar>(
     terminals: &[LinkId],
 ) -> Option<Settled> {
     let torques = Torques::new(gearbox, topology, &ratios?, terminals)?;
-    let count = gearbox.equations.len();
-    let known = torques.known(0, count);
+    let known = torques.known(gearbox, topology);
     let is_open = |set: &usize| {
-        gearbox.equations_of(*set).any(|equation| !known[equation] && torques.on_power_path(equation))
+        gearbox
+            .equations_of(*set)
+            .any(|equation| !known.equation(equation) && torques.on_power_path(equation))
     };
     let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| torques.is_loaded(equation));
     Some(Settled {
         open_sets: (0..gearbox.sets.len()).filter(is_open).collect(),
         loaded_sets: (0..gearbox.sets.len()).filter(is_loaded).collect(),
-        edges: torques.known(count, topology.edges.len()),
+        known,
     })
 }
 
 fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usize]) -> Option<Freedom> {
-    let equations = node_equations(topology, &ratios?)?;
+    let equations = node_equations(topology, ratios?.iter().map(Some))?;
     // Those given last depend on the others.
     let late: Vec<usize> = given.iter().rev().copied().collect();
     let echelon = Echelon::new(equations, topology.count, &late)?;
@@ -432,7 +433,7 @@ impl Gearbox {
         for &(link, torque) in &outside {
             demand[link.0] -= torque;
         }
-        let edges = edge_torques(topology, &settled.edges, demand);
+        let edges = edge_torques(topology, &settled.known, demand);
         let mut controls = vec![Some(torque(0.0)); self.controls.len()];
         for (edge, own) in topology.edges.iter().zip(&edges) {
             if let Some(control) = edge.control {

@@ -67,10 +67,11 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
         solution.resize(N, self.segments());
         let matrix = self.matrix(&self.i0);
         let Some(speeds) = speeds(&matrix, self.least_pivot) else { return false };
-        solution.speeds[0] = 1.0;
-        solution.speeds[1..=N].copy_from_slice(&speeds);
-        let member = self.members(&solution.speeds);
-        let output = solution.speeds[self.output];
+        let written = solution.written();
+        written.speeds[0] = 1.0;
+        written.speeds[1..=N].copy_from_slice(&speeds);
+        let member = self.members(written.speeds);
+        let output = written.speeds[self.output];
         solution.output_speed = output;
 
         // One unit of power enters: at the input with torque 1, or at the output with torque i.
@@ -83,21 +84,24 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
         }
         let Some((root, other)) = self.torques(&matrix, given) else { return false };
         let ideal = self.powers(&member, self.i0, root, other);
-        solution.ideal_root[..N].copy_from_slice(&root);
         solution.ideal_other = other;
-        for (relative, [a, _, h]) in solution.relative_speed.iter_mut().zip(member) {
+        let count = self.segments();
+        let mut signs = branch::signs(&ideal.power[..count], ideal.largest, [0; M]);
+        let written = solution.written();
+        written.ideal_root.copy_from_slice(&root);
+        for (relative, [a, _, h]) in written.relative_speed.iter_mut().zip(member) {
             *relative = a - h;
         }
-        let mut signs = branch::signs(&ideal.power[..self.segments()], ideal.largest, [0; M]);
-        let count = self.segments();
-        solution.ideal_signs.copy_from_slice(&signs[..count]);
+        written.ideal_signs.copy_from_slice(&signs[..count]);
         let lossy = Loaded { problem: self, member: &member, given };
         let found = branch::find(&lossy, &mut signs);
-        solution.signs.copy_from_slice(&signs[..count]);
+        written.signs.copy_from_slice(&signs[..count]);
+        if let Some(found) = &found {
+            written.root.copy_from_slice(&found.root);
+            written.effective.copy_from_slice(&found.effective);
+        }
         solution.has_branch = found.is_some();
         if let Some(found) = found {
-            solution.root.copy_from_slice(&found.root);
-            solution.effective.copy_from_slice(&found.effective);
             solution.other = found.other;
             // Power that leaves at the other terminal, of 1 that enters.
             let other_speed = match self.direction {

@@ -32,7 +32,7 @@
 use crate::Gearbox;
 use crate::elimination::{Bounded, Echelon, Scalar};
 use crate::tolerance::SLOPE;
-use crate::topology::{Topology, node_equation, numbers};
+use crate::topology::{Topology, node_equations, numbers};
 
 /// What Kreines' rule says of a gear.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,10 +99,7 @@ pub(crate) fn ratio<S: Scalar>(topology: &Topology, ratios: &[Option<S>]) -> Opt
     if input == output {
         return Some(S::one());
     }
-    let equation = |(nodes, ratio): (&[Option<usize>; 3], &Option<S>)| {
-        Some(node_equation(*nodes, ratio.as_ref()?, topology.count))
-    };
-    let equations = topology.equations.iter().zip(ratios).filter_map(equation).collect::<Option<Vec<_>>>()?;
+    let equations = node_equations(topology, ratios.iter().map(Option::as_ref))?;
     let echelon = Echelon::new(equations, topology.count, &[input, output])?;
     let mut depends = echelon.dependence(input);
     match (depends.next(), depends.next()) {

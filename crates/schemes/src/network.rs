@@ -105,9 +105,10 @@ impl Network {
         if output_speed == 0.0 || !given.is_finite() {
             return false;
         }
-        solution.speeds.copy_from_slice(&speeds);
         solution.output_speed = output_speed;
-        for (place, relative) in solution.relative_speed.iter_mut().enumerate() {
+        let written = solution.written();
+        written.speeds.copy_from_slice(&speeds);
+        for (place, relative) in written.relative_speed.iter_mut().enumerate() {
             let [a, _, h] = self.member_speeds(place, &speeds);
             *relative = a - h;
         }
@@ -119,15 +120,18 @@ impl Network {
         let terminals = if known == other { &terminals[..0] } else { &terminals[..] };
         let loads = Loads { network: self, speeds: &speeds, terminals };
         let Some(ideal) = loads.balance(&self.ratios) else { return false };
-        solution.ideal_root.copy_from_slice(&ideal.root);
-        solution.ideal_other = ideal.terminals.get(1).copied().unwrap_or(-given);
         let (found, ideal_signs, signs) = loads.branch(&ideal);
-        solution.ideal_signs.copy_from_slice(&ideal_signs);
-        solution.signs.copy_from_slice(&signs);
+        let written = solution.written();
+        written.ideal_root.copy_from_slice(&ideal.root);
+        written.ideal_signs.copy_from_slice(&ideal_signs);
+        written.signs.copy_from_slice(&signs);
+        if let Some(found) = &found {
+            written.root.copy_from_slice(&found.root);
+            written.effective.copy_from_slice(&found.effective);
+        }
+        solution.ideal_other = ideal.terminals.get(1).copied().unwrap_or(-given);
         solution.has_branch = found.is_some();
         if let Some(found) = found {
-            solution.root.copy_from_slice(&found.root);
-            solution.effective.copy_from_slice(&found.effective);
             solution.other = found.terminals.get(1).copied().unwrap_or(-given);
             solution.efficiency = -solution.other * other_speed;
         }

@@ -122,12 +122,11 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
     };
     // What shares a torque that nothing settles is one piece to the flow.
-    let mut pieces = Groups::new(count);
-    for (edge, torque) in topology.edges.iter().zip(edges) {
-        if torque.is_none() {
-            pieces.join(edge.links[0].0, edge.links[1].0);
-        }
+    let mut pieces: Option<Groups> = None;
+    for (edge, _) in topology.edges.iter().zip(edges).filter(|(_, torque)| torque.is_none()) {
+        pieces.get_or_insert_with(|| Groups::new(count)).join(edge.links[0].0, edge.links[1].0);
     }
+    let piece = |link: usize| pieces.as_ref().map_or(link, |pieces| pieces.root(link));
     let torque = |most: f64, torque: &f64| most.max(torque.abs());
     let no_torque = POWER * members.iter().flatten().flatten().fold(0.0, torque);
     let mut first_segment = 0;
@@ -140,7 +139,7 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
             let own = power.as_ref().map(|power| power.members[member]);
             add(link.0, own);
             let Some(own) = own else { continue };
-            let (link, vertex) = (pieces.root(link.0), count + place);
+            let (link, vertex) = (piece(link.0), count + place);
             let (from, to) = if own > 0.0 { (link, vertex) } else { (vertex, link) };
             let way = Way::Member { set: place, member };
             flows.push(Flow { from, to, power: own.abs(), way, sign: own.signum() });
@@ -162,7 +161,7 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
         add(first, power);
         add(second, power);
         let Some(power) = power else { continue };
-        let [first, second] = [pieces.root(first), pieces.root(second)];
+        let [first, second] = [piece(first), piece(second)];
         let (from, to) = if power > 0.0 { (second, first) } else { (first, second) };
         let way = edge.control.map_or(Way::Tie, Way::Control);
         flows.push(Flow { from, to, power: power.abs(), way, sign: power.signum() });
@@ -272,6 +271,9 @@ fn is_beyond(tree: &crate::planet_set::Tree, mesh: usize, other: usize) -> bool 
 fn circulations(mut flows: Vec<Flow>, vertices: usize, nothing: f64) -> Vec<(Flow, f64)> {
     flows.retain(|flow| flow.power > nothing && flow.from != flow.to);
     // What no loop can hold: vertices that only give or only take, again and again.
+    if flows.is_empty() {
+        return vec![];
+    }
     let mut ends = vec![(false, false); vertices];
     loop {
         ends.fill((false, false));

@@ -134,11 +134,33 @@ pub(crate) struct Verdict {
     pub(crate) equations: Vec<usize>,
     /// Nodes at speeds that can be chosen, the input apart.
     pub(crate) chosen: Vec<usize>,
-    /// Whether the torque of each equation, and of each edge, follows from the input's.
-    pub(crate) equation_known: Vec<bool>,
-    pub(crate) edge_known: Vec<bool>,
+    /// Which torques follow from the input's.
+    pub(crate) known: Known,
     /// Whether the losses follow: driven, or torques unknown only where nothing rolls.
     pub(crate) solvable: bool,
+}
+
+/// Whether the torque of each equation, and of each edge, follows from those at the terminals.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Known {
+    All,
+    Some { equations: Vec<bool>, edges: Vec<bool> },
+}
+
+impl Known {
+    pub(crate) fn equation(&self, equation: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Some { equations, .. } => equations[equation],
+        }
+    }
+
+    pub(crate) fn edge(&self, edge: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Some { edges, .. } => edges[edge],
+        }
+    }
 }
 
 /// Reads the state off; `None` where a number is in doubt or outgrows its kind.
@@ -171,8 +193,7 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
             speeds: node_speeds,
             equations,
             chosen,
-            equation_known: vec![true; count],
-            edge_known: vec![true; topology.edges.len()],
+            known: Known::All,
             solvable: true,
         });
     }
@@ -202,31 +223,31 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
     } else {
         torques.state(gearbox, topology, &names, &unknown)
     };
-    let equation_known = torques.known(0, count);
-    let edge_known = torques.known(count, topology.edges.len());
+    let known = torques.known(gearbox, topology);
     // Shift elements that share a torque, and sets that turn as a block, lose nothing however they share it.
     let rolls = |equation: usize| {
         let [a, _, h] =
             topology.equations[equation].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
         a.zip(h).is_none_or(|(a, h)| (a - h).abs() > SPEED * a.abs().max(h.abs()))
     };
-    let unknown_equation = |one: usize| !equation_known[one] && rolls(one) && torques.on_power_path(one);
+    let unknown_equation = |one: usize| !known.equation(one) && rolls(one) && torques.on_power_path(one);
     let solvable = match state {
         State::Driven => true,
         State::TorquesIndeterminate { .. } => !(0..count).any(unknown_equation),
         _ => false,
     };
-    Some(Verdict { state, speeds: node_speeds, equations, chosen, equation_known, edge_known, solvable })
+    Some(Verdict { state, speeds: node_speeds, equations, chosen, known, solvable })
 }
 
 /// Relations between the speeds of the nodes, input and output kept back.
 pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> Option<Echelon<S>> {
-    let equations = node_equations(topology, ratios)?;
-    let late: Vec<usize> = match (topology.output, topology.input) {
-        (Some(output), Some(input)) if output != input => vec![output, input],
-        (output, input) => input.or(output).into_iter().collect(),
-    };
-    Echelon::new(equations, topology.count, &late)
+    let equations = node_equations(topology, ratios.iter().map(Some))?;
+    match (topology.output, topology.input) {
+        (Some(output), Some(input)) if output != input => {
+            Echelon::new(equations, topology.count, &[output, input])
+        }
+        (output, input) => Echelon::new(equations, topology.count, input.or(output).as_slice()),
+    }
 }
 
 /// Relations between the torques: unknowns are `t` of each equation, those of the edges and of the terminals;
@@ -247,24 +268,30 @@ impl<S: Scalar> Torques<S> {
     ) -> Option<Self> {
         let (count, edges) = (gearbox.equations.len(), topology.edges.len());
         let columns = count + edges..count + edges + terminals.len();
-        let mut equations = vec![vec![S::zero(); columns.end]; gearbox.links.len()];
+        // Of all links but the housing.
+        let mut equations = vec![S::zero(); columns.end * (gearbox.links.len() - 1)];
+        let at = |link: usize, column: usize| link.checked_sub(1).map(|row| row * columns.end + column);
         let minus_one = S::one().negative()?;
         for (place, (one, ratio)) in gearbox.equations.iter().zip(ratios).enumerate() {
             let links = one.links.map(|link| Some(link.0));
             for (link, factor) in factors(links, ratio)? {
-                if let Some(link) = link {
-                    equations[link][place] = factor;
+                if let Some(entry) = link.and_then(|link| at(link, place)) {
+                    equations[entry] = factor;
                 }
             }
         }
         for (place, edge) in topology.edges.iter().enumerate() {
-            equations[edge.links[0].0][count + place] = S::one();
-            equations[edge.links[1].0][count + place] = minus_one.clone();
+            for (link, factor) in edge.links.iter().zip([S::one(), minus_one.clone()]) {
+                if let Some(entry) = at(link.0, count + place) {
+                    equations[entry] = factor;
+                }
+            }
         }
         for (terminal, column) in terminals.iter().zip(columns.clone()) {
-            equations[terminal.0][column] = S::one();
+            if let Some(entry) = at(terminal.0, column) {
+                equations[entry] = S::one();
+            }
         }
-        equations.remove(0);
         let late: Vec<usize> = columns.clone().collect();
         let relations = Echelon::new(equations, columns.end, &late)?;
         // The equations of a set share planets: they are one part, whichever gear they refer to.
@@ -293,8 +320,10 @@ impl<S: Scalar> Torques<S> {
         !self.relations.is_nothing(equation)
     }
 
-    pub(crate) fn known(&self, from: usize, count: usize) -> Vec<bool> {
-        (from..from + count).map(|column| self.follows(column)).collect()
+    pub(crate) fn known(&self, gearbox: &Gearbox, topology: &Topology) -> Known {
+        let follows = |columns: Range<usize>| columns.map(|column| self.follows(column)).collect();
+        let (count, edges) = (gearbox.equations.len(), topology.edges.len());
+        Known::Some { equations: follows(0..count), edges: follows(count..count + edges) }
     }
 
     /// The state of a gear whose speeds from input to output follow.

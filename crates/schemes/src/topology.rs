@@ -44,18 +44,16 @@ impl Topology {
         for edge in &edges {
             is_forest &= groups.join(edge.links[0].0, edge.links[1].0);
         }
-        let mut of_root = vec![None; gearbox.links.len()];
         let mut count = 0;
-        let mut node = vec![None; gearbox.links.len()];
-        for (link, node) in node.iter_mut().enumerate() {
+        let mut node: Vec<Option<usize>> = vec![None; gearbox.links.len()];
+        for link in 1..node.len() {
+            // A part is known by its smallest link, which comes first.
             let root = groups.root(link);
-            if root == 0 {
-                continue;
-            }
-            *node = Some(*of_root[root].get_or_insert_with(|| {
+            node[link] = node[root];
+            if root == link {
+                node[link] = Some(count);
                 count += 1;
-                count - 1
-            }));
+            }
         }
         let equations = gearbox.equations.iter().map(|one| one.links.map(|link| node[link.0])).collect();
         let (input, output) = (node[gear.input.0], node[gear.output.0]);
@@ -112,19 +110,22 @@ pub(crate) fn exact(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
     gearbox.equations.iter().map(|one| BigRational::from_float(one.ratio)).collect()
 }
 
-/// The equations over the nodes. A block whose factors cancel leaves nothing.
-pub(crate) fn node_equations<S: Scalar>(topology: &Topology, ratios: &[S]) -> Option<Vec<Vec<S>>> {
-    let of = |(&nodes, ratio): (&[Option<usize>; 3], &S)| node_equation(nodes, ratio, topology.count);
-    topology.equations.iter().zip(ratios).map(of).collect()
-}
-
-/// An equation over the nodes.
-pub(crate) fn node_equation<S: Scalar>(nodes: [Option<usize>; 3], ratio: &S, count: usize) -> Option<Vec<S>> {
-    let mut equation = vec![S::zero(); count];
-    for (node, factor) in factors(nodes, ratio)? {
-        if let Some(node) = node {
-            equation[node] = factor;
+/// The equations over the nodes, one after the other. A block whose factors cancel leaves nothing.
+pub(crate) fn node_equations<'r, S: Scalar + 'r>(
+    topology: &Topology,
+    ratios: impl Iterator<Item = Option<&'r S>>,
+) -> Option<Vec<S>> {
+    let mut entries = Vec::with_capacity(topology.equations.len() * topology.count);
+    for (&nodes, ratio) in topology.equations.iter().zip(ratios) {
+        // What has no ratio is left out.
+        let Some(ratio) = ratio else { continue };
+        let from = entries.len();
+        entries.resize(from + topology.count, S::zero());
+        for (node, factor) in factors(nodes, ratio)? {
+            if let Some(node) = node {
+                entries[from + node] = factor;
+            }
         }
     }
-    Some(equation)
+    Some(entries)
 }

@@ -2,7 +2,7 @@
 
 use crate::compiled::{CompiledGear, Direction, Solution};
 use crate::power_flow::{Flowing, PowerFlow, power_flow};
-use crate::state::Verdict;
+use crate::state::{Known, Verdict};
 use crate::topology::{Edge, Topology};
 use crate::{Gearbox, LinkId};
 
@@ -100,12 +100,12 @@ pub(crate) fn ideal(scene: &Scene, ratios: &[f64], solution: &Solution) -> LoadC
         scene,
         &Found {
             direction: Direction::Drive,
-            root: &solution.ideal_root,
+            root: solution.ideal_sun_torques(),
             effective: &effective,
             entering: 1.0,
             leaving: solution.ideal_other,
             efficiency: 1.0,
-            signs: &solution.ideal_signs,
+            signs: solution.ideal_signs(),
             is_lossy: false,
         },
     )
@@ -122,12 +122,12 @@ pub(crate) fn loaded(scene: &Scene, direction: Direction, solution: &Solution) -
         scene,
         &Found {
             direction,
-            root: &solution.root,
-            effective: &solution.effective,
+            root: solution.root(),
+            effective: solution.effective(),
             entering,
             leaving: solution.other,
             efficiency,
-            signs: &solution.signs,
+            signs: solution.signs(),
             is_lossy: true,
         },
     ))
@@ -145,14 +145,14 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
     let [input_link, output_link] = scene.topology.terminals;
     demand[input_link.0] -= input;
     demand[output_link.0] -= output;
-    let edges = edge_torques(scene.topology, &verdict.edge_known, demand);
+    let edges = edge_torques(scene.topology, &verdict.known, demand);
     let mut controls = vec![Some(0.0); gearbox.controls.len()];
     for (edge, torque) in scene.topology.edges.iter().zip(&edges) {
         if let Some(control) = edge.control {
             controls[control] = *torque;
         }
     }
-    let known = |set: usize| gearbox.equations_of(set).all(|equation| verdict.equation_known[equation]);
+    let known = |set: usize| gearbox.equations_of(set).all(|equation| verdict.known.equation(equation));
     let members: Vec<Option<Vec<f64>>> =
         sets.into_iter().enumerate().map(|(set, torques)| known(set).then_some(torques)).collect();
     let power = power_flow(&Flowing {
@@ -207,7 +207,7 @@ pub(crate) fn demands(gearbox: &Gearbox, sets: &[Vec<f64>]) -> Vec<f64> {
 ///
 /// A connection that is the only way between two sides carries what the side away from the housing
 /// demands. One in a loop carries an unknown share.
-pub(crate) fn edge_torques(topology: &Topology, known: &[bool], mut demand: Vec<f64>) -> Vec<Option<f64>> {
+pub(crate) fn edge_torques(topology: &Topology, known: &Known, mut demand: Vec<f64>) -> Vec<Option<f64>> {
     let mut torques: Vec<Option<f64>> = vec![None; topology.edges.len()];
     if topology.edges.is_empty() {
         return torques;
@@ -228,7 +228,7 @@ pub(crate) fn edge_torques(topology: &Topology, known: &[bool], mut demand: Vec<
         };
         let [first, second] = topology.edges[place].links;
         let (end, other, sign) = if leaf(first) { (first, second, 1.0) } else { (second, first, -1.0) };
-        torques[place] = known[place].then_some(sign * demand[end.0]);
+        torques[place] = known.edge(place).then_some(sign * demand[end.0]);
         demand[other.0] += demand[end.0];
         degree[end.0] -= 1;
         degree[other.0] -= 1;
@@ -236,7 +236,7 @@ pub(crate) fn edge_torques(topology: &Topology, known: &[bool], mut demand: Vec<
     }
     // What is left stands in loops, or between them.
     for place in 0..open.len() {
-        if open[place] && known[place] {
+        if open[place] && known.edge(place) {
             torques[place] = bridge(topology, &open, place, &demand);
         }
     }
