@@ -73,7 +73,7 @@ pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, Transmiss
 pub enum DescriptionError {
     /// A set known in no way, or in two.
     #[error("set `{set}`: give either `k` or `teeth`")]
-    KnownInOneWay {
+    RowKnownInOneWay {
         /// The set.
         set: String,
     },
@@ -510,7 +510,7 @@ impl SetEntry {
             (None, Some([first, second])) => {
                 SetSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
             }
-            _ => return Err(DescriptionError::KnownInOneWay { set: set() }),
+            _ => return Err(DescriptionError::RowKnownInOneWay { set: set() }),
         };
         spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
         if let Some(counts) = &self.planet_teeth {

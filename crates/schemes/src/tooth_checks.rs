@@ -700,17 +700,17 @@ mod tests {
         assert_eq!(
             words,
             [
-                "set `R`: 5 planets of each kind do not clear: tip circles of planet short and the next planet long \
+                "set `R`: 5 planets of each kind do not clear: tip circles of short and the next long \
                  overlap by 5.986 modules; at most 4 clear",
                 "set `R`: 5 planets cannot be assembled at equal angles: their number must divide 6; 3 would do",
-                "set `R`: planet short and sun b must lie in different planes: their tip circles overlap",
+                "set `R`: short and sun b must lie in different planes: their tip circles overlap",
             ]
         );
         assert_eq!(all.iter().map(ToothWarning::is_note).collect::<Vec<_>>(), [false, false, true]);
         let gearbox = start().compound_set(set(73)).build().unwrap();
         assert_eq!(
             gearbox.tooth_checks(&BasicRack::default())[0].to_string(),
-            "set `R`: planet long (18 teeth) is 27 modules from the axis by the sun b (36 teeth) and 27.5 by the ring \
+            "set `R`: long (18 teeth) is 27 modules from the axis by the sun b (36 teeth) and 27.5 by the ring \
              (73 teeth): equal centre distances need shifted profiles"
         );
     }

@@ -158,7 +158,7 @@ fn too_few_too_many_and_dependent_values_are_named() {
     };
     assert_eq!(
         fault("split", &[("engine", 200.0)], &[]),
-        "1 speeds are given and 2 are needed: add those of 1 of mg1, mg2, ring"
+        "the gear keeps 2 freedoms and the speeds given are 1: add that of one of mg1, mg2, ring"
     );
     assert_eq!(
         fault("split", &[("ring", 20.0), ("mg2", 30.0)], &[]),
@@ -171,8 +171,8 @@ fn too_few_too_many_and_dependent_values_are_named() {
     assert_eq!(fault("parked", &[("ring", 20.0)], &[]), "`ring` is held to the housing in this gear");
     let speeds = [("engine", 200.0), ("mg1", 100.0)];
     assert_eq!(
-        fault("split", &speeds, &[("engine", 1.0), ("ring", 1.0)]),
-        "2 torques are given and 1 are needed, at links where power enters or leaves: engine, ring, mg1"
+        fault("split", &speeds, &[("engine", 1.0), ("ring", 1.0), ("mg1", 1.0)]),
+        "1 of the torques at engine, ring, mg1 must be given: 3 are"
     );
     let found = at(&gearbox, "split", &speeds, &[("engine", 1.0), ("mg2", 5.0), ("mg1", 3.0)]).unwrap_err();
     assert!(matches!(found, Error::Inputs(InputsFault::Torques { given: 3, needed: 2, .. })), "{found}");

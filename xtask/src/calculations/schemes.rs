@@ -4,6 +4,7 @@ use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::{DescriptionError, GearboxFile};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::row::{Fraction, Mode, RowParameter};
 use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, row};
 use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
@@ -154,7 +155,9 @@ fn gear_ratios(given: &GearRatiosGiven) -> Result<Results, Refusal> {
             results.text(format!("exact.{name}"), fraction(exact));
         }
     }
-    for (place, warning) in gearbox.warnings().iter().enumerate() {
+    let of_gearbox = gearbox.warnings().iter().map(ToString::to_string);
+    let teeth = gearbox.tooth_checks(&BasicRack::default()).into_iter().filter(|warning| !warning.is_note());
+    for (place, warning) in of_gearbox.chain(teeth.map(|warning| warning.to_string())).enumerate() {
         results.text(format!("warning.{}", place + 1), warning);
     }
     Ok(results)

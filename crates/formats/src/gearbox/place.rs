@@ -49,7 +49,7 @@ impl File<'_> {
     fn place(&self, error: &DescriptionError) -> Path {
         use DescriptionError as E;
         match error {
-            E::KnownInOneWay { set } | E::Losses { set, .. } | E::Missing { set, .. } => self.set(set),
+            E::RowKnownInOneWay { set } | E::Losses { set, .. } | E::Missing { set, .. } => self.set(set),
             E::Set { set, source } => {
                 keys_of(source).iter().fold(self.set(set), |path, key| self.key(path, key))
             }
