@@ -254,9 +254,12 @@ pub(crate) fn big(fraction: &Fraction) -> BigRational {
 }
 
 /// Digits that a number written by a person may have; one with more was computed.
-const WRITTEN_DIGITS: usize = 15;
+///
+/// Of computed numbers one in ten is, by chance, the nearest to a decimal of 15 digits, such as 125/27; one in ten
+/// thousand to one of 12.
+const WRITTEN_DIGITS: usize = 12;
 
-/// The decimal that a number was written as, `2.15` as 43/20; `None` of a number with more than 15 digits.
+/// The decimal that a number was written as, `2.15` as 43/20; `None` of a number with more than 12 digits.
 pub(crate) fn decimal(value: f64) -> Option<Fraction> {
     let text = format!("{value:e}");
     let (mantissa, exponent) = text.split_once('e')?;
@@ -458,6 +461,7 @@ mod tests {
         assert_eq!(decimal(1e9), Some(Fraction::from_integer(1_000_000_000)));
         assert_eq!(decimal(250.0), Some(Fraction::from_integer(250)));
         assert_eq!(decimal(1.0 / 3.0), None);
+        assert_eq!(decimal(125.0 / 27.0), None);
         assert_eq!(decimal(f64::MIN_POSITIVE), None);
     }
 

@@ -6,7 +6,7 @@
 mod common;
 
 use common::oracle::{BoxPlan, Dice};
-use epicyclic_schemes::{Gearbox, LoadCase, State};
+use epicyclic_schemes::{Gearbox, LinkId, LoadCase, State};
 
 /// An arc: from, to, power, and what the solver says circulates through it.
 type Arc = (usize, usize, f64, f64);
@@ -26,7 +26,7 @@ fn arcs(gearbox: &Gearbox, case: &LoadCase, speeds: &[Option<f64>]) -> Vec<Arc> 
         }
     }
     for (place, control) in gearbox.controls().iter().enumerate() {
-        let [first, second] = control.links().map(|link| link.index());
+        let [first, second] = control.links().map(LinkId::index);
         let power = case.controls[place].unwrap() * speeds[first].unwrap_or(0.0);
         // Its torque acts on the first link: the power comes from the second.
         add(second, first, power, case.power.circulating_controls[place]);

@@ -141,6 +141,8 @@ fn decimals_close_a_loop_exactly_or_not_at_all() {
         assert_eq!(pairs(k(a), k(b), k(a * b)).name(), "torques indeterminate", "{a} {b}");
         assert_eq!(pairs(k(a), k(b), k(a * b * (1.0 + 1e-13))).name(), "input blocked", "{a} {b}");
     }
+    // 125/27 is the nearest number to 4.62962962962963, and no decimal for that.
+    assert_eq!(pairs(k(125.0 / 27.0), k(0.216), k(1.0)).name(), "torques indeterminate");
     // Teeth against a decimal and a computed number.
     assert_eq!(pairs(teeth(20, 24), k(2.0), teeth(10, 24)).name(), "torques indeterminate");
     assert_eq!(

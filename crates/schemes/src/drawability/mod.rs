@@ -122,7 +122,7 @@ impl Default for Options {
 /// Something without which a scheme may be drawable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Element {
-    /// A row, by its place in [`Gearbox::rows`].
+    /// A row, by its place in [`Gearbox::sets`].
     Row(usize),
     /// A brake or clutch, by its place in [`Gearbox::controls`]; a lock asked for has the number after
     /// the last.
