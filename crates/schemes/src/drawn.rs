@@ -132,7 +132,7 @@ impl Analysis<'_> {
         for (at, (&member, torque)) in drawn.members.iter().zip(torques).enumerate() {
             let own = if torque == 0.0 { 0.0 } else { torque * self.speed(drawn.links[at])? };
             power.members[at] = own;
-            let round = case.power.circulating_members[drawn.set][member];
+            let round = case.power.circulating_member(drawn.set, member);
             if round != 0.0 {
                 power.circulating[at] = own * round / whole.members[member];
             }

@@ -27,8 +27,6 @@ pub struct SetPower {
     pub members: Vec<f64>,
     /// Rolling power at each central gear, `T_c·(ω_c − ω_H)`: positive where it enters.
     pub rolling: Vec<f64>,
-    /// Coupling power of each central gear, `T_c·ω_H`.
-    pub coupling: Vec<f64>,
     /// Power through each mesh, in the order of [`PlanetSet::meshes`](crate::PlanetSet::meshes).
     pub meshes: Vec<MeshPower>,
     /// What the meshes take, the sum over the members.
@@ -40,6 +38,12 @@ impl SetPower {
     #[must_use]
     pub fn relative(&self) -> f64 {
         self.rolling[0]
+    }
+
+    /// Coupling power of a central gear, `T_c·ω_H`: what it gives or takes without its meshes.
+    #[must_use]
+    pub fn coupling(&self, central: usize) -> f64 {
+        self.members[central] - self.rolling[central]
     }
 }
 
@@ -64,18 +68,32 @@ pub struct PowerFlow {
     pub links: Vec<Option<f64>>,
     /// Power that circulates, over what enters.
     pub circulating: f64,
-    /// The part of each set's [`members`](SetPower::members) that can circulate, of their sign; 0 where nothing
-    /// follows.
-    pub circulating_members: Vec<Vec<f64>>,
-    /// The part of each shift element's power, torque on its first link times that link's speed, that can
-    /// circulate.
-    pub circulating_controls: Vec<f64>,
+    /// What circulates through which arcs; of their sign.
+    round: Vec<(Way, f64)>,
     /// The largest power of any member, rolling or absolute, at least 1: the measure for balances.
     pub largest: f64,
 }
 
+impl PowerFlow {
+    /// The part of the power at a member of a set, [`SetPower::members`], that can circulate, of its sign.
+    #[must_use]
+    pub fn circulating_member(&self, set: usize, member: usize) -> f64 {
+        self.round_by(Way::Member { set, member })
+    }
+
+    /// The part of a shift element's power, torque on its first link times that link's speed, that can circulate.
+    #[must_use]
+    pub fn circulating_control(&self, control: usize) -> f64 {
+        self.round_by(Way::Control(control))
+    }
+
+    fn round_by(&self, way: Way) -> f64 {
+        self.round.iter().find(|(other, _)| *other == way).map_or(0.0, |(_, part)| *part)
+    }
+}
+
 /// What power flows through.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Way {
     Member { set: usize, member: usize },
     Control(usize),
@@ -170,18 +188,14 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
         add(terminal.0, torque_times(Some(torque), speeds[terminal.0]));
     }
     let mut circulating = 0.0_f64;
-    let mut circulating_members: Vec<Vec<f64>> =
-        gearbox.sets.iter().map(|set| vec![0.0; set.members().len()]).collect();
-    let mut circulating_controls = vec![0.0; gearbox.controls.len()];
+    let mut round = vec![];
     for (flow, part) in circulations(flows, count + gearbox.sets.len(), LOOP * largest) {
         circulating = circulating.max(part);
-        match flow.way {
-            Way::Member { set, member } => circulating_members[set][member] = flow.sign * part,
-            Way::Control(control) => circulating_controls[control] = flow.sign * part,
-            Way::Tie => {}
+        if part > 0.0 {
+            round.push((flow.way, flow.sign * part));
         }
     }
-    PowerFlow { sets, links: through, circulating, circulating_members, circulating_controls, largest }
+    PowerFlow { sets, links: through, circulating, round, largest }
 }
 
 /// A torque of nothing has no power at any speed.
@@ -213,7 +227,6 @@ fn set_power(
     }
     Some(SetPower {
         members,
-        coupling: torques[..centrals].iter().map(|torque| torque * carrier).collect(),
         meshes: mesh_powers(set, &rolling, signs),
         // From rolling powers: the coupling powers, which may be large, cancel exactly.
         loss: rolling.iter().sum(),

@@ -31,10 +31,10 @@ pub struct LoadCase {
     /// Power that leaves over power that enters; 1 without losses. At or below 0 the gear locks
     /// itself in this direction.
     pub efficiency: f64,
-    /// Sense of the rolling power of each set, by segments of meshes that carry power together: 1 away from the
+    /// Sense of the rolling power in each segment of meshes that carry power together, set by set: 1 away from the
     /// gear of reference, −1 towards it, 0 none (and so no loss). A set with two central gears has one segment, 1
     /// from the first to the second.
-    pub signs: Vec<Vec<i8>>,
+    pub signs: Vec<i8>,
     /// Powers.
     pub power: PowerFlow,
     /// Torques of each equation on its root, central gear and carrier.
@@ -177,19 +177,20 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
         output,
         housing: -input - output,
         efficiency: found.efficiency,
-        signs: by_set(gearbox, &signs),
+        signs,
         power,
         equations,
     }
 }
 
-/// Of each set what belongs to its segments.
-fn by_set(gearbox: &Gearbox, signs: &[i8]) -> Vec<Vec<i8>> {
-    let mut sets = vec![vec![]; gearbox.sets.len()];
-    for (segment, &sign) in gearbox.segments.iter().zip(signs) {
-        sets[segment.set].push(sign);
+impl LoadCase {
+    /// The senses of the rolling power of one set.
+    #[must_use]
+    pub fn signs_of(&self, gearbox: &Gearbox, set: usize) -> &[i8] {
+        let from = gearbox.segments.partition_point(|segment| segment.set < set);
+        let to = gearbox.segments.partition_point(|segment| segment.set <= set);
+        self.signs.get(from..to).unwrap_or_default()
     }
-    sets
 }
 
 /// What the connections must supply to each link for these torques on the sets' members.

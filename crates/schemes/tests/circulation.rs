@@ -22,14 +22,14 @@ fn arcs(gearbox: &Gearbox, case: &LoadCase, speeds: &[Option<f64>]) -> Vec<Arc> 
     for (place, (set, power)) in gearbox.sets().iter().zip(&case.power.sets).enumerate() {
         for (member, link) in set.members().iter().enumerate() {
             let power = power.as_ref().unwrap().members[member];
-            add(link.index(), links + place, power, case.power.circulating_members[place][member]);
+            add(link.index(), links + place, power, case.power.circulating_member(place, member));
         }
     }
     for (place, control) in gearbox.controls().iter().enumerate() {
         let [first, second] = control.links().map(LinkId::index);
         let power = case.controls[place].unwrap() * speeds[first].unwrap_or(0.0);
         // Its torque acts on the first link: the power comes from the second.
-        add(second, first, power, case.power.circulating_controls[place]);
+        add(second, first, power, case.power.circulating_control(place));
     }
     found
 }

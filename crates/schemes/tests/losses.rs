@@ -115,7 +115,7 @@ fn losses_can_reverse_a_row_that_is_nearly_idle() {
     let found = gearbox.analyze("1").unwrap();
     let kreines = found.kreines().unwrap();
     assert_eq!(kreines.exponents, [[1], [-1], [1]]);
-    assert_eq!(found.driving().unwrap().signs, [[1], [-1], [-1]]);
+    assert_eq!(found.driving().unwrap().signs, [1, -1, -1]);
     assert_eq!(kreines.reversed, ["3"]);
     // Only one pattern bears itself out, and it is not the printed one.
     assert_eq!(found.patterns().len(), 1);

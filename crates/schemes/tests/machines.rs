@@ -137,7 +137,7 @@ fn the_compiled_gear_equals_the_analysis_and_the_plain_way() {
             let efficiency = found.efficiency().unwrap();
             assert!((solution.efficiency().unwrap() - efficiency).abs() < 1e-14);
             assert!((plain.efficiency - efficiency).abs() < 1e-12, "{} {}", gearbox.name(), published.gear);
-            assert_eq!(plain.signs, found.driving().unwrap().signs.concat());
+            assert_eq!(plain.signs, found.driving().unwrap().signs);
             for (row, torques) in found.driving().unwrap().members.iter().enumerate() {
                 assert!((torques.as_ref().unwrap()[0] - plain.suns[row]).abs() < 1e-12);
             }

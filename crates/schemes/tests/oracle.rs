@@ -196,7 +196,7 @@ fn reordered(plan: &BoxPlan, gearbox: &Gearbox, found: &Analysis, dice: &mut Dic
                 let (same, here) = (same.unwrap(), one.members[place].as_ref().unwrap()[member]);
                 close("member", here, two.members[there].as_ref().unwrap()[same], torque);
                 let round =
-                    |case: &LoadCase, set: usize, member: usize| case.power.circulating_members[set][member];
+                    |case: &LoadCase, set: usize, member: usize| case.power.circulating_member(set, member);
                 close("circulating", round(one, place, member), round(two, there, same), power);
             }
         }

@@ -127,9 +127,12 @@ fn straight(plan: &Plan) -> Vec<usize> {
 
 fn finite(case: &LoadCase) -> bool {
     let members = case.members.iter().flatten().flatten();
-    let rows = case.power.sets.iter().flatten().flat_map(|set| {
-        std::iter::once(&set.loss).chain(&set.rolling).chain(&set.members).chain(&set.coupling)
-    });
+    let rows = case
+        .power
+        .sets
+        .iter()
+        .flatten()
+        .flat_map(|set| std::iter::once(&set.loss).chain(&set.rolling).chain(&set.members));
     members
         .copied()
         .chain(rows.copied())
@@ -154,14 +157,15 @@ fn circulation(case: &LoadCase) -> Result<(), TestCaseError> {
     let power = &case.power;
     let tolerance = 1e-9 * power.largest;
     let mut most = 0.0_f64;
-    for (set, round) in power.sets.iter().zip(&power.circulating_members) {
-        for (member, round) in round.iter().enumerate() {
-            let whole = set.as_ref().map_or(0.0, |set| set.members[member]);
+    for (place, set) in power.sets.iter().enumerate() {
+        for (member, &whole) in set.iter().flat_map(|set| &set.members).enumerate() {
+            let round = power.circulating_member(place, member);
             prop_assert!(round * whole >= 0.0 && round.abs() <= whole.abs() + tolerance);
             most = most.max(round.abs());
         }
     }
-    most = power.circulating_controls.iter().fold(most, |most, round| most.max(round.abs()));
+    most = (0..case.controls.len())
+        .fold(most, |most, control| most.max(power.circulating_control(control).abs()));
     prop_assert!((most - power.circulating).abs() <= tolerance);
     Ok(())
 }
@@ -356,7 +360,7 @@ proptest! {
             prop_assert!((speed - 1.0).abs() < 1e-12);
         }
         if let Some(case) = found.driving() {
-            prop_assert!((case.efficiency - 1.0).abs() < 1e-12 && case.signs.iter().flatten().all(|s| *s == 0));
+            prop_assert!((case.efficiency - 1.0).abs() < 1e-12 && case.signs.iter().all(|s| *s == 0));
         }
     }
 }

@@ -327,7 +327,7 @@ impl Scene<'_> {
         let kreines = self.analysis().kreines();
         let rows = self.gearbox.sets().iter().enumerate().map(|(place, set)| {
             let power = self.case().and_then(|case| case.power.sets[place].as_ref());
-            let signs = self.case().map_or(&[][..], |case| case.signs[place].as_slice());
+            let signs = self.case().map_or(&[][..], |case| case.signs_of(self.gearbox, place));
             // Of a set with more than two central gears no one number says it: its members and meshes do.
             let is_short = set.short().is_some();
             vec![
@@ -408,7 +408,7 @@ impl Scene<'_> {
                     multiple(self.of_input(of)),
                     column(at.map(|torques| torques[member])),
                     multiple(power.map(|power| power.members[member])),
-                    multiple(self.case().map(|case| case.power.circulating_members[place][member])),
+                    multiple(self.case().map(|case| case.power.circulating_member(place, member))),
                 ]);
             }
         }

@@ -135,7 +135,7 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &Loa
         let first = gearbox.controls().get(mark.control).map(|control| control.links()[0]);
         let first = first.map(|link| piece_of(gearbox, link));
         let power = load.and_then(|(gear, case)| control_power(gearbox, gear, case, mark.control));
-        let round = load.and_then(|(_, case)| case.power.circulating_controls.get(mark.control).copied());
+        let round = load.map(|(_, case)| case.power.circulating_control(mark.control));
         for (link, at) in [mark.lower, mark.upper] {
             let sign = if Some(link) == first { 1.0 } else { -1.0 };
             let circulating = sign * round.unwrap_or(0.0);
