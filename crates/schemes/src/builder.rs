@@ -48,7 +48,7 @@ impl Gearbox {
     pub fn to_builder(&self) -> GearboxBuilder {
         let name = |link: LinkId| self.link_name(link).to_owned();
         let gear = |gear: &Gear| GearSpec {
-            name: gear.name.clone(),
+            name: gear.name().to_owned(),
             engaged: gear.engaged.iter().map(|&place| self.controls[place].id.clone()).collect(),
             input: Some(name(gear.input)),
             output: Some(name(gear.output)),
@@ -278,7 +278,7 @@ impl GearboxBuilder {
         }
         for gear in gearbox.gears.iter().filter(|gear| gear.input == gear.output) {
             gearbox.warnings.push(Warning::SameTerminals {
-                gear: gear.name.clone(),
+                gear: gear.name().to_owned(),
                 link: gearbox.link_name(gear.input).into(),
             });
         }
@@ -514,7 +514,7 @@ fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
     };
     let input = own(spec.input.as_deref(), gearbox.input, "input")?;
     let output = own(spec.output.as_deref(), gearbox.output, "output")?;
-    Ok(Gear { name: spec.name, engaged: ascending(engaged), input, output })
+    Ok(Gear { name: spec.name.into(), engaged: ascending(engaged).into(), input, output })
 }
 
 fn touched(gearbox: &Gearbox, link: LinkId) -> bool {

@@ -4,6 +4,7 @@ use crate::drawn::DrawnSet;
 use crate::{Error, GearboxBuilder, Named, PlanetSet, Warning};
 use epicyclic_gears::row::Fraction;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Name of the housing wherever a link is named.
 pub const GROUND: &str = "ground";
@@ -65,8 +66,8 @@ impl Control {
 /// A named set of engaged controls, with the links where power enters and leaves.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Gear {
-    pub(crate) name: String,
-    pub(crate) engaged: Vec<usize>,
+    pub(crate) name: Arc<str>,
+    pub(crate) engaged: Arc<[usize]>,
     pub(crate) input: LinkId,
     pub(crate) output: LinkId,
 }
@@ -240,11 +241,11 @@ impl Gearbox {
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
     pub fn gear(&self, name: &str) -> Result<&Gear, Error> {
-        self.gears.iter().find(|gear| gear.name == name).ok_or_else(|| Error::Unknown {
+        self.gears.iter().find(|gear| gear.name() == name).ok_or_else(|| Error::Unknown {
             what: Named::Gear,
             name: name.into(),
             place: format!("gearbox `{}`", self.name),
-            suggestion: nearest(name, self.gears.iter().map(|gear| gear.name.as_str())),
+            suggestion: nearest(name, self.gears.iter().map(Gear::name)),
         })
     }
 
@@ -262,8 +263,8 @@ impl Gearbox {
             None => Err(self.unknown_link(name, which.into())),
         };
         Ok(Gear {
-            name: engaged.join("+"),
-            engaged: ascending(controls),
+            name: engaged.join("+").into(),
+            engaged: ascending(controls).into(),
             input: terminal(input, "input")?,
             output: terminal(output, "output")?,
         })
@@ -321,7 +322,7 @@ impl Gearbox {
     pub(crate) fn check_gear(&self, gear: &Gear) -> Result<(), Error> {
         let fits = gear.engaged.iter().all(|&control| control < self.controls.len())
             && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
-        if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name.clone() }) }
+        if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }
     }
 
     /// Whether any set is an ordinary pair, whose gears need not share the axis of the others.

@@ -17,7 +17,7 @@ use crate::compiled::Run;
 use crate::elimination::{Echelon, Scalar};
 use crate::error::InputsFault;
 use crate::network::{Loads, Network};
-use crate::power_flow::{Flowing, PowerFlow, power_flow};
+use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
 use crate::speeds::{SetMotion, set_motion};
 use crate::state::{Known, Torques};
 use crate::tolerance::LARGEST_LOAD;
@@ -71,6 +71,20 @@ pub struct MultiLoad {
     pub loss: Power,
     /// Power that leaves over power that enters; `None` where none enters.
     pub efficiency: Option<f64>,
+    /// Of each segment of the gearbox.
+    signs: Vec<i8>,
+}
+
+impl MultiLoad {
+    /// Power through each mesh of a set of its gearbox in W, in the order of
+    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes); `None` where a speed does not follow.
+    #[must_use]
+    pub fn meshes(&self, gearbox: &Gearbox, set: usize) -> Option<Vec<MeshPower>> {
+        let power = self.power.sets.get(set)?.as_ref()?;
+        let from = gearbox.segments.partition_point(|segment| segment.set < set);
+        let to = gearbox.segments.partition_point(|segment| segment.set <= set);
+        Some(mesh_powers(gearbox.sets.get(set)?, power, self.signs.get(from..to), self.power.largest))
+    }
 }
 
 /// What the ranks tell of given links.
@@ -448,7 +462,6 @@ impl Gearbox {
             members: &known_members,
             edges: &edges,
             terminals: &outside,
-            signs: Some(&signs),
             least: 0.0,
         });
         let entering = |&(link, torque): &(LinkId, f64)| torque * omega[link.0].unwrap_or(0.0);
@@ -471,6 +484,7 @@ impl Gearbox {
             loss: power(flow.sets.iter().flatten().map(|set| set.loss).sum()),
             power: flow,
             efficiency: (enters > 0.0).then(|| leaves / enters),
+            signs,
         })
     }
 }

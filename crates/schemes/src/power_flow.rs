@@ -27,8 +27,6 @@ pub struct SetPower {
     pub members: Vec<f64>,
     /// Rolling power at each central gear, `T_c·(ω_c − ω_H)`: positive where it enters.
     pub rolling: Vec<f64>,
-    /// Power through each mesh, in the order of [`PlanetSet::meshes`](crate::PlanetSet::meshes).
-    pub meshes: Vec<MeshPower>,
     /// What the meshes take, the sum over the members.
     pub loss: f64,
 }
@@ -121,15 +119,13 @@ pub(crate) struct Flowing<'a> {
     pub(crate) edges: &'a [Option<f64>],
     /// Torques from outside.
     pub(crate) terminals: &'a [(LinkId, f64)],
-    /// Of the segments with losses; `None` without.
-    pub(crate) signs: Option<&'a [i8]>,
     /// The least measure for balances.
     pub(crate) least: f64,
 }
 
 /// Powers of the sets, links and shift elements.
 pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
-    let Flowing { gearbox, topology, speeds, members, edges, terminals, signs, least } = *flowing;
+    let Flowing { gearbox, topology, speeds, members, edges, terminals, least } = *flowing;
     let count = gearbox.links.len();
     let mut largest = least;
     let mut sets = Vec::with_capacity(members.len());
@@ -147,12 +143,8 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let piece = |link: usize| pieces.as_ref().map_or(link, |pieces| pieces.root(link));
     let torque = |most: f64, torque: &f64| most.max(torque.abs());
     let no_torque = POWER * members.iter().flatten().flatten().fold(0.0, torque);
-    let mut first_segment = 0;
     for (place, (set, torques)) in gearbox.sets.iter().zip(members).enumerate() {
-        let segments = set.tree.segments.len();
-        let signs = signs.map(|signs| &signs[first_segment..first_segment + segments]);
-        first_segment += segments;
-        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, signs, no_torque));
+        let power = torques.as_ref().and_then(|torques| set_power(set, torques, speeds, no_torque));
         for (member, link) in set.members().iter().enumerate() {
             let own = power.as_ref().map(|power| power.members[member]);
             add(link.0, own);
@@ -166,12 +158,6 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
             largest = power.members.iter().chain(&power.rolling).fold(largest, |m, p| m.max(p.abs()));
         }
         sets.push(power);
-    }
-    // A mesh that passes no more than rounding leaves is idle, and has no sense.
-    for mesh in sets.iter_mut().flatten().flat_map(|set: &mut SetPower| &mut set.meshes) {
-        if mesh.enters <= POWER * largest {
-            *mesh = MeshPower::default();
-        }
     }
     for (edge, torque) in topology.edges.iter().zip(edges) {
         let [first, second] = edge.links.map(|link| link.0);
@@ -204,13 +190,7 @@ fn torque_times(torque: Option<f64>, speed: Option<f64>) -> Option<f64> {
 }
 
 /// Powers of a set under these torques on its members; `None` where a speed is missing.
-fn set_power(
-    set: &PlanetSet,
-    torques: &[f64],
-    speeds: &[Option<f64>],
-    signs: Option<&[i8]>,
-    no_torque: f64,
-) -> Option<SetPower> {
+fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque: f64) -> Option<SetPower> {
     let centrals = set.centrals().len();
     // At an unknown speed, what carries no torque has no power.
     let is_idle = torques.iter().all(|torque| torque.abs() <= no_torque);
@@ -227,17 +207,23 @@ fn set_power(
     }
     Some(SetPower {
         members,
-        meshes: mesh_powers(set, &rolling, signs),
         // From rolling powers: the coupling powers, which may be large, cancel exactly.
         loss: rolling.iter().sum(),
         rolling,
     })
 }
 
-/// Power through each mesh from the rolling powers of the central gears: what the gears behind it give and take,
-/// through the meshes between.
-fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<MeshPower> {
-    let tree = &set.tree;
+/// Power through each mesh of a set from the rolling powers of the central gears: what the gears behind it give and
+/// take, through the meshes between. `signs` are those of its segments, none without losses.
+///
+/// A mesh that passes no more than rounding leaves of the `largest` power is idle, and has no sense.
+pub(crate) fn mesh_powers(
+    set: &PlanetSet,
+    power: &SetPower,
+    signs: Option<&[i8]>,
+    largest: f64,
+) -> Vec<MeshPower> {
+    let (tree, rolling) = (&set.tree, &power.rolling);
     let sign = |segment: usize| signs.map_or(0, |signs| signs[segment]);
     // What a mesh leaves of the power that comes from the side of the root, in the sense of its segment.
     let part = |mesh: usize| match tree.in_segment[mesh].map_or(0, |(segment, _)| sign(segment)) {
@@ -261,11 +247,11 @@ fn mesh_powers(set: &PlanetSet, rolling: &[f64], signs: Option<&[i8]>) -> Vec<Me
             .sum();
         let inside = outwards / part(mesh);
         let sense = i8::from(outwards > 0.0) - i8::from(outwards < 0.0);
-        match sense {
+        let mesh = match sense {
             1 => MeshPower { sense, enters: inside, leaves: outwards },
-            -1 => MeshPower { sense, enters: -outwards, leaves: -inside },
-            _ => MeshPower::default(),
-        }
+            _ => MeshPower { sense, enters: -outwards, leaves: -inside },
+        };
+        if mesh.enters > POWER * largest { mesh } else { MeshPower::default() }
     };
     (0..set.meshes().len()).map(of_mesh).collect()
 }

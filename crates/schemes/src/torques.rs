@@ -1,7 +1,7 @@
 //! Torques in a gear, with and without losses: members, shift elements, input and output.
 
 use crate::compiled::{CompiledGear, Direction, Solution};
-use crate::power_flow::{Flowing, PowerFlow, power_flow};
+use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
 use crate::state::{Known, Verdict};
 use crate::topology::{Edge, Topology};
 use crate::{Gearbox, LinkId};
@@ -39,6 +39,7 @@ pub struct LoadCase {
     pub power: PowerFlow,
     /// Torques of each equation on its root, central gear and carrier.
     pub(crate) equations: Vec<[f64; 3]>,
+    is_lossy: bool,
 }
 
 /// Torques of the active equations and at the terminals, as the solver found them.
@@ -162,7 +163,6 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
         members: &members,
         edges: &edges,
         terminals: &[(input_link, input), (output_link, output)],
-        signs: found.is_lossy.then_some(&signs),
         least: 1.0,
     });
     let mut equations = vec![[0.0; 3]; gearbox.equations.len()];
@@ -180,10 +180,20 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
         signs,
         power,
         equations,
+        is_lossy: found.is_lossy,
     }
 }
 
 impl LoadCase {
+    /// Power through each mesh of a set of its gearbox, in the order of
+    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes); `None` where torque or speed do not follow.
+    #[must_use]
+    pub fn meshes(&self, gearbox: &Gearbox, set: usize) -> Option<Vec<MeshPower>> {
+        let power = self.power.sets.get(set)?.as_ref()?;
+        let signs = self.is_lossy.then(|| self.signs_of(gearbox, set));
+        Some(mesh_powers(gearbox.sets.get(set)?, power, signs, self.power.largest))
+    }
+
     /// The senses of the rolling power of one set.
     #[must_use]
     pub fn signs_of(&self, gearbox: &Gearbox, set: usize) -> &[i8] {

@@ -64,7 +64,7 @@ fn a_shared_mesh_loses_on_its_net_force() {
     assert!(case.power.links[gearbox.link("C").unwrap().index()].unwrap() < 1e-14);
     assert_eq!(case.power.circulating, 0.0);
     // Every mesh once: small sun to short, short to long, and from the long planets to large sun and ring.
-    let meshes = &case.power.sets[0].as_ref().unwrap().meshes;
+    let meshes = case.meshes(&gearbox, 0).unwrap();
     let enters = 1.0 - carrier;
     assert!((meshes[0].enters - enters).abs() < 1e-13 && (meshes[0].leaves - enters * sun).abs() < 1e-13);
     assert!((meshes[1].leaves - enters * sun * short_long).abs() < 1e-13);
@@ -269,7 +269,7 @@ fn an_idle_ring_neither_loses_nor_circulates() {
     assert!((low.efficiency().unwrap() - by_hand).abs() < 1e-14 && (by_hand - 0.9866).abs() < 5e-5);
     let case = low.driving().unwrap();
     assert_eq!(case.power.circulating, 0.0);
-    assert_eq!(case.power.sets[0].as_ref().unwrap().meshes[3].enters, 0.0);
+    assert_eq!(case.meshes(&gearbox, 0).unwrap()[3].enters, 0.0);
     let reverse = gearbox.analyze("R").unwrap();
     assert_eq!(reverse.exact_ratio().unwrap().to_string(), "-51/28");
     // Ring held, 79/28 − 1 out for 1 in: (0.99³·79/28 − 1)/(79/28 − 1).

@@ -30,9 +30,9 @@ fn close(name: &str, one: f64, other: f64, scale: f64) {
 /// Which way power runs through each mesh according to the solver, in the plan's senses.
 fn senses(plan: &BoxPlan, gearbox: &Gearbox, case: &LoadCase) -> Vec<i8> {
     let mut signs = vec![];
-    for (set, (built, power)) in plan.sets.iter().zip(gearbox.sets().iter().zip(&case.power.sets)) {
-        let power = power.as_ref().unwrap();
-        for ((gears, _), (mesh, own)) in set.meshes.iter().zip(built.meshes().iter().zip(&power.meshes)) {
+    for (place, (set, built)) in plan.sets.iter().zip(gearbox.sets()).enumerate() {
+        let powers = case.meshes(gearbox, place).unwrap();
+        for ((gears, _), (mesh, own)) in set.meshes.iter().zip(built.meshes().iter().zip(&powers)) {
             signs.push(if mesh.gears == *gears { own.sense } else { -own.sense });
         }
     }
@@ -84,17 +84,18 @@ fn compare_loads(plan: &BoxPlan, gearbox: &Gearbox, case: &LoadCase, loads: &Loa
         close(&format!("element {pair:?}"), case.controls[place].unwrap(), expected, torque);
     }
     let mut lost = 0.0;
-    for ((set, built), (own, expected)) in
-        plan.sets.iter().zip(gearbox.sets()).zip(case.power.sets.iter().zip(&loads.meshes))
+    for (at, ((set, built), (own, expected))) in
+        plan.sets.iter().zip(gearbox.sets()).zip(case.power.sets.iter().zip(&loads.meshes)).enumerate()
     {
         let own = own.as_ref().unwrap();
+        let meshes = case.meshes(gearbox, at).unwrap();
         let mut set_lost = 0.0;
         for (place, [first, second]) in expected.iter().enumerate() {
             let gives = if *first < 0.0 { [-first, *second] } else { [-second, *first] };
-            close("enters", own.meshes[place].enters, gives[0], power);
-            close("leaves", own.meshes[place].leaves, gives[1], power);
+            close("enters", meshes[place].enters, gives[0], power);
+            close("leaves", meshes[place].leaves, gives[1], power);
             let is_same = built.meshes()[place].gears == set.meshes[place].0;
-            let sense = if is_same { own.meshes[place].sense } else { -own.meshes[place].sense };
+            let sense = if is_same { meshes[place].sense } else { -meshes[place].sense };
             if gives[0] > 1e-9 * power {
                 assert_eq!(f64::from(sense), -first.signum());
             }

@@ -449,9 +449,9 @@ impl Scene<'_> {
     fn meshes(&self) -> Records {
         let mut rows = vec![];
         for (place, set) in self.gearbox.sets().iter().enumerate() {
-            let power = self.case().and_then(|case| case.power.sets[place].as_ref());
+            let power = self.case().and_then(|case| case.meshes(self.gearbox, place));
             for (at, mesh) in set.meshes().iter().enumerate() {
-                let through = power.map(|power| power.meshes[at]);
+                let through = power.as_ref().map(|meshes| meshes[at]);
                 let [first, second] = match through.map_or(0, |power| power.sense) {
                     -1 => [mesh.gears[1], mesh.gears[0]],
                     _ => mesh.gears,

@@ -409,8 +409,9 @@ impl Task<'_> {
     fn meshes(&self, load: &MultiLoad) -> Records {
         let mut rows = vec![];
         for (place, set) in self.gearbox.sets().iter().enumerate() {
+            let meshes = load.meshes(self.gearbox, place);
             for (at, mesh) in set.meshes().iter().enumerate() {
-                let through = load.power.sets[place].as_ref().map(|power| power.meshes[at]);
+                let through = meshes.as_ref().map(|meshes| meshes[at]);
                 let [first, second] = match through.map_or(0, |power| power.sense) {
                     -1 => [mesh.gears[1], mesh.gears[0]],
                     _ => mesh.gears,
