@@ -3,7 +3,7 @@
 //! Nodes, active equations and the state are settled at the gearbox's own ratios; [`CompiledGear::solve`]
 //! then takes other ratios and losses of the same sets, allocates nothing, and does about three
 //! eliminations of the size of the gear. Gears of more than twelve equations take the general way of
-//! [`crate::network`].
+//! `network`.
 
 use crate::elimination::Scalar;
 use crate::kernel::{MOST_EQUATIONS, MOST_SEGMENTS, Problem, narrow};

@@ -1014,6 +1014,7 @@ mod tests {
         let set = &gearbox.sets()[0];
         let first = found.sets()[0].relative.unwrap();
         for case in [found.ideal().unwrap(), found.driving().unwrap()] {
+            let power = case.power.sets[0].as_ref().unwrap();
             for (mesh, flow) in case.meshes(&gearbox, 0).unwrap().iter().enumerate() {
                 let torques = case.members[0].as_ref().unwrap();
                 let through: f64 =

@@ -3,15 +3,15 @@
 //! # What is nothing
 //! | constant | of | why this size |
 //! |---|---|---|
-//! | [`ERROR_FACTOR`] | a number in an elimination | its own error bound, which is carried along with it |
-//! | [`POWER`] | a power or torque, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
-//! | [`SLOPE`] | `∂ln i/∂ln i₀` of a set, over the largest | as [`POWER`], but behind a second elimination |
-//! | [`LOOP`] | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
-//! | [`PIVOT`] | a pivot of a gear solved at other ratios than its own | at its own the rank is proved |
-//! | [`SHARP`] | the error bound of a speed, over it | a speed that is less certain is found again without rounding |
-//! | [`POLE`] | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
-//! | [`ALIKE`] | a difference of two efficiencies, over 1 and their size | two sign patterns with less are one |
-//! | [`SPEED`] | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
+//! | `ERROR_FACTOR` | a number in an elimination | its own error bound, which is carried along with it |
+//! | `POWER` | a power or torque, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
+//! | `SLOPE` | `∂ln i/∂ln i₀` of a set, over the largest | as `POWER`, but behind a second elimination |
+//! | `LOOP` | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
+//! | `PIVOT` | a pivot of a gear solved at other ratios than its own | at its own the rank is proved |
+//! | `SHARP` | the error bound of a speed, over it | a speed that is less certain is found again without rounding |
+//! | `POLE` | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
+//! | `ALIKE` | a difference of two efficiencies, over 1 and their size | two sign patterns with less are one |
+//! | `SPEED` | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
 //!
 //! # What is solved
 //! | constant | limits |
