@@ -10,7 +10,7 @@ use epicyclic_formats::gearbox::{
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::pins::Pin;
 use epicyclic_schemes::planet_set::Description;
 use epicyclic_schemes::set::MeshLoss;
 use epicyclic_schemes::{Gearbox, PlanetSet};
@@ -177,9 +177,7 @@ fn transmission(
         None => gearbox,
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
-    // The format of transmissions states no sizes.
-    let of_set = |place| gearbox.pins(place, &SetSize::default());
-    let pins = (0..gearbox.sets().len()).filter_map(of_set).collect::<Result<Vec<_>, _>>()?.concat();
+    let pins = transmission.pins(&gearbox).map_err(|error| located(document, &base, &error))?;
     let of_gear = |gear: &PublishedGear| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)

@@ -1,10 +1,13 @@
-//! Every key of a drive's file, and every option of `drive` and `teeth`, changes the answer.
+//! Every key of a file and every option of a command changes the answer.
 //!
-//! The keys are those of the schema, the options those of the help, so that neither grows without an entry here.
+//! The keys are those of the schemas, the options those of the help, so that neither grows without an entry here. Drives and `teeth` stand
+//! here, gearboxes and transmissions in `gearboxes`.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+#[path = "../common/mod.rs"]
 mod common;
+mod gearboxes;
 
 use common::{examples, here, output, text};
 use serde_json::Value;
@@ -151,6 +154,7 @@ fn leaves(root: &Value, schema: &Value, at: &str, into: &mut BTreeSet<String>) {
         }
         return;
     }
+    let below = |key: &str| schema.get(key).filter(|below| below.is_object());
     match schema.get("properties").and_then(Value::as_object) {
         Some(properties) => {
             for (name, schema) in properties {
@@ -158,21 +162,27 @@ fn leaves(root: &Value, schema: &Value, at: &str, into: &mut BTreeSet<String>) {
                 leaves(root, schema, &at, into);
             }
         }
-        None => {
-            into.insert(at.to_owned());
-        }
+        // What a list or a map holds has the path of the list.
+        None => match below("items").or_else(|| below("additionalProperties")) {
+            Some(held) => leaves(root, held, at, into),
+            None => _ = into.insert(at.to_owned()),
+        },
     }
+}
+
+/// All paths of the schema that the program prints.
+fn schema(of: &str) -> BTreeSet<String> {
+    let schema = output(here().path(), &["schema", of]);
+    let schema: Value = serde_json::from_slice(&schema.stdout).unwrap();
+    let mut all = BTreeSet::new();
+    leaves(&schema, &schema, "", &mut all);
+    all
 }
 
 #[test]
 fn no_key_is_left_out() {
-    let folder = here();
-    let schema = output(folder.path(), &["schema", "drive"]);
-    let schema: Value = serde_json::from_slice(&schema.stdout).unwrap();
-    let mut all = BTreeSet::new();
-    leaves(&schema, &schema, "", &mut all);
     let tried: BTreeSet<String> = KEYS.iter().map(|key| key.path.to_owned()).collect();
-    assert_eq!(tried, all);
+    assert_eq!(tried, schema("drive"));
 }
 
 /// An option of `teeth` with a value that matters beside the others.
