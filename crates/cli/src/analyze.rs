@@ -155,7 +155,17 @@ struct Input {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.choice.file)?;
     let report = match subject::read(&args.choice, &document, args.gear.is_some() || args.all_combinations)? {
-        Content::Several(transmissions) => subject::list(&transmissions),
+        Content::Several(transmissions) => {
+            if let Some(option) = args.choice.given().or(args.load.given()) {
+                let names = subject::names(&transmissions);
+                let message = format!(
+                    "it is for one gearbox, and the file has {}; add --transmission with one of{names}",
+                    transmissions.len()
+                );
+                return Err(Failure::Option { option, message });
+            }
+            subject::list(&transmissions)
+        }
         Content::One(subject) => report(args, &subject, &document)?,
     };
     report.deliver(&args.output)

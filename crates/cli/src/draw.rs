@@ -80,8 +80,8 @@ pub(crate) struct Args {
     #[arg(long, allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// Efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    /// With --power: efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
+    #[arg(long, value_name = "NUMBER", requires = "power", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 
     /// Title in place of the gearbox's name and gear.

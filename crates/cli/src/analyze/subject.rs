@@ -124,6 +124,11 @@ pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }
 
+/// The names to choose from, each on a line of its own.
+pub(super) fn names(transmissions: &[Transmission]) -> String {
+    transmissions.iter().map(|transmission| format!("\n  {}", transmission.name)).collect()
+}
+
 /// The place of the transmission meant; `None` where there are several and none is named.
 fn chosen(
     args: &Choice,
