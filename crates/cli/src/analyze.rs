@@ -179,9 +179,13 @@ pub(crate) struct Everything {
     pub(crate) gears: Vec<Report>,
 }
 
-/// The gearbox of a file, of which only one may be meant.
-pub(crate) fn gearbox(choice: &Choice, document: &Document) -> Result<Gearbox, Failure> {
-    Ok(only(choice, document)?.gearbox)
+/// The gearbox of a file, of which only one may be meant, and its place there.
+pub(crate) fn gearbox(
+    choice: &Choice,
+    document: &Document,
+) -> Result<(Gearbox, epicyclic_formats::Path), Failure> {
+    let subject = only(choice, document)?;
+    Ok((subject.gearbox, subject.base))
 }
 
 fn only(choice: &Choice, document: &Document) -> Result<Subject, Failure> {

@@ -35,7 +35,7 @@ pub(crate) struct Subject {
     /// What their teeth are checked by.
     pub(super) rack: BasicRack,
     /// Its place in the file.
-    pub(super) base: Path,
+    pub(crate) base: Path,
     /// Speeds and torques that the file states of gears.
     pub(super) inputs: Vec<(String, GearInputs)>,
 }

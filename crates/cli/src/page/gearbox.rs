@@ -20,7 +20,13 @@ pub(super) fn sheet(
     load: &Load,
     text: String,
 ) -> Result<Sheet, Failure> {
-    let Everything { subject, overview, gears } = everything(choice, document, load)?;
+    let everything = everything(choice, document, load)?;
+    let base = everything.subject.base.clone();
+    page(everything, text).map_err(|failure| failure.in_file(document, &base))
+}
+
+fn page(everything: Everything, text: String) -> Result<Sheet, Failure> {
+    let Everything { subject, overview, gears } = everything;
     let gearbox = &subject.gearbox;
     let analyses = gearbox
         .gears()
