@@ -121,10 +121,11 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
     };
-    // What shares a torque that nothing settles is one piece to the flow.
+    // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one link under two
+    // names circulates as much as under one.
     let mut pieces = Groups::new(count);
     for (edge, torque) in topology.edges.iter().zip(edges) {
-        if torque.is_none() {
+        if torque.is_none() || edge.control.is_none() {
             pieces.join(edge.links[0].0, edge.links[1].0);
         }
     }
