@@ -339,7 +339,8 @@ fn a_picture_beyond_the_paper_is_the_fault_of_its_file_for_each_command() {
         let message = text(&done.stderr);
         assert_eq!(done.status.code(), Some(2), "{command}: {message}");
         assert!(
-            message.starts_with("error: motor.yaml:3:1: a shape on layer ") && message.contains("must lie within"),
+            message.starts_with("error: motor.yaml:3:1: a shape on layer ")
+                && message.contains("must lie within"),
             "{message}"
         );
     }

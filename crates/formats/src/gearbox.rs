@@ -483,7 +483,7 @@ impl GearboxFile {
             };
         }
         let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
-        entry.map_or(usual.clone(), |entry| entry.size(set, usual))
+        entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
     }
 }
 

@@ -347,7 +347,7 @@ impl Scene<'_> {
                 kreines.map_or(Figure::None, |kreines| {
                     Figure::Texts(kreines.exponents[place].iter().map(ToString::to_string).collect())
                 }),
-                multiple(power.filter(|_| is_short).map(|power| power.relative())),
+                multiple(power.filter(|_| is_short).map(epicyclic_schemes::power_flow::SetPower::relative)),
                 multiple(power.map(|power| power.loss)),
             ]
         });

@@ -170,7 +170,7 @@ impl CompoundEntry {
     }
 
     /// What it says of its size; the rest as usual.
-    pub(super) fn size(&self, set: &PlanetSet, usual: SetSize) -> SetSize {
+    pub(super) fn size(&self, set: &PlanetSet, usual: &SetSize) -> SetSize {
         let planet = |planet: &Planet| {
             let Some(entry) = self.planet_sizes.get(&planet.name) else { return PlanetSize::default() };
             PlanetSize {
@@ -189,7 +189,7 @@ impl CompoundEntry {
             module: self.module.map(|module| module.0),
             planets: set.planets().iter().map(planet).collect(),
             meshes: self.meshes.iter().map(mesh).collect(),
-            ..usual
+            ..usual.clone()
         }
     }
 

@@ -283,7 +283,7 @@ impl Transmission {
     pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
         super::pins(gearbox, |set| {
             let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
-            entry.map_or_else(SetSize::default, |entry| entry.size(set, SetSize::default()))
+            entry.map_or_else(SetSize::default, |entry| entry.size(set, &SetSize::default()))
         })
     }
 }
