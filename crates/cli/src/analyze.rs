@@ -155,7 +155,17 @@ struct Input {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.choice.file)?;
     let report = match subject::read(&args.choice, &document, args.gear.is_some() || args.all_combinations)? {
-        Content::Several(transmissions) => subject::list(&transmissions),
+        Content::Several(transmissions) => {
+            if let Some(option) = args.choice.given().or(args.load.given()) {
+                let names = subject::names(&transmissions);
+                let message = format!(
+                    "it is for one gearbox, and the file has {}; add --transmission with one of{names}",
+                    transmissions.len()
+                );
+                return Err(Failure::Option { option, message });
+            }
+            subject::list(&transmissions)
+        }
         Content::One(subject) => report(args, &subject, &document)?,
     };
     report.deliver(&args.output)
@@ -169,9 +179,13 @@ pub(crate) struct Everything {
     pub(crate) gears: Vec<Report>,
 }
 
-/// The gearbox of a file, of which only one may be meant.
-pub(crate) fn gearbox(choice: &Choice, document: &Document) -> Result<Gearbox, Failure> {
-    Ok(only(choice, document)?.gearbox)
+/// The gearbox of a file, of which only one may be meant, and its place there.
+pub(crate) fn gearbox(
+    choice: &Choice,
+    document: &Document,
+) -> Result<(Gearbox, epicyclic_formats::Path), Failure> {
+    let subject = only(choice, document)?;
+    Ok((subject.gearbox, subject.base))
 }
 
 fn only(choice: &Choice, document: &Document) -> Result<Subject, Failure> {

@@ -7,7 +7,9 @@
 //! | 2 | wrong usage, or an input that cannot be |
 //! | 3 | a file or stream that cannot be read or written |
 
+use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::visible::one_line;
+use epicyclic_formats::{Document, Path, Problem, motor};
 use std::io;
 use std::path::PathBuf;
 
@@ -167,6 +169,28 @@ impl Failure {
     /// Whether there is nothing to say: the reader has seen enough, as in `epicyclic … | head`.
     pub(crate) fn is_quiet(&self) -> bool {
         matches!(self, Self::StandardOutput(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+impl Failure {
+    /// What a picture or a figure refuses, at its place in the file that describes the thing: a gear's name, else where the thing itself
+    /// is described.
+    pub(crate) fn in_file(self, document: &Document, base: &Path) -> Self {
+        use epicyclic_pictures::Error as E;
+        let gearbox = |key: &str| {
+            let path = base.clone().key(key);
+            if document.value_at(&path).is_some() { path } else { base.clone() }
+        };
+        let place = match &self {
+            Self::Picture(E::SpeedsUnknown { gear, .. } | E::NoPower { gear, .. }) => {
+                gear_place(document, base, gear, "name")
+            }
+            Self::Picture(E::NoRatio { .. }) => gearbox("gears"),
+            Self::Picture(E::Motor(error)) | Self::Motor(error) => motor::place(error),
+            Self::Picture(_) | Self::NotFinite { .. } => base.clone(),
+            _ => return self,
+        };
+        document.error(&place, Problem::Refused { message: self.to_string() }).into()
     }
 }
 

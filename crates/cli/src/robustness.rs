@@ -303,7 +303,7 @@ fn whatever_the_options_say_nothing_panics() {
     let folder = tempfile::tempdir().unwrap();
     let answer = folder.path().join("answer");
     let answered = std::cell::Cell::new(0);
-    let cases = 800;
+    let cases = cases(800);
     let mut runner = TestRunner::new(ProptestConfig { cases, ..ProptestConfig::default() });
     let done = runner.run(&line(), |line| {
         answered.set(answered.get() + u32::from(try_line(&line, &answer)));
@@ -313,6 +313,125 @@ fn whatever_the_options_say_nothing_panics() {
         panic!("{error}");
     }
     // Enough is run and not only refused.
+    assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
+}
+
+/// So many cases, unless `PROPTEST_CASES` says how many.
+fn cases(usual: u32) -> u32 {
+    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
+}
+
+/// Examples, and the commands that read them.
+const READ: [(&str, &[&str]); 13] = [
+    ("every-gearbox-key.yaml", GEARBOXES),
+    ("ravigneaux.yaml", GEARBOXES),
+    ("power-split.yaml", GEARBOXES),
+    ("wolfrom.yaml", GEARBOXES),
+    ("wolfrom-self-locking.yaml", GEARBOXES),
+    ("sized-gearbox.yaml", GEARBOXES),
+    ("closed-by-planetary-gear.yaml", GEARBOXES),
+    ("scheme-ii-3.yaml", GEARBOXES),
+    ("self-crossing.yaml", GEARBOXES),
+    ("every-drive-key.yaml", &["drive", "report"]),
+    ("minimal-drive.yaml", &["drive", "report"]),
+    ("motor-5x3.yaml", &["report", "draw --view=teeth", "draw --view=chambers"]),
+    (
+        "real-transmissions.yaml",
+        &[
+            "analyze",
+            "analyze --transmission=8HP --speed=2000rpm --torque=300N·m",
+            "draw --transmission=TH400",
+        ],
+    ),
+];
+
+const GEARBOXES: &[&str] = &[
+    "analyze",
+    "analyze --format=json --speed=2000rpm --torque=300N·m",
+    "analyze --gear=1 --speed=2000rpm --torque=-300N·m",
+    "analyze --gear=curve",
+    "analyze --gear=drive --format=csv",
+    "analyze --all-combinations",
+    "draw",
+    "draw --view=levers",
+    "draw --view=ladder",
+    "draw --view=speeds --gear=1",
+    "report",
+];
+
+/// A text with some of its words replaced: by values of every kind, or by other words of it; some lines are lost or doubled.
+fn mutated(text: &str, changes: &[(usize, usize, u8)]) -> String {
+    let mut text = text.to_owned();
+    for (place, by, how) in changes {
+        let mut from = 0;
+        let mut words = vec![];
+        for part in text.split_inclusive(|c: char| c.is_whitespace() || ":,[]{}#\"'".contains(c)) {
+            let word = part.trim_end_matches(|c: char| c.is_whitespace() || ":,[]{}#\"'".contains(c));
+            if !word.is_empty() {
+                words.push(from..from + word.len());
+            }
+            from += part.len();
+        }
+        let mut lines: Vec<&str> = text.split_inclusive('\n').collect();
+        if words.is_empty() || lines.is_empty() {
+            break;
+        }
+        let at = words[place % words.len()].clone();
+        text = match how {
+            0 => {
+                lines.remove(place % lines.len());
+                lines.concat()
+            }
+            1 => {
+                lines.insert(place % lines.len(), lines[by % lines.len()]);
+                lines.concat()
+            }
+            2..6 => {
+                let other = words[by % words.len()].clone();
+                format!("{}{}{}", &text[..at.start], &text[other], &text[at.end..])
+            }
+            // A number a little off is a good number still.
+            6..8 => match text[at.clone()].parse::<f64>() {
+                Ok(number) => {
+                    let number = number + (by % 5) as f64 - 2.0;
+                    format!("{}{number}{}", &text[..at.start], &text[at.end..])
+                }
+                Err(_) => continue,
+            },
+            // A name may be `inf`; what is looked for in the answer is no name.
+            _ => match VALUES[by % VALUES.len()] {
+                "inf" => continue,
+                value => format!("{}{value}{}", &text[..at.start], &text[at.end..]),
+            },
+        };
+    }
+    text
+}
+
+#[test]
+fn whatever_a_file_says_nothing_panics() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, answer) = (folder.path().join("file.yaml"), folder.path().join("answer.svg"));
+    let texts: Vec<String> =
+        READ.iter().map(|(name, _)| std::fs::read_to_string(example(name)).unwrap()).collect();
+    let answered = std::cell::Cell::new(0);
+    let cases = cases(150);
+    let mut runner =
+        TestRunner::new(ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() });
+    let change = (any::<usize>(), any::<usize>(), 0..11_u8);
+    let strategy = (0..READ.len(), any::<usize>(), prop::collection::vec(change, 1..4));
+    let done = runner.run(&strategy, |(place, command, changes)| {
+        std::fs::write(&file, mutated(&texts[place], &changes)).unwrap();
+        let commands = READ[place].1;
+        let mut line: Vec<String> =
+            commands[command % commands.len()].split(' ').map(str::to_owned).collect();
+        line.insert(1, file.display().to_string());
+        answered.set(answered.get() + u32::from(try_line(&line, &answer)));
+        Ok(())
+    });
+    if let Err(error) = done {
+        panic!("{error}");
+    }
     assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
 }
 

@@ -166,8 +166,14 @@ struct Size {
     #[arg(long, requires = "load", allow_hyphen_values = true)]
     load_factor: Option<Quantity<Pressure>>,
 
-    /// Face width over the pitch diameter of the smaller of sun and planet.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
+    /// Face width over the pitch diameter of the smaller of sun and planet; with --load-factor.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        requires = "load_factor",
+        default_value = "1",
+        allow_negative_numbers = true
+    )]
     face_width_ratio: Number,
 
     /// Planets of each row, where no teeth say.

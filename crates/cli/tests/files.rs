@@ -339,7 +339,8 @@ fn a_picture_beyond_the_paper_is_the_fault_of_its_file_for_each_command() {
         let message = text(&done.stderr);
         assert_eq!(done.status.code(), Some(2), "{command}: {message}");
         assert!(
-            message.starts_with("error: a shape on layer ") && message.contains("must lie within"),
+            message.starts_with("error: motor.yaml:3:1: a shape on layer ")
+                && message.contains("must lie within"),
             "{message}"
         );
     }
@@ -402,4 +403,42 @@ fn no_answer_has_a_number_that_is_none() {
             assert!(text(&done.stderr).contains(due), "{done:?}");
         }
     }
+}
+
+/// What a picture cannot show is told with the place of the gear; a page leaves that picture out.
+#[test]
+fn a_picture_that_cannot_be_drawn_names_its_place() {
+    let folder = here();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let gears = BOX.replace("brakes: [{", "brakes: [{ id: K3, link: B }, {").replace(
+        "{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }",
+        "{ name: blocked, engaged: [K1, K3] }, { name: loose, engaged: [] }",
+    );
+    write("box.yaml", &gears);
+    let motor = fs::read_to_string(examples().join("motor-5x3.yaml")).unwrap();
+    write("large.yaml", &motor.replace("module: 2 mm", "module: 1e9 mm").replace("l: 80 mm", "part: 0.5"));
+    for (line, place) in [
+        (
+            &["draw", "box.yaml", "--gear", "blocked", "--power"][..],
+            "box.yaml:7:17: gears[0].name: gear blocked is input blocked",
+        ),
+        (
+            &["draw", "box.yaml", "--gear", "loose", "--view", "speeds"],
+            "box.yaml:7:55: gears[1].name: gear loose is underdetermined",
+        ),
+        (
+            &["draw", "box.yaml", "--view", "ladder"],
+            "box.yaml:7:8: gears: none of the 2 gears of conveyor has a ratio",
+        ),
+        (&["draw", "large.yaml"], "large.yaml:"),
+        (&["report", "large.yaml"], "large.yaml:"),
+    ] {
+        let done = output(folder.path(), line);
+        let told = text(&done.stderr);
+        assert!(
+            done.status.code() == Some(2) && told.starts_with(&format!("error: {place}")),
+            "{line:?}: {told}"
+        );
+    }
+    assert!(output(folder.path(), &["report", "box.yaml"]).status.success());
 }

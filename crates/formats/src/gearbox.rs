@@ -445,14 +445,7 @@ impl GearboxFile {
     /// # Errors
     /// [`DescriptionError::Set`] for an invalid size.
     pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
-        let mut all = vec![];
-        for (place, set) in gearbox.sets().iter().enumerate() {
-            if let Some(pins) = gearbox.pins(place, &self.size(set)) {
-                let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
-                all.extend(pins.map_err(refuse)?);
-            }
-        }
-        Ok(all)
+        pins(gearbox, |set| self.size(set))
     }
 
     /// The basic rack that the teeth are checked by.
@@ -526,6 +519,18 @@ impl SetEntry {
             None => spec,
         })
     }
+}
+
+/// The planets of each set that has any, with what is known of its size.
+fn pins(gearbox: &Gearbox, size: impl Fn(&PlanetSet) -> SetSize) -> Result<Vec<Pin>, DescriptionError> {
+    let mut all = vec![];
+    for (place, set) in gearbox.sets().iter().enumerate() {
+        if let Some(pins) = gearbox.pins(place, &size(set)) {
+            let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
+            all.extend(pins.map_err(refuse)?);
+        }
+    }
+    Ok(all)
 }
 
 /// Losses of a set by its efficiency or by those of its meshes.

@@ -15,7 +15,7 @@
 use crate::groups::Groups;
 use crate::planet_set::PlanetSet;
 use crate::tolerance::{LOOP, POWER};
-use crate::topology::Topology;
+use crate::topology::{Edge, Topology};
 use crate::{Gearbox, LinkId};
 use std::collections::VecDeque;
 
@@ -135,9 +135,11 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     let mut add = |link: usize, power: Option<f64>| {
         through[link] = through[link].zip(power).map(|(sum, power): (f64, f64)| sum + power.abs() / 2.0);
     };
-    // What shares a torque that nothing settles is one piece to the flow.
+    // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one link under two
+    // names circulates as much as under one.
     let mut pieces: Option<Groups> = None;
-    for (edge, _) in topology.edges.iter().zip(edges).filter(|(_, torque)| torque.is_none()) {
+    let is_one = |(edge, torque): &(&Edge, &Option<f64>)| torque.is_none() || edge.control.is_none();
+    for (edge, _) in topology.edges.iter().zip(edges).filter(is_one) {
         pieces.get_or_insert_with(|| Groups::new(count)).join(edge.links[0].0, edge.links[1].0);
     }
     let piece = |link: usize| pieces.as_ref().map_or(link, |pieces| pieces.root(link));

@@ -272,8 +272,13 @@ fn compound_sets_have_a_state_finite_numbers_and_obey_the_laws() {
     assert!(states.len() == 7 && states["driven"] > 1000, "{states:?}");
 }
 
+/// So many cases, unless `PROPTEST_CASES` says how many.
+fn cases(usual: u32) -> u32 {
+    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
+}
+
 proptest! {
-    #![proptest_config(Config { cases: 4000, failure_persistence: None, ..Config::default() })]
+    #![proptest_config(Config { cases: cases(4000), failure_persistence: None, ..Config::default() })]
 
     #[test]
     fn any_gearbox_has_a_state_and_finite_numbers(plan in any_plan(5)) {

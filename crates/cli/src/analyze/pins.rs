@@ -183,8 +183,15 @@ fn note(subject: &Subject, pins: &[Pin], sized: bool, turns: bool) -> String {
             notes.push("--speed adds the centrifugal force.".to_owned());
         }
     }
+    // A list of transmissions states sizes of compound sets alone.
+    let has_sizes =
+        |pin: &&Pin| subject.published.is_empty() || subject.gearbox.sets()[pin.set].short().is_none();
+    if !pins.iter().any(|pin| has_sizes(&pin)) {
+        notes.push("A list of transmissions states no sizes, and no forces follow.".to_owned());
+        return notes.join(" ");
+    }
     let mut told: Vec<(Lack, Vec<&str>)> = vec![];
-    for pin in pins {
+    for pin in pins.iter().filter(has_sizes) {
         let set = subject.gearbox.sets()[pin.set].id();
         for lack in &pin.lacks {
             match told.iter_mut().find(|(known, _)| known == lack) {
@@ -195,10 +202,6 @@ fn note(subject: &Subject, pins: &[Pin], sized: bool, turns: bool) -> String {
         }
     }
     let count = pins.iter().map(|pin| pin.set).collect::<std::collections::BTreeSet<_>>().len();
-    if !subject.published.is_empty() {
-        notes.push("A list of transmissions states no sizes, and no forces follow.".to_owned());
-        return notes.join(" ");
-    }
     let of_rows = |rows: &[&str]| match rows.len() {
         all if all == count => "all sets".to_owned(),
         1 => format!("set {}", rows[0]),

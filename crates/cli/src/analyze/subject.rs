@@ -10,7 +10,7 @@ use epicyclic_formats::gearbox::{
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::pins::Pin;
 use epicyclic_schemes::planet_set::Description;
 use epicyclic_schemes::set::MeshLoss;
 use epicyclic_schemes::{Gearbox, PlanetSet};
@@ -35,7 +35,7 @@ pub(crate) struct Subject {
     /// What their teeth are checked by.
     pub(super) rack: BasicRack,
     /// Its place in the file.
-    pub(super) base: Path,
+    pub(crate) base: Path,
     /// Speeds and torques that the file states of gears.
     pub(super) inputs: Vec<(String, GearInputs)>,
 }
@@ -124,6 +124,11 @@ pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }
 
+/// The names to choose from, each on a line of its own.
+pub(super) fn names(transmissions: &[Transmission]) -> String {
+    transmissions.iter().map(|transmission| format!("\n  {}", transmission.name)).collect()
+}
+
 /// The place of the transmission meant; `None` where there are several and none is named.
 fn chosen(
     args: &Choice,
@@ -177,9 +182,7 @@ fn transmission(
         None => gearbox,
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
-    // The format of transmissions states no sizes.
-    let of_set = |place| gearbox.pins(place, &SetSize::default());
-    let pins = (0..gearbox.sets().len()).filter_map(of_set).collect::<Result<Vec<_>, _>>()?.concat();
+    let pins = transmission.pins(&gearbox).map_err(|error| located(document, &base, &error))?;
     let of_gear = |gear: &PublishedGear| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)

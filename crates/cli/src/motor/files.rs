@@ -21,7 +21,10 @@ const MOST_POINTS: u32 = 100_000;
 pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<Content>, Failure> {
     let mut written = vec![];
     if files.svg.is_some() || files.dxf.is_some() {
-        let scene = scene(files.view, drawn)?;
+        let scene = scene(files.view, drawn).map_err(|failure| match failure {
+            Failure::Picture(epicyclic_pictures::Error::Motor(error)) => refuse(error),
+            failure => failure,
+        })?;
         if let Some(file) = &files.svg {
             written.push((file.clone(), svg::write(&scene)?.into_bytes()));
         }
@@ -40,7 +43,7 @@ pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<Content>, Fail
 }
 
 pub(super) fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
-    let scene = match view {
+    Ok(match view {
         View::Centrodes => motor::centrodes(&drawn.motor, drawn.angle),
         View::Motor => motor::whole(&drawn.motor, drawn.angle),
         View::Chambers => motor::chambers(&drawn.motor, drawn.angle),
@@ -51,11 +54,7 @@ pub(super) fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
                 return Err(Failure::Option { option: "--view teeth", message });
             }
         },
-    };
-    scene.map_err(|error| match error {
-        epicyclic_pictures::Error::Motor(error) => refuse(error),
-        error => error.into(),
-    })
+    }?)
 }
 
 /// Points of both centrodes, evenly spaced along each half-lobe, counter-clockwise from a crest on the x axis.

@@ -65,7 +65,7 @@ pub(crate) struct Args {
     width: Option<Quantity<Length>>,
 
     /// How far the displacement may lie from the wanted one, where module and width are given: 2%, or 0.02.
-    #[arg(long, default_value = "2%", allow_hyphen_values = true)]
+    #[arg(long, default_value = "2%", requires = "module", requires = "width", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
     /// Width over the stator's diameter, which then gives both module and width.
@@ -125,12 +125,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// Number of the design that is drawn.
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    /// Number of the design that is drawn, or whose centrodes are written.
+    #[arg(long, requires = "files", value_name = "N", default_value_t = 1)]
     design: usize,
 
     /// Angle of the rotor in the drawing.
-    #[arg(long, default_value = "0 deg", allow_hyphen_values = true)]
+    #[arg(long, default_value = "0 deg", requires = "drawing", allow_hyphen_values = true)]
     angle: Quantity<Angle>,
 
     #[command(flatten)]

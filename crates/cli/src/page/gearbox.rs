@@ -11,8 +11,10 @@ use epicyclic_schemes::drawability::{self, Layout, Verdict};
 use epicyclic_schemes::set::{Gearing, SetKind, SetSpec};
 use epicyclic_schemes::{Analysis, Gearbox};
 
-/// Places in a range of `k`.
-const PLACES: u32 = 60;
+/// Places in a range of `k`, at most and at least.
+const PLACES: [u32; 2] = [60, 12];
+/// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes seconds.
+const ANALYSES: usize = 6000;
 
 pub(super) fn sheet(
     choice: &Choice,
@@ -20,7 +22,13 @@ pub(super) fn sheet(
     load: &Load,
     text: String,
 ) -> Result<Sheet, Failure> {
-    let Everything { subject, overview, gears } = everything(choice, document, load)?;
+    let everything = everything(choice, document, load)?;
+    let base = everything.subject.base.clone();
+    page(everything, text).map_err(|failure| failure.in_file(document, &base))
+}
+
+fn page(everything: Everything, text: String) -> Result<Sheet, Failure> {
+    let Everything { subject, overview, gears } = everything;
     let gearbox = &subject.gearbox;
     let analyses = gearbox
         .gears()
@@ -195,8 +203,11 @@ fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
         let of = |gear: &epicyclic_schemes::Gear| of_gear(other.as_ref()?, gear.name());
         gearbox.gears().iter().map(|gear| of(gear).unwrap_or_default()).collect()
     };
-    let samples: Vec<(f64, Sample)> = (0..=PLACES)
-        .map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES))
+    let [most, fewest] = PLACES;
+    let each = ANALYSES / (gearbox.sets().len() * gearbox.gears().len()).max(1);
+    let places = u32::try_from(each).unwrap_or(most).clamp(fewest, most);
+    let samples: Vec<(f64, Sample)> = (0..=places)
+        .map(|i| low + (high - low) * f64::from(i) / f64::from(places))
         .map(|k| (k, sample(k)))
         .collect();
     let curves = |value: usize| {

@@ -29,19 +29,19 @@ const MOST_SHOWN: usize = 10_000;
 #[command(next_help_heading = "Tooth numbers, with --teeth")]
 pub(super) struct Bounds {
     /// Teeth of the suns.
-    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     sun: Span<u32>,
 
     /// Teeth of the planets.
-    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     planet: Span<u32>,
 
     /// Teeth of the rings.
-    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     ring: Span<u32>,
 
     /// Number of planets of a row, from 2 to 8.
-    #[arg(long, value_name = "RANGE", default_value = "3..8")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
     planet_count: Span<u32>,
 }
 

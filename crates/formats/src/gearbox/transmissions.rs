@@ -4,6 +4,7 @@ use super::compound::{CompoundEntry, Note};
 use super::{DescriptionError, losses};
 use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
+use epicyclic_schemes::pins::{Pin, SetSize};
 use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named};
@@ -273,6 +274,17 @@ impl Transmission {
             builder = builder.gear_spec(GearSpec { name, engaged, input, output });
         }
         Ok(builder.build()?)
+    }
+
+    /// The planets of each set that has any on their pins. Only compound sets state sizes here.
+    ///
+    /// # Errors
+    /// [`DescriptionError::Set`] for an invalid size.
+    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
+        super::pins(gearbox, |set| {
+            let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
+            entry.map_or_else(SetSize::default, |entry| entry.size(set, &SetSize::default()))
+        })
     }
 }
 

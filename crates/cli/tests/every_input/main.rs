@@ -1,10 +1,14 @@
-//! Every key of a drive's file, and every option of `drive` and `teeth`, changes the answer.
+//! Every key of a file and every option of a command changes the answer.
 //!
-//! The keys are those of the schema, the options those of the help, so that neither grows without an entry here.
+//! The keys are those of the schemas, the options those of the help, so that neither grows without an entry here. Drives stand here,
+//! gearboxes and transmissions in `gearboxes`, options in `options`.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+#[path = "../common/mod.rs"]
 mod common;
+mod gearboxes;
+mod options;
 
 use common::{examples, here, output, text};
 use serde_json::Value;
@@ -151,6 +155,7 @@ fn leaves(root: &Value, schema: &Value, at: &str, into: &mut BTreeSet<String>) {
         }
         return;
     }
+    let below = |key: &str| schema.get(key).filter(|below| below.is_object());
     match schema.get("properties").and_then(Value::as_object) {
         Some(properties) => {
             for (name, schema) in properties {
@@ -158,90 +163,25 @@ fn leaves(root: &Value, schema: &Value, at: &str, into: &mut BTreeSet<String>) {
                 leaves(root, schema, &at, into);
             }
         }
-        None => {
-            into.insert(at.to_owned());
-        }
+        // What a list or a map holds has the path of the list.
+        None => match below("items").or_else(|| below("additionalProperties")) {
+            Some(held) => leaves(root, held, at, into),
+            None => _ = into.insert(at.to_owned()),
+        },
     }
+}
+
+/// All paths of the schema that the program prints.
+fn schema(of: &str) -> BTreeSet<String> {
+    let schema = output(here().path(), &["schema", of]);
+    let schema: Value = serde_json::from_slice(&schema.stdout).unwrap();
+    let mut all = BTreeSet::new();
+    leaves(&schema, &schema, "", &mut all);
+    all
 }
 
 #[test]
 fn no_key_is_left_out() {
-    let folder = here();
-    let schema = output(folder.path(), &["schema", "drive"]);
-    let schema: Value = serde_json::from_slice(&schema.stdout).unwrap();
-    let mut all = BTreeSet::new();
-    leaves(&schema, &schema, "", &mut all);
     let tried: BTreeSet<String> = KEYS.iter().map(|key| key.path.to_owned()).collect();
-    assert_eq!(tried, all);
-}
-
-/// An option of `teeth` with a value that matters beside the others.
-const OPTIONS: &[(&str, &[&str], &[&str])] = &[
-    ("--ratio", &[], &["--ratio", "5"]),
-    ("--mode", &["--ratio", "4"], &["--ratio", "-4", "--mode", "ab^H"]),
-    ("--tolerance", &[], &["--tolerance", "2%"]),
-    ("--planets", &[], &["--planets", "4"]),
-    ("--sun", &[], &["--sun", "20.."]),
-    ("--planet", &[], &["--planet", "40.."]),
-    ("--ring", &[], &["--ring", "..100"]),
-    ("--k", &[], &["--k", "5..5"]),
-    ("--spacing", &[], &["--spacing", "least-unequal"]),
-    ("--tip-gap", &[], &["--tip-gap", "1"]),
-    ("--addendum", &[], &["--addendum", "0.8"]),
-    ("--pressure-angle", &[], &["--pressure-angle", "14.5deg"]),
-    ("--pressure-angle", &["--no-undercut"], &["--no-undercut", "--pressure-angle", "25deg"]),
-    ("--no-undercut", &[], &["--no-undercut"]),
-    ("--limit", &[], &["--limit", "3"]),
-    ("--format", &[], &["--format", "csv"]),
-    ("--output", &[], &["--output", "sets.json"]),
-];
-
-#[test]
-fn every_option_of_teeth_changes_its_answer() {
-    let folder = here();
-    let seen = |more: &[&str]| {
-        let mut args = vec!["teeth"];
-        for (option, value) in [("--ratio", "6"), ("--format", "json")] {
-            if !more.contains(&option) {
-                args.extend([option, value]);
-            }
-        }
-        args.extend(more);
-        let output = output(folder.path(), &args);
-        assert!(output.status.success(), "{more:?}: {}", text(&output.stderr));
-        text(&output.stdout)
-    };
-    for (option, before, after) in OPTIONS {
-        assert!(seen(before) != seen(after), "{option} changes nothing");
-    }
-    assert_eq!(options_of("teeth"), OPTIONS.iter().map(|(option, ..)| (*option).to_owned()).collect());
-}
-
-#[test]
-fn every_option_of_drive_changes_its_answer() {
-    let tried = ["--format", "--output"].map(str::to_owned);
-    assert_eq!(options_of("drive"), BTreeSet::from(tried));
-    let folder = here();
-    let file = examples().join("minimal-drive.yaml");
-    let seen = |more: &[&str]| {
-        let args: Vec<&str> = ["drive", file.to_str().unwrap()].iter().chain(more).copied().collect();
-        text(&output(folder.path(), &args).stdout)
-    };
-    let table = seen(&[]);
-    for more in [["--format", "json"], ["--format", "csv"], ["--output", "drive.txt"]] {
-        assert!(table != seen(&more), "{more:?} changes nothing");
-    }
-}
-
-/// The options that a command's help names, without the help itself.
-fn options_of(command: &str) -> BTreeSet<String> {
-    let folder = here();
-    let help = text(&output(folder.path(), &[command, "--help"]).stdout);
-    let name = |line: &str| {
-        let line = line.trim_start();
-        let line = line.split_once("--").filter(|(before, _)| before.is_empty() || before.ends_with(", "))?;
-        Some(format!("--{}", line.1.split([' ', '=', '<']).next()?))
-    };
-    let found = help.lines().filter(|line| line.trim_start().starts_with('-')).filter_map(name);
-    found.filter(|option| option != "--help").collect()
+    assert_eq!(tried, schema("drive"));
 }
