@@ -405,7 +405,8 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
             _ => (Some(teeth(&central.name, central.teeth)?), place),
         };
         if centrals.iter().any(|other: &Central| other.body == body) {
-            return Err(fault(CompoundFault::NameTwice { name: central.name.clone() }));
+            let planet = central.planet.clone().unwrap_or_default();
+            return Err(fault(CompoundFault::TwoShafts { name: central.name.clone(), planet }));
         }
         gears.push((central.name.clone(), GearOf::Central(place)));
         centrals.push(Central { link, kind: central.kind, teeth, body });

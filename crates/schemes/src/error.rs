@@ -239,6 +239,16 @@ pub enum CompoundFault {
         /// The name.
         name: String,
     },
+    /// Two shafts of one planet.
+    #[error(
+        "`{name}` is a second shaft of planet `{planet}`: one is enough, with its link for all that it joins"
+    )]
+    TwoShafts {
+        /// The second shaft.
+        name: String,
+        /// The planet.
+        planet: String,
+    },
     /// A gear that is not there.
     #[error("no gear is called `{name}`{}; a gear of a planet with several is `planet.1`, `planet.2`…", hint(suggestion.as_deref()))]
     UnknownGear {
@@ -304,7 +314,7 @@ pub enum InputsFault {
         why: &'static str,
     },
     /// Too few or too many torques.
-    #[error("{needed} of the torques at {} must be given: {given} are", candidates.join(", "))]
+    #[error("{}: {given} are given", of_the_torques(*needed, candidates))]
     Torques {
         /// How many were given.
         given: usize,
@@ -337,6 +347,16 @@ fn too_few(given: usize, needed: usize, candidates: &[String]) -> String {
         (missing, all) => format!("those of {missing} of {}", all.join(", ")),
     };
     format!("the gear keeps {needed} freedoms and the speeds given are {given}: add {add}")
+}
+
+/// `1 of the torques at a, b must be given`, or that all follow.
+fn of_the_torques(needed: usize, candidates: &[String]) -> String {
+    let links = candidates.join(", ");
+    if needed == 0 {
+        format!("the torques at {links} follow, none can be given")
+    } else {
+        format!("{needed} of the torques at {links} must be given")
+    }
 }
 
 fn hint(suggestion: Option<&str>) -> String {

@@ -172,7 +172,7 @@ fn too_few_too_many_and_dependent_values_are_named() {
     let speeds = [("engine", 200.0), ("mg1", 100.0)];
     assert_eq!(
         fault("split", &speeds, &[("engine", 1.0), ("ring", 1.0), ("mg1", 1.0)]),
-        "1 of the torques at engine, ring, mg1 must be given: 3 are"
+        "1 of the torques at engine, ring, mg1 must be given: 3 are given"
     );
     let found = at(&gearbox, "split", &speeds, &[("engine", 1.0), ("mg2", 5.0), ("mg1", 3.0)]).unwrap_err();
     assert!(matches!(found, Error::Inputs(InputsFault::Torques { given: 3, needed: 2, .. })), "{found}");

@@ -210,6 +210,7 @@ fn the_faults_of_a_compound_set_are_named() {
     long.planets[0].teeth = vec![18; 13];
     let mut small_ring = compound();
     small_ring.centrals[2].teeth = 17;
+    let two_shafts = compound().planet_shaft("small", "long").planet_shaft("drive", "long");
     let shaft_of_nothing = compound().planet_shaft("small", "wide");
     holds_for(
         &[
@@ -217,6 +218,11 @@ fn the_faults_of_a_compound_set_are_named() {
             (
                 twice,
                 "set `R`: `short` is named twice: central gears and planets of a set have names of their own",
+            ),
+            (
+                two_shafts,
+                "set `R`: `drive` is a second shaft of planet `long`: one is enough, with its link for all \
+             that it joins",
             ),
             (toothless, "set `R`: gear `short` has 0 teeth: at least 1 is due"),
             (long, "set `R`: planet `short` has 13 gears: 12 at most are allowed"),

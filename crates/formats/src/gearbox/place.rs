@@ -117,6 +117,7 @@ impl File<'_> {
             CompoundFault::NoTeeth { gear: name }
             | CompoundFault::PlanetGears { planet: name, .. }
             | CompoundFault::NameTwice { name }
+            | CompoundFault::TwoShafts { name, .. }
             | CompoundFault::Apart { name } => {
                 let planet = name.split('.').next().unwrap_or(name);
                 let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
