@@ -5,6 +5,7 @@ mod gear;
 mod inputs;
 mod overview;
 mod pins;
+mod shared;
 mod subject;
 
 use crate::failure::Failure;

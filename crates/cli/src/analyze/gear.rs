@@ -5,7 +5,7 @@ use super::overview::{
     self_locking, warnings,
 };
 use super::subject::Subject;
-use super::{Input, Worked, pins, work};
+use super::{Input, Worked, pins, shared, work};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
@@ -251,11 +251,7 @@ impl Scene<'_> {
             vec![
                 text(control.id()),
                 text(format!("{first} - {second}")),
-                if is_engaged {
-                    Figure::Answer("engaged", "engaged")
-                } else {
-                    Figure::Answer("open", "open")
-                },
+                shared::state(is_engaged),
                 multiple(analysis.slips()[place]),
                 self.speed(analysis.slips()[place]),
                 multiple(ideal),
@@ -447,25 +443,8 @@ impl Scene<'_> {
 
     /// Power through every mesh.
     fn meshes(&self) -> Records {
-        let mut rows = vec![];
-        for (place, set) in self.gearbox.sets().iter().enumerate() {
-            let power = self.case().and_then(|case| case.meshes(self.gearbox, place));
-            for (at, mesh) in set.meshes().iter().enumerate() {
-                let through = power.as_ref().map(|meshes| meshes[at]);
-                let [first, second] = match through.map_or(0, |power| power.sense) {
-                    -1 => [mesh.gears[1], mesh.gears[0]],
-                    _ => mesh.gears,
-                };
-                rows.push(vec![
-                    text(set.id()),
-                    text(set.gear_name(first)),
-                    text(set.gear_name(second)),
-                    Figure::Multiple(mesh.efficiency.get()),
-                    multiple(through.map(|power| power.enters)),
-                    multiple(through.map(|power| power.leaves)),
-                ]);
-            }
-        }
+        let power = |set| self.case().and_then(|case| case.meshes(self.gearbox, set));
+        let rows = shared::meshes(self.gearbox, power, multiple);
         Records {
             name: "meshes",
             columns: vec![

@@ -1,8 +1,8 @@
 //! Gears with several inputs: speeds and torques of several links, at one point or over a map.
 
 use super::overview::{engaged, warnings};
-use super::pins;
 use super::subject::Subject;
+use super::{pins, shared};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
@@ -319,11 +319,7 @@ impl Task<'_> {
             vec![
                 text(control.id()),
                 text(format!("{first} - {second}")),
-                if is_engaged {
-                    Figure::Answer("engaged", "engaged")
-                } else {
-                    Figure::Answer("open", "open")
-                },
+                shared::state(is_engaged),
                 column(state.slips[place]),
                 column(state.load.as_ref().and_then(|load| load.controls[place])),
             ]
@@ -407,25 +403,8 @@ impl Task<'_> {
     }
 
     fn meshes(&self, load: &MultiLoad) -> Records {
-        let mut rows = vec![];
-        for (place, set) in self.gearbox.sets().iter().enumerate() {
-            let meshes = load.meshes(self.gearbox, place);
-            for (at, mesh) in set.meshes().iter().enumerate() {
-                let through = meshes.as_ref().map(|meshes| meshes[at]);
-                let [first, second] = match through.map_or(0, |power| power.sense) {
-                    -1 => [mesh.gears[1], mesh.gears[0]],
-                    _ => mesh.gears,
-                };
-                rows.push(vec![
-                    text(set.id()),
-                    text(set.gear_name(first)),
-                    text(set.gear_name(second)),
-                    Figure::Multiple(mesh.efficiency.get()),
-                    column(through.map(|power| <Power as Physical>::from_si(power.enters))),
-                    column(through.map(|power| <Power as Physical>::from_si(power.leaves))),
-                ]);
-            }
-        }
+        let watts = |power: Option<f64>| column(power.map(<Power as Physical>::from_si));
+        let rows = shared::meshes(self.gearbox, |set| load.meshes(self.gearbox, set), watts);
         Records {
             name: "meshes",
             columns: vec![
