@@ -2,8 +2,10 @@
 
 mod combinations;
 mod gear;
+mod inputs;
 mod overview;
 mod pins;
+mod shared;
 mod subject;
 
 use crate::failure::Failure;
@@ -23,10 +25,11 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 /// Without --gear a table of all gears and of what is engaged in each; with --gear everything about one. Speeds are
 /// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
 /// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
+/// A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at some.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
-  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nrows:\\n' > box.yaml
+  printf 'gearbox: conveyor\\ninput: D\\noutput: B\\nsets:\\n' > box.yaml
   printf '  - id: P\\n    sun: D\\n    ring: T1\\n    carrier: B\\n' >> box.yaml
   printf '    k: 2.94\\n    efficiency: 0.97\\n' >> box.yaml
   printf 'brakes: [{ id: K1, link: T1 }]\\n' >> box.yaml
@@ -38,13 +41,17 @@ Example:
 
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
-  rows: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
+  sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
         kind, planet_teeth, planets, efficiency or meshes; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
         planet_bore; for their bearings' life bearing_capacity, bearing_rolling
-  brakes: id, link            clutches: id, links: [one, other]
-  gears: name, engaged, and optionally input, output
-  links, grounds, ties, shared_ring_meshes, density, pressure_angle: optional
+  compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
+        [teeth]), meshes (gears: [one, other], efficiency), and optionally
+        planets, bevels_left, bevels_right, planet_shafts
+  brakes: id, link            clutches: id, links: [one, other], or of a one-way
+                              clutch one_way: [not slower, than this]
+  gears: name, engaged, and optionally input, output, speeds, torques
+  links, grounds, ties, density, pressure_angle, note: optional
 or a list `transmissions` with published ratios, as in
 examples/real-transmissions.yaml.")]
 pub(crate) struct Args {
@@ -58,6 +65,9 @@ pub(crate) struct Args {
     /// Every set of brakes and clutches, with its state.
     #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
     all_combinations: bool,
+
+    #[command(flatten)]
+    several: inputs::Several,
 
     #[command(flatten)]
     load: Load,
@@ -77,7 +87,8 @@ pub(crate) struct Choice {
     #[arg(long, value_name = "NAME")]
     transmission: Option<String>,
 
-    /// Efficiency, under a resting carrier, of each row for which the file states no losses: 0.97 or 97%.
+    /// Efficiency under a carrier at rest of each set for which the file states no losses: 0.97 or 97%. Of a compound
+    /// set each mesh takes its square root.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 }
@@ -145,8 +156,18 @@ struct Input {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.choice.file)?;
     let report = match subject::read(&args.choice, &document, args.gear.is_some() || args.all_combinations)? {
-        Content::Several(transmissions) => subject::list(&transmissions),
-        Content::One(subject) => report(args, &subject)?,
+        Content::Several(transmissions) => {
+            if let Some(option) = args.choice.given().or(args.load.given()) {
+                let names = subject::names(&transmissions);
+                let message = format!(
+                    "it is for one gearbox, and the file has {}; add --transmission with one of{names}",
+                    transmissions.len()
+                );
+                return Err(Failure::Option { option, message });
+            }
+            subject::list(&transmissions)
+        }
+        Content::One(subject) => report(args, &subject, &document)?,
     };
     report.deliver(&args.output)
 }
@@ -159,9 +180,13 @@ pub(crate) struct Everything {
     pub(crate) gears: Vec<Report>,
 }
 
-/// The gearbox of a file, of which only one may be meant.
-pub(crate) fn gearbox(choice: &Choice, document: &Document) -> Result<Gearbox, Failure> {
-    Ok(only(choice, document)?.gearbox)
+/// The gearbox of a file, of which only one may be meant, and its place there.
+pub(crate) fn gearbox(
+    choice: &Choice,
+    document: &Document,
+) -> Result<(Gearbox, epicyclic_formats::Path), Failure> {
+    let subject = only(choice, document)?;
+    Ok((subject.gearbox, subject.base))
 }
 
 fn only(choice: &Choice, document: &Document) -> Result<Subject, Failure> {
@@ -180,9 +205,13 @@ pub(crate) fn everything(choice: &Choice, document: &Document, load: &Load) -> R
     Ok(Everything { gears: gears.collect::<Result<_, _>>()?, overview, subject })
 }
 
-fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {
+fn report(args: &Args, subject: &Subject, document: &Document) -> Result<Report, Failure> {
     let input = args.load.input();
     match &args.gear {
+        Some(name) if args.several.is_given() => inputs::report(subject, document, name, &args.several),
+        Some(name) if args.load.given().is_none() && inputs::in_file(subject, name) => {
+            inputs::report(subject, document, name, &args.several)
+        }
         Some(name) => gear::report(subject, name, input),
         None if args.all_combinations => combinations::report(subject),
         None => overview::report(subject, input),
@@ -190,14 +219,14 @@ fn report(args: &Args, subject: &Subject) -> Result<Report, Failure> {
 }
 
 /// The analysis with what the input's speed and load make of it.
-struct Worked {
-    analysis: Analysis,
+struct Worked<'g> {
+    analysis: Analysis<'g>,
     /// `None` where no load is given, or where the gear cannot take it.
     operation: Option<epicyclic_schemes::Operation>,
 }
 
 /// The analysis of a gear that `--gear` names.
-pub(crate) fn analysis(gearbox: &Gearbox, gear: &str) -> Result<Analysis, Failure> {
+pub(crate) fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Failure> {
     match gearbox.analyze(gear) {
         // With few short names, the nearest says less than all.
         Err(Error::Unknown { .. }) => {
@@ -209,9 +238,9 @@ pub(crate) fn analysis(gearbox: &Gearbox, gear: &str) -> Result<Analysis, Failur
     }
 }
 
-fn work(gearbox: &Gearbox, gear: &str, input: Input) -> Result<Worked, Failure> {
+fn work<'g>(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Worked<'g>, Failure> {
     let analysis = analysis(gearbox, gear)?;
-    // At a torque alone, powers hang on a speed that nobody gave: none is shown.
+    // At a torque alone, powers depend on a speed that nobody gave: none is shown.
     let speed =
         input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));
     let operation = match input.load.map(|load| analysis.at(speed, load)) {

@@ -7,10 +7,12 @@ use crate::analyze::analysis;
 use crate::failure::Failure;
 use crate::input;
 use crate::motor;
-use crate::output::{say, write_file};
+use crate::output::say;
+use crate::writing::write_files;
 use epicyclic_drawing::{Scene, dxf, svg};
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_formats::{Document, Number, Quantity};
+use epicyclic_formats::visible::one_line;
+use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_schemes::drawability::{self, Verdict};
 use epicyclic_schemes::{Analysis, Gearbox};
@@ -33,7 +35,7 @@ Example:
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
 pub(crate) struct Args {
     /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox or motor in YAML.
-    #[arg(value_name = "GEARBOX")]
+    #[arg(value_name = "GEARBOX", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 
     /// What is drawn.
@@ -78,8 +80,8 @@ pub(crate) struct Args {
     #[arg(long, allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// Efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    /// With --power: efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
+    #[arg(long, value_name = "NUMBER", requires = "power", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 
     /// Title in place of the gearbox's name and gear.
@@ -137,13 +139,19 @@ impl View {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let file = Path::new(&args.gearbox);
     let document = file.exists().then(|| input::document(file)).transpose()?;
-    let scene = match &document {
-        Some(document) if is_motor(document) => of_motor(args, document)?,
+    let (scene, base) = match &document {
+        Some(document) if is_motor(document) => (of_motor(args, document), formats::Path::root()),
         _ => {
             consistent(args)?;
-            scene(args, &subject::read(args, document.as_ref())?)?
+            let subject = subject::read(args, document.as_ref())?;
+            (scene(args, &subject), subject.base)
         }
     };
+    let placed = |failure: Failure| match &document {
+        Some(document) => failure.in_file(document, &base),
+        None => failure,
+    };
+    let scene = scene.map_err(placed)?;
     let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
     let ending =
         args.output.as_deref().and_then(Path::extension).map(|end| end.to_string_lossy().to_lowercase());
@@ -156,16 +164,20 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     files.extend(args.svg.as_deref().map(|file| (file, false)));
     files.extend(args.dxf.as_deref().map(|file| (file, true)));
     if files.is_empty() {
-        return say(&(svg::write(&scene)? + "\n"));
+        return say(&(svg::write(&scene).map_err(|error| placed(error.into()))? + "\n"));
     }
     let mut said = String::new();
+    let mut written = vec![];
     let size = scene.bounds().grown(svg::MARGIN_MM);
     for (file, as_dxf) in files {
         let text = if as_dxf { dxf::write(&scene) } else { svg::write(&scene) };
-        write_file(file, text?.as_bytes())?;
+        written.push((file.to_owned(), text.map_err(|error| placed(error.into()))?.into_bytes()));
         let [width, height] = [size.width(), size.height()].map(|mm| trimmed(mm.round(), 4));
-        said += &format!("{}: {}, {width} x {height} mm\n", file.display(), scene.title());
+        let line = format!("{}: {}, {width} x {height} mm", file.display(), scene.title());
+        said += &one_line(&line);
+        said.push('\n');
     }
+    write_files(&written)?;
     say(&said)
 }
 
@@ -229,7 +241,7 @@ fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
     })
 }
 
-fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis>, Failure> {
+fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {
     Ok(gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect::<Result<_, _>>()?)
 }
 

@@ -7,6 +7,9 @@
 //! | 2 | wrong usage, or an input that cannot be |
 //! | 3 | a file or stream that cannot be read or written |
 
+use epicyclic_formats::gearbox::gear_place;
+use epicyclic_formats::visible::one_line;
+use epicyclic_formats::{Document, Path, Problem, motor};
 use std::io;
 use std::path::PathBuf;
 
@@ -116,6 +119,22 @@ pub(crate) enum Failure {
         /// The fewest without undercut.
         least: u32,
     },
+    /// An output that would replace the input, or another output.
+    #[error("{one} and {other} are one file; {remedy}")]
+    OneFile {
+        /// The option and its file.
+        one: String,
+        /// The other option, or what is read, and its file.
+        other: String,
+        /// What to change.
+        remedy: &'static str,
+    },
+    /// A figure of an answer that no double holds.
+    #[error("not a finite number: {figure}; a given number is too small or too large for it")]
+    NotFinite {
+        /// Where it stands in the answer.
+        figure: String,
+    },
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
     Format(String),
@@ -136,9 +155,42 @@ impl Failure {
         }
     }
 
+    /// What is told of it: one line, whatever the names in it hold, but for messages that list several things.
+    pub(crate) fn told(&self) -> String {
+        let text = self.to_string();
+        match self {
+            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::NoMotor { .. } => text,
+            // Names to choose from stand below each other, set in.
+            Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
+            _ => one_line(&text).into_owned(),
+        }
+    }
+
     /// Whether there is nothing to say: the reader has seen enough, as in `epicyclic … | head`.
     pub(crate) fn is_quiet(&self) -> bool {
         matches!(self, Self::StandardOutput(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+impl Failure {
+    /// What a picture or a figure refuses, at its place in the file that describes the thing: a gear's name, else where the thing itself
+    /// is described.
+    pub(crate) fn in_file(self, document: &Document, base: &Path) -> Self {
+        use epicyclic_pictures::Error as E;
+        let gearbox = |key: &str| {
+            let path = base.clone().key(key);
+            if document.value_at(&path).is_some() { path } else { base.clone() }
+        };
+        let place = match &self {
+            Self::Picture(E::SpeedsUnknown { gear, .. } | E::NoPower { gear, .. }) => {
+                gear_place(document, base, gear, "name")
+            }
+            Self::Picture(E::NoRatio { .. }) => gearbox("gears"),
+            Self::Picture(E::Motor(error)) | Self::Motor(error) => motor::place(error),
+            Self::Picture(_) | Self::NotFinite { .. } => base.clone(),
+            _ => return self,
+        };
+        document.error(&place, Problem::Refused { message: self.to_string() }).into()
     }
 }
 

@@ -168,6 +168,21 @@ impl Figure {
         }
     }
 
+    /// Whether every number in it can be shown.
+    pub(crate) fn is_finite(&self) -> bool {
+        match self {
+            // As tables show it, a share is a hundred times as large.
+            Self::Share(value) => (100.0 * value).is_finite(),
+            Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) => value.is_finite(),
+            Self::Quantity { si, dimension } | Self::Column { si, dimension } => {
+                si.is_finite() && in_usual(*si, *dimension).is_finite()
+            }
+            Self::List { si, dimension } => si.iter().all(|si| in_usual(*si, *dimension).is_finite()),
+            Self::Numbers(values) => values.iter().all(|value| value.is_finite()),
+            _ => true,
+        }
+    }
+
     fn dimension(&self) -> Option<Dimension> {
         match self {
             Self::Quantity { dimension, .. }

@@ -17,13 +17,16 @@
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`input`] | files that are read |
-//! | [`output`] | formats, and files written whole or not at all |
+//! | [`output`] | formats of an answer, and where it goes |
+//! | [`writing`] | files written whole, and all of a call or none |
+//! | [`apart`] | that no output is the input or another output |
 //! | [`progress`] | how far a long search is, on a terminal |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
 //! Exit codes: see [`failure`].
 
 mod analyze;
+mod apart;
 mod completions;
 mod draw;
 mod drive;
@@ -45,9 +48,13 @@ mod schema;
 mod schemes;
 mod select;
 mod teeth;
+mod writing;
 
-use clap::{CommandFactory as _, Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use epicyclic_formats::quantity::find_unit;
+use epicyclic_formats::visible::one_line;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
@@ -75,15 +82,16 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
-        Ok(cli) => cli,
+    let (cli, files) = match parsed(std::env::args_os()) {
+        Ok(parsed) => parsed,
         // Help and version are answers, and may fail to be written like any.
         Err(asked) if !asked.use_stderr() => {
             return end(asked.print().map_err(failure::Failure::StandardOutput));
         }
         Err(wrong) => {
-            let _ = wrong.print();
-            if let Some(unit) = loose_unit(&wrong) {
+            let unit = loose_unit(&wrong).map(str::to_owned);
+            let _ = shown(wrong).print();
+            if let Some(unit) = unit {
                 output::complain(&format!(
                     "\nA quantity is one word: put it in quotes, '2 {unit}', or leave out the blank, 2{unit}."
                 ));
@@ -91,12 +99,39 @@ fn main() -> ExitCode {
             return ExitCode::from(failure::WRONG);
         }
     };
-    end(run(cli.command))
+    end(files.are_apart().and_then(|()| run(cli.command)))
+}
+
+/// The command line, and the files that it names.
+fn parsed<Word>(line: impl IntoIterator<Item = Word>) -> Result<(Cli, apart::Files), clap::Error>
+where
+    Word: Into<OsString> + Clone,
+{
+    let mut command = Cli::command();
+    let mut matches = command.try_get_matches_from_mut(line)?;
+    let files = apart::Files::of(&command, &matches);
+    let cli = Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))?;
+    Ok((cli, files))
+}
+
+/// The same refusal with every character of what was typed shown.
+fn shown(mut error: clap::Error) -> clap::Error {
+    let context: Vec<_> = error.context().map(|(kind, value)| (kind, value.clone())).collect();
+    for (kind, value) in context {
+        let value = match value {
+            ContextValue::String(text) => ContextValue::String(one_line(&text).into_owned()),
+            ContextValue::Strings(texts) => {
+                ContextValue::Strings(texts.iter().map(|text| one_line(text).into_owned()).collect())
+            }
+            other => other,
+        };
+        error.insert(kind, value);
+    }
+    error
 }
 
 /// A unit that stands by itself where an option or command is due: the shell parted it from its number.
 fn loose_unit(error: &clap::Error) -> Option<&str> {
-    use clap::error::{ContextKind, ContextValue};
     let kinds = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
     let mut words = kinds.into_iter().filter_map(|kind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),
@@ -127,7 +162,7 @@ fn end(done: Result<(), failure::Failure>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if !failure.is_quiet() {
-                output::complain(&format!("error: {failure}"));
+                output::complain(&format!("error: {}", failure.told()));
             }
             ExitCode::from(failure.code())
         }

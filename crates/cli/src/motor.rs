@@ -152,25 +152,27 @@ struct Teeth {
 /// Drawings and curves.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Drawings and curves, each file written whole or not at all")]
+#[command(group = clap::ArgGroup::new("drawing").multiple(true))]
+#[command(group = clap::ArgGroup::new("files").multiple(true))]
 struct Files {
-    /// What is drawn.
-    #[arg(long, value_enum, default_value_t = View::Motor)]
+    /// What is drawn; with --svg or --dxf.
+    #[arg(long, value_enum, requires = "drawing", default_value_t = View::Motor)]
     view: View,
 
     /// File for the drawing as an SVG image, one unit a millimetre.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", groups = ["drawing", "files"])]
     svg: Option<PathBuf>,
 
     /// File for the drawing as DXF in millimetres, for CAD.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", groups = ["drawing", "files"])]
     dxf: Option<PathBuf>,
 
     /// File for points of the centrodes with direction and curvature, in millimetres and degrees.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = "files")]
     csv: Option<PathBuf>,
 
     /// Points of each half-lobe in that file.
-    #[arg(long, value_name = "NUMBER", default_value_t = 100)]
+    #[arg(long, value_name = "NUMBER", requires = "csv", default_value_t = 100)]
     points: u32,
 }
 
@@ -201,10 +203,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let design = design::read(&args.design)?;
     let files = files::content(&args.design.files, &design)?;
     let report = facts::report(&design)?;
-    for (file, content) in &files {
-        crate::output::write_file(file, content.as_bytes())?;
-    }
-    report.deliver(&args.design.output)
+    report.deliver_with(files, &args.design.output)
 }
 
 /// The motor of a file as a drawing.

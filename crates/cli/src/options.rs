@@ -17,6 +17,7 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
         Error::ToothRange { wheel: "ring", .. } => "--ring",
         Error::Negative { quantity: "tip gap", .. } => "--tip-gap",
         Error::Negative { quantity: "addendum coefficient", .. } => "--addendum",
+        Error::OutOfRange { quantity: "pressure angle", .. } => "--pressure-angle",
         _ => return None,
     })
 }

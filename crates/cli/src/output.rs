@@ -1,12 +1,12 @@
 //! Formats of an answer, and where it goes.
 
 use crate::failure::Failure;
+use crate::writing::{Content, write_files};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use epicyclic_formats::visible;
 use serde::Serialize;
-use std::fs;
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard};
+use std::io::{self, IsTerminal as _, Write};
+use std::path::PathBuf;
 
 /// Columns that every table fits in, on whatever terminal.
 pub(crate) const WIDTH: u16 = 80;
@@ -49,23 +49,38 @@ impl OutputArgs {
 
     /// Writes the answer.
     pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
-        self.target.write(answer.as_bytes())
+        self.write_with(vec![], answer)
+    }
+
+    /// Writes the answer and other files of the same call, all of them or none.
+    pub(crate) fn write_with(&self, files: Vec<Content>, answer: &str) -> Result<(), Failure> {
+        let answer = match self.format {
+            // For people, who may look at it in a terminal now or later.
+            Format::Table => visible::lines(answer),
+            Format::Json | Format::Csv => answer.into(),
+        };
+        self.target.write_with(files, answer.as_bytes())
     }
 }
 
 impl Target {
     /// Writes all of it.
     pub(crate) fn write(&self, answer: &[u8]) -> Result<(), Failure> {
+        self.write_with(vec![], answer)
+    }
+
+    fn write_with(&self, mut files: Vec<Content>, answer: &[u8]) -> Result<(), Failure> {
         match &self.output {
-            Some(file) => write_file(file, answer),
-            None => print(answer).map_err(Failure::StandardOutput),
+            Some(file) => {
+                files.push((file.clone(), answer.to_vec()));
+                write_files(&files)
+            }
+            None => {
+                write_files(&files)?;
+                print(answer).map_err(Failure::StandardOutput)
+            }
         }
     }
-}
-
-/// Writes a file whole or not at all.
-pub(crate) fn write_file(file: &Path, content: &[u8]) -> Result<(), Failure> {
-    replace(file, content).map_err(|source| Failure::Write { file: file.to_owned(), source })
 }
 
 /// Writes to standard output.
@@ -75,83 +90,21 @@ pub(crate) fn say(text: &str) -> Result<(), Failure> {
 
 fn print(text: &[u8]) -> io::Result<()> {
     let mut out = io::stdout().lock();
-    out.write_all(text)?;
+    match std::str::from_utf8(text) {
+        // Programs get what there is, a terminal only what it can show.
+        Ok(text) if out.is_terminal() => out.write_all(visible::lines(text).as_bytes())?,
+        _ => out.write_all(text)?,
+    }
     out.flush()
 }
 
-/// A line on standard error. Nothing can be done where that fails.
+/// A line, or lines, on standard error. Nothing can be done where that fails.
 pub(crate) fn complain(line: &str) {
     // The tests of whole command lines have no reader for it.
     if cfg!(test) {
         return;
     }
-    let _ = writeln!(io::stderr(), "{line}");
-}
-
-/// Puts `bytes` into a file in one step: through a temporary file beside it, which takes its name when it is
-/// complete. An existing file stays as it is until then, and keeps its permissions.
-fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
-    let existing = match fs::metadata(file) {
-        Ok(metadata) if metadata.is_dir() => return Err(ErrorKind::IsADirectory.into()),
-        // A device or a pipe has no content to keep.
-        Ok(metadata) if !metadata.is_file() => return fs::write(file, bytes),
-        Ok(metadata) => Some(metadata.permissions()),
-        Err(error) if error.kind() == ErrorKind::NotFound => None,
-        Err(error) => return Err(error),
-    };
-    if existing.as_ref().is_some_and(fs::Permissions::readonly) {
-        return Err(ErrorKind::PermissionDenied.into());
-    }
-    // Through a link, so that the link stays one.
-    let file = if existing.is_some() { fs::canonicalize(file)? } else { file.to_owned() };
-    let folder = match file.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".epicyclic-");
-    #[cfg(unix)]
-    {
-        // As for any new file: the umask takes its part.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    if !folder.is_dir() {
-        return Err(io::Error::new(ErrorKind::NotFound, format!("there is no folder {}", folder.display())));
-    }
-    let _whole = Whole::new();
-    // The reason alone: the error also names the temporary file, which nobody asked for.
-    let mut temporary = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
-    temporary.write_all(bytes)?;
-    temporary.as_file().sync_all()?;
-    if let Some(permissions) = existing {
-        temporary.as_file().set_permissions(permissions)?;
-    }
-    temporary.persist(&file).map_err(|error| io::Error::from(error.error.kind()))?;
-    Ok(())
-}
-
-/// While it lives, Ctrl-C and a request to end wait: the file is then complete and nothing lies beside it.
-///
-/// The temporary file exists only from here to the renaming, since the text is ready before. What comes earlier finds
-/// no file, and ends the program at once.
-struct Whole(#[allow(dead_code, reason = "held, not read")] Option<MutexGuard<'static, ()>>);
-
-static WRITING: Mutex<()> = Mutex::new(());
-
-/// The exit code of a program that Ctrl-C ends.
-const INTERRUPTED: i32 = 130;
-
-impl Whole {
-    fn new() -> Self {
-        let wait_and_end = || {
-            let _written = WRITING.lock();
-            std::process::exit(INTERRUPTED);
-        };
-        // Where no handler can be set the window is as it was: short.
-        let _ = ctrlc::set_handler(wait_and_end);
-        Self(WRITING.lock().ok())
-    }
+    let _ = writeln!(io::stderr(), "{}", visible::lines(line));
 }
 
 /// JSON of an answer, with a final line break.
@@ -177,9 +130,12 @@ pub(crate) fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
     if header.iter().any(|title| !title.is_empty()) {
-        table.set_header(header.to_vec());
+        table.set_header(header.iter().map(|title| visible::one_line(title)));
     }
-    table.add_rows(rows);
+    let shown = |row: Vec<String>| -> Vec<String> {
+        row.iter().map(|cell| visible::one_line(cell).into_owned()).collect()
+    };
+    table.add_rows(rows.into_iter().map(shown));
     for index in right {
         if let Some(column) = table.column_mut(*index) {
             column.set_cell_alignment(CellAlignment::Right);

@@ -9,7 +9,7 @@ use crate::analyze::{Choice, Load};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::Target;
-use epicyclic_formats::{Path, Problem};
+use epicyclic_formats::{Path, Problem, visible};
 
 /// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
 ///
@@ -44,19 +44,21 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         }
         None => Ok(()),
     };
+    let placed = |failure: Failure| failure.in_file(&document, &Path::root());
     let sheet = if has("gearbox") || has("transmissions") {
         gearbox::sheet(&args.choice, &document, &args.load, text)?
     } else if has("power") {
         for_gearboxes("drive")?;
-        drive::sheet(&document, text)?
+        drive::sheet(&document, text).map_err(placed)?
     } else if has("stator") || has("rotor") {
         for_gearboxes("motor")?;
-        motor::sheet(&document, text)?
+        motor::sheet(&document, text).map_err(placed)?
     } else {
         let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \
                        which has stator and rotor";
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     };
-    args.target.write(sheet.html()?.as_bytes())
+    // What HTML does not allow in a name, or turns its reading around, is written out.
+    args.target.write(visible::lines(&sheet.html().map_err(placed)?).as_bytes())
 }

@@ -9,7 +9,9 @@ mod html;
 use crate::failure::Failure;
 use crate::figure::{self, Figure, suffix};
 use crate::output::{self, Format, OutputArgs, complain};
+use crate::writing::Content;
 use epicyclic_formats::Dimension;
+use epicyclic_formats::visible::one_line;
 use serde_json::{Map, Value, json};
 
 /// An answer: its parts, then warnings.
@@ -138,16 +140,22 @@ impl View {
 impl Report {
     /// Writes the answer where it is to go; warnings that are out of sight there are shown as well.
     pub(crate) fn deliver(&self, output: &OutputArgs) -> Result<(), Failure> {
-        output.write(&self.text(output.format)?)?;
+        self.deliver_with(vec![], output)
+    }
+
+    /// The same with other files of the call: all of them are written or none.
+    pub(crate) fn deliver_with(&self, files: Vec<Content>, output: &OutputArgs) -> Result<(), Failure> {
+        output.write_with(files, &self.text(output.format)?)?;
         if output.is_file() {
             for (_, warning) in self.warnings.iter().flatten() {
-                complain(&format!("warning: {warning}"));
+                complain(&format!("warning: {}", one_line(warning)));
             }
         }
         Ok(())
     }
 
     fn text(&self, format: Format) -> Result<String, Failure> {
+        self.refuse_infinite()?;
         match format {
             Format::Table => Ok(self.table()),
             Format::Json => output::json(&self.json()),
@@ -155,8 +163,33 @@ impl Report {
         }
     }
 
+    /// No `inf` or `NaN` leaves the program, however the answer is written.
+    pub(crate) fn refuse_infinite(&self) -> Result<(), Failure> {
+        let refuse = |figure: String| Err(Failure::NotFinite { figure });
+        for part in &self.parts {
+            match part {
+                Part::Facts(section) => {
+                    let found = section.rows.iter().find(|row| !row.cells.iter().all(Figure::is_finite));
+                    if let Some(row) = found {
+                        return refuse(format!("{}.{}", section.name, row.name));
+                    }
+                }
+                Part::Records(records) => {
+                    for (column, place) in records.columns.iter().zip(0..) {
+                        if let Some(row) = records.rows.iter().find(|row| !row[place].is_finite()) {
+                            let item = row[0].csv().0;
+                            return refuse(format!("{}.{} of {item}", records.name, column.name));
+                        }
+                    }
+                }
+                Part::Words(_) => {}
+            }
+        }
+        Ok(())
+    }
+
     fn table(&self) -> String {
-        let title = self.title.as_ref().map(|title| format!("{title}\n"));
+        let title = self.title.as_ref().map(|title| format!("{}\n", one_line(title)));
         let parts = self.parts.iter().flat_map(Part::tables);
         let text = title.into_iter().chain(parts).collect::<Vec<_>>().join("\n");
         let Some(warnings) = &self.warnings else { return text };
@@ -165,7 +198,8 @@ impl Report {
             1 => "Warning\n",
             _ => "Warnings\n",
         };
-        let warnings: String = warnings.iter().map(|(_, warning)| wrapped(" -", warning)).collect();
+        let warnings: String =
+            warnings.iter().map(|(_, warning)| wrapped(" -", &one_line(warning))).collect();
         format!("{text}\n{heading}{warnings}")
     }
 
@@ -236,7 +270,7 @@ struct Grid<'a> {
 impl Grid<'_> {
     fn text(self) -> String {
         let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note) };
-        format!("{}\n{}{note}", self.title, output::table(&self.header, self.rows, &self.right))
+        format!("{}\n{}{note}", one_line(self.title), output::table(&self.header, self.rows, &self.right))
     }
 }
 
@@ -316,13 +350,19 @@ impl Records {
     }
 
     fn lines(&self) -> Vec<Vec<String>> {
+        // As many columns as it takes to tell the things apart.
+        let are_apart = |named: &usize| {
+            let mut seen = std::collections::BTreeSet::new();
+            self.rows.iter().all(|row| seen.insert(named_by(row, *named)))
+        };
+        let named = (1..self.columns.len()).find(are_apart).unwrap_or(1);
         let line = |item: &str, column: &Column, cell: &Figure| {
             let (value, unit) = cell.csv();
             vec![self.name.to_owned(), item.to_owned(), column.name.to_owned(), value, unit]
         };
         let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
-            let item = row[0].csv().0;
-            self.columns.iter().zip(row).skip(1).map(|(column, cell)| line(&item, column, cell)).collect()
+            let item = named_by(row, named);
+            self.columns.iter().zip(row).skip(named).map(|(column, cell)| line(&item, column, cell)).collect()
         };
         self.rows.iter().flat_map(record).collect()
     }
@@ -343,4 +383,9 @@ pub(crate) fn wrapped(mark: &str, text: &str) -> String {
         line += word;
     }
     lines + &line + "\n"
+}
+
+/// The cells of the first columns, which name a thing.
+fn named_by(row: &[Figure], columns: usize) -> String {
+    row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
 }

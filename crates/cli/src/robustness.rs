@@ -1,13 +1,14 @@
 //! Command lines that nobody would write: whatever they say, the program answers or refuses, and never panics.
 
-use crate::{Cli, run};
-use clap::{CommandFactory as _, Parser as _};
+use crate::{Cli, parsed, run, shown};
+use clap::CommandFactory as _;
+use epicyclic_formats::visible;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::path::{Path, PathBuf};
 
 /// Values of every kind, good in one place and wrong in another, and wrong everywhere.
-const VALUES: [&str; 66] = [
+const VALUES: [&str; 68] = [
     "6",
     "3.94",
     "-2.6",
@@ -67,6 +68,8 @@ const VALUES: [&str; 66] = [
     "any",
     "as-given",
     "\u{202e}",
+    "\u{1b}[2J\n\u{9b}31m",
+    "1e-300",
     "🦀 kW",
     "]]> & <b a=\"'\">",
     "250 cm3/rev",
@@ -266,21 +269,30 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
             all.push(format!("--{kind}={}", answer.with_extension(kind).display()));
         }
     }
-    let cli = match Cli::try_parse_from(&all) {
-        Ok(cli) => cli,
+    let is_plain = |text: &str| !text.contains(|c: char| c.is_control() && c != '\n');
+    let (cli, files) = match parsed(&all) {
+        Ok(parsed) => parsed,
         Err(refused) => {
-            assert!(!refused.to_string().is_empty());
+            let told = shown(refused).to_string();
+            assert!(!told.is_empty() && is_plain(&told), "{line:?}\n{told:?}");
             return false;
         }
     };
-    match run(cli.command) {
+    match files.are_apart().and_then(|()| run(cli.command)) {
         Ok(()) => {
             let text = std::fs::read_to_string(answer).unwrap();
-            assert!(!text.is_empty() && !text.contains("NaN"), "{line:?}\n{text}");
+            let mut words = text.split(|c: char| !c.is_alphanumeric());
+            assert!(!text.is_empty() && words.all(|word| word != "NaN" && word != "inf"), "{line:?}\n{text}");
+            // JSON and CSV have what there is.
+            assert!(
+                is_plain(&text) || line.iter().any(|word| word.starts_with("--format")),
+                "{line:?}\n{text}"
+            );
             true
         }
         Err(failure) => {
-            assert!((1..=3).contains(&failure.code()) && !failure.to_string().is_empty(), "{line:?}");
+            let told = visible::lines(&failure.told()).into_owned();
+            assert!((1..=3).contains(&failure.code()) && !told.is_empty() && is_plain(&told), "{line:?}");
             false
         }
     }
@@ -291,7 +303,7 @@ fn whatever_the_options_say_nothing_panics() {
     let folder = tempfile::tempdir().unwrap();
     let answer = folder.path().join("answer");
     let answered = std::cell::Cell::new(0);
-    let cases = 800;
+    let cases = cases(800);
     let mut runner = TestRunner::new(ProptestConfig { cases, ..ProptestConfig::default() });
     let done = runner.run(&line(), |line| {
         answered.set(answered.get() + u32::from(try_line(&line, &answer)));
@@ -302,4 +314,183 @@ fn whatever_the_options_say_nothing_panics() {
     }
     // Enough is run and not only refused.
     assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
+}
+
+/// So many cases, unless `PROPTEST_CASES` says how many.
+fn cases(usual: u32) -> u32 {
+    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
+}
+
+/// Examples, and the commands that read them.
+const READ: [(&str, &[&str]); 13] = [
+    ("every-gearbox-key.yaml", GEARBOXES),
+    ("ravigneaux.yaml", GEARBOXES),
+    ("power-split.yaml", GEARBOXES),
+    ("wolfrom.yaml", GEARBOXES),
+    ("wolfrom-self-locking.yaml", GEARBOXES),
+    ("sized-gearbox.yaml", GEARBOXES),
+    ("closed-by-planetary-gear.yaml", GEARBOXES),
+    ("scheme-ii-3.yaml", GEARBOXES),
+    ("self-crossing.yaml", GEARBOXES),
+    ("every-drive-key.yaml", &["drive", "report"]),
+    ("minimal-drive.yaml", &["drive", "report"]),
+    ("motor-5x3.yaml", &["report", "draw --view=teeth", "draw --view=chambers"]),
+    (
+        "real-transmissions.yaml",
+        &[
+            "analyze",
+            "analyze --transmission=8HP --speed=2000rpm --torque=300N·m",
+            "draw --transmission=TH400",
+        ],
+    ),
+];
+
+const GEARBOXES: &[&str] = &[
+    "analyze",
+    "analyze --format=json --speed=2000rpm --torque=300N·m",
+    "analyze --gear=1 --speed=2000rpm --torque=-300N·m",
+    "analyze --gear=curve",
+    "analyze --gear=drive --format=csv",
+    "analyze --all-combinations",
+    "draw",
+    "draw --view=levers",
+    "draw --view=ladder",
+    "draw --view=speeds --gear=1",
+    "report",
+];
+
+/// A text with some of its words replaced: by values of every kind, or by other words of it; some lines are lost or doubled.
+fn mutated(text: &str, changes: &[(usize, usize, u8)]) -> String {
+    let mut text = text.to_owned();
+    for (place, by, how) in changes {
+        let mut from = 0;
+        let mut words = vec![];
+        for part in text.split_inclusive(|c: char| c.is_whitespace() || ":,[]{}#\"'".contains(c)) {
+            let word = part.trim_end_matches(|c: char| c.is_whitespace() || ":,[]{}#\"'".contains(c));
+            if !word.is_empty() {
+                words.push(from..from + word.len());
+            }
+            from += part.len();
+        }
+        let mut lines: Vec<&str> = text.split_inclusive('\n').collect();
+        if words.is_empty() || lines.is_empty() {
+            break;
+        }
+        let at = words[place % words.len()].clone();
+        text = match how {
+            0 => {
+                lines.remove(place % lines.len());
+                lines.concat()
+            }
+            1 => {
+                lines.insert(place % lines.len(), lines[by % lines.len()]);
+                lines.concat()
+            }
+            2..6 => {
+                let other = words[by % words.len()].clone();
+                format!("{}{}{}", &text[..at.start], &text[other], &text[at.end..])
+            }
+            // A number a little off is a good number still.
+            6..8 => match text[at.clone()].parse::<f64>() {
+                Ok(number) => {
+                    let number = number + (by % 5) as f64 - 2.0;
+                    format!("{}{number}{}", &text[..at.start], &text[at.end..])
+                }
+                Err(_) => continue,
+            },
+            // A name may be `inf`; what is looked for in the answer is no name.
+            _ => match VALUES[by % VALUES.len()] {
+                "inf" => continue,
+                value => format!("{}{value}{}", &text[..at.start], &text[at.end..]),
+            },
+        };
+    }
+    text
+}
+
+#[test]
+fn whatever_a_file_says_nothing_panics() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, answer) = (folder.path().join("file.yaml"), folder.path().join("answer.svg"));
+    let texts: Vec<String> =
+        READ.iter().map(|(name, _)| std::fs::read_to_string(example(name)).unwrap()).collect();
+    let answered = std::cell::Cell::new(0);
+    let cases = cases(150);
+    let mut runner =
+        TestRunner::new(ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() });
+    let change = (any::<usize>(), any::<usize>(), 0..11_u8);
+    let strategy = (0..READ.len(), any::<usize>(), prop::collection::vec(change, 1..4));
+    let done = runner.run(&strategy, |(place, command, changes)| {
+        std::fs::write(&file, mutated(&texts[place], &changes)).unwrap();
+        let commands = READ[place].1;
+        let mut line: Vec<String> =
+            commands[command % commands.len()].split(' ').map(str::to_owned).collect();
+        line.insert(1, file.display().to_string());
+        answered.set(answered.get() + u32::from(try_line(&line, &answer)));
+        Ok(())
+    });
+    if let Err(error) = done {
+        panic!("{error}");
+    }
+    assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
+}
+
+/// Whatever outputs are named, the input stays as it is, and either each output is a file of its own or none is written.
+#[cfg(unix)]
+#[test]
+fn whatever_files_are_named_none_is_lost() {
+    use std::os::unix::fs::symlink;
+    /// Names, and the file that each means.
+    const NAMES: [(&str, &str); 9] = [
+        ("in.yaml", "in.yaml"),
+        ("./in.yaml", "in.yaml"),
+        ("link.yaml", "in.yaml"),
+        ("hard.yaml", "in.yaml"),
+        ("a", "a"),
+        ("sub/../a", "a"),
+        ("to-a", "a"),
+        ("b", "b"),
+        ("sub/b", "sub/b"),
+    ];
+    let name = || prop::sample::select(&NAMES[..]);
+    let mut runner = TestRunner::new(ProptestConfig { cases: 200, ..ProptestConfig::default() });
+    let done = runner.run(&(name(), name(), 0..4_usize, any::<bool>()), |(svg, dxf, input, there)| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let text = std::fs::read_to_string(example("scheme-ii-3.yaml")).unwrap();
+        std::fs::write(path("in.yaml"), &text).unwrap();
+        std::fs::create_dir(path("sub")).unwrap();
+        symlink("in.yaml", path("link.yaml")).unwrap();
+        symlink("a", path("to-a")).unwrap();
+        std::fs::hard_link(path("in.yaml"), path("hard.yaml")).unwrap();
+        if there {
+            std::fs::write(path("a"), "old").unwrap();
+        }
+        let shown = |name: &str| path(name).display().to_string();
+        let line =
+            ["epicyclic", "draw", &shown(NAMES[input].0), "--svg", &shown(svg.0), "--dxf", &shown(dxf.0)];
+        let (cli, files) = parsed(line).unwrap();
+        let done = files.are_apart().and_then(|()| run(cli.command));
+        let apart = svg.1 != "in.yaml" && dxf.1 != "in.yaml" && svg.1 != dxf.1;
+        prop_assert_eq!(done.is_ok(), apart);
+        prop_assert_eq!(std::fs::read_to_string(path("in.yaml")).unwrap(), text);
+        prop_assert!(path("link.yaml").is_symlink() && path("to-a").is_symlink());
+        let begins = |name: &str| std::fs::read_to_string(path(name)).ok().map(|text| text[..3].to_owned());
+        for name in ["a", "b", "sub/b"] {
+            let old = (there && name == "a").then_some("old");
+            let due = match name {
+                _ if !apart => old,
+                _ if name == svg.1 => Some("<sv"),
+                _ if name == dxf.1 => Some("999"),
+                _ => old,
+            };
+            prop_assert_eq!(begins(name), due.map(str::to_owned), "{}", name);
+        }
+        let entries = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+        prop_assert!(entries.into_iter().all(|name| !name.to_string_lossy().starts_with(".epicyclic-")));
+        Ok(())
+    });
+    if let Err(error) = done {
+        panic!("{error}");
+    }
 }

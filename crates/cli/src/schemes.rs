@@ -32,7 +32,7 @@ pub(crate) struct Args {
     scheme: Option<String>,
 
     /// Row parameter of row 1, ring over sun.
-    #[arg(long, requires = "scheme", allow_negative_numbers = true)]
+    #[arg(long, group = "first", requires = "scheme", allow_negative_numbers = true)]
     k1: Option<Number>,
 
     /// Row parameter of row 2.
@@ -40,15 +40,21 @@ pub(crate) struct Args {
     k2: Option<Number>,
 
     /// Ratio of gear 1, in place of --k1.
-    #[arg(long, requires = "scheme", conflicts_with = "k1", allow_negative_numbers = true)]
+    #[arg(long, group = "first", requires = "scheme", conflicts_with = "k1", allow_negative_numbers = true)]
     ratio1: Option<Number>,
 
     /// Ratio of gear 2, in place of --k2.
     #[arg(long, requires = "scheme", allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// Efficiency of each row under a resting carrier, 0.97 or 97%.
-    #[arg(long, value_name = "NUMBER", default_value = "0.97", allow_hyphen_values = true)]
+    /// Efficiency of each row under a resting carrier, 0.97 or 97%; of a scheme with numbers.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        requires = "first",
+        default_value = "0.97",
+        allow_hyphen_values = true
+    )]
     efficiency: Quantity<Ratio>,
 
     /// Row parameters over which ranges of ratios are taken.

@@ -53,7 +53,7 @@ pub(crate) struct Args {
     #[arg(long)]
     teeth: bool,
 
-    /// Show at most this many designs. Default: 10 in a table, otherwise all, of tooth numbers 10.
+    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, up to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
@@ -166,8 +166,14 @@ struct Size {
     #[arg(long, requires = "load", allow_hyphen_values = true)]
     load_factor: Option<Quantity<Pressure>>,
 
-    /// Face width over the pitch diameter of the smaller of sun and planet.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
+    /// Face width over the pitch diameter of the smaller of sun and planet; with --load-factor.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        requires = "load_factor",
+        default_value = "1",
+        allow_negative_numbers = true
+    )]
     face_width_ratio: Number,
 
     /// Planets of each row, where no teeth say.
@@ -297,6 +303,9 @@ fn refuse(error: SelectionError) -> Failure {
         E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",
         E::Rating { what: "load factor K", .. } => "--load-factor",
         E::PlanetNumber { .. } => "--planets",
+        E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
+        E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
+        E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
         E::Row(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
             None => return Failure::Selection(SelectionError::Row(error.clone())),

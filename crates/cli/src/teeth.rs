@@ -8,13 +8,17 @@ use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::row::Mode;
-use epicyclic_gears::synthesis::{Bounds, Placement, least_teeth_without_undercut};
+use epicyclic_gears::synthesis::{Bounds, Placement};
 use std::ops::RangeInclusive;
-use uom::si::f64::Ratio;
+use uom::si::f64::{Angle, Ratio};
 
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
+
+/// The most sets that are written: their text is built whole, in some 100 MB.
+const MOST_SHOWN: usize = 100_000;
 
 /// Every tooth set of a simple planetary gear for a ratio.
 ///
@@ -31,7 +35,7 @@ pub(crate) struct Args {
     #[arg(long, default_value = "aH^b", value_parser = mode)]
     mode: Mode,
 
-    /// How far the ratio may be off: 1%, or 0.01.
+    /// How far the ratio may be off, below 100%: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
@@ -63,15 +67,19 @@ pub(crate) struct Args {
     #[arg(long, default_value = "0", allow_negative_numbers = true)]
     tip_gap: Number,
 
-    /// Addendum coefficient.
+    /// Addendum coefficient of the basic rack: tips of planets, and undercut.
     #[arg(long, default_value = "1", allow_negative_numbers = true)]
     addendum: Number,
 
-    /// Leave out sets in which a rack would undercut sun or planet.
+    /// Pressure angle of the basic rack: undercut.
+    #[arg(long, value_name = "ANGLE", default_value = "20deg", allow_hyphen_values = true)]
+    pressure_angle: Quantity<Angle>,
+
+    /// Leave out sets in which the rack would undercut sun or planet.
     #[arg(long)]
     no_undercut: bool,
 
-    /// Show at most this many sets. Default: 20 in a table, otherwise all.
+    /// Show at most this many sets. Default: 20 in a table, otherwise all, up to 100000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
@@ -100,21 +108,25 @@ fn mode(text: &str) -> Result<Mode, String> {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
     let shown = Progress::new();
-    let found = bounds
-        .for_ratio_watched(args.ratio.get(), args.mode, args.tolerance.0.si(), |share| shown.at(share))
-        .map_err(refuse)?;
-    drop(shown);
     let format = args.output.format;
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
-    let answer = answer::Answer {
-        ratio: args.ratio.get(),
-        mode: args.mode,
-        tolerance: args.tolerance.0.si(),
-        found: found.len(),
-        shown: &found[..limit.min(found.len())],
-    };
+    let (ratio, tolerance) = (args.ratio.get(), args.tolerance.0.si());
+    let most = limit.min(MOST_SHOWN);
+    let ranked =
+        bounds.first_for_ratio(ratio, args.mode, tolerance, most, |share| shown.at(share)).map_err(refuse)?;
+    drop(shown);
+    if limit > MOST_SHOWN && ranked.found > MOST_SHOWN as u64 {
+        let message = format!(
+            "{} tooth sets are within the tolerance and at most {MOST_SHOWN} are written: narrow --tolerance, --k or \
+             the ranges of teeth, or ask for the most exact with --limit {MOST_SHOWN}",
+            ranked.found
+        );
+        return Err(Failure::Option { option: "--limit", message });
+    }
+    let answer =
+        answer::Answer { ratio, mode: args.mode, tolerance, found: ranked.found, shown: &ranked.first };
     args.output.write(&answer.text(format)?)?;
-    if format != Format::Table && answer.shown.len() < answer.found {
+    if format != Format::Table && (answer.shown.len() as u64) < answer.found {
         complain(&format!("note: {}", answer.count()));
     }
     Ok(())
@@ -129,8 +141,13 @@ fn refuse(error: Error) -> Failure {
 
 fn bounds(args: &Args) -> Result<Bounds, Failure> {
     let usual = Bounds::default();
-    let addendum = args.addendum.get();
-    let least = if args.no_undercut { least_teeth_without_undercut(addendum) } else { 1 };
+    let rack = BasicRack {
+        addendum: args.addendum.get(),
+        pressure_angle: args.pressure_angle.0,
+        ..BasicRack::default()
+    };
+    rack.check().map_err(refuse)?;
+    let least = if args.no_undercut { rack.least_teeth_without_undercut() } else { 1 };
     let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
         let (from, most) = options::of_wheel(option, span, usual)?.into_inner();
         let from = from.max(least);
@@ -142,7 +159,7 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
         ring: options::of_wheel("--ring", args.ring, usual.ring)?,
         planets: closed("--planets", args.planets, usual.planets)?,
         row_parameter: closed("--k", args.k, usual.row_parameter)?,
-        addendum,
+        rack,
         tip_gap: args.tip_gap.get(),
         placement: match args.spacing {
             Spacing::Equal => Placement::Equal,

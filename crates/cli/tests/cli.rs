@@ -45,10 +45,28 @@ fn help_says_what_there_is() {
 }
 
 #[test]
-fn a_drive_that_its_load_holds_is_warned_of() {
-    let folder = with("carrier:\n", "start: { load: 4 kN·m }\ncarrier:\n");
-    let printed = text(&output(folder.path(), &["drive", "drive.yaml"]).stdout);
-    assert!(printed.contains("it does not start: the load exceeds"), "{printed}");
+fn a_drive_that_does_not_start_forward_is_warned_of() {
+    let at = |load: &str| {
+        let folder = with("carrier:\n", &format!("start: {{ load: {load} }}\ncarrier:\n"));
+        let answer = output(folder.path(), &["drive", "drive.yaml", "--format", "json"]).stdout;
+        let answer: serde_json::Value = serde_json::from_slice(&answer).unwrap();
+        let motion = answer["start"]["with_losses"].clone();
+        let outcome = motion["outcome"].as_str().unwrap().to_owned();
+        let acceleration = motion["acceleration_sun_rad_s2"].as_f64().unwrap();
+        let warning =
+            answer["warnings"].as_array().unwrap().last().unwrap()["message"].as_str().unwrap().to_owned();
+        (outcome, acceleration, motion["starting_time_s"].as_f64(), warning)
+    };
+    // Between 3000.4 and 3264.7 N·m the meshes hold it.
+    let (outcome, acceleration, time, warning) = at("3050 N·m");
+    assert_eq!((outcome.as_str(), acceleration, time), ("held", 0.0, None));
+    assert!(warning.contains("holds loads from 3000.4 to 3264.7 N·m"), "{warning}");
+    let (outcome, acceleration, time, warning) = at("3300 N·m");
+    assert_eq!((outcome.as_str(), time), ("runs-backward", None));
+    assert!(acceleration < 0.0 && warning.contains("turns the drive backward"), "{acceleration} {warning}");
+    let (outcome, acceleration, time, _) = at("2900 N·m");
+    assert_eq!(outcome, "starts");
+    assert!(acceleration > 0.0 && time.is_some());
 }
 
 #[test]
@@ -169,6 +187,32 @@ fn demands_that_no_gear_meets() {
     ));
 }
 
+/// Spaces too large are refused with their size, and what to narrow; the most exact are still to be had.
+#[test]
+fn spaces_beyond_memory_are_refused_with_their_size() {
+    let folder = here();
+    let wide = ["--sun", "1..10000", "--planet", "1..10000", "--ring", "1..10000", "--tolerance", "50%"];
+    let run = |args: &[&str]| {
+        let found = output(folder.path(), &[args, &wide].concat());
+        (found.status.code(), text(&found.stderr), text(&found.stdout).lines().count())
+    };
+    let (code, said, _) = run(&["teeth", "--ratio", "6", "--format", "csv"]);
+    assert_eq!(code, Some(2));
+    assert!(said.starts_with("error: --limit: 10517675 tooth sets are within the tolerance"), "{said}");
+    assert!(said.contains("narrow --tolerance"), "{said}");
+    let (code, said, lines) = run(&["teeth", "--ratio", "6", "--format", "csv", "--limit", "1000"]);
+    assert_eq!((code, lines), (Some(0), 1001));
+    assert_eq!(said, "note: 10517675 tooth sets found, 1000 shown; --limit shows more.\n");
+    let (code, said, _) = run(&["select", "--ratios", "1.5, 2.5", "--teeth"]);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("22566387 tooth sets a row") && said.contains("narrow the ranges of teeth"),
+        "{said}"
+    );
+    let (code, said, _) = run(&["select", "--ratios", "1.5, 2.5", "--teeth", "--limit", "10001"]);
+    assert!(code == Some(2) && said.contains("at most 10000"), "{said}");
+}
+
 #[test]
 fn wrong_usage() {
     insta::assert_snapshot!(sessions(
@@ -182,6 +226,10 @@ fn wrong_usage() {
             &["teeth", "--ratio", "6", "--sun", "40..12"],
             &["teeth", "--ratio", "6", "--sun", "12-40"],
             &["teeth", "--ratio", "6", "--tolerance", "1 mm"],
+            &["teeth", "--ratio", "6", "--tolerance", "100%"],
+            &["teeth", "--ratio", "6", "--tolerance", "1e308"],
+            &["teeth", "--ratio", "6", "--pressure-angle", "90deg"],
+            &["teeth", "--ratio", "6", "--pressure-angle", "20"],
             &["teeth", "--ratio", "6", "--format", "xml"],
             &["drive"],
             &["gears"],

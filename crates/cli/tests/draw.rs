@@ -20,7 +20,7 @@ fn drawings_that_are_refused() {
 gearbox: two alike
 input: D
 output: B
-rows:
+sets:
   - { id: '1', sun: D, ring: B, carrier: T1, k: 2.5 }
   - { id: '2', sun: D, ring: B, carrier: T2, k: 2.9 }
 brakes:

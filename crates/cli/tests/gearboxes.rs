@@ -469,7 +469,17 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "2.5", "--load-factor", "2 MPa"],
             &["select", "--ratios", "2.5", "--torque", "0 N·m"],
             &["select", "--ratios", "2.5", "--torque", "5 N·m", "--load-factor", "-2 MPa"],
-            &["select", "--ratios", "2.5", "--face-width-ratio", "0"],
+            &[
+                "select",
+                "--ratios",
+                "2.5",
+                "--torque",
+                "5 N·m",
+                "--load-factor",
+                "2 MPa",
+                "--face-width-ratio",
+                "0"
+            ],
             &["select", "--ratios", "2.5", "--load-sharing", "1, 1, 1, 1, 0, 1, 1"],
             &["select", "--ratios", "2.5", "--power", "75 kW"],
             &["select", "--ratios", "2.5", "--power", "75 kW", "--input", "0 rpm"],

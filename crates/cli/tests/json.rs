@@ -30,6 +30,23 @@ const RUNS: &[(&str, &[&str])] = &[
     ("analyze", &["analyze", "free.yaml"]),
     ("analyze", &["analyze", "free.yaml", "--gear", "free"]),
     ("analyze", &["analyze", "patterns.yaml", "--gear", "slow"]),
+    ("analyze", &["analyze", "ravigneaux.yaml"]),
+    ("analyze", &["analyze", "ravigneaux.yaml", "--gear", "1"]),
+    ("analyze", &["analyze", "wolfrom-self-locking.yaml", "--gear", "back"]),
+    ("analyze", &["analyze", "power-split.yaml", "--gear", "drive"]),
+    (
+        "analyze",
+        &[
+            "analyze",
+            "power-split.yaml",
+            "--gear",
+            "drive",
+            "--map",
+            "engine=1000rpm..2000rpm/2, ring=0rpm..500rpm/2",
+            "--torques",
+            "engine=10 N·m",
+        ],
+    ),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
     ("select", &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "1"]),
     ("schemes", &["schemes"]),
@@ -176,9 +193,9 @@ const RUNS: &[(&str, &[&str])] = &[
 ];
 
 /// A gear that nothing holds, and one whose losses bear themselves out in two ways.
-const FREE: &str = "gearbox: free\ninput: D\noutput: B\nrows: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\n\
+const FREE: &str = "gearbox: free\ninput: D\noutput: B\nsets: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\n\
                     gears: [{ name: free }]\n";
-const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nrows:\n  - { id: P, kind: stepped_rings, \
+const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nsets:\n  - { id: P, kind: stepped_rings, \
                         sun: a, ring: b, carrier: H, k: 0.99, efficiency: 97 % }\ngears: [{ name: slow }]\n";
 
 fn folder() -> tempfile::TempDir {

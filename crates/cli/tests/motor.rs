@@ -255,7 +255,7 @@ fn searches_that_find_nothing_or_make_no_sense() {
         &["--displacement", "250 cm3"],
         &["--zs", "70..80"],
         &["--stator", "6..5"],
-        &["--design", "5000"],
+        &["--design", "5000", "--csv", "best.csv"],
     ];
     let mut all: Vec<Vec<&str>> = more.iter().map(|more| with(&SEARCH, more)).collect();
     all.push(vec!["motor", "search"]);

@@ -111,6 +111,34 @@ fn folders_that_take_no_file_are_told() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
+/// The program as a shell starts it in the foreground: Ctrl-C ends it, also where these tests are run with the signal
+/// ignored, as under `nohup` or in a shell's background job, which a child would inherit.
+///
+/// No safe call of ours sets it, and a POSIX shell may not: its `trap` leaves alone what was ignored when it started. So a
+/// program does that then becomes ours, under the same process number: `env` of coreutils 8.31 and later, or `perl`.
+fn in_the_foreground(folder: &Path, args: &[&str]) -> Command {
+    const ENV: [&str; 2] = ["env", "--default-signal=INT"];
+    const PERL: [&str; 4] = ["perl", "-e", "$SIG{INT} = 'DEFAULT'; exec { $ARGV[0] } @ARGV or die", "--"];
+    let works = |words: &[&str]| {
+        let mut command = Command::new(words[0]);
+        command
+            .args(&words[1..])
+            .arg("true")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    let words = [&ENV[..], &PERL].into_iter().find(|words| works(words)).expect(
+        "these tests need `env --default-signal=INT` (coreutils 8.31 or later) or `perl` to start the program with the usual \
+         answer to Ctrl-C, and neither is here",
+    );
+    let mut command = Command::new(words[0]);
+    command.args(&words[1..]).arg(PROGRAM).args(args).current_dir(folder);
+    command.env_remove("COLUMNS").stdin(Stdio::null());
+    command
+}
+
 fn interrupt(pid: u32) {
     Command::new("kill").args(["-INT", &pid.to_string()]).status().unwrap();
 }
@@ -126,7 +154,7 @@ fn ctrl_c_leaves_no_broken_file() {
         let folder = here();
         let answer = folder.path().join("answer.json");
         fs::write(&answer, "old").unwrap();
-        let child = program(folder.path(), &args).stderr(Stdio::null()).spawn().unwrap();
+        let child = in_the_foreground(folder.path(), &args).stderr(Stdio::null()).spawn().unwrap();
         std::thread::sleep(delay);
         interrupt(child.id());
         let done = child.wait_with_output().unwrap();
@@ -163,7 +191,7 @@ fn ctrl_c_ends_a_search() {
         "--signs",
         "any",
     ];
-    let child = program(folder.path(), &[&search[..], &["-o", "answer.txt"]].concat())
+    let child = in_the_foreground(folder.path(), &[&search[..], &["-o", "answer.txt"]].concat())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

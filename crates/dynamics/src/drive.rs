@@ -56,13 +56,13 @@ pub use result::{
 pub use spec::{Bore, CarrierSpec, DriveSpec, ShaftSpec, ShaftsSpec, TeethSpec, WheelSpec, default_bounds};
 pub use warning::Warning;
 
-use crate::units::{angular_velocity, force, kilograms, meters, n_m, rad_per_s};
+use crate::units::{angular_velocity, force, meters, n_m, newtons, rad_per_s};
 use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_gears::geometry::{self, Toothing, centre_distance};
 use epicyclic_gears::row::{Member, Mode};
-use epicyclic_gears::synthesis::ToothSet;
-use epicyclic_gears::willis;
+use epicyclic_gears::synthesis::{ToothSet, check_tolerance};
+use epicyclic_gears::{pin, willis};
 use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::power::kilowatt;
 
@@ -91,7 +91,7 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
     let powers = powers(spec, &speeds, &torques);
     let shafts = shafts::shafts(spec, &torques, &mut warnings)?;
     let masses = bodies::masses(spec, teeth, &wheels, &shafts, &mut warnings)?;
-    let forces = forces(teeth, &wheels, &torques, &speeds, &masses)?;
+    let forces = forces(spec, teeth, &wheels, &torques, &speeds, &masses)?;
     let drive = bodies::planetary_drive(spec, teeth, &wheels, &masses);
     let reduction = motion::reduction(spec, &drive, &masses)?;
     let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
@@ -131,9 +131,7 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
     positive("power", spec.power.get::<kilowatt>(), "kW")?;
     positive("speed", spec.speed.get::<revolution_per_minute>(), "rpm")?;
     positive("ratio", spec.ratio, "")?;
-    if !(spec.ratio_tolerance >= 0.0 && spec.ratio_tolerance.is_finite()) {
-        return Err(epicyclic_gears::Error::Tolerance { tolerance: spec.ratio_tolerance }.into());
-    }
+    check_tolerance(spec.ratio_tolerance)?;
     if let Some(driving) = spec.driving_torque {
         positive("driving torque", n_m(driving), "N·m")?;
     }
@@ -203,25 +201,33 @@ fn powers(spec: &DriveSpec, speeds: &Speeds, torques: &Torques) -> Powers {
 }
 
 fn forces(
+    spec: &DriveSpec,
     teeth: ToothSet,
     wheels: &Wheels,
     torques: &Torques,
     speeds: &Speeds,
     masses: &Masses,
 ) -> Result<Forces, Error> {
-    let planets = f64::from(teeth.planets);
-    let at_pitch = |t, wheel: &geometry::Wheel| 2.0 * n_m(t) / (planets * meters(wheel.pitch_diameter()));
-    let radius = meters(wheels.centre_distance);
-    let pin_tangential = n_m(torques.carrier) / (planets * radius);
-    let pin_centrifugal =
-        kilograms(masses.planet.body.total().mass) * rad_per_s(speeds.carrier).powi(2) * radius;
-    let pin = finite("force on a pin", pin_tangential.hypot(pin_centrifugal))?;
-    let sun_mesh = finite("force at a mesh", at_pitch(torques.sun, &wheels.sun))?;
+    let (planets, radius) = (teeth.planets, wheels.centre_distance);
+    let nominal = |t, wheel: &geometry::Wheel| {
+        force(2.0 * n_m(t) / (f64::from(planets) * meters(wheel.pitch_diameter())))
+    };
+    let sun_mesh = pin::mesh_force(torques.sun, torques.planets, planets, radius)?;
+    let ring_mesh = pin::mesh_force(torques.ring_reaction, -torques.planets, planets, radius)?;
+    let pin_tangential = pin::tangential_force(torques.carrier, planets, radius)?;
+    let pin_meshes = (sun_mesh - ring_mesh) * spec.wheels.rack.pressure_angle.tan().value;
+    let pin_centrifugal = pin::centrifugal_force(masses.planet.body.total().mass, radius, speeds.carrier)?;
+    let pin = pin::resultant(pin_tangential, pin_meshes + pin_centrifugal);
+    finite("force on a pin", newtons(pin))?;
+    finite("force at a mesh", newtons(sun_mesh))?;
     Ok(Forces {
-        sun_mesh: force(sun_mesh),
-        ring_mesh: force(at_pitch(torques.ring_reaction, &wheels.ring)),
-        pin_tangential: force(pin_tangential),
-        pin_centrifugal: force(pin_centrifugal),
-        pin: force(pin),
+        sun_mesh,
+        ring_mesh,
+        sun_nominal: nominal(torques.sun, &wheels.sun),
+        ring_nominal: nominal(torques.ring_reaction, &wheels.ring),
+        pin_tangential,
+        pin_meshes,
+        pin_centrifugal,
+        pin,
     })
 }

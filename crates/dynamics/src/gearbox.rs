@@ -13,7 +13,7 @@ use uom::si::f64::{Length, Mass, MomentOfInertia};
 pub struct Masses {
     /// Inertia of each link about the main axis, by the link's name; planets not included.
     pub links: Vec<(String, MomentOfInertia)>,
-    /// The planets of each row, by the row's name.
+    /// The planets of each set, by the set's name.
     pub planets: Vec<(String, PlanetMasses)>,
 }
 
@@ -42,13 +42,13 @@ pub struct PlanetMass {
 /// ```
 /// use epicyclic_dynamics::gearbox::{Masses, moving_links};
 /// use epicyclic_dynamics::reduction::reduced_inertia;
-/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// use epicyclic_schemes::{Gearbox, set::SetSpec};
 /// use uom::si::f64::MomentOfInertia;
 /// use uom::si::moment_of_inertia::kilogram_square_meter;
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("conveyor")
 ///     .links(["D", "B", "T1"])
-///     .row(RowSpec::simple("1", ["D", "T1", "B"], 3.0))
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
 ///     .brake("K1", "T1")
 ///     .input("D")
 ///     .output("B")
@@ -77,16 +77,15 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
         links.push(Link::central(name, *inertia, speed));
     }
     for (name, planets) in &masses.planets {
-        let row = gearbox.rows().iter().position(|row| row.id() == name).ok_or_else(|| unknown(name))?;
-        let motion = &analysis.rows()[row];
-        let [_, _, carrier] = motion.members;
-        let carrier = carrier.ok_or_else(|| no_speed(name))?;
+        let row = gearbox.sets().iter().position(|row| row.id() == name).ok_or_else(|| unknown(name))?;
+        let motion = &analysis.sets()[row];
+        let carrier = motion.carrier().ok_or_else(|| no_speed(name))?;
         if planets.each.len() > motion.planets.len() {
             return Err(unknown(&format!("planet {} of row {name}", motion.planets.len() + 1)));
         }
         for (planet, moving) in planets.each.iter().zip(&motion.planets) {
             // A bevel planet turns about an axis across: its own spin and the carrier's are apart.
-            let speed = moving.absolute.ok_or_else(|| no_speed(name))?;
+            let speed = moving.and_then(|moving| moving.absolute).ok_or_else(|| no_speed(name))?;
             let orbit = Orbit { mass: planet.mass, radius: planet.radius, speed_ratio: carrier };
             links.push(Link {
                 name: format!("planets of {name}"),
@@ -105,14 +104,14 @@ mod tests {
     use super::*;
     use crate::reduction::reduced_inertia;
     use crate::units::{inertia, kg_m2, length, mass};
-    use epicyclic_schemes::row::RowSpec;
+    use epicyclic_schemes::set::SetSpec;
 
     /// Scheme II-3 in its second gear, where both rows work.
     fn second_gear_of_ii_3() -> Gearbox {
         Gearbox::builder("II-3")
             .links(["D", "B", "T1", "T2"])
-            .row(RowSpec::simple("1", ["T1", "D", "B"], 2.15))
-            .row(RowSpec::simple("2", ["T1", "B", "T2"], 2.354))
+            .set(SetSpec::simple("1", ["T1", "D", "B"], 2.15))
+            .set(SetSpec::simple("2", ["T1", "B", "T2"], 2.354))
             .brake("K1", "T1")
             .brake("K2", "T2")
             .input("D")

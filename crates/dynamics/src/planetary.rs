@@ -12,13 +12,29 @@
 //! whole    M_1 − M_H + R = J_1·ε_1 + N·J_2·ε_2 + (N·m·r² + J_H)·ε_H
 //! ```
 //!
-//! `e` is the mesh's efficiency where power flows from the sun towards the ring, else its inverse.
+//! `e` is the mesh's efficiency where power flows from the sun towards the ring, else its inverse. Turning forward,
+//! power flows so where the mesh's torque (`T_1`, `T_2`) is above 0, turning backward where it is below.
 //! In one line, with `k = z_3/z_1` and `η_0 = e_12·e_23`:
 //!
 //! ```text
 //! J_η·ε_1 = M_1 − M_H/(1 + η_0·k)
 //! J_η = J_1 + [N·J_2·u_2·(1 − e_23·z_3/z_2) + (N·m·r² + J_H)·u_H]/(1 + η_0·k)
 //! ```
+//!
+//! # From rest
+//!
+//! At rest friction has no sense of its own: it opposes the motion that the torques would begin. Forward motion begins
+//! if the force with the losses of forward motion is above 0, backward motion if that with the losses of backward motion
+//! is below 0. With `M_1` ≥ 0 the first has `η_0` in place of `e_12·e_23`, the second `1/η_0`; hence
+//!
+//! ```text
+//! M_H < M_1·(1 + η_0·k)        starts forward
+//! M_H > M_1·(1 + k/η_0)        runs backward, driven by the load
+//! between, ends included       held by the friction of the meshes, ε = 0
+//! ```
+//!
+//! With `M_1` < 0 the two bounds change places. At each bound the acceleration on its side is 0 too, so it is continuous
+//! in the load, and never rises with it.
 //!
 //! Without losses `1 + k = 1/u_H` and `u_2 = u_H·(1 − z_3/z_2)`, and `J_η` is the reduced inertia.
 //!
@@ -37,7 +53,7 @@ use crate::units::{
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothSet;
 use epicyclic_gears::willis;
-use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::{GROUND, Gearbox};
 use uom::si::f64::{
     AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
@@ -79,7 +95,7 @@ impl SpeedRatios {
         let gearbox = gearbox(teeth)?;
         let analysis = gearbox.analyze(GEAR)?;
         let carrier = gearbox.link("carrier").and_then(|link| analysis.speed(link));
-        let planet = analysis.rows()[0].planets[0].absolute;
+        let planet = analysis.sets()[0].planets[0].and_then(|planet| planet.absolute);
         let no_speed = || Error::NoSpeed { part: "the planet".into(), state: analysis.state().to_string() };
         planet.zip(carrier).map(|(planet, carrier)| Self { planet, carrier }).ok_or_else(no_speed)
     }
@@ -91,12 +107,12 @@ const GEAR: &str = "drive";
 /// The drive as a gearbox: one row, ring in the housing.
 fn gearbox(teeth: &ToothSet) -> Result<Gearbox, Error> {
     let members = ["sun", GROUND, "carrier"];
-    let row = RowSpec::teeth("row", RowKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
+    let row = SetSpec::teeth("row", SetKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
         .planet_teeth(teeth.planet, None)
         .planet_count(teeth.planets);
     let gearbox = Gearbox::builder("drive")
         .links(["sun", "carrier"])
-        .row(row)
+        .set(row)
         .input("sun")
         .output("carrier")
         .gear(GEAR, [""; 0]);
@@ -114,12 +130,32 @@ pub struct Accelerations {
     pub carrier: AngularAcceleration,
 }
 
+/// In which sense a drive turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turning {
+    /// The sun turns in the positive sense.
+    Forward,
+    /// The sun turns in the negative sense.
+    Backward,
+}
+
+/// What a drive at rest does under constant torques, losses included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FromRest {
+    /// It starts forward, so.
+    Forward(LossyMotion),
+    /// The friction of the meshes holds it: nothing accelerates. How it parts between the meshes is indeterminate.
+    Held,
+    /// The load turns it backward, so; accelerations are below 0.
+    Backward(LossyMotion),
+}
+
 /// The drive under its torques, losses included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LossyMotion {
     /// Inertia that the driving torque feels, `J_η`.
     pub inertia: MomentOfInertia,
-    /// Generalized force with the load reduced through the losses, `M_1 − M_H/(1 + η_0·k)`.
+    /// Generalized force with the load reduced through the losses, `M_1 − M_H/(1 + e_12·e_23·k)`.
     pub force: Torque,
     /// Accelerations of the links.
     pub accelerations: Accelerations,
@@ -231,7 +267,50 @@ impl PlanetaryDrive {
         self.accelerations(acceleration(force, self.reduced_inertia()?)?)
     }
 
-    /// The same with the losses of the meshes, for a drive that turns forward.
+    /// Loads on the carrier that the friction of the meshes holds at rest against a driving torque, the least and the
+    /// greatest: `M_1·(1 + η_0·k)` and `M_1·(1 + k/η_0)`, in ascending order. Without losses both are `M_1·(1 + k)`.
+    #[must_use]
+    pub fn held_loads(
+        &self,
+        driving: Torque,
+        sun_planet: MeshEfficiency,
+        planet_ring: MeshEfficiency,
+    ) -> [Torque; 2] {
+        let (z1, _, z3) = self.tooth_numbers();
+        let eta0 = sun_planet.get() * planet_ring.get();
+        let [forward, backward] = [eta0, 1.0 / eta0].map(|e| driving * (1.0 + e * z3 / z1));
+        if forward <= backward { [forward, backward] } else { [backward, forward] }
+    }
+
+    /// What the drive does from rest: starts forward, is held by the friction of its meshes, or runs backward.
+    ///
+    /// # Errors
+    /// [`Error::NoInertia`], [`Error::Locked`], and as [`Link::reduced_inertia`].
+    pub fn from_rest(
+        &self,
+        driving: Torque,
+        load: Torque,
+        sun_planet: MeshEfficiency,
+        planet_ring: MeshEfficiency,
+    ) -> Result<FromRest, Error> {
+        let [least, greatest] = self.held_loads(driving, sun_planet, planet_ring);
+        let turning = match load {
+            load if load < least => Turning::Forward,
+            load if load > greatest => Turning::Backward,
+            _ => return Ok(FromRest::Held),
+        };
+        let motion = self.motion_with_losses(driving, load, sun_planet, planet_ring, turning)?;
+        let epsilon = rad_per_s2(motion.accelerations.sun);
+        match turning {
+            Turning::Forward if epsilon >= 0.0 => Ok(FromRest::Forward(motion)),
+            Turning::Backward if epsilon <= 0.0 => Ok(FromRest::Backward(motion)),
+            // Losses so large that the inertia of the planets outweighs all else.
+            Turning::Forward | Turning::Backward => Err(Error::Locked),
+        }
+    }
+
+    /// The same with the losses of the meshes, for a drive that turns in a sense. One that turns against its
+    /// acceleration slows down; what it does at rest says [`from_rest`](Self::from_rest).
     ///
     /// # Errors
     /// [`Error::NoInertia`], [`Error::Locked`], and as [`Link::reduced_inertia`].
@@ -241,6 +320,7 @@ impl PlanetaryDrive {
         load: Torque,
         sun_planet: MeshEfficiency,
         planet_ring: MeshEfficiency,
+        turning: Turning,
     ) -> Result<LossyMotion, Error> {
         // Refuses impossible masses before any of them is used.
         self.reduced_inertia()?;
@@ -253,7 +333,7 @@ impl PlanetaryDrive {
         let (m1, mh) = (n_m(driving), n_m(load));
         let (eta_12, eta_23) = (sun_planet.get(), planet_ring.get());
 
-        // Four senses of the two mesh powers; the drive's own comes first where it is consistent.
+        // Four senses of the two mesh powers, of which one is consistent while `e_23·z_3/z_2` is above 1.
         for (e_12, e_23) in
             [(eta_12, eta_23), (1.0 / eta_12, 1.0 / eta_23), (eta_12, 1.0 / eta_23), (1.0 / eta_12, eta_23)]
         {
@@ -263,11 +343,15 @@ impl PlanetaryDrive {
             let epsilon = rad_per_s2(acceleration(torque(force), inertia(j))?);
             let t1 = m1 - j1 * epsilon;
             let t2 = j2 * ratios.planet * epsilon + e_12 * t1 * z2 / z1;
-            let forward = |power: f64, e: f64, eta: f64| {
+            let consistent = |torque: f64, e: f64, eta: f64| {
+                let from_sun = match turning {
+                    Turning::Forward => torque > 0.0,
+                    Turning::Backward => torque < 0.0,
+                };
                 // A mesh without power, or without losses, has no sense to contradict.
-                power == 0.0 || eta == 1.0 || (power > 0.0) == (e < 1.0)
+                torque == 0.0 || eta == 1.0 || from_sun == (e < 1.0)
             };
-            if forward(t1, e_12, eta_12) && forward(t2, e_23, eta_23) {
+            if consistent(t1, e_12, eta_12) && consistent(t2, e_23, eta_23) {
                 return Ok(LossyMotion {
                     inertia: inertia(j),
                     force: torque(force),
@@ -355,14 +439,45 @@ mod tests {
     fn at_full_load_the_losses_leave_nothing_to_accelerate() {
         let (e12, e23) = (eta(0.97), eta(0.98));
         let full = 521.8 * (1.0 + 5.0 * 0.97 * 0.98);
-        let found = excavator().motion_with_losses(torque(521.8), torque(full), e12, e23).unwrap();
+        let found =
+            excavator().motion_with_losses(torque(521.8), torque(full), e12, e23, Turning::Forward).unwrap();
         assert!(rad_per_s2(found.accelerations.sun).abs() < 1e-9);
+    }
+
+    /// The excavator's drive, torque at rated power: by hand 521.54·(1 + 5·0.9506) and 521.54·(1 + 5/0.9506).
+    #[test]
+    fn the_meshes_hold_the_excavator_between_two_loads() {
+        let (e12, e23) = (eta(0.97), eta(0.98));
+        let (drive, driving) = (excavator(), torque(521.538_5));
+        let [least, greatest] = drive.held_loads(driving, e12, e23).map(n_m);
+        assert!((least - 3000.41).abs() < 0.01 && (greatest - 3264.74).abs() < 0.01, "{least} {greatest}");
+        let at = |load: f64| drive.from_rest(driving, torque(load), e12, e23).unwrap();
+        assert!(matches!(at(2999.0), FromRest::Forward(motion) if n_m(motion.force) > 0.0));
+        for held in [3001.0, 3050.0, 3264.0] {
+            assert_eq!(at(held), FromRest::Held);
+        }
+        let FromRest::Backward(motion) = at(3300.0) else { panic!("{:?}", at(3300.0)) };
+        // 521.5385 − 3300/(1 + 5/0.9506)
+        assert!((n_m(motion.force) - -5.632).abs() < 1e-3, "{}", n_m(motion.force));
+        assert!(rad_per_s2(motion.accelerations.sun) < 0.0);
+        // Turning forward it slows down under the same load, and faster: friction and load both oppose it.
+        let forward = drive.motion_with_losses(driving, torque(3300.0), e12, e23, Turning::Forward).unwrap();
+        assert!((n_m(forward.force) - -52.076).abs() < 1e-3, "{}", n_m(forward.force));
+    }
+
+    #[test]
+    fn a_drive_without_torque_is_held_by_nothing() {
+        let (e12, e23) = (eta(0.97), eta(0.98));
+        let at = |load: f64| excavator().from_rest(torque(0.0), torque(load), e12, e23).unwrap();
+        assert!(matches!(at(-1.0), FromRest::Forward(_)));
+        assert_eq!(at(0.0), FromRest::Held);
+        assert!(matches!(at(1.0), FromRest::Backward(_)));
     }
 
     #[test]
     fn an_impossible_mass_is_refused() {
         let broken = PlanetaryDrive { planet_mass: mass(f64::NAN), ..excavator() };
-        let found = broken.motion_with_losses(torque(1.0), torque(1.0), eta(0.9), eta(0.9));
+        let found = broken.motion_with_losses(torque(1.0), torque(1.0), eta(0.9), eta(0.9), Turning::Forward);
         assert!(matches!(found, Err(Error::Impossible { what: "mass", .. })));
     }
 
@@ -406,27 +521,101 @@ mod tests {
         ) {
             let (driving, load, ideal) = (torque(driving), torque(load), MeshEfficiency::IDEAL);
             let plain = drive.motion(driving, load).unwrap();
-            let found = drive.motion_with_losses(driving, load, ideal, ideal).unwrap();
+            for turning in [Turning::Forward, Turning::Backward] {
+            let found = drive.motion_with_losses(driving, load, ideal, ideal, turning).unwrap();
             let j = kg_m2(drive.reduced_inertia().unwrap());
             prop_assert!((kg_m2(found.inertia) - j).abs() <= 1e-12 * j);
             let scale = (n_m(driving).abs() + n_m(load).abs()) / j;
             prop_assert!(rad_per_s2(found.accelerations.sun - plain.sun).abs() <= 1e-12 * scale);
+            }
+        }
+
+        /// Held is where both meshes can pass the torques with the friction that they have, and nowhere else: the ring's
+        /// torque follows from the balance of the whole, and some torque on the planets must suit both meshes.
+        #[test]
+        fn held_is_what_the_friction_of_both_meshes_can_hold(
+            drive in any_drive(), driving in -900.0..900.0_f64, part in 0.5..1.5, e12 in 0.6..1.0, e23 in 0.6..1.0,
+        ) {
+            let (z1, z2, z3) = drive.tooth_numbers();
+            let load = driving * (1.0 + part * z3 / z1);
+            let between = |driven: f64, eta: f64| {
+                let ends = [driven * eta, driven / eta];
+                [ends[0].min(ends[1]), ends[0].max(ends[1])]
+            };
+            // Torques on the planets that the sun's mesh can give, and that the ring's mesh can take.
+            let given = between(driving * z2 / z1, e12);
+            let taken = between((load - driving) * z2 / z3, e23);
+            let holds = given[0] <= taken[1] && taken[0] <= given[1];
+            let clear = (given[0] - taken[1]).abs().min((taken[0] - given[1]).abs()) > 1e-9 * driving.abs();
+            let found = drive.from_rest(torque(driving), torque(load), eta(e12), eta(e23)).unwrap();
+            if clear {
+                prop_assert_eq!(matches!(found, FromRest::Held), holds);
+            }
+        }
+
+        #[test]
+        fn more_load_never_accelerates_more_and_nothing_jumps(
+            drive in any_drive(), driving in -900.0..900.0, loads in proptest::array::uniform2(-9000.0..9000.0_f64),
+            e12 in 0.6..1.0, e23 in 0.6..1.0,
+        ) {
+            let (e12, e23) = (eta(e12), eta(e23));
+            let epsilon = |load: f64| match drive.from_rest(torque(driving), torque(load), e12, e23).unwrap() {
+                FromRest::Held => 0.0,
+                FromRest::Forward(motion) | FromRest::Backward(motion) => rad_per_s2(motion.accelerations.sun),
+            };
+            let [less, more] = [loads[0].min(loads[1]), loads[0].max(loads[1])];
+            prop_assert!(epsilon(less) >= epsilon(more) - 1e-12 * epsilon(less).abs());
+            // At the edges: a millionth of the load beside them gives a millionth of what the whole would.
+            let j = kg_m2(drive.reduced_inertia().unwrap());
+            let ratios = drive.speed_ratios().unwrap();
+            let [least, greatest] = drive.held_loads(torque(driving), e12, e23).map(n_m);
+            for (edge, outwards) in [(least, -1.0), (greatest, 1.0)] {
+                let beside = 1e-6 * edge.abs();
+                // Friction makes the inertia felt smaller, by far less than a hundredfold.
+                let most = 100.0 * beside * ratios.carrier / j;
+                prop_assert!(epsilon(edge + outwards * beside).abs() <= most);
+                prop_assert_eq!(epsilon(edge - outwards * 1e-3 * (greatest - least)), 0.0);
+            }
+        }
+
+        /// Backward, driven by the load, by the closed form: efficiencies inverted in both meshes.
+        #[test]
+        fn backward_motion_has_the_losses_inverted(
+            drive in any_drive(), driving in 0.0..900.0, more in 1.0..2.0, e12 in 0.8..1.0, e23 in 0.8..1.0,
+        ) {
+            let (z1, z2, z3) = drive.tooth_numbers();
+            let (k, u_h) = (z3 / z1, z1 / (z1 + z3));
+            let load = more * driving * (1.0 + k / (e12 * e23));
+            let found = drive.motion_with_losses(torque(driving), torque(load), eta(e12), eta(e23), Turning::Backward);
+            let found = found.unwrap();
+            // While no mesh changes its sense: T_1 = M_1 − J_1·ε stays above 0, and T_2 with it.
+            let planets = f64::from(drive.teeth.planets);
+            let u_2 = z1 * (z2 - z3) / (z2 * (z1 + z3));
+            let orbit = planets * kilograms(drive.planet_mass) * meters(drive.planet_radius).powi(2);
+            let through = 1.0 + k / (e12 * e23);
+            let j = kg_m2(drive.sun_inertia)
+                + (planets * kg_m2(drive.planet_inertia) * u_2 * (1.0 - z3 / z2 / e23)
+                    + (orbit + kg_m2(drive.carrier_inertia)) * u_h) / through;
+            let by_hand = (driving - load / through) / j;
+            prop_assert!((rad_per_s2(found.accelerations.sun) - by_hand).abs() <= 1e-11 * (driving + load) / j);
         }
 
         #[test]
         fn powers_balance_with_losses(
             drive in any_drive(), driving in -900.0..900.0, load in -9000.0..9000.0,
-            e12 in 0.8..1.0, e23 in 0.8..1.0, omega in 1.0..300.0,
+            e12 in 0.8..1.0, e23 in 0.8..1.0, omega in 1.0..300.0_f64, backward: bool,
         ) {
+            let (turning, omega) =
+                if backward { (Turning::Backward, -omega) } else { (Turning::Forward, omega) };
             let (e12, e23) = (eta(e12), eta(e23));
-            let found = drive.motion_with_losses(torque(driving), torque(load), e12, e23).unwrap();
+            let found = drive.motion_with_losses(torque(driving), torque(load), e12, e23, turning).unwrap();
             let ratios = drive.speed_ratios().unwrap();
             let epsilon = rad_per_s2(found.accelerations.sun);
             let stored = kg_m2(drive.reduced_inertia().unwrap()) * epsilon * omega;
             let supplied = driving * omega - load * omega * ratios.carrier;
             let lost = watts(drive.mesh_loss(&found, angular_velocity(omega), e12, e23).unwrap());
             prop_assert!(lost >= 0.0);
-            let scale = (driving.abs() + load.abs()) * omega;
+            let scale = (driving.abs() + load.abs()) * omega.abs();
             prop_assert!((supplied - stored - lost).abs() <= 1e-11 * scale, "{} {} {}", supplied, stored, lost);
         }
     }

@@ -40,7 +40,7 @@ pub struct DriveFile {
     pub speed: Quantity<AngularVelocity>,
     /// Ratio of the speeds of sun and carrier. It may be left out where `teeth` gives sun, planets, and planet or ring.
     pub ratio: Option<Number>,
-    /// How far the ratio may be off. Default 1 %.
+    /// How far the ratio may be off, below 100 %. Default 1 %.
     pub ratio_tolerance: Option<Quantity<Ratio>>,
     /// Tooth numbers, or bounds for them. Default: sought.
     pub teeth: Option<TeethFile>,
@@ -66,17 +66,19 @@ pub struct DriveFile {
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TeethFile {
-    /// Teeth of the sun. Default 17..200, without undercut.
+    /// Teeth of the sun. Default: from the fewest without undercut, 17 at 20° and addendum 1, to 200.
     pub sun: Option<Span<u32>>,
-    /// Teeth of a planet. Default 17..200, without undercut.
+    /// Teeth of a planet. Default: as of the sun.
     pub planet: Option<Span<u32>>,
     /// Teeth of the ring. Default 12..200.
     pub ring: Option<Span<u32>>,
     /// Number of planets. Default 3..8, as many as fit.
     pub planets: Option<Span<u32>>,
-    /// `equal`, the default, or `least-unequal`: where equal angles do not assemble, as near to them as do.
+    /// `equal`, the default, or `least-unequal`: where equal angles do not assemble, as near to them as do. A set given
+    /// in full that does not assemble at equal angles is warned of unless unequal ones are allowed.
     pub spacing: Option<Spacing>,
-    /// Least gap between the tips of neighbouring planets, in modules. Default 0.
+    /// Least gap between the tips of neighbouring planets, in modules. Default 0. A set given in full with a smaller one
+    /// is warned of.
     pub tip_gap: Option<Number>,
 }
 
@@ -112,7 +114,7 @@ pub struct WheelsFile {
     pub addendum: Option<Number>,
     /// Clearance coefficient. Default 0.25.
     pub clearance: Option<Number>,
-    /// Pressure angle. Default 20 deg.
+    /// Pressure angle. It decides which gears are undercut, and the radial forces. Default 20 deg.
     pub pressure_angle: Option<Quantity<Angle>>,
     /// Density of wheels and carrier. Default 7850 kg/m³, steel.
     pub density: Option<Quantity<MassDensity>>,

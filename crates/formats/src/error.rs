@@ -5,6 +5,7 @@ use std::{fmt, sync::Arc};
 use crate::{
     document::{Path, Position},
     quantity::QuantityError,
+    visible::one_line,
 };
 
 /// A [`Problem`] at its [`Place`]. Displays as `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
@@ -37,7 +38,8 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.at(), self.problem())
+        // Names in a file may hold anything; a message stays one line that shows all of it.
+        f.write_str(&one_line(&format!("{}: {}", self.at(), self.problem())))
     }
 }
 
@@ -78,6 +80,14 @@ pub enum Problem {
         /// Its code point.
         code: u32,
     },
+    /// More bytes than a document may have.
+    #[error("the file is larger than {limit} bytes{}; a description is text and far smaller", has(*size))]
+    TooLarge {
+        /// The most that is read: [`crate::document::SIZE_LIMIT`].
+        limit: u64,
+        /// How many there are, if that is known.
+        size: Option<u64>,
+    },
     /// No document in the file.
     #[error("the file is empty; write a document in it")]
     EmptyFile,
@@ -103,6 +113,12 @@ pub enum Problem {
     #[error("nested deeper than {limit} levels")]
     TooDeep {
         /// How deep is allowed.
+        limit: usize,
+    },
+    /// More values than a description may have.
+    #[error("the file has more than {limit} values")]
+    TooManyValues {
+        /// How many are allowed.
         limit: usize,
     },
     /// A key written twice in one map.
@@ -194,12 +210,14 @@ impl Problem {
         match self {
             Self::NotUtf8 { .. } => "not-utf8",
             Self::ControlCharacter { .. } => "control-character",
+            Self::TooLarge { .. } => "too-large",
             Self::EmptyFile => "empty-file",
             Self::EmptyDocument => "empty-document",
             Self::SeveralDocuments { .. } => "several-documents",
             Self::Syntax { .. } => "syntax",
             Self::ReadTwoWays => "read-two-ways",
             Self::TooDeep { .. } => "too-deep",
+            Self::TooManyValues { .. } => "too-many-values",
             Self::DuplicateKey { .. } => "duplicate-key",
             Self::ComplexKey => "complex-key",
             Self::MergeKey => "merge-key",
@@ -215,6 +233,10 @@ impl Problem {
             Self::Quantity(error) => error.name(),
         }
     }
+}
+
+fn has(size: Option<u64>) -> String {
+    size.map(|size| format!(": it has {size}")).unwrap_or_default()
 }
 
 /// The one of `allowed` most like `text`, if one is like it at all.

@@ -1,14 +1,15 @@
 //! Gearboxes as files: our own format, and a list of real transmissions with published ratios.
 //!
 //! # Our own format
-//! Rows name the links of their members; controls and gears follow. The links are those of the rows' members,
-//! and an input or output that a clutch or tie names; `links` adds what else touches no row.
+//! Planet sets name the links of their members; shift elements and gears follow. The links are those of the sets'
+//! members, and an input or output that a clutch or tie names; `links` adds what else touches no set. A set with two
+//! central gears stands in `sets` by its kind, any other gear by gear in `compound_sets`.
 //!
 //! ```yaml
 //! gearbox: II-3
 //! input: D
 //! output: B
-//! rows:
+//! sets:
 //!   - { id: "1", sun: T1, ring: D, carrier: B, k: 2.15, efficiency: 0.97 }
 //!   - { id: "2", sun: T1, ring: B, carrier: T2, teeth: [20, 47], planet_teeth: [13], meshes: [0.98, 0.99] }
 //! brakes:
@@ -22,12 +23,12 @@
 //!   - { name: "3", engaged: [direct] }
 //! ```
 //!
-//! Efficiencies are parts of 1 or per cent. For the forces on planets a row may have `planets`, `module` or
+//! Efficiencies are parts of 1 or per cent. For the forces on planets a set may have `planets`, `module` or
 //! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life
 //! of their bearings `bearing_capacity`; the gearbox `density` and `pressure_angle`.
 //!
 //! # Real transmissions
-//! [`TransmissionsFile`]: a list `transmissions`, each with rows, nodes that join members, elements that join nodes
+//! [`TransmissionsFile`]: a list `transmissions`, each with sets, nodes that join members, elements that join nodes
 //! when engaged, and gears with what is published of them.
 //!
 //! ```
@@ -35,7 +36,7 @@
 //! use epicyclic_formats::gearbox::GearboxFile;
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let text = b"gearbox: I\ninput: D\noutput: B\n\
-//!     rows: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94 }]\n\
+//!     sets: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94 }]\n\
 //!     brakes: [{ id: K1, link: T1 }]\n\
 //!     gears: [{ name: slow, engaged: [K1] }]\n";
 //! let file: GearboxFile = Document::parse_one("box.yaml", text)?.read()?;
@@ -48,66 +49,71 @@
 use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::life::Rolling;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_schemes::pins::{Pin, RowSize};
-use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
-use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
+use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_schemes::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
+use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use uom::si::f64::{Angle, Force, Length, Mass, MassDensity, Ratio};
+use std::collections::BTreeMap;
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Torque};
 
+mod compound;
 mod place;
 mod transmissions;
-pub use place::located;
+pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
+pub use place::{gear_place, located};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionRow, TransmissionsFile};
 
 /// A description that is no gearbox.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DescriptionError {
-    /// A row known in no way, or in two.
-    #[error("row `{row}`: give either `k` or `teeth`")]
+    /// A set known in no way, or in two.
+    #[error("set `{set}`: give either `k` or `teeth`")]
     RowKnownInOneWay {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
     },
-    /// A pair with a carrier, or a planetary row without.
-    #[error("row `{row}`: {} is due", if *is_pair { "no carrier, since the housing carries a pair," } else { "a `carrier`" })]
+    /// A pair with a carrier, or a planet set without.
+    #[error("set `{set}`: {} is due", if *is_pair { "no carrier, since the housing carries a pair," } else { "a `carrier`" })]
     Carrier {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// Whether it is a pair.
         is_pair: bool,
     },
-    /// Losses of the row and of its meshes at once, or too few or too many meshes.
-    #[error("row `{row}`: give `efficiency`, or `meshes` with {expected} efficiencies")]
+    /// Losses of the set and of its meshes at once, or too few or too many meshes.
+    #[error("set `{set}`: give `efficiency`, or `meshes` with {expected} efficiencies")]
     Losses {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// How many meshes it has.
         expected: usize,
     },
-    /// More planets than a row has.
-    #[error("row `{row}`: {given} counts in `planet_teeth`: one or two are due")]
+    /// More planets than a set has.
+    #[error("set `{set}`: {given} counts in `planet_teeth`: one or two are due")]
     PlanetTeeth {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// How many were given.
         given: usize,
     },
-    /// A row of a transmission without something its kind needs.
-    #[error("row `{row}`: {missing} is missing")]
+    /// A set of a transmission without something its kind needs.
+    #[error("set `{set}`: {missing} is missing")]
     Missing {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// What is missing.
         missing: &'static str,
     },
-    /// A member of a row in no node.
-    #[error("row `{row}`: `{member}` is in no node")]
+    /// A member of a set in no node.
+    #[error("set `{set}`: `{member}` is in no node")]
     MemberInNoNode {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// The member.
         member: String,
     },
@@ -121,15 +127,29 @@ pub enum DescriptionError {
         /// The other.
         second: String,
     },
-    /// What one row refuses.
-    #[error("row `{row}`: {source}")]
-    Row {
-        /// The row.
-        row: String,
+    /// What one set refuses.
+    #[error("set `{set}`: {source}")]
+    Set {
+        /// The set.
+        set: String,
         /// The reason.
         source: epicyclic_gears::Error,
     },
-    /// What the engine refuses.
+    /// A size of a planet that the set has not.
+    #[error("set `{set}`: no planet is called `{planet}`: `planet_sizes` has names of `planet_gears`")]
+    NoSuchPlanet {
+        /// The set.
+        set: String,
+        /// The name.
+        planet: String,
+    },
+    /// A clutch with links and with a one-way sense, or with neither.
+    #[error("clutch `{clutch}`: give either `links`, or `one_way` for a one-way clutch")]
+    Clutch {
+        /// The clutch.
+        clutch: String,
+    },
+    /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_schemes::Error),
 }
@@ -144,41 +164,48 @@ pub struct GearboxFile {
     pub input: String,
     /// Link where power leaves, unless a gear says otherwise.
     pub output: String,
-    /// Links that are no member of a row, as a shaft between two clutches.
+    /// Links that are no member of a set, as a shaft between two clutches.
     #[serde(default)]
     pub links: Vec<String>,
-    /// The rows.
-    pub rows: Vec<RowEntry>,
-    /// Controls that hold a link to the housing.
+    /// Planet sets with two central gears, and pairs on fixed axes.
+    #[serde(default, alias = "rows")]
+    pub sets: Vec<SetEntry>,
+    /// Planet sets of any other form, gear by gear.
+    #[serde(default)]
+    pub compound_sets: Vec<CompoundEntry>,
+    /// Shift elements that hold a link to the housing.
     #[serde(default)]
     pub brakes: Vec<BrakeEntry>,
-    /// Controls that join two links.
+    /// Shift elements that join two links, one-way clutches among them.
     #[serde(default)]
     pub clutches: Vec<ClutchEntry>,
-    /// Links held for ever. A row may also name `ground` itself.
+    /// Links held for ever. A set may also name `ground` itself.
     #[serde(default)]
     pub grounds: Vec<String>,
-    /// Pairs of links joined for ever. Rows may also name one link.
+    /// Pairs of links joined for ever. Sets may also name one link.
     #[serde(default)]
     pub ties: Vec<[String; 2]>,
-    /// Groups of rows whose long planet meshes once with their common ring (Ravigneaux).
-    #[serde(default)]
-    pub shared_ring_meshes: Vec<Vec<String>>,
     /// The gears.
     #[serde(default)]
     pub gears: Vec<GearEntry>,
     /// Density of the planets, for their mass. Default 7850 kg/m³, steel.
     #[serde(default)]
     pub density: Option<Quantity<MassDensity>>,
-    /// Working pressure angle, for the radial forces on planets. Default 20 deg.
+    /// Pressure angle, for the radial forces on planets and the checks of teeth. Default 20 deg.
     #[serde(default)]
     pub pressure_angle: Option<Quantity<Angle>>,
+    /// Addendum in modules, for the checks of teeth. Default 1.
+    #[serde(default)]
+    pub addendum: Option<Number>,
+    /// Remark, of any form.
+    #[serde(default)]
+    pub note: Option<Note>,
 }
 
-/// A row.
+/// A planet set with two central gears, or a pair on fixed axes.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct RowEntry {
+pub struct SetEntry {
     /// Its name.
     pub id: String,
     /// How its planets join the central wheels; `simple` unless given.
@@ -191,7 +218,7 @@ pub struct RowEntry {
     /// Link of the carrier; left out of a pair.
     #[serde(default)]
     pub carrier: Option<String>,
-    /// Size of the stationary ratio: `z_b/z_a` of a simple row.
+    /// Size of the basic ratio: `z_b/z_a` of a simple set.
     #[serde(default)]
     pub k: Option<Number>,
     /// Teeth of sun and ring, in place of `k`.
@@ -230,6 +257,9 @@ pub struct RowEntry {
     /// What rolls in these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
+    /// Remark, of any form.
+    #[serde(default)]
+    pub note: Option<Note>,
 }
 
 /// What rolls in a bearing.
@@ -252,7 +282,7 @@ impl From<RollingEntry> for Rolling {
     }
 }
 
-/// A kind of row.
+/// A kind of set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum KindEntry {
@@ -269,7 +299,7 @@ pub enum KindEntry {
     SteppedRings,
     /// Two suns, each with its planet, the planets in mesh.
     MeshingSuns,
-    /// Bevel row.
+    /// Bevel set.
     Bevel,
     /// Two wheels outside each other on fixed axes.
     ExternalPair,
@@ -277,7 +307,7 @@ pub enum KindEntry {
     InternalPair,
 }
 
-impl From<KindEntry> for RowKind {
+impl From<KindEntry> for SetKind {
     fn from(kind: KindEntry) -> Self {
         match kind {
             KindEntry::Simple => Self::Simple,
@@ -310,11 +340,15 @@ pub struct ClutchEntry {
     /// Its name.
     pub id: String,
     /// The links it joins.
-    pub links: [String; 2],
+    #[serde(default)]
+    pub links: Option<[String; 2]>,
+    /// In place of `links`, of a one-way clutch: it keeps the first link from turning slower than the second.
+    #[serde(default)]
+    pub one_way: Option<[String; 2]>,
 }
 
 /// A gear.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearEntry {
     /// Its name.
@@ -328,43 +362,53 @@ pub struct GearEntry {
     /// Link where power leaves in this gear, if another.
     #[serde(default)]
     pub output: Option<String>,
+    /// Speeds of links, as many as the gear keeps freedoms: of a power split or summing gear.
+    #[serde(default)]
+    pub speeds: BTreeMap<String, Quantity<AngularVelocity>>,
+    /// Torques at links where power enters or leaves, with `speeds`.
+    #[serde(default)]
+    pub torques: BTreeMap<String, Quantity<Torque>>,
 }
 
 impl GearboxFile {
     /// The gearbox described.
     ///
     /// # Errors
-    /// [`DescriptionError`]; a control or gear that names a link which exists nowhere else is
+    /// [`DescriptionError`]; a shift element or gear that names a link which exists nowhere else is
     /// [`epicyclic_schemes::Error::Unknown`], with the nearest name.
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
-        let members = self
-            .rows
-            .iter()
-            .flat_map(|row| [Some(&row.sun), Some(&row.ring), row.carrier.as_ref()])
-            .flatten();
-        let tied = self.clutches.iter().map(|clutch| &clutch.links).chain(&self.ties).flatten();
+        self.check_counts()?;
+        let short = self.sets.iter().flat_map(|set| [Some(&set.sun), Some(&set.ring), set.carrier.as_ref()]);
+        let members = short.flatten().chain(self.compound_sets.iter().flat_map(CompoundEntry::members));
+        let clutches =
+            self.clutches.iter().flat_map(|clutch| clutch.links.iter().chain(&clutch.one_way).flatten());
+        let tied = clutches.chain(self.ties.iter().flatten());
         // A terminal that nothing else names is a slip of the pen, and no link.
         let is_named = |terminal: &&String| {
             members.clone().chain(&self.links).chain(tied.clone()).any(|link| link == *terminal)
         };
         let input = Some(&self.input).filter(is_named);
         let output = Some(&self.output).filter(is_named);
-        let mut links: Vec<&str> = vec![];
-        for link in input.into_iter().chain(members.clone()).chain(output).chain(&self.links) {
-            if link != GROUND && !links.contains(&link.as_str()) {
-                links.push(link);
-            }
-        }
+        let mut seen = std::collections::BTreeSet::from([GROUND]);
+        let named = input.into_iter().chain(members.clone()).chain(output).chain(&self.links);
+        let links: Vec<&str> = named.map(String::as_str).filter(|link| seen.insert(link)).collect();
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
-        for row in &self.rows {
-            builder = builder.row(row.spec()?);
+        for set in &self.sets {
+            builder = builder.set(set.spec()?);
+        }
+        for set in &self.compound_sets {
+            builder = builder.compound_set(set.spec(|link| Ok(link.to_owned()))?);
         }
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
         }
-        for ClutchEntry { id, links: [first, second] } in &self.clutches {
-            builder = builder.clutch(id, first, second);
+        for ClutchEntry { id, links, one_way } in &self.clutches {
+            builder = match (links, one_way) {
+                (Some([first, second]), None) => builder.clutch(id, first, second),
+                (None, Some([first, second])) => builder.one_way_clutch(id, first, second),
+                _ => return Err(DescriptionError::Clutch { clutch: id.clone() }),
+            };
         }
         for link in &self.grounds {
             builder = builder.ground(link);
@@ -372,71 +416,102 @@ impl GearboxFile {
         for [first, second] in &self.ties {
             builder = builder.tie(first, second);
         }
-        for rows in &self.shared_ring_meshes {
-            builder = builder.shared_ring_mesh(rows.iter().cloned());
-        }
-        for GearEntry { name, engaged, input, output } in self.gears.iter().cloned() {
+        for GearEntry { name, engaged, input, output, .. } in self.gears.iter().cloned() {
             builder = builder.gear_spec(GearSpec { name, engaged, input, output });
         }
         Ok(builder.build()?)
     }
+
+    /// What is too much is refused before anything is looked up.
+    fn check_counts(&self) -> Result<(), DescriptionError> {
+        let counts = [
+            (Named::Set, self.sets.len() + self.compound_sets.len(), MOST_SETS),
+            (Named::Control, self.brakes.len() + self.clutches.len(), MOST_ELEMENTS),
+            (Named::Gear, self.gears.len(), MOST_GEARS),
+            (Named::Link, self.links.len().max(self.ties.len()).max(self.grounds.len()), MOST_LINKS),
+        ];
+        match counts.into_iter().find(|(_, count, limit)| count > limit) {
+            Some((what, count, limit)) => {
+                Err(epicyclic_schemes::Error::TooMany { what, count, limit }.into())
+            }
+            None => Ok(()),
+        }
+    }
 }
 
 impl GearboxFile {
-    /// The planets of each row that has any on their pins, as far as their size is known, with the row's place.
+    /// The planets of each set that has any on their pins, as far as their size is known.
     ///
     /// # Errors
-    /// [`DescriptionError::Row`] for a size that is none.
-    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<(usize, Pin)>, DescriptionError> {
-        let of_row = |(place, size): (usize, RowSize)| {
-            let pin = gearbox.pin(place, &size)?;
-            let row = || gearbox.rows()[place].id().to_owned();
-            Some(pin.map(|pin| (place, pin)).map_err(|source| DescriptionError::Row { row: row(), source }))
-        };
-        self.row_sizes().into_iter().enumerate().filter_map(of_row).collect()
+    /// [`DescriptionError::Set`] for an invalid size.
+    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
+        pins(gearbox, |set| self.size(set))
     }
 
-    fn row_sizes(&self) -> Vec<RowSize> {
-        let usual = RowSize::default();
-        let of_row = |row: &RowEntry| RowSize {
-            module: row.module.map(|module| module.0),
-            carrier_radius: row.carrier_radius.map(|radius| radius.0),
-            face_width: row.face_width.map(|width| width.0),
-            planet_bore: row.planet_bore.map(|bore| bore.0),
-            planet_mass: row.planet_mass.map(|mass| mass.0),
-            bearing: row.bearing_capacity.map(|capacity| (capacity.0, row.bearing_rolling.into())),
+    /// The basic rack that the teeth are checked by.
+    ///
+    /// # Errors
+    /// That of [`BasicRack::check`].
+    pub fn rack(&self) -> Result<BasicRack, epicyclic_gears::Error> {
+        let usual = BasicRack::default();
+        let rack = BasicRack {
+            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            addendum: self.addendum.map_or(usual.addendum, Number::get),
+            ..usual
+        };
+        rack.check()?;
+        Ok(rack)
+    }
+
+    /// What the file says of the size of a set.
+    fn size(&self, set: &PlanetSet) -> SetSize {
+        let usual = SetSize::default();
+        let usual = SetSize {
             density: self.density.map_or(usual.density, |density| density.0),
             pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            ..usual
         };
-        self.rows.iter().map(of_row).collect()
+        if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
+            return SetSize {
+                module: entry.module.map(|module| module.0),
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                face_width: entry.face_width.map(|width| width.0),
+                planet_bore: entry.planet_bore.map(|bore| bore.0),
+                planet_mass: entry.planet_mass.map(|mass| mass.0),
+                bearing: entry.bearing_capacity.map(|capacity| (capacity.0, entry.bearing_rolling.into())),
+                ..usual
+            };
+        }
+        let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
+        entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
     }
 }
 
-impl RowEntry {
-    fn spec(&self) -> Result<RowSpec, DescriptionError> {
-        let row = || self.id.clone();
-        let gears = |source| DescriptionError::Row { row: row(), source };
-        let kind = RowKind::from(self.kind);
+impl SetEntry {
+    fn spec(&self) -> Result<SetSpec, DescriptionError> {
+        let set = || self.id.clone();
+        let gears = |source| DescriptionError::Set { set: set(), source };
+        let kind = SetKind::from(self.kind);
         let carrier = match (&self.carrier, kind.is_pair()) {
             (None, true) => GROUND,
             (Some(carrier), false) => carrier,
-            (_, is_pair) => return Err(DescriptionError::Carrier { row: row(), is_pair }),
+            (_, is_pair) => return Err(DescriptionError::Carrier { set: set(), is_pair }),
         };
         let members = [self.sun.as_str(), self.ring.as_str(), carrier];
         let mut spec = match (self.k, self.teeth) {
-            (Some(k), None) => RowSpec::new(&self.id, kind, members, k.get()),
+            (Some(k), None) => SetSpec::new(&self.id, kind, members, k.get()),
             (None, Some([first, second])) => {
-                RowSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
+                SetSpec::teeth(&self.id, kind, members, first, second).map_err(gears)?
             }
-            _ => return Err(DescriptionError::RowKnownInOneWay { row: row() }),
+            _ => return Err(DescriptionError::RowKnownInOneWay { set: set() }),
         };
-        spec.loss = self.loss(kind)?;
+        spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
         if let Some(counts) = &self.planet_teeth {
             let teeth = counts.iter().map(|count| ToothCount::new(*count)).collect::<Result<Vec<_>, _>>();
             spec = match teeth.map_err(gears)?[..] {
                 [only] => spec.planet_teeth(only, None),
                 [first, second] => spec.planet_teeth(first, Some(second)),
-                _ => return Err(DescriptionError::PlanetTeeth { row: row(), given: counts.len() }),
+                _ => return Err(DescriptionError::PlanetTeeth { set: set(), given: counts.len() }),
             };
         }
         Ok(match self.planets {
@@ -444,29 +519,47 @@ impl RowEntry {
             None => spec,
         })
     }
+}
 
-    fn loss(&self, kind: RowKind) -> Result<MeshLoss, DescriptionError> {
-        let eta = |eta: Quantity<Ratio>| {
-            MeshEfficiency::new(eta.0.value)
-                .map_err(|source| DescriptionError::Row { row: self.id.clone(), source })
-        };
-        let expected = match kind {
-            RowKind::ExternalPair | RowKind::InternalPair => 1,
-            RowKind::DoublePlanet | RowKind::MeshingSuns => 3,
-            _ => 2,
-        };
-        match (self.efficiency, self.meshes.as_deref()) {
-            (None, None) => Ok(MeshLoss::IDEAL),
-            (Some(whole), None) => Ok(MeshLoss::Row(eta(whole)?)),
-            (None, Some([only])) if expected == 1 => Ok(MeshLoss::Row(eta(*only)?)),
-            (None, Some([first, second])) if expected == 2 => {
-                Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
-            }
-            (None, Some([first, between, second])) if expected == 3 => {
-                Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
-            }
-            _ => Err(DescriptionError::Losses { row: self.id.clone(), expected }),
+/// The planets of each set that has any, with what is known of its size.
+fn pins(gearbox: &Gearbox, size: impl Fn(&PlanetSet) -> SetSize) -> Result<Vec<Pin>, DescriptionError> {
+    let mut all = vec![];
+    for (place, set) in gearbox.sets().iter().enumerate() {
+        if let Some(pins) = gearbox.pins(place, &size(set)) {
+            let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
+            all.extend(pins.map_err(refuse)?);
         }
+    }
+    Ok(all)
+}
+
+/// Losses of a set by its efficiency or by those of its meshes.
+fn losses(
+    set: &str,
+    kind: SetKind,
+    efficiency: Option<Quantity<Ratio>>,
+    meshes: Option<&[Quantity<Ratio>]>,
+) -> Result<MeshLoss, DescriptionError> {
+    let eta = |eta: Quantity<Ratio>| {
+        MeshEfficiency::new(eta.0.value)
+            .map_err(|source| DescriptionError::Set { set: set.to_owned(), source })
+    };
+    let expected = match kind {
+        SetKind::ExternalPair | SetKind::InternalPair => 1,
+        SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
+        _ => 2,
+    };
+    match (efficiency, meshes) {
+        (None, None) => Ok(MeshLoss::IDEAL),
+        (Some(whole), None) => Ok(MeshLoss::Row(eta(whole)?)),
+        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Row(eta(*only)?)),
+        (None, Some([first, second])) if expected == 2 => {
+            Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
+        }
+        (None, Some([first, between, second])) if expected == 3 => {
+            Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
+        }
+        _ => Err(DescriptionError::Losses { set: set.to_owned(), expected }),
     }
 }
 
@@ -482,26 +575,28 @@ mod tests {
     }
 
     const SCHEME: &str =
-        "gearbox: I\ninput: D\noutput: B\nrows:\n  - { id: P, sun: D, ring: T1, carrier: B, ";
+        "gearbox: I\ninput: D\noutput: B\nsets:\n  - { id: P, sun: D, ring: T1, carrier: B, ";
 
     #[test]
     fn a_row_is_known_in_one_way() {
         assert_eq!(
             read(&format!("{SCHEME}k: 3, teeth: [20, 60] }}\n")).unwrap_err(),
-            "row `P`: give either `k` or `teeth`"
+            "set `P`: give either `k` or `teeth`"
         );
         let exact = read(&format!("{SCHEME}teeth: [20, 60] }}\n")).unwrap();
-        assert_eq!(exact.rows()[0].exact_ratio().unwrap().to_string(), "-3");
+        assert_eq!(exact.sets()[0].exact_ratio().unwrap().to_string(), "-3");
     }
 
     #[test]
     fn losses_are_of_the_row_or_of_its_meshes() {
-        let loss = |text: &str| read(&format!("{SCHEME}k: 3, {text} }}\n")).map(|g| g.rows()[0].spec().loss);
+        let loss = |text: &str| {
+            read(&format!("{SCHEME}k: 3, {text} }}\n")).map(|g| g.sets()[0].short().unwrap().loss)
+        };
         let eta = |value| MeshEfficiency::new(value).unwrap();
         assert_eq!(loss("efficiency: 0.97"), Ok(MeshLoss::Row(eta(0.97))));
         assert_eq!(loss("meshes: [0.98, 0.99]"), Ok(MeshLoss::sun_and_ring(eta(0.98), eta(0.99))));
         assert!(loss("meshes: [0.98]").unwrap_err().contains("with 2 efficiencies"));
-        assert!(loss("efficiency: 1.2").unwrap_err().starts_with("row `P`"));
+        assert!(loss("efficiency: 1.2").unwrap_err().starts_with("set `P`"));
     }
 
     #[test]
@@ -509,7 +604,7 @@ mod tests {
         let wrong = format!("{SCHEME}k: 3 }}\nbrakes: [{{ id: K1, link: T2 }}]\n");
         assert_eq!(
             read(&wrong).unwrap_err(),
-            "control `K1` names the link `T2`, which does not exist; did you mean `T1`?"
+            "shift element `K1` names the link `T2`, which does not exist; did you mean `T1`?"
         );
         let wrong = format!("{SCHEME}k: 3, face: 2 }}\n");
         assert!(read(&wrong).unwrap_err().contains("face"));
@@ -517,7 +612,7 @@ mod tests {
 
     #[test]
     fn a_pair_has_no_carrier_and_a_planetary_row_has() {
-        let pair = "gearbox: P\ninput: x\noutput: y\nrows: [{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], meshes: [0.98] }]\ngears: [{ name: only }]\n";
+        let pair = "gearbox: P\ninput: x\noutput: y\nsets: [{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], meshes: [0.98] }]\ngears: [{ name: only }]\n";
         let gearbox = read(pair).unwrap();
         assert_eq!(gearbox.analyze("only").unwrap().exact_ratio().unwrap().to_string(), "-3");
         assert!(read(&pair.replace("sun: x", "carrier: z, sun: x")).unwrap_err().contains("no carrier"));

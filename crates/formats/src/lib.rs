@@ -7,6 +7,7 @@
 //! | [`range`] | what `12..40` means |
 //! | [`drive`] | what a drive file asks for |
 //! | [`motor`] | what a motor file asks for |
+//! | [`visible`] | how a name with control characters is shown |
 //! | [`yaml`] | values without positions |
 //! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
 //!
@@ -44,6 +45,7 @@ pub mod gearbox;
 pub mod motor;
 pub mod quantity;
 pub mod range;
+pub mod visible;
 pub mod yaml;
 
 pub use document::{Document, Path, Position};

@@ -6,7 +6,7 @@ use std::{borrow::Cow, fmt, marker::PhantomData, ops::RangeInclusive, str::FromS
 
 use serde::{Deserialize, Deserializer, de};
 
-use crate::quantity::parse_number;
+use crate::{quantity::parse_number, visible::one_line};
 
 /// A range whose ends may be left open.
 ///
@@ -76,7 +76,7 @@ pub enum RangeError {
         example: &'static str,
     },
     /// An end that is not a number.
-    #[error("{text}: {reason}; write a range such as {example}")]
+    #[error("{text}: {reason}; write a range such as {example}", text = one_line(text))]
     End {
         /// The text.
         text: String,
@@ -86,7 +86,7 @@ pub enum RangeError {
         example: &'static str,
     },
     /// The greater number first.
-    #[error("{text}: write the smaller number first: {corrected}")]
+    #[error("{text}: write the smaller number first: {corrected}", text = one_line(text))]
     Reversed {
         /// The text.
         text: String,

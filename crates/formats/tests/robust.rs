@@ -5,7 +5,7 @@
 
 use epicyclic_dynamics::drive::design;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile, located};
-use epicyclic_formats::{Document, Path, drive};
+use epicyclic_formats::{Document, Path, drive, motor};
 use epicyclic_schemes::{Gearbox, InputLoad};
 use proptest::prelude::*;
 use uom::si::angular_velocity::radian_per_second;
@@ -161,10 +161,23 @@ fn gearbox(text: &str) -> Result<(), String> {
     work_through(&gearbox);
     let speed = AngularVelocity::new::<radian_per_second>(150.0);
     let torques = [1.0, 3.0, -4.0].map(Torque::new::<newton_meter>);
-    for (_, pin) in file.pins(&gearbox).map_err(at)? {
-        let _ = pin.forces(Some(torques), Some(speed));
+    for (entry, gear) in file.gears.iter().zip(gearbox.gears()) {
+        let speeds = entry.speeds.iter().filter_map(|(link, speed)| Some((gearbox.link(link)?, speed.0)));
+        let torques = entry.torques.iter().filter_map(|(link, torque)| Some((gearbox.link(link)?, torque.0)));
+        let (speeds, torques): (Vec<_>, Vec<_>) = (speeds.collect(), torques.collect());
+        if let Ok(state) = gearbox.with_inputs(gear, &speeds, &torques) {
+            assert!(state.speeds.iter().flatten().all(|speed| !speed.value.is_nan()), "{text}");
+        }
+    }
+    for pin in file.pins(&gearbox).map_err(at)? {
+        let _ = pin.forces(Some(&torques), Some(speed));
     }
     Ok(())
+}
+
+fn hydromotor(text: &str) -> Result<(), String> {
+    let document = Document::parse_one("file.yaml", text.as_bytes()).map_err(|e| e.to_string())?;
+    motor::read(&document).map(|_| ()).map_err(|e| e.to_string())
 }
 
 fn transmissions(text: &str) -> Result<(), String> {
@@ -192,16 +205,30 @@ fn whole_drive(text: &str) -> Result<(), String> {
     Ok(())
 }
 
+/// So many cases, unless `PROPTEST_CASES` says how many.
+fn cases(usual: u32) -> u32 {
+    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1500, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(1500), ..ProptestConfig::default() })]
 
     #[test]
     fn gearboxes(text in prop_oneof![
         changed(include_str!("../../../examples/scheme-ii-3.yaml")),
         changed(include_str!("../../../examples/sized-gearbox.yaml")),
         changed(include_str!("../../../examples/closed-by-ordinary-train.yaml")),
+        changed(include_str!("../../../examples/every-gearbox-key.yaml")),
+        changed(include_str!("../../../examples/ravigneaux.yaml")),
+        changed(include_str!("../../../examples/wolfrom.yaml")),
+        changed(include_str!("../../../examples/power-split.yaml")),
     ]) {
         if let Err(error) = gearbox(&text) { is_placed(&error); }
+    }
+
+    #[test]
+    fn motors(text in changed(include_str!("../../../examples/motor-5x3.yaml"))) {
+        if let Err(error) = hydromotor(&text) { is_placed(&error); }
     }
 
     #[test]
@@ -215,7 +242,7 @@ proptest! {
 
 proptest! {
     // The file is long.
-    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
 
     #[test]
     fn lists_of_transmissions(text in changed(include_str!("../../../examples/real-transmissions.yaml"))) {

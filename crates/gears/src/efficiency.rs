@@ -161,6 +161,15 @@ mod tests {
     }
 
     #[test]
+    fn what_is_lost_is_what_does_not_arrive() {
+        assert_eq!(eta(0.75).loss(), 0.25);
+        assert_eq!(MeshEfficiency::IDEAL.loss(), 0.0);
+        // Two meshes one after the other lose ψ₁ + ψ₂ − ψ₁·ψ₂.
+        let both = MeshEfficiency::of_meshes(&[eta(0.75), eta(0.5)]);
+        assert_eq!(both.loss(), 0.25 + 0.5 - 0.125);
+    }
+
+    #[test]
     fn a_row_near_one_locks_itself() {
         // Carrier driven through i₀ = 0.99 with 3 % loss: the output torque changes sign.
         let found = efficiency(row(0.99), eta(0.97), mode(Member::Sun, Member::Carrier)).unwrap();

@@ -78,8 +78,8 @@ pub enum Error {
         /// Upper end.
         to: f64,
     },
-    /// A tolerance that is none.
-    #[error("tolerance {tolerance}: it is finite and not negative; 0.01 means one per cent")]
+    /// A tolerance that is no part of a ratio.
+    #[error("tolerance {}: at least 0 and below 1, which is 100 %; 0.01 means one per cent", short(*tolerance))]
     Tolerance {
         /// The value given.
         tolerance: f64,
@@ -92,7 +92,8 @@ pub enum Error {
     },
     /// A ratio that no tooth set within the bounds reaches.
     #[error(
-        "no tooth set within the bounds has the ratio {wanted} ({mode}) within {}%{}",
+        "no tooth set within the bounds has the ratio {} ({mode}) within {}%{}",
+        short(*wanted),
         (tolerance * 1e8).round() / 1e6,
         nearest.map_or(String::from("; none assembles at all: widen the bounds"),
             |ratio| if ratio * wanted < 0.0 {
@@ -286,6 +287,12 @@ pub enum Error {
     },
 }
 
+/// A number with an exponent where its digits alone would fill a line.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-6..1e15).contains(&size) { format!("{value:e}") } else { value.to_string() }
+}
+
 fn planets(from: u32, to: u32) -> String {
     match (from, to) {
         (1, 1) => "1 planet".to_owned(),
@@ -322,6 +329,11 @@ mod tests {
         assert_eq!(
             error.to_string(),
             "no bearing of series 300 with a bore of 51 mm; neighbouring bores are 50 mm, 55 mm"
+        );
+        let error = Error::Tolerance { tolerance: 1e308 };
+        assert_eq!(
+            error.to_string(),
+            "tolerance 1e308: at least 0 and below 1, which is 100 %; 0.01 means one per cent"
         );
         let error = Error::OutOfRange { quantity: "bore", value: 9.0, low: 0.0, high: 8.0, unit: "mm" };
         assert_eq!(error.to_string(), "bore is 9 mm; it must lie between 0 and 8 mm");

@@ -1,12 +1,12 @@
 //! Diameters of a spur wheel from its module, teeth and basic rack; centre distance of a pair.
 //!
-//! Uncorrected wheels (no profile shift). Left out: undercut, interference, tip relief, and whether the tip of an
+//! Uncorrected wheels (no profile shift). Left out: interference, tip relief, and whether the tip of an
 //! internal wheel stays outside its base circle.
 
-use uom::si::f64::{Angle, Length};
+use uom::si::f64::Length;
 
-use crate::units::{acute_angle, angle_from_degrees, degrees, millimetres, not_negative, positive};
-use crate::units::{positive_length, radians};
+pub use crate::rack::BasicRack;
+use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, ToothCount};
 
 /// Relative difference below which two modules or pressure angles are the same: two spellings of one number in
@@ -20,38 +20,6 @@ pub enum Toothing {
     External,
     /// Teeth point to the axis: ring.
     Internal,
-}
-
-/// Proportions of the basic rack, in modules.
-///
-/// | symbol | field | meaning | unit | default |
-/// |---|---|---|---|---|
-/// | `h_a*` | `addendum` | addendum coefficient | 1 | 1 |
-/// | `c*` | `clearance` | clearance coefficient | 1 | 0.25 |
-/// | `α` | `pressure_angle` | pressure angle | ° | 20 |
-///
-/// The defaults are those of ISO 53 and GOST 13755; excavator-dynamics (section 4) takes `c*` = 0.2.
-///
-/// ```
-/// use epicyclic_gears::geometry::BasicRack;
-///
-/// let older = BasicRack { clearance: 0.2, ..BasicRack::default() };
-/// assert_eq!(older.addendum, 1.0);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BasicRack {
-    /// Addendum coefficient `h_a*`.
-    pub addendum: f64,
-    /// Clearance coefficient `c*`.
-    pub clearance: f64,
-    /// Pressure angle `α`.
-    pub pressure_angle: Angle,
-}
-
-impl Default for BasicRack {
-    fn default() -> Self {
-        Self { addendum: 1.0, clearance: 0.25, pressure_angle: angle_from_degrees(20.0) }
-    }
 }
 
 /// A spur wheel without profile shift, whose circles all exist.
@@ -109,8 +77,7 @@ impl Wheel {
     ) -> Result<Self, Error> {
         positive_length("module", module)?;
         positive("addendum coefficient", rack.addendum, "")?;
-        not_negative("clearance coefficient", rack.clearance, "")?;
-        acute_angle("pressure angle", rack.pressure_angle)?;
+        rack.check()?;
         let wheel = Self { toothing, module, teeth, rack };
         let z = teeth.get();
         match toothing {
@@ -276,7 +243,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::units::{length_from_mm, metres};
+    use crate::units::{angle_from_degrees, length_from_mm, metres};
 
     fn teeth(count: u32) -> ToothCount {
         ToothCount::new(count).unwrap()
@@ -343,6 +310,21 @@ mod tests {
         assert!(
             matches!(two, Err(Error::NoInternalTip { teeth: 2, at_least: 3, tip_mm }) if tip_mm.abs() < 1e-9)
         );
+    }
+
+    /// Two spellings of a module differ by rounding; what differs by more is another module.
+    #[test]
+    fn modules_and_pressure_angles_are_the_same_to_a_part_in_1e12() {
+        let with = |module: f64, alpha: f64| {
+            let rack = BasicRack { pressure_angle: angle_from_degrees(alpha), ..BasicRack::default() };
+            Wheel::new(Toothing::External, length_from_mm(module), teeth(20), rack).unwrap()
+        };
+        let one = with(8.0, 20.0);
+        assert!(centre_distance(&one, &with(8.0 * (1.0 + 5e-13), 20.0 * (1.0 - 5e-13))).is_ok());
+        let other = with(8.0 * (1.0 + 4e-12), 20.0);
+        assert!(matches!(centre_distance(&one, &other), Err(Error::ModulesDiffer { .. })));
+        let other = with(8.0, 20.0 * (1.0 + 4e-12));
+        assert!(matches!(centre_distance(&one, &other), Err(Error::PressureAnglesDiffer { .. })));
     }
 
     #[test]

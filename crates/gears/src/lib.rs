@@ -10,6 +10,7 @@
 //! | [`efficiency`] | torques and efficiency of a row from the losses of its meshes |
 //! | [`synthesis`] | *every* tooth set of a simple planetary gear within bounds |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
+//! | [`rack`] | the basic rack that all checks take, and undercut |
 //! | [`geometry`] | diameters of a wheel, centre distance of a pair |
 //! | [`mass`] | volume, mass and polar inertia of rings and wheels |
 //! | [`carrier`] | the same of a planet carrier |
@@ -48,6 +49,7 @@ pub mod geometry;
 pub mod life;
 pub mod mass;
 pub mod pin;
+pub mod rack;
 pub mod row;
 pub mod shaft;
 pub mod spacing;

@@ -19,6 +19,19 @@
 //! | `m` | mass of a planet with what turns about its pin | kg |
 //! | `ω_H` | speed of the carrier | rad/s |
 //!
+//! # With losses
+//!
+//! The tangential force of a mesh follows from the torques that it exchanges, friction of the teeth included:
+//!
+//! ```text
+//! F = |T_1 + T_2|/(n·a)        T_1, T_2 torques on both gears from outside the mesh, a centre distance
+//! ```
+//!
+//! since the moments of one force about two axes differ by the force times their distance. The forces of a planet's
+//! meshes then add to `F_t` exactly. The nominal tooth force `T_i/(n·r_i)`, which strength is calculated from, lays the
+//! whole torque on the pitch circle: it leaves out the torque of friction on the planet, and its sum over both meshes is
+//! larger than `F_t` by a part of the order of the loss. `F_r` above is of the nominal forces.
+//!
 //! In a simple row without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
 //! the radial ones cancel. Left out: weight, helix angle, unequal sharing among the planets, and in a stepped planet
 //! the couple of its two planes.
@@ -66,6 +79,39 @@ pub fn tangential_force(
     let count = count(planets)?;
     let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
     Ok(force(size("torque on the carrier", n_m(carrier_torque), "N·m")? / (count * radius_m)))
+}
+
+/// Tangential force of a mesh at each of `planets` planets, friction of the teeth included: `|T_1 + T_2|/(n·a)`.
+///
+/// The torques are those on the two gears from outside the mesh, of all planets together: of one sense in an external
+/// mesh, of opposite senses in an internal one. That of a gear in mesh twice is what it hands from one mesh to the other.
+///
+/// # Errors
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the distance, [`Error::Negative`] for a torque that is not
+/// finite.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::pin;
+/// use uom::si::f64::{Length, Torque};
+/// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
+///
+/// // Pitch radii 20 and 40 mm: 100 N·m on the sun, 200 less 3 % arrive at the planets.
+/// let n_m = Torque::new::<newton_meter>;
+/// let force = pin::mesh_force(n_m(100.0), n_m(194.0), 4, Length::new::<millimeter>(60.0))?;
+/// assert!((force.get::<newton>() - 1225.0).abs() < 1e-9); // nominal 1250 N
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn mesh_force(
+    first: Torque,
+    second: Torque,
+    planets: u32,
+    centre_distance: Length,
+) -> Result<Force, Error> {
+    let count = count(planets)?;
+    let distance_m = positive_length("centre distance", centre_distance)?;
+    let sum_n_m = size("torque of a mesh", n_m(first) + n_m(second), "N·m")?;
+    Ok(force(sum_n_m / (count * distance_m)))
 }
 
 /// Radial force of the meshes on a planet, outwards positive: `Σ ±|T_i|·tan α/(n·r_i)`.

@@ -14,10 +14,11 @@ use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
 /// Slots that the planets of a simple planetary gear occupy.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetSpacing {
-    slots: u32,
-    occupied: Vec<u32>,
+    /// Two counts of 32 bits have a sum of 33.
+    slots: u64,
+    planets: u32,
 }
 
 impl PlanetSpacing {
@@ -31,69 +32,74 @@ impl PlanetSpacing {
     /// the `p_j − j·(z_a + z_b)/N` fall into `q = N/gcd(N, z_a + z_b)` classes modulo 1 that lie
     /// `1/q` apart, so they spread over at least `(q − 1)/q` slots, and here they spread over just
     /// that.
+    ///
+    /// Right for any counts of teeth and planets; with more planets than slots several share one.
     #[must_use]
     pub fn least_unequal(sun: ToothCount, ring: ToothCount, planets: u32) -> Self {
-        let slots = sun.get() + ring.get();
-        let at = |j: u32| (u64::from(j) * u64::from(slots) / u64::from(planets.max(1))) as u32;
-        Self { slots, occupied: (0..planets).map(at).collect() }
+        Self { slots: u64::from(sun.get()) + u64::from(ring.get()), planets }
     }
 
     /// Number of angles at which a planet fits, `z_a + z_b`.
     #[must_use]
-    pub fn slots(&self) -> u32 {
+    pub fn slots(&self) -> u64 {
         self.slots
     }
 
     /// Slots occupied, ascending from 0.
-    #[must_use]
-    pub fn occupied(&self) -> &[u32] {
-        &self.occupied
+    pub fn occupied(&self) -> impl Iterator<Item = u64> + use<> {
+        let (slots, planets) = (u128::from(self.slots), self.planets);
+        // At most `slots`, which fits.
+        (0..planets).map(move |j| (u128::from(j) * slots / u128::from(planets)) as u64)
     }
 
     /// Angles of the planets, ascending from 0.
     #[must_use]
     pub fn angles(&self) -> Vec<Angle> {
-        let slot = TAU / f64::from(self.slots);
-        self.occupied.iter().map(|&p| angle(f64::from(p) * slot)).collect()
+        let slot = TAU / self.slots as f64;
+        self.occupied().map(|p| angle(p as f64 * slot)).collect()
     }
 
     /// Whether all gaps are equal.
     #[must_use]
     pub fn is_equal(&self) -> bool {
-        self.slots.is_multiple_of((self.occupied.len() as u32).max(1))
+        self.slots.is_multiple_of(self.count())
     }
 
     /// The smallest angle between neighbours, `2π·⌊(z_a + z_b)/N⌋/(z_a + z_b)`.
     #[must_use]
     pub fn smallest_gap(&self) -> Angle {
-        let gap = self.slots / (self.occupied.len() as u32).max(1);
-        angle(TAU * f64::from(gap) / f64::from(self.slots))
+        let gap = self.slots / self.count();
+        angle(TAU * gap as f64 / self.slots as f64)
     }
 
     /// The greatest deviation of a planet from equal spacing, the equally spaced pattern turned to
     /// where that is least: `π·(1 − 1/q)/(z_a + z_b)`, `q = N/gcd(N, z_a + z_b)`.
     #[must_use]
     pub fn greatest_deviation(&self) -> Angle {
-        let planets = self.occupied.len() as u32;
-        let classes = planets.max(1) / gcd(planets.max(1), self.slots);
-        let spread = 1.0 - 1.0 / f64::from(classes);
-        angle(TAU * spread / 2.0 / f64::from(self.slots))
+        let classes = self.count() / gcd(self.count(), self.slots);
+        let spread = 1.0 - 1.0 / classes as f64;
+        angle(TAU * spread / 2.0 / self.slots as f64)
     }
 
     /// Static imbalance: distance of the planets' common centre of mass from the axis over the
     /// radius of their centres. 0 for equal spacing.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
-        let slot = TAU / f64::from(self.slots);
-        let (x, y) = self.occupied.iter().fold((0.0, 0.0), |(x, y), &p| {
-            let (sin, cos) = (f64::from(p) * slot).sin_cos();
+        let slot = TAU / self.slots as f64;
+        let (x, y) = self.occupied().fold((0.0, 0.0), |(x, y), p| {
+            let (sin, cos) = (p as f64 * slot).sin_cos();
             (x + cos, y + sin)
         });
-        f64::hypot(x, y) / (self.occupied.len().max(1) as f64)
+        f64::hypot(x, y) / self.count() as f64
+    }
+
+    /// Planets, at least one, so that nothing is divided by none.
+    fn count(&self) -> u64 {
+        u64::from(self.planets.max(1))
     }
 }
 
-fn gcd(a: u32, b: u32) -> u32 {
+fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
@@ -119,9 +125,24 @@ mod tests {
     #[test]
     fn two_slots_too_many_leave_four_planets_balanced_in_pairs() {
         let uneven = spacing(18, 84, 4);
-        assert_eq!(uneven.occupied(), [0, 25, 51, 76]);
+        assert_eq!(uneven.occupied().collect::<Vec<_>>(), [0, 25, 51, 76]);
         assert!(!uneven.is_equal());
         assert!(uneven.imbalance() < 1e-15);
+    }
+
+    #[test]
+    fn the_greatest_tooth_counts_and_planets_have_a_spacing() {
+        let most = u32::MAX;
+        let wide = spacing(most, most, 4);
+        assert_eq!(wide.slots(), 2 * u64::from(most));
+        // 2·(2³² − 1) is twice an odd number: every other planet is half a slot off.
+        assert_eq!(wide.occupied().collect::<Vec<_>>(), [0, 2_147_483_647, 4_294_967_295, 6_442_450_942]);
+        assert!(!wide.is_equal() && wide.greatest_deviation().get::<radian>() > 0.0);
+        let crowded = spacing(most, most, most);
+        assert!(crowded.is_equal());
+        assert_eq!(crowded.occupied().nth(most as usize - 1), Some(2 * u64::from(most - 1)));
+        assert!((crowded.smallest_gap().get::<radian>() - TAU / f64::from(most)).abs() < 1e-24);
+        assert_eq!(spacing(1, 1, 0).angles().len(), 0);
     }
 
     /// Every placement of the planets on the slots, by brute force.

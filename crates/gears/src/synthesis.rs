@@ -21,6 +21,7 @@
 //! and the factor is an integer that shares no divisor with `N`.
 
 use crate::Error;
+use crate::rack::BasicRack;
 use crate::row::{Fraction, Mode, StationaryRatio, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::teeth::ToothCount;
@@ -81,8 +82,8 @@ pub struct Bounds {
     pub planets: RangeInclusive<u32>,
     /// Row parameter `k = z_b/z_a`.
     pub row_parameter: RangeInclusive<f64>,
-    /// Addendum coefficient `h_a*`.
-    pub addendum: f64,
+    /// The basic rack: its addendum `h_a*` decides on the gap between planets, with the pressure angle on undercut.
+    pub rack: BasicRack,
     /// Least gap between the tip circles of neighbouring planets, in modules.
     pub tip_gap: f64,
     /// How the planets may be placed.
@@ -103,7 +104,7 @@ impl Default for Bounds {
             ring: 12..=200,
             planets: 3..=8,
             row_parameter: 1.3..=10.0,
-            addendum: 1.0,
+            rack: BasicRack::default(),
             tip_gap: 0.0,
             placement: Placement::Equal,
         }
@@ -132,14 +133,14 @@ impl Bounds {
         if !(from > 1.0 && from <= to && to.is_finite()) {
             return Err(Error::RowParameterRange { from, to });
         }
-        not_negative("addendum coefficient", self.addendum, "modules")?;
+        self.rack.check()?;
         not_negative("tip gap", self.tip_gap, "modules")?;
         Ok(())
     }
 
     /// What `planet` and the tip circle's allowance need of `(z_a + z_g)·sin(γ/2)`.
     fn needed(&self, planet: u32) -> f64 {
-        f64::from(planet) + 2.0 * self.addendum + self.tip_gap
+        f64::from(planet) + 2.0 * self.rack.addendum + self.tip_gap
     }
 
     /// Every tooth set within the bounds, ascending by sun, planet and number of planets.
@@ -163,6 +164,22 @@ impl Bounds {
             },
         )?;
         Ok(found)
+    }
+
+    /// How many tooth sets there are within the bounds, without holding them.
+    ///
+    /// # Errors
+    /// As [`tooth_sets`](Self::tooth_sets).
+    pub fn count(&self) -> Result<u64, Error> {
+        let mut count = 0;
+        self.visit(
+            |_| {},
+            |_| {
+                count += 1;
+                Ok(())
+            },
+        )?;
+        Ok(count)
     }
 
     /// Each tooth set in turn, and after each sun the share of suns that are done.
@@ -248,44 +265,91 @@ impl Bounds {
         tolerance: f64,
         done: impl FnMut(f64),
     ) -> Result<Vec<Candidate>, Error> {
-        if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            return Err(Error::Tolerance { tolerance });
-        }
+        Ok(self.first_for_ratio(wanted, mode, tolerance, usize::MAX, done)?.first)
+    }
+
+    /// How many tooth sets there are for a ratio, and the first `most` of them in the order of
+    /// [`for_ratio`](Self::for_ratio); memory holds no more than twice these. `done` as there.
+    ///
+    /// # Errors
+    /// As [`for_ratio`](Self::for_ratio).
+    pub fn first_for_ratio(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        most: usize,
+        done: impl FnMut(f64),
+    ) -> Result<Ranked, Error> {
+        let order = |one: &Near, other: &Near| {
+            let key = |near: &Near| (near.teeth.ring, near.teeth.sun, near.teeth.planets);
+            one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
+        };
+        let mut held: Vec<Near> = Vec::new();
+        let found = self.each_for_ratio(wanted, mode, tolerance, done, |near| {
+            held.push(near);
+            if most > 0 && held.len() >= most.saturating_mul(2) {
+                held.select_nth_unstable_by(most, order);
+                held.truncate(most);
+            } else if most == 0 {
+                held.clear();
+            }
+        })?;
+        held.sort_by(order);
+        held.truncate(most);
+        Ok(Ranked { found, first: held.into_iter().map(|near| self.candidate(near, mode)).collect() })
+    }
+
+    /// Each tooth set for a ratio in turn, in no order that matters, and how many there were; nothing is held. `done` as
+    /// in [`for_ratio_watched`](Self::for_ratio_watched).
+    ///
+    /// # Errors
+    /// As [`for_ratio`](Self::for_ratio).
+    pub fn each_for_ratio(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        done: impl FnMut(f64),
+        mut each: impl FnMut(Near),
+    ) -> Result<u64, Error> {
+        check_tolerance(tolerance)?;
         if wanted == 0.0 || !wanted.is_finite() {
             return Err(Error::Ratio { ratio: wanted });
         }
         let mut nearest: Option<(f64, f64)> = None;
-        let mut found = Vec::new();
+        let mut found = 0;
         self.visit(done, |teeth| {
             let ratio = teeth.stationary_ratio().ratio(mode)?;
-            let error = ratio / wanted - 1.0;
-            if nearest.is_none_or(|(_, least)| error.abs() < least) {
-                nearest = Some((ratio, error.abs()));
+            let ratio_error = ratio / wanted - 1.0;
+            if nearest.is_none_or(|(_, least)| ratio_error.abs() < least) {
+                nearest = Some((ratio, ratio_error.abs()));
             }
             // A set that is off by the tolerance itself, but for rounding, is within.
-            if error.abs() <= tolerance + 4.0 * f64::EPSILON {
-                found.push(Candidate {
-                    ratio,
-                    exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode),
-                    ratio_error: error,
-                    most_planets: self.most_planets(teeth.sun, teeth.planet),
-                    undercut_sun: is_undercut(teeth.sun, self.addendum),
-                    undercut_planet: is_undercut(teeth.planet, self.addendum),
-                    spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
-                    teeth,
-                });
+            if ratio_error.abs() <= tolerance + 4.0 * f64::EPSILON {
+                found += 1;
+                each(Near { teeth, ratio, ratio_error });
             }
             Ok(())
         })?;
-        if found.is_empty() {
+        if found == 0 {
             let nearest = nearest.map(|(ratio, _)| ratio);
             return Err(Error::NoToothSet { wanted, mode, tolerance, nearest });
         }
-        found.sort_by(|one, other| {
-            let key = |c: &Candidate| (c.teeth.ring, c.teeth.sun, c.teeth.planets);
-            one.ratio_error.abs().total_cmp(&other.ratio_error.abs()).then_with(|| key(one).cmp(&key(other)))
-        });
         Ok(found)
+    }
+
+    fn candidate(&self, Near { teeth, ratio, ratio_error }: Near, mode: Mode) -> Candidate {
+        Candidate {
+            ratio,
+            exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode),
+            ratio_error,
+            most_planets: self.most_planets(teeth.sun, teeth.planet),
+            undercut_sun: self.rack.undercuts(teeth.sun),
+            undercut_planet: self.rack.undercuts(teeth.planet),
+            spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
+            teeth,
+        }
     }
 
     /// The largest number of equally spaced planets whose tips clear each other by the bounds' gap,
@@ -308,14 +372,22 @@ impl Bounds {
     }
 }
 
+/// Refuses a relative tolerance of a ratio outside 0 ≤ t < 1: from 100 % on it allows a ratio of 0.
+///
+/// # Errors
+/// [`Error::Tolerance`].
+pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
+    if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
+}
+
 /// The neighbour condition's limit as a number, `180°/arcsin((z_g + 2·h_a*)/(z_a + z_g))`: fewer
 /// planets than this clear each other. `None` where two already touch.
 ///
 /// # Source
 /// excavator-dynamics, condition of neighbourhood.
 #[must_use]
-pub fn neighbour_limit(sun: ToothCount, planet: ToothCount, addendum: f64) -> Option<f64> {
-    planet_number_limit((planet.as_f64() + 2.0 * addendum) / (sun.as_f64() + planet.as_f64()))
+pub fn neighbour_limit(sun: ToothCount, planet: ToothCount, rack: &BasicRack) -> Option<f64> {
+    planet_number_limit((planet.as_f64() + 2.0 * rack.addendum) / (sun.as_f64() + planet.as_f64()))
 }
 
 fn planet_number_limit(sine: f64) -> Option<f64> {
@@ -325,6 +397,26 @@ fn planet_number_limit(sine: f64) -> Option<f64> {
 /// Sine of half the smallest angle between planets placed as evenly as they assemble.
 fn half_gap_sine(slots: u32, planets: u32) -> f64 {
     (PI * f64::from(slots / planets) / f64::from(slots)).sin()
+}
+
+/// A tooth set whose ratio is near a wanted one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Near {
+    /// The teeth and the number of planets.
+    pub teeth: ToothSet,
+    /// The ratio it has.
+    pub ratio: f64,
+    /// Relative error of the ratio, `i/i_wanted − 1`.
+    pub ratio_error: f64,
+}
+
+/// The tooth sets for a ratio: how many, and the first of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ranked {
+    /// How many there are.
+    pub found: u64,
+    /// The first, the most exact before the others.
+    pub first: Vec<Candidate>,
 }
 
 /// A tooth set that meets a wanted ratio, and what there is to know of it.
@@ -356,19 +448,6 @@ impl Candidate {
     }
 }
 
-/// The least number of teeth that a standard 20° rack does not undercut, without profile shift:
-/// `2·h_a*/sin²20°`, to the nearest integer as handbooks have it (17 for `h_a* = 1`, exactly 17.1).
-#[must_use]
-pub fn least_teeth_without_undercut(addendum: f64) -> u32 {
-    (2.0 * addendum / 20.0_f64.to_radians().sin().powi(2)).round() as u32
-}
-
-/// Whether a standard 20° rack undercuts an external wheel without profile shift.
-#[must_use]
-pub fn is_undercut(teeth: ToothCount, addendum: f64) -> bool {
-    teeth.get() < least_teeth_without_undercut(addendum)
-}
-
 /// Tooth sets by trying every combination of teeth and planets: slow, and the oracle of
 /// [`Bounds::tooth_sets`].
 ///
@@ -385,7 +464,7 @@ pub fn tooth_sets_by_trial(bounds: &Bounds) -> Result<Vec<ToothSet>, Error> {
                     let spacing = PlanetSpacing::least_unequal(a, b, planets);
                     let placed = spacing.is_equal() || bounds.placement == Placement::LeastUnequal;
                     let chord = (a.as_f64() + g.as_f64()) * (radians(spacing.smallest_gap()) / 2.0).sin();
-                    let clears = chord > g.as_f64() + 2.0 * bounds.addendum + bounds.tip_gap;
+                    let clears = chord > g.as_f64() + 2.0 * bounds.rack.addendum + bounds.tip_gap;
                     let k = b.as_f64() / a.as_f64();
                     if sun + planet == ring.wrapping_sub(planet)
                         && placed
@@ -405,6 +484,7 @@ pub fn tooth_sets_by_trial(bounds: &Bounds) -> Result<Vec<ToothSet>, Error> {
 mod tests {
     use super::*;
     use crate::row::Member;
+    use crate::units::angle_from_degrees;
     use proptest::prelude::*;
 
     fn teeth(count: u32) -> ToothCount {
@@ -435,7 +515,7 @@ mod tests {
         assert_eq!(only.exact_ratio, Fraction::from_integer(6));
         assert_eq!(only.most_planets, 4);
         assert!(!only.undercut_sun && !only.undercut_planet);
-        let limit = neighbour_limit(teeth(20), teeth(40), 1.0).unwrap();
+        let limit = neighbour_limit(teeth(20), teeth(40), &BasicRack::default()).unwrap();
         assert!((limit - 180.0 / 44.427_004).abs() < 1e-6);
     }
 
@@ -458,15 +538,55 @@ mod tests {
             (Bounds { planets: 1..=3, ..base() }, Error::PlanetNumber { from: 1, to: 3, most: MOST_PLANETS }),
             (Bounds { row_parameter: 0.9..=3.0, ..base() }, Error::RowParameterRange { from: 0.9, to: 3.0 }),
             (
-                Bounds { addendum: -1.0, ..base() },
+                Bounds { rack: BasicRack { addendum: -1.0, ..BasicRack::default() }, ..base() },
                 Error::Negative { quantity: "addendum coefficient", value: -1.0, unit: "modules" },
             ),
         ];
         for (bounds, expected) in cases {
             assert_eq!(bounds.tooth_sets(), Err(expected));
         }
-        assert_eq!(base().for_ratio(6.0, sun_to_carrier(), -0.1), Err(Error::Tolerance { tolerance: -0.1 }));
+        for tolerance in [-0.1, 1.0, 1e308, f64::INFINITY] {
+            assert_eq!(
+                base().for_ratio(6.0, sun_to_carrier(), tolerance),
+                Err(Error::Tolerance { tolerance })
+            );
+        }
+        assert!(matches!(base().for_ratio(6.0, sun_to_carrier(), f64::NAN), Err(Error::Tolerance { .. })));
+        assert!(base().for_ratio(6.0, sun_to_carrier(), 0.999).is_ok());
         assert!(matches!(base().for_ratio(0.0, sun_to_carrier(), 0.1), Err(Error::Ratio { .. })));
+    }
+
+    /// 7/6.25 − 1 is 0.12 exactly, and as floats a rounding above it.
+    #[test]
+    fn a_set_at_the_tolerance_itself_is_within() {
+        let exact = |tolerance: f64| {
+            let found = Bounds::default().for_ratio(6.25, sun_to_carrier(), tolerance).unwrap();
+            found.iter().any(|set| set.ratio == 7.0)
+        };
+        assert!(exact(0.12) && !exact(0.12 - 1e-14));
+    }
+
+    #[test]
+    fn the_first_are_those_of_all_and_none_is_held_beyond_them() {
+        let bounds = Bounds { placement: Placement::LeastUnequal, ..Bounds::default() };
+        let all = bounds.for_ratio(5.3, sun_to_carrier(), 0.2).unwrap();
+        assert!(all.len() > 1000, "{}", all.len());
+        for most in [0, 1, 7, 100, all.len() - 1, all.len(), all.len() + 1] {
+            let ranked = bounds.first_for_ratio(5.3, sun_to_carrier(), 0.2, most, |_| {}).unwrap();
+            assert_eq!(ranked.found, all.len() as u64);
+            assert_eq!(ranked.first, all[..most.min(all.len())]);
+        }
+        assert_eq!(Bounds::default().count(), Ok(8016));
+    }
+
+    #[test]
+    fn ten_thousand_teeth_are_the_most() {
+        let sun = |to| Bounds { sun: 9_998..=to, planet: 1..=1, ring: 1..=10_000, ..Bounds::default() };
+        let wide = |to| Bounds { row_parameter: 1.0001..=2.0, planets: 2..=2, tip_gap: 0.0, ..sun(to) };
+        assert_eq!(MOST_TEETH, 10_000);
+        assert_eq!(wide(10_000).tooth_sets().unwrap().len(), 1);
+        let refused = Error::ToothRange { wheel: "sun", from: 9_998, to: 10_001, most: 10_000 };
+        assert_eq!(wide(10_001).tooth_sets(), Err(refused));
     }
 
     #[test]
@@ -477,10 +597,20 @@ mod tests {
         assert_eq!(Bounds::default().most_planets(teeth(25), planet), 6);
     }
 
+    /// The pressure angle decides on undercut alone, the addendum on undercut and on the gap between planets.
     #[test]
-    fn undercut_begins_below_17_teeth() {
-        assert_eq!(least_teeth_without_undercut(1.0), 17);
-        assert!(is_undercut(teeth(16), 1.0) && !is_undercut(teeth(17), 1.0));
+    fn undercut_follows_the_rack() {
+        let with = |addendum: f64, alpha_deg: f64| {
+            let rack =
+                BasicRack { addendum, pressure_angle: angle_from_degrees(alpha_deg), ..BasicRack::default() };
+            let bounds = Bounds { sun: 15..=15, planet: 30..=30, planets: 3..=3, rack, ..Bounds::default() };
+            let found = bounds.for_ratio(6.0, sun_to_carrier(), 0.0).unwrap();
+            (found[0].undercut_sun, found[0].undercut_planet)
+        };
+        assert_eq!(with(1.0, 14.5), (true, true));
+        assert_eq!(with(1.0, 20.0), (true, false));
+        assert_eq!(with(1.0, 25.0), (false, false));
+        assert_eq!(with(0.8, 20.0), (false, false));
     }
 
     proptest! {

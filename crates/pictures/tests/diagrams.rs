@@ -8,14 +8,14 @@ use common::{Picture, catalogue, check, in_service};
 use epicyclic_drawing::{Color, Shape};
 use epicyclic_pictures::gearbox::levers::{Lever, levers as levers_of};
 use epicyclic_pictures::gearbox::{Error, ladder, levers, speeds};
-use epicyclic_schemes::row::RowSpec;
+use epicyclic_schemes::set::SetSpec;
 use epicyclic_schemes::{Analysis, Gearbox};
 
 fn all() -> impl Iterator<Item = Gearbox> {
     catalogue().into_iter().chain(in_service())
 }
 
-fn gears(gearbox: &Gearbox) -> Vec<Analysis> {
+fn gears(gearbox: &Gearbox) -> Vec<Analysis<'_>> {
     gearbox.gears().iter().map(|gear| gearbox.analyze(gear.name()).unwrap()).collect()
 }
 
@@ -136,7 +136,7 @@ fn rungs_stand_at_the_logarithm_of_their_ratio() {
 fn gears_without_speeds_are_refused_by_name() {
     let gearbox = Gearbox::builder("open")
         .links(["D", "B", "T1"])
-        .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+        .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
         .brake("K1", "T1")
         .input("D")
         .output("B")

@@ -11,7 +11,7 @@ use epicyclic_gears::teeth::ToothCount;
 use epicyclic_pictures::gearbox::Error;
 use epicyclic_pictures::gearbox::scheme::{ALONG_MM, Options, Show, UP_MM, scene};
 use epicyclic_schemes::drawability::{self, Verdict};
-use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_schemes::{Gearbox, LinkId};
 
@@ -139,7 +139,7 @@ fn widths_are_powers() {
     let scene = in_gear(&gearbox, "2", true);
     let found = widths(&scene, "links", POWER);
     assert!(found.len() > 8);
-    let mut powers: Vec<f64> = case.power.rows.iter().flatten().flat_map(|row| row.members).collect();
+    let mut powers: Vec<f64> = case.power.sets.iter().flatten().flat_map(|set| set.members.clone()).collect();
     powers.extend([1.0, case.efficiency]);
     for width in &found {
         let power = width / 2.2;
@@ -186,11 +186,11 @@ fn the_whole_scheme_is_its_own_mirror_image() {
 }
 
 /// A gearbox of one row of a kind, all of whose members reach out.
-fn one(kind: RowKind) -> Gearbox {
+fn one(kind: SetKind) -> Gearbox {
     let count = |z| ToothCount::new(z).unwrap();
     let members = if kind.is_pair() { ["D", "B", "ground"] } else { ["D", "T1", "B"] };
-    let row = RowSpec::teeth("1", kind, members, 24, 72).unwrap().planet_teeth(count(20), Some(count(26)));
-    let builder = Gearbox::builder(&kind.to_string()).links(["D", "B"]).row(row).input("D").output("B");
+    let row = SetSpec::teeth("1", kind, members, 24, 72).unwrap().planet_teeth(count(20), Some(count(26)));
+    let builder = Gearbox::builder(&kind.to_string()).links(["D", "B"]).set(row).input("D").output("B");
     if kind.is_pair() {
         return builder.gear("1", [""; 0]).build().unwrap();
     }
@@ -199,7 +199,7 @@ fn one(kind: RowKind) -> Gearbox {
 
 #[test]
 fn every_kind_of_row_has_a_sign() {
-    use RowKind::{
+    use SetKind::{
         Bevel, DoublePlanet, ExternalPair, InternalPair, MeshingSuns, Simple, SteppedRings, SteppedSunRing,
         SteppedSuns,
     };
@@ -230,7 +230,7 @@ fn every_kind_of_row_has_a_sign() {
 
 #[test]
 fn gears_without_powers_are_refused_by_name() {
-    let gearbox = one(RowKind::Simple).to_builder().gear("blocked", ["K1", "L"]).build().unwrap();
+    let gearbox = one(SetKind::Simple).to_builder().gear("blocked", ["K1", "L"]).build().unwrap();
     let layout = layout(&gearbox);
     let blocked = gearbox.analyze("blocked").unwrap();
     let refused = scene(&gearbox, &layout, Show::Power(&blocked), &Options::default());

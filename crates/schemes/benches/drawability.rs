@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::drawability::{self, Options, Verdict};
-use epicyclic_schemes::row::RowSpec;
+use epicyclic_schemes::set::SetSpec;
 use std::hint::black_box;
 
 #[path = "../tests/common/mod.rs"]
@@ -14,8 +14,8 @@ use common::machines;
 fn two_row(rows: [[&str; 3]; 2]) -> Gearbox {
     Gearbox::builder("two rows")
         .links(["D", "B", "T1", "T2"])
-        .row(RowSpec::simple("1", rows[0], 2.15))
-        .row(RowSpec::simple("2", rows[1], 2.354))
+        .set(SetSpec::simple("1", rows[0], 2.15))
+        .set(SetSpec::simple("2", rows[1], 2.354))
         .brake("K1", "T1")
         .brake("K2", "T2")
         .clutch("direct", "D", "B")

@@ -3,41 +3,50 @@
 use crate::compiled::{CompiledGear, Direction, Solution, verdict};
 use crate::efficiency::{Pattern, patterns};
 use crate::kreines::{Kreines, kreines, ratio};
-use crate::speeds::{RowMotion, link_speeds, row_motion, slips};
+use crate::speeds::{SetMotion, link_speeds, set_motion, slips};
+use crate::state::Verdict;
 use crate::topology::{Topology, numbers};
 use crate::torques::{LoadCase, Scene, ideal, loaded};
 use crate::{Error, Gear, Gearbox, LinkId, State};
 use epicyclic_gears::row::Fraction;
+use std::sync::OnceLock;
 
 /// What the solver says of one gear.
 ///
 /// Speeds are multiples of the input's speed and torques of the input's torque;
-/// [`at`](Self::at) turns them into quantities.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Analysis {
+/// [`at`](Self::at) turns them into quantities. What is asked for is computed when it is first asked for, and
+/// kept: a ratio or a speed costs neither torques nor efficiencies.
+#[derive(Debug, Clone)]
+pub struct Analysis<'g> {
+    pub(crate) gearbox: &'g Gearbox,
     pub(crate) gear: Gear,
-    pub(crate) state: State,
-    pub(crate) ratio: Option<f64>,
-    pub(crate) exact_ratio: Option<Fraction>,
-    pub(crate) speeds: Vec<Option<f64>>,
-    pub(crate) rows: Vec<RowMotion>,
-    pub(crate) slips: Vec<Option<f64>>,
-    pub(crate) ideal: Option<LoadCase>,
-    pub(crate) driving: Option<LoadCase>,
-    pub(crate) overrun: Option<LoadCase>,
-    pub(crate) kreines: Option<Kreines>,
-    pub(crate) patterns: Vec<Pattern>,
+    pub(crate) topology: Topology,
+    pub(crate) verdict: Verdict,
+    ratio: Option<f64>,
+    speeds: Vec<Option<f64>>,
+    compiled: OnceLock<Option<CompiledGear>>,
+    state: OnceLock<State>,
+    exact_ratio: OnceLock<Option<Fraction>>,
+    sets: OnceLock<Vec<SetMotion>>,
+    slips: OnceLock<Vec<Option<f64>>>,
+    forward: OnceLock<Option<Solution>>,
+    backward: OnceLock<Option<Solution>>,
+    ideal: OnceLock<Option<LoadCase>>,
+    driving: OnceLock<Option<LoadCase>>,
+    overrun: OnceLock<Option<LoadCase>>,
+    kreines: OnceLock<Option<Kreines>>,
+    patterns: OnceLock<Vec<Pattern>>,
 }
 
 impl Gearbox {
     /// Analyses a gear by name.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, row::{RowKind, RowSpec}};
+    /// use epicyclic_schemes::{Gearbox, set::{SetKind, SetSpec}};
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let gearbox = Gearbox::builder("prius split")
     ///     .links(["engine", "mg1", "ring"])
-    ///     .row(RowSpec::teeth("PSD", RowKind::Simple, ["mg1", "ring", "engine"], 30, 78)?)
+    ///     .set(SetSpec::teeth("PSD", SetKind::Simple, ["mg1", "ring", "engine"], 30, 78)?)
     ///     .brake("hold", "mg1")
     ///     .input("engine")
     ///     .output("ring")
@@ -53,76 +62,52 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a gear that does not exist, [`Error::TooMany`] beyond the fixed size of
-    /// the solver. That a gear is not driven is no error: see [`Analysis::state`].
-    pub fn analyze(&self, gear: &str) -> Result<Analysis, Error> {
+    /// [`Error::Unknown`] for a gear that does not exist. That a gear is not driven is no error: see
+    /// [`Analysis::state`].
+    pub fn analyze(&self, gear: &str) -> Result<Analysis<'_>, Error> {
         self.analyze_gear(self.gear(gear)?)
     }
 
     /// Analyses a gear, named or made by [`Gearbox::gear_of`].
     ///
     /// # Errors
-    /// [`Error::TooMany`] beyond the fixed size of the solver.
-    pub fn analyze_gear(&self, gear: &Gear) -> Result<Analysis, Error> {
+    /// [`Error::ForeignGear`] for a gear of another gearbox.
+    pub fn analyze_gear(&self, gear: &Gear) -> Result<Analysis<'_>, Error> {
+        self.check_gear(gear)?;
         let topology = Topology::new(self, gear);
         let verdict = verdict(self, &topology);
-        let speeds = link_speeds(&topology, &verdict);
-        let mut analysis = Analysis {
-            gear: gear.clone(),
-            state: verdict.state.clone(),
-            ratio: None,
-            exact_ratio: None,
-            rows: self.rows.iter().map(|row| row_motion(row, &speeds)).collect(),
-            slips: slips(self, gear, &speeds),
-            speeds,
-            ideal: None,
-            driving: None,
-            overrun: None,
-            kreines: None,
-            patterns: vec![],
-        };
         let output = topology.output.and_then(|node| verdict.speeds[node]).filter(|speed| *speed != 0.0);
-        analysis.ratio =
-            output.map(f64::recip).filter(|_| !matches!(verdict.state, State::InputBlocked { .. }));
-        if analysis.ratio.is_some() {
-            let known: Vec<Option<Fraction>> = self.rows.iter().map(|row| row.exact).collect();
-            analysis.exact_ratio = ratio(&topology, &known).filter(|i| *i.numer() != 0);
-        }
-        if !verdict.solvable {
-            return Ok(analysis);
-        }
-        let compiled = CompiledGear::of(self, &topology, &verdict)?;
-        let scene = Scene {
+        let is_blocked = matches!(verdict.state, State::InputBlocked { .. });
+        Ok(Analysis {
             gearbox: self,
-            topology: &topology,
-            verdict: &verdict,
-            compiled: &compiled,
-            speeds: &analysis.speeds,
-        };
-        let ratios = numbers(self);
-        let shared: Vec<f64> = self.shared.iter().map(|mesh| mesh.eta).collect();
-        let solve = |direction| {
-            let mut solution = Solution::default();
-            let own = |row: usize| self.own_efficiency(row);
-            compiled
-                .solve_numbers(|row| ratios[row], own, &shared, direction, &mut solution)
-                .then_some(solution)
-        };
-        let (Some(forward), Some(backward)) = (solve(Direction::Drive), solve(Direction::Overrun)) else {
-            return Ok(analysis);
-        };
-        let driving = loaded(&scene, Direction::Drive, &forward);
-        let signs = driving.as_ref().map(|case| (case.signs.as_slice(), case.shared_signs.as_slice()));
-        analysis.kreines = kreines(self, &topology, &ratios, signs);
-        analysis.patterns = patterns(&scene, &ratios, &forward);
-        analysis.ideal = Some(ideal(&scene, &ratios, &forward));
-        analysis.overrun = loaded(&scene, Direction::Overrun, &backward);
-        analysis.driving = driving;
-        Ok(analysis)
+            gear: gear.clone(),
+            ratio: output.map(f64::recip).filter(|_| !is_blocked),
+            speeds: link_speeds(&topology, &verdict),
+            topology,
+            verdict,
+            compiled: OnceLock::new(),
+            state: OnceLock::new(),
+            exact_ratio: OnceLock::new(),
+            sets: OnceLock::new(),
+            slips: OnceLock::new(),
+            forward: OnceLock::new(),
+            backward: OnceLock::new(),
+            ideal: OnceLock::new(),
+            driving: OnceLock::new(),
+            overrun: OnceLock::new(),
+            kreines: OnceLock::new(),
+            patterns: OnceLock::new(),
+        })
     }
 }
 
-impl Analysis {
+impl<'g> Analysis<'g> {
+    /// The gearbox.
+    #[must_use]
+    pub fn gearbox(&self) -> &'g Gearbox {
+        self.gearbox
+    }
+
     /// The gear.
     #[must_use]
     pub fn gear(&self) -> &Gear {
@@ -132,7 +117,26 @@ impl Analysis {
     /// Its state.
     #[must_use]
     pub fn state(&self) -> &State {
-        &self.state
+        self.state.get_or_init(|| {
+            let moves = |efficiency: Option<f64>| efficiency.is_some_and(|efficiency| efficiency > 0.0);
+            if self.verdict.state != State::Driven
+                || !self.gearbox.sets.iter().any(crate::PlanetSet::has_losses)
+                || self.solution(Direction::Drive).is_none()
+                || moves(self.efficiency())
+            {
+                return self.verdict.state.clone();
+            }
+            State::SelfLocking {
+                links: vec![self.gearbox.link_name(self.gear.input).to_owned()],
+                both_ways: !moves(self.overrun_efficiency()),
+            }
+        })
+    }
+
+    /// Its state by speeds and ranks alone, whatever the losses.
+    #[must_use]
+    pub fn kinematic_state(&self) -> &State {
+        &self.verdict.state
     }
 
     /// Ratio `i = ω_in/ω_out`, where the output turns at a speed that follows from the input's.
@@ -141,10 +145,14 @@ impl Analysis {
         self.ratio
     }
 
-    /// The ratio as a fraction of tooth counts, where those of all rows that settle it are known.
+    /// The ratio as a fraction of tooth counts, where those of all sets that settle it are known.
     #[must_use]
     pub fn exact_ratio(&self) -> Option<Fraction> {
-        self.exact_ratio
+        *self.exact_ratio.get_or_init(|| {
+            self.ratio?;
+            let known: Vec<Option<Fraction>> = self.gearbox.equations.iter().map(|one| one.exact).collect();
+            ratio(&self.topology, &known).filter(|i| *i.numer() != 0)
+        })
     }
 
     /// Speed of a link as a multiple of the input's (of a blocked input: 0 where the link rests);
@@ -160,34 +168,80 @@ impl Analysis {
         &self.speeds
     }
 
-    /// Motion of each row.
+    /// Motion of each set.
     #[must_use]
-    pub fn rows(&self) -> &[RowMotion] {
-        &self.rows
+    pub fn sets(&self) -> &[SetMotion] {
+        self.sets.get_or_init(|| self.gearbox.sets.iter().map(|set| set_motion(set, &self.speeds)).collect())
     }
 
-    /// Slip of each control, `ω_first − ω_second`: 0 when engaged, `None` where it does not follow.
+    /// Slip of each shift element, `ω_first − ω_second`: 0 when engaged, `None` where it does not follow.
     #[must_use]
     pub fn slips(&self) -> &[Option<f64>] {
-        &self.slips
+        self.slips.get_or_init(|| slips(self.gearbox, &self.gear, &self.speeds))
+    }
+
+    fn compiled(&self) -> Option<&CompiledGear> {
+        let compile =
+            || self.verdict.solvable.then(|| CompiledGear::of(self.gearbox, &self.topology, &self.verdict));
+        self.compiled.get_or_init(compile).as_ref()
+    }
+
+    fn solution(&self, direction: Direction) -> Option<&Solution> {
+        let solve = || {
+            let mut solution = Solution::default();
+            let gearbox = self.gearbox;
+            let solved = self.compiled()?.solve_numbers(
+                |equation| gearbox.equations[equation].ratio,
+                |segment| gearbox.segments[segment].efficiency,
+                direction,
+                0.0,
+                &mut solution,
+            );
+            solved.then_some(solution)
+        };
+        match direction {
+            Direction::Drive => self.forward.get_or_init(solve).as_ref(),
+            Direction::Overrun => self.backward.get_or_init(solve).as_ref(),
+        }
+    }
+
+    fn scene<'a>(&'a self, compiled: &'a CompiledGear) -> Scene<'a> {
+        Scene {
+            gearbox: self.gearbox,
+            topology: &self.topology,
+            verdict: &self.verdict,
+            compiled,
+            speeds: &self.speeds,
+        }
     }
 
     /// Torques and powers without losses, driven from the input.
     #[must_use]
     pub fn ideal(&self) -> Option<&LoadCase> {
-        self.ideal.as_ref()
+        let case = || {
+            let scene = self.scene(self.compiled()?);
+            Some(ideal(&scene, &numbers(self.gearbox), self.solution(Direction::Drive)?))
+        };
+        self.ideal.get_or_init(case).as_ref()
     }
 
     /// Torques and powers with losses, driven from the input.
+    ///
+    /// With an efficiency at or below 0 the gear is [self-locking](State::SelfLocking), and these are the torques
+    /// at which it just moves when the output helps.
     #[must_use]
     pub fn driving(&self) -> Option<&LoadCase> {
-        self.driving.as_ref()
+        self.driving.get_or_init(|| self.loaded(Direction::Drive)).as_ref()
     }
 
     /// Torques and powers with losses, driven from the output.
     #[must_use]
     pub fn overrun(&self) -> Option<&LoadCase> {
-        self.overrun.as_ref()
+        self.overrun.get_or_init(|| self.loaded(Direction::Overrun)).as_ref()
+    }
+
+    fn loaded(&self, direction: Direction) -> Option<LoadCase> {
+        loaded(&self.scene(self.compiled()?), direction, self.solution(direction)?)
     }
 
     /// Efficiency driven from the input; `None` unless driven (or [torques are
@@ -195,31 +249,44 @@ impl Analysis {
     /// input moves the gear against its losses.
     #[must_use]
     pub fn efficiency(&self) -> Option<f64> {
-        self.driving.as_ref().map(|case| case.efficiency)
+        self.solution(Direction::Drive)?.efficiency()
     }
 
-    /// Efficiency driven from the output; `None` as in [`efficiency`](Self::efficiency).
+    /// Back-driving efficiency, from the output; `None` as in [`efficiency`](Self::efficiency).
     #[must_use]
     pub fn overrun_efficiency(&self) -> Option<f64> {
-        self.overrun.as_ref().map(|case| case.efficiency)
+        self.solution(Direction::Overrun)?.efficiency()
     }
 
-    /// Whether a driven gear cannot be moved from its output: overrun efficiency at or below 0.
+    /// Whether a gear cannot be moved from its output: back-driving efficiency at or below 0.
     /// `None` where no losses follow.
     #[must_use]
     pub fn is_self_locking(&self) -> Option<bool> {
-        self.ideal.as_ref().map(|_| self.overrun_efficiency().is_none_or(|eta| eta <= 0.0))
+        self.solution(Direction::Drive)?;
+        Some(self.overrun_efficiency().is_none_or(|eta| eta <= 0.0))
     }
 
     /// What Kreines' rule says.
     #[must_use]
     pub fn kreines(&self) -> Option<&Kreines> {
-        self.kreines.as_ref()
+        let rule = || {
+            let solution = self.solution(Direction::Drive)?;
+            let mut signs = vec![0; self.gearbox.segments.len()];
+            for (&segment, &sign) in self.compiled()?.segments.iter().zip(solution.signs()) {
+                signs[segment] = sign;
+            }
+            kreines(self.gearbox, &self.topology, solution.has_branch.then_some(signs.as_slice()))
+        };
+        self.kreines.get_or_init(rule).as_ref()
     }
 
     /// Self-consistent patterns of signs, the chosen one first.
     #[must_use]
     pub fn patterns(&self) -> &[Pattern] {
-        &self.patterns
+        let all = || {
+            let found = self.solution(Direction::Drive)?;
+            Some(patterns(&self.scene(self.compiled()?), &numbers(self.gearbox), found))
+        };
+        self.patterns.get_or_init(|| all().unwrap_or_default())
     }
 }

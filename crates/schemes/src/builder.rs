@@ -1,11 +1,18 @@
 //! Describing a gearbox by names, and checking that the description is one.
 
-use crate::gearbox::{Control, Gear, SharedMesh, ascending, nearest};
+use crate::compound::{CentralKind, CompoundSpec};
+use crate::error::CompoundFault;
+use crate::gearbox::{Control, Gear, ascending, nearest};
 use crate::groups::Groups;
-use crate::row::{Gearing, MeshLoss, Row, RowKind, RowSpec};
+use crate::planet_set::{
+    Central, Description, GearOf, Mesh, MeshKind, Parts, Planet, PlanetSet, parts_of_short,
+};
+use crate::set::SetSpec;
+use crate::tolerance::{
+    MOST_ALIKE, MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS, SPREAD,
+};
 use crate::{Error, GROUND, Gearbox, LinkId, Named, Warning};
-use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::Member;
+use epicyclic_gears::teeth::ToothCount;
 
 /// A gearbox being described; see [`Gearbox::builder`].
 ///
@@ -14,10 +21,9 @@ use epicyclic_gears::row::Member;
 pub struct GearboxBuilder {
     name: String,
     links: Vec<String>,
-    rows: Vec<RowSpec>,
-    controls: Vec<(String, [String; 2])>,
+    sets: Vec<Description>,
+    controls: Vec<(String, [String; 2], bool)>,
     permanent: Vec<[String; 2]>,
-    shared: Vec<Vec<String>>,
     gears: Vec<GearSpec>,
     input: Option<String>,
     output: Option<String>,
@@ -42,19 +48,17 @@ impl Gearbox {
     pub fn to_builder(&self) -> GearboxBuilder {
         let name = |link: LinkId| self.link_name(link).to_owned();
         let gear = |gear: &Gear| GearSpec {
-            name: gear.name.clone(),
+            name: gear.name().to_owned(),
             engaged: gear.engaged.iter().map(|&place| self.controls[place].id.clone()).collect(),
             input: Some(name(gear.input)),
             output: Some(name(gear.output)),
         };
-        let ids = |mesh: &SharedMesh| mesh.rows.iter().map(|&row| self.rows[row].id().to_owned()).collect();
         GearboxBuilder {
             name: self.name.clone(),
             links: self.links[1..].to_vec(),
-            rows: self.rows.iter().map(|row| row.spec.clone()).collect(),
-            controls: self.controls.iter().map(|c| (c.id.clone(), c.links.map(name))).collect(),
+            sets: self.sets.iter().map(|set| set.description().clone()).collect(),
+            controls: self.controls.iter().map(|c| (c.id.clone(), c.links.map(name), c.one_way)).collect(),
             permanent: self.permanent.iter().map(|pair| pair.map(name)).collect(),
-            shared: self.shared.iter().map(ids).collect(),
             gears: self.gears.iter().map(gear).collect(),
             input: Some(name(self.input)),
             output: Some(name(self.output)),
@@ -74,23 +78,38 @@ impl GearboxBuilder {
         self
     }
 
-    /// Adds a row.
+    /// Adds a set with three members, in short.
     #[must_use]
-    pub fn row(mut self, row: RowSpec) -> Self {
-        self.rows.push(row);
+    pub fn set(mut self, set: SetSpec) -> Self {
+        self.sets.push(set.into());
         self
     }
 
-    /// Adds a control that holds a link to the housing.
+    /// Adds a set of any form, gear by gear.
+    #[must_use]
+    pub fn compound_set(mut self, set: CompoundSpec) -> Self {
+        self.sets.push(set.into());
+        self
+    }
+
+    /// Adds a shift element that holds a link to the housing.
     #[must_use]
     pub fn brake(self, id: &str, link: &str) -> Self {
         self.clutch(id, link, GROUND)
     }
 
-    /// Adds a control that joins two links.
+    /// Adds a shift element that joins two links.
     #[must_use]
     pub fn clutch(mut self, id: &str, first: &str, second: &str) -> Self {
-        self.controls.push((id.into(), [first.into(), second.into()]));
+        self.controls.push((id.into(), [first.into(), second.into()], false));
+        self
+    }
+
+    /// Adds a one-way clutch: it keeps the first link from turning slower than the second, `ω_1 < ω_2`, and lets
+    /// it turn faster. A gear that relies on it names it among what is engaged.
+    #[must_use]
+    pub fn one_way_clutch(mut self, id: &str, first: &str, second: &str) -> Self {
+        self.controls.push((id.into(), [first.into(), second.into()], true));
         self
     }
 
@@ -104,16 +123,6 @@ impl GearboxBuilder {
     #[must_use]
     pub fn tie(mut self, first: &str, second: &str) -> Self {
         self.permanent.push([first.into(), second.into()]);
-        self
-    }
-
-    /// Says that these rows share one mesh of a long planet with their common ring (Ravigneaux): its
-    /// loss then acts on the net force of the mesh, not on each row's part.
-    ///
-    /// The rows must have one ring and one carrier and losses by mesh, that of the ring mesh equal.
-    #[must_use]
-    pub fn shared_ring_mesh<S: Into<String>>(mut self, rows: impl IntoIterator<Item = S>) -> Self {
-        self.shared.push(rows.into_iter().map(Into::into).collect());
         self
     }
 
@@ -145,54 +154,75 @@ impl GearboxBuilder {
         self
     }
 
-    /// Changes the rows described so far: other `k`, teeth or losses between the same links.
+    /// Changes the sets described in short so far: other `k`, teeth or losses between the same links.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, row::{Gearing, RowSpec}};
+    /// use epicyclic_schemes::{Gearbox, set::{Gearing, SetSpec}};
     /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let gearbox = Gearbox::builder("I")
     ///     .links(["D", "B", "T1"])
-    ///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+    ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
     ///     .brake("K1", "T1")
     ///     .input("D")
     ///     .output("B")
     ///     .gear("slow", ["K1"])
     ///     .build()?;
-    /// let other = gearbox.to_builder().map_rows(|row| RowSpec { gearing: Gearing::Parameter(4.0), ..row }).build()?;
+    /// let other = gearbox.to_builder().map_sets(|row| SetSpec { gearing: Gearing::Parameter(4.0), ..row }).build()?;
     /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
     /// # Ok(())
     /// # }
     /// ```
     #[must_use]
-    pub fn map_rows(mut self, change: impl FnMut(RowSpec) -> RowSpec) -> Self {
-        self.rows = self.rows.into_iter().map(change).collect();
+    pub fn map_sets(self, mut change: impl FnMut(SetSpec) -> SetSpec) -> Self {
+        self.map_descriptions(|description| match description {
+            Description::Short(spec) => Description::Short(change(spec)),
+            whole @ Description::Compound(_) => whole,
+        })
+    }
+
+    /// Changes all sets described so far.
+    #[must_use]
+    pub fn map_descriptions(mut self, change: impl FnMut(Description) -> Description) -> Self {
+        self.sets = self.sets.into_iter().map(change).collect();
         self
     }
 
     /// Checks the description and returns the gearbox.
     ///
     /// # Errors
-    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members
-    /// of a row that are one piece, `k ≤ 1` of a simple row, missing steps, controls that join a
-    /// link with itself, permanent connections in a loop, terminals at the housing, rows that cannot
-    /// share a mesh. Teeth that break coaxiality only leave a [`Warning`].
+    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set that
+    /// are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements that join a
+    /// link with itself, permanent connections in a loop, terminals at the housing, more than is solved. What teeth
+    /// do not fit is asked of [`Gearbox::tooth_checks`].
     pub fn build(self) -> Result<Gearbox, Error> {
+        for (what, count, limit) in [
+            (Named::Set, self.sets.len(), MOST_SETS),
+            (Named::Link, self.links.len(), MOST_LINKS),
+            (Named::Control, self.controls.len(), MOST_ELEMENTS),
+            (Named::Gear, self.gears.len(), MOST_GEARS),
+        ] {
+            if count > limit {
+                return Err(Error::TooMany { what, count, limit });
+            }
+        }
         let mut links = vec![GROUND.to_owned()];
         links.extend(self.links.iter().cloned());
-        unique(Named::Link, links.iter())?;
-        unique(Named::Row, self.rows.iter().map(|row| &row.id))?;
-        unique(Named::Control, self.controls.iter().map(|(id, _)| id))?;
-        unique(Named::Gear, self.gears.iter().map(|gear| &gear.name))?;
-        if self.rows.is_empty() {
-            return Err(Error::NoRows);
+        unique(Named::Link, links.iter().map(String::as_str))?;
+        unique(Named::Set, self.sets.iter().map(Description::id))?;
+        unique(Named::Control, self.controls.iter().map(|(id, ..)| id.as_str()))?;
+        unique(Named::Gear, self.gears.iter().map(|gear| gear.name.as_str()))?;
+        if self.sets.is_empty() {
+            return Err(Error::NoSets);
         }
         let mut gearbox = Gearbox {
             name: self.name,
             links,
-            rows: vec![],
+            sets: vec![],
+            equations: vec![],
+            segments: vec![],
+            drawn: vec![],
             controls: vec![],
             permanent: vec![],
-            shared: vec![],
             gears: vec![],
             input: LinkId::GROUND,
             output: LinkId::GROUND,
@@ -209,25 +239,29 @@ impl GearboxBuilder {
             }
             gearbox.permanent.push(pair);
         }
-        for spec in self.rows {
-            let row = build_row(&gearbox, spec, &groups)?;
-            gearbox.warnings.extend(coaxiality(&row));
-            gearbox.rows.push(row);
+        for description in self.sets {
+            let set = build_set(&gearbox, description, &groups)?;
+            gearbox.push_set(set);
         }
-        for (id, [first, second]) in self.controls {
-            let place = || format!("control `{id}`");
+        let exponent: f64 = gearbox
+            .equations
+            .iter()
+            .map(|one| (1.0 + one.ratio.abs().max(1.0 / one.ratio.abs())).log10())
+            .sum();
+        if exponent > SPREAD.log10() {
+            return Err(Error::Spread { exponent });
+        }
+        for (id, [first, second], one_way) in self.controls {
+            let place = || format!("shift element `{id}`");
             let mut pair = [link(&gearbox, &first, place)?, link(&gearbox, &second, place)?];
             if pair[0] == pair[1] {
                 return Err(Error::ControlJoinsItself { control: id, link: first });
             }
-            if pair[0] == LinkId::GROUND {
+            // The order of a one-way clutch is its sense.
+            if pair[0] == LinkId::GROUND && !one_way {
                 pair.swap(0, 1);
             }
-            gearbox.controls.push(Control { id, links: pair });
-        }
-        for names in &self.shared {
-            let group = shared_mesh(&gearbox, names, &groups)?;
-            gearbox.shared.push(group);
+            gearbox.controls.push(Control { id, links: pair, one_way });
         }
         for spec in self.gears {
             let gear = build_gear(&gearbox, spec)?;
@@ -239,15 +273,25 @@ impl GearboxBuilder {
         for terminal in unreachable {
             gearbox.warnings.push(Warning::Unreachable { link: gearbox.link_name(terminal).into() });
         }
+        if gearbox.gears.is_empty() {
+            gearbox.warnings.push(Warning::NoGears);
+        }
+        for gear in gearbox.gears.iter().filter(|gear| gear.input == gear.output) {
+            gearbox.warnings.push(Warning::SameTerminals {
+                gear: gear.name().to_owned(),
+                link: gearbox.link_name(gear.input).into(),
+            });
+        }
+        gearbox.warnings.extend(sharing(&gearbox));
         Ok(gearbox)
     }
 }
 
-fn unique<'a>(what: Named, names: impl Iterator<Item = &'a String>) -> Result<(), Error> {
+fn unique<'a>(what: Named, names: impl Iterator<Item = &'a str>) -> Result<(), Error> {
     let mut seen = std::collections::BTreeSet::new();
     for name in names {
         if !seen.insert(name) {
-            return Err(Error::Duplicate { what, name: name.clone() });
+            return Err(Error::Duplicate { what, name: name.to_owned() });
         }
     }
     Ok(())
@@ -266,81 +310,195 @@ fn terminal(gearbox: &Gearbox, name: Option<&str>, which: &'static str) -> Resul
     Ok(found)
 }
 
-fn build_row(gearbox: &Gearbox, spec: RowSpec, groups: &Groups) -> Result<Row, Error> {
-    let (ratio, exact) = spec.ratio()?;
-    let place = || format!("row `{}`", spec.id);
-    let [a, b, h] = &spec.members;
-    let mut members = [link(gearbox, a, place)?, link(gearbox, b, place)?, link(gearbox, h, place)?];
-    if spec.kind.is_pair() {
-        members[2] = LinkId::GROUND;
+fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Result<PlanetSet, Error> {
+    let id = description.id().to_owned();
+    let place = || format!("set `{id}`");
+    let (carrier, parts) = match &description {
+        Description::Short(spec) => {
+            let [a, b, h] = &spec.members;
+            let links = [link(gearbox, a, place)?, link(gearbox, b, place)?];
+            let carrier = link(gearbox, h, place)?;
+            (if spec.kind.is_pair() { LinkId::GROUND } else { carrier }, parts_of_short(spec, links)?)
+        }
+        Description::Compound(spec) => {
+            (link(gearbox, &spec.carrier, place)?, parts_of_compound(gearbox, spec)?)
+        }
+    };
+    let set = PlanetSet::new(description, carrier, parts)?;
+    if let Some(given) = set.planet_count().filter(|count| !(1..=MOST_ALIKE).contains(count)) {
+        return Err(Error::PlanetCount { set: id, given });
     }
-    // Members joined for ever make the row one block whatever is engaged. Where the two are the
-    // housing the row is locked, which is the same mistake. Joined by a *control* they are the
+    // Members joined for ever make the set one block whatever is engaged. Where the two are the
+    // housing the set is locked, which is the same mistake. Joined by a *shift element* they are the
     // ordinary direct drive.
-    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-        if groups.root(members[i].0) == groups.root(members[j].0) {
-            return Err(Error::CoincidentMembers {
-                row: spec.id.clone(),
-                first: Member::ALL[i],
-                second: Member::ALL[j],
-                link: gearbox.link_name(members[i]).into(),
-            });
+    let members = set.members();
+    for i in 0..members.len() {
+        for j in i + 1..members.len() {
+            if groups.root(members[i].0) == groups.root(members[j].0) {
+                return Err(Error::CoincidentMembers {
+                    set: id,
+                    first: set.member_name(i),
+                    second: set.member_name(j),
+                    link: gearbox.link_name(members[i]).into(),
+                });
+            }
         }
     }
-    Ok(Row { spec, members, ratio, exact })
+    Ok(set)
 }
 
-/// `z_b ≠ z_a + 2·z_g` of a simple row. Other kinds have their modules to play with.
-fn coaxiality(row: &Row) -> Option<Warning> {
-    let (Gearing::Teeth(sun, ring), Some(planet)) = (row.spec.gearing, row.spec.planet) else { return None };
-    let unshifted = sun.get().saturating_add(planet.get().saturating_mul(2));
-    (row.spec.kind == RowKind::Simple && unshifted != ring.get()).then(|| Warning::Coaxiality {
-        row: row.spec.id.clone(),
-        ring: ring.get(),
-        unshifted,
+/// The parts that a compound description names.
+fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Error> {
+    let fault = |fault| Error::Compound { set: spec.id.clone(), fault };
+    for (what, count, limit) in [
+        (Named::Member, spec.centrals.len(), MOST_MEMBERS),
+        (Named::Planet, spec.planets.len(), MOST_PLANETS),
+        (Named::Mesh, spec.meshes.len(), MOST_MEMBERS + MOST_PLANETS),
+    ] {
+        if count > limit {
+            return Err(Error::TooMany { what, count, limit });
+        }
+    }
+    if spec.centrals.len() < 2 {
+        return Err(fault(CompoundFault::TooFewMembers { given: spec.centrals.len() }));
+    }
+    let teeth = |gear: &str, count: u32| {
+        ToothCount::new(count).map_err(|_| fault(CompoundFault::NoTeeth { gear: gear.to_owned() }))
+    };
+    let mut gears: Vec<(String, GearOf)> = vec![];
+    let mut planets = vec![];
+    for (place, planet) in spec.planets.iter().enumerate() {
+        if planet.teeth.len() > MOST_PLANETS {
+            return Err(fault(CompoundFault::PlanetGears {
+                planet: planet.name.clone(),
+                given: planet.teeth.len(),
+                most: MOST_PLANETS,
+            }));
+        }
+        let mut counts = vec![];
+        if planet.teeth.is_empty() {
+            counts.push(None);
+            gears.push((planet.name.clone(), GearOf::Planet(place, 0)));
+        }
+        for (step, &count) in planet.teeth.iter().enumerate() {
+            let name = match planet.teeth.len() {
+                1 => planet.name.clone(),
+                _ => format!("{}.{}", planet.name, step + 1),
+            };
+            counts.push(Some(teeth(&name, count)?));
+            gears.push((name, GearOf::Planet(place, step)));
+        }
+        planets.push(Planet { name: planet.name.clone(), gears: counts });
+    }
+    let mut centrals = vec![];
+    for (place, central) in spec.centrals.iter().enumerate() {
+        let link = link(gearbox, &central.link, || format!("set `{}`", spec.id))?;
+        let (teeth, body) = match (&central.planet, central.kind) {
+            (Some(name), CentralKind::PlanetShaft) => {
+                let planet = spec.planets.iter().position(|planet| planet.name == *name);
+                let unknown = || CompoundFault::UnknownGear {
+                    name: name.clone(),
+                    suggestion: nearest(name, spec.planets.iter().map(|planet| planet.name.as_str())),
+                };
+                (None, spec.centrals.len() + planet.ok_or_else(|| fault(unknown()))?)
+            }
+            _ => (Some(teeth(&central.name, central.teeth)?), place),
+        };
+        if centrals.iter().any(|other: &Central| other.body == body) {
+            let planet = central.planet.clone().unwrap_or_default();
+            return Err(fault(CompoundFault::TwoShafts { name: central.name.clone(), planet }));
+        }
+        gears.push((central.name.clone(), GearOf::Central(place)));
+        centrals.push(Central { link, kind: central.kind, teeth, body });
+    }
+    let mut names = std::collections::BTreeSet::new();
+    let bodies = spec
+        .planets
+        .iter()
+        .map(|planet| &planet.name)
+        .filter(|name| !gears.iter().any(|(gear, _)| gear == *name));
+    if let Some(twice) = gears.iter().map(|(name, _)| name).chain(bodies).find(|name| !names.insert(*name)) {
+        return Err(fault(CompoundFault::NameTwice { name: twice.clone() }));
+    }
+    let gear = |name: &str| {
+        let known = gears.iter().find(|(gear, _)| gear == name);
+        known.map(|(_, gear)| *gear).ok_or_else(|| {
+            fault(CompoundFault::UnknownGear {
+                name: name.to_owned(),
+                suggestion: nearest(name, gears.iter().map(|(gear, _)| gear.as_str())),
+            })
+        })
+    };
+    let mut meshes = vec![];
+    for mesh in &spec.meshes {
+        let [first, second] = &mesh.between;
+        let pair = [gear(first)?, gear(second)?];
+        let wrong = |why| fault(CompoundFault::Mesh { first: first.clone(), second: second.clone(), why });
+        let kind = match pair {
+            [GearOf::Central(_), GearOf::Central(_)] => {
+                return Err(wrong("both are central gears, and turn about one axis"));
+            }
+            [GearOf::Planet(one, _), GearOf::Planet(other, _)] if one == other => {
+                return Err(wrong("they are gears of one planet, and turn as one piece"));
+            }
+            [GearOf::Planet(..), GearOf::Planet(..)] => MeshKind::External,
+            [GearOf::Central(central), GearOf::Planet(planet, step)]
+            | [GearOf::Planet(planet, step), GearOf::Central(central)] => match centrals[central].kind {
+                CentralKind::Sun => MeshKind::External,
+                CentralKind::Ring
+                    if planets[planet].gears[step]
+                        .is_some_and(|teeth| centrals[central].teeth <= Some(teeth)) =>
+                {
+                    return Err(wrong("a ring has more teeth than the planet in it"));
+                }
+                CentralKind::Ring => MeshKind::Internal,
+                CentralKind::BevelLeft => MeshKind::BevelLeft,
+                CentralKind::BevelRight => MeshKind::BevelRight,
+                CentralKind::PlanetShaft => return Err(wrong("a planet shaft has no teeth")),
+            },
+        };
+        meshes.push(Mesh { gears: pair, kind, efficiency: mesh.efficiency });
+    }
+    let bodies = centrals.len() + planets.len();
+    Ok(Parts {
+        centrals,
+        planets,
+        meshes,
+        factors: vec![None; bodies],
+        exact: vec![None; bodies],
+        rational: None,
+        loss: None,
     })
 }
 
-fn shared_mesh(gearbox: &Gearbox, names: &[String], groups: &Groups) -> Result<SharedMesh, Error> {
-    let mut rows = vec![];
-    for name in names {
-        let row = gearbox.rows.iter().position(|row| row.spec.id == *name).ok_or_else(|| Error::Unknown {
-            what: Named::Row,
-            name: name.clone(),
-            place: "a shared mesh".into(),
-            suggestion: nearest(name, gearbox.rows.iter().map(|row| row.spec.id.as_str())),
-        })?;
-        rows.push(row);
+/// Sets that may share planets: one carrier, and a central gear of the same kind and teeth on one link.
+fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
+    let mut found = vec![];
+    let sets = gearbox.sets();
+    for (place, second) in sets.iter().enumerate() {
+        for first in &sets[..place] {
+            let same = |one: &Central, other: &Central| {
+                one.link == other.link
+                    && one.kind == other.kind
+                    && one.teeth == other.teeth
+                    && one.teeth.is_some()
+            };
+            let shared = first.centrals().iter().find(|one| {
+                one.link != LinkId::GROUND && second.centrals().iter().any(|other| same(one, other))
+            });
+            if first.carrier() == second.carrier()
+                && first.carrier() != LinkId::GROUND
+                && let Some(shared) = shared
+            {
+                found.push(Warning::SharedPlanets {
+                    first: first.id().to_owned(),
+                    second: second.id().to_owned(),
+                    member: shared.kind.name(),
+                });
+            }
+        }
     }
-    let refuse = |second: usize, why| {
-        Err(Error::SharedMesh {
-            first: gearbox.rows[rows[0]].spec.id.clone(),
-            second: gearbox.rows[second].spec.id.clone(),
-            why,
-        })
-    };
-    let mut eta = None;
-    for (place, &row) in rows.iter().enumerate() {
-        let [_, ring, carrier] = gearbox.rows[row].members.map(|link| groups.root(link.0));
-        let [_, ring0, carrier0] = gearbox.rows[rows[0]].members.map(|link| groups.root(link.0));
-        if rows[..place].contains(&row) || gearbox.shared_group(row).is_some() {
-            return refuse(row, "a row shares its ring mesh once");
-        }
-        if ring != ring0 || carrier != carrier0 {
-            return refuse(row, "they have neither one ring nor one carrier, or only one of them");
-        }
-        let MeshLoss::Meshes { second, .. } = gearbox.rows[row].spec.loss else {
-            return refuse(
-                row,
-                "give their losses by mesh: a row factor does not say which part is the ring's",
-            );
-        };
-        if eta.is_some_and(|eta| eta != second) {
-            return refuse(row, "one mesh has one efficiency, and theirs differ");
-        }
-        eta = Some(second);
-    }
-    Ok(SharedMesh { rows, eta: eta.map_or(1.0, MeshEfficiency::get) })
+    found
 }
 
 fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
@@ -357,11 +515,11 @@ fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
     };
     let input = own(spec.input.as_deref(), gearbox.input, "input")?;
     let output = own(spec.output.as_deref(), gearbox.output, "output")?;
-    Ok(Gear { name: spec.name, engaged: ascending(engaged), input, output })
+    Ok(Gear { name: spec.name.into(), engaged: ascending(engaged).into(), input, output })
 }
 
 fn touched(gearbox: &Gearbox, link: LinkId) -> bool {
-    gearbox.rows.iter().any(|row| row.members.contains(&link))
+    gearbox.sets.iter().any(|set| set.members().contains(&link))
         || gearbox.controls.iter().any(|control| control.links.contains(&link))
         || gearbox.permanent.iter().any(|pair| pair.contains(&link))
 }

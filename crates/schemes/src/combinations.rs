@@ -1,21 +1,21 @@
-//! Every combination of controls, with what it does.
+//! Every combination of shift elements, with what it does.
 
 use crate::{Analysis, Error, Gearbox, Named};
 use std::ops::RangeInclusive;
 
-/// More controls than this have more combinations than anyone reads.
+/// More shift elements than this have more combinations than anyone reads.
 const MOST_CONTROLS: usize = 16;
 
 impl Gearbox {
-    /// Analyses every set of controls of these sizes between the gearbox's input and output, in the
-    /// order of size and then of the controls.
+    /// Analyses every choice of shift elements of these sizes between the gearbox's input and output, in the
+    /// order of size and then of the elements.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, row::RowSpec};
+    /// use epicyclic_schemes::{Gearbox, set::SetSpec};
     /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let gearbox = Gearbox::builder("two speeds")
     ///     .links(["D", "B", "T1"])
-    ///     .row(RowSpec::simple("1", ["D", "T1", "B"], 3.0))
+    ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
     ///     .brake("K1", "T1")
     ///     .clutch("K2", "D", "B")
     ///     .input("D")
@@ -29,8 +29,8 @@ impl Gearbox {
     /// ```
     ///
     /// # Errors
-    /// [`Error::TooMany`] beyond 16 controls, or beyond the fixed size of the solver.
-    pub fn combinations(&self, sizes: RangeInclusive<usize>) -> Result<Vec<Analysis>, Error> {
+    /// [`Error::TooMany`] beyond 16 shift elements.
+    pub fn combinations(&self, sizes: RangeInclusive<usize>) -> Result<Vec<Analysis<'_>>, Error> {
         let count = self.controls.len();
         if count > MOST_CONTROLS {
             return Err(Error::TooMany { what: Named::Control, count, limit: MOST_CONTROLS });

@@ -1,22 +1,22 @@
 //! A gear compiled once for many solutions: what does not change with tooth counts and losses.
 //!
-//! Nodes, active rows and the state are settled at the gearbox's own ratios; [`CompiledGear::solve`]
-//! then takes other ratios and losses of the same rows, allocates nothing, and does about three
-//! eliminations of the size of the gear.
+//! Nodes, active equations and the state are settled at the gearbox's own ratios; [`CompiledGear::solve`]
+//! then takes other ratios and losses of the same sets, allocates nothing, and does about three
+//! eliminations of the size of the gear. Gears of more than twelve equations take the general way of
+//! `network`.
 
-use crate::kernel::{NO_GROUP, Problem};
+use crate::elimination::Scalar;
+use crate::kernel::{MOST_EQUATIONS, MOST_SEGMENTS, Problem, narrow};
+use crate::network::Network;
 use crate::state::{Verdict, classify};
-use crate::topology::{Topology, fractions, numbers};
-use crate::{Error, Gear, Gearbox, LinkId, Named};
+use crate::tolerance::PIVOT;
+use crate::topology::{Topology, bounded, exact, fractions, rationals};
+use crate::{Error, Gear, Gearbox, LinkId};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::StationaryRatio;
 
-/// How many rows a gear may have that are not idle copies of others.
-pub const MAX_ROWS: usize = 12;
-/// How many meshes may be shared by rows.
-pub const MAX_SHARED: usize = 4;
 /// The node of what is one piece with the housing.
-pub(crate) const RESTING: usize = 15;
+pub(crate) const RESTING: u16 = u16::MAX;
 
 /// Which way power runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,25 +27,40 @@ pub enum Direction {
     Overrun,
 }
 
-/// Ratio and losses of one row, as arguments of a solution.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RowValues {
-    /// Stationary ratio `i₀`.
-    pub ratio: StationaryRatio,
-    /// `η₀`, or what the row does not share with others.
-    pub efficiency: MeshEfficiency,
+/// Ratios and losses of a gearbox, as arguments of a solution; see [`Gearbox::values`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values {
+    /// Basic ratios, set by set: one of a set with two central gears, `m − 1` of one with `m`, each from its
+    /// gear of reference to another.
+    pub ratios: Vec<StationaryRatio>,
+    /// Efficiencies, set by set: that of the whole set where it has two central gears; of a compound set one for
+    /// each segment of meshes that carry power in one sense together.
+    pub efficiencies: Vec<MeshEfficiency>,
 }
 
-/// A gear ready to be solved for any ratios and losses of its rows.
+impl Gearbox {
+    /// The ratios and losses that it was described with.
+    #[must_use]
+    pub fn values(&self) -> Values {
+        let ratio = |one: &crate::gearbox::Equation| StationaryRatio::new(one.ratio).ok();
+        let eta = |one: &crate::gearbox::Segment| MeshEfficiency::new(one.efficiency).ok();
+        Values {
+            ratios: self.equations.iter().filter_map(ratio).collect(),
+            efficiencies: self.segments.iter().filter_map(eta).collect(),
+        }
+    }
+}
+
+/// A gear ready to be solved for any ratios and losses of its sets.
 ///
 /// ```
 /// use epicyclic_gears::efficiency::MeshEfficiency;
 /// use epicyclic_gears::row::RowParameter;
-/// use epicyclic_schemes::{CompiledGear, Direction, Gearbox, RowValues, Solution, row::RowSpec};
+/// use epicyclic_schemes::{CompiledGear, Direction, Gearbox, Solution, Values, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("scheme I")
 ///     .links(["D", "B", "T1"])
-///     .row(RowSpec::simple("1", ["D", "T1", "B"], 3.0))
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
 ///     .brake("K1", "T1")
 ///     .input("D")
 ///     .output("B")
@@ -54,105 +69,153 @@ pub struct RowValues {
 /// let gear = CompiledGear::new(&gearbox, gearbox.gear("1")?)?;
 /// let mut solution = Solution::default();
 /// for k in [2.0, 2.94, 4.0] {
-///     let row = RowValues { ratio: RowParameter::new(k)?.into(), efficiency: MeshEfficiency::new(0.97)? };
-///     gear.solve(&[row], &[], Direction::Drive, &mut solution)?;
+///     let ratios = vec![RowParameter::new(k)?.into()];
+///     let values = Values { ratios, efficiencies: vec![MeshEfficiency::new(0.97)?] };
+///     gear.solve(&values, Direction::Drive, &mut solution)?;
 ///     assert!((solution.ratio() - (1.0 + k)).abs() < 1e-12);
 ///     let closed = (1.0 + 0.97 * k) / (1.0 + k);
-///     assert!((solution.loaded().unwrap().efficiency - closed).abs() < 1e-12);
+///     assert!((solution.efficiency().unwrap() - closed).abs() < 1e-12);
 /// }
 /// # Ok(())
 /// # }
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CompiledGear {
-    pub(crate) count: usize,
-    /// Active rows by their place in the gearbox.
-    pub(crate) rows: [u8; MAX_ROWS],
-    pub(crate) nodes: [[u8; 3]; MAX_ROWS],
-    pub(crate) groups: [u8; MAX_ROWS],
-    pub(crate) output: usize,
-    pub(crate) row_count: usize,
+    /// Active equations by their place in the gearbox.
+    pub(crate) equations: Vec<usize>,
+    pub(crate) nodes: Vec<[u16; 3]>,
+    /// Segments by their place in the gearbox, with the active equations behind each.
+    pub(crate) segments: Vec<usize>,
+    pub(crate) runs: Vec<Run>,
+    /// Whether each equation has its own segment.
+    is_plain: bool,
+    pub(crate) output: u16,
+    equation_count: usize,
+    segment_count: usize,
     /// Node of each link; `None` where its speed does not follow from the input's.
-    link_nodes: Vec<Option<u8>>,
+    link_nodes: Vec<Option<u16>>,
 }
 
-/// Everything [`CompiledGear::solve`] finds, in fixed arrays to be used again.
+/// Active equations behind a segment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Run {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+}
+
+/// Everything [`CompiledGear::solve`] finds, to be used again.
 ///
 /// Speeds are multiples of the input's. Torques are those for one unit of power that enters: see
-/// [`Direction`]. Rows are the gear's active ones, [`CompiledGear::active_rows`].
-#[derive(Debug, Clone)]
+/// [`Direction`]. Equations and segments are the gear's active ones.
+#[derive(Debug, Clone, Default)]
 pub struct Solution {
-    pub(crate) speeds: [f64; MAX_ROWS + 1],
+    /// Of each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of the nodes.
+    numbers: Vec<f64>,
+    equations: usize,
+    /// Of each segment the sense of its power without losses, then with losses.
+    senses: Vec<i8>,
     pub(crate) output_speed: f64,
-    pub(crate) relative_speed: [f64; MAX_ROWS],
-    pub(crate) ideal_sun: [f64; MAX_ROWS],
-    pub(crate) ideal_signs: [i8; MAX_ROWS],
-    pub(crate) signs: [i8; MAX_ROWS],
-    pub(crate) shared_signs: [i8; MAX_SHARED],
-    pub(crate) loaded: Option<Loaded>,
-}
-
-impl Default for Solution {
-    fn default() -> Self {
-        Self {
-            speeds: [0.0; MAX_ROWS + 1],
-            output_speed: 0.0,
-            relative_speed: [0.0; MAX_ROWS],
-            ideal_sun: [0.0; MAX_ROWS],
-            ideal_signs: [0; MAX_ROWS],
-            signs: [0; MAX_ROWS],
-            shared_signs: [0; MAX_SHARED],
-            loaded: None,
-        }
-    }
-}
-
-/// Torques with losses.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Loaded {
-    /// Torque on the sun of each active row.
-    pub sun: [f64; MAX_ROWS],
-    /// `î₀ = i₀·η₀^w` of each active row: the ring has `−î₀` and the carrier `î₀ − 1` times the
-    /// sun's torque.
-    pub effective: [f64; MAX_ROWS],
+    pub(crate) ideal_other: f64,
+    /// Whether any torque keeps the gear moving against its losses.
+    pub(crate) has_branch: bool,
     /// Torque at the terminal where power leaves.
-    pub other: f64,
-    /// Power that leaves over power that enters.
-    ///
-    /// At or below zero the gear locks itself: it moves only if power enters at both ends.
-    pub efficiency: f64,
+    pub(crate) other: f64,
+    pub(crate) efficiency: f64,
+}
+
+/// What a solution holds, to be written.
+pub(crate) struct Written<'s> {
+    pub(crate) relative_speed: &'s mut [f64],
+    pub(crate) ideal_root: &'s mut [f64],
+    pub(crate) root: &'s mut [f64],
+    pub(crate) effective: &'s mut [f64],
+    pub(crate) speeds: &'s mut [f64],
+    pub(crate) ideal_signs: &'s mut [i8],
+    pub(crate) signs: &'s mut [i8],
 }
 
 impl Solution {
+    pub(crate) fn resize(&mut self, equations: usize, segments: usize) {
+        let numbers = 5 * equations + 1;
+        if self.numbers.len() != numbers {
+            self.numbers.resize(numbers, 0.0);
+            self.equations = equations;
+        }
+        if self.senses.len() != 2 * segments {
+            self.senses.resize(2 * segments, 0);
+        }
+    }
+
+    pub(crate) fn written(&mut self) -> Written<'_> {
+        let count = self.equations;
+        let (relative_speed, rest) = self.numbers.split_at_mut(count);
+        let (ideal_root, rest) = rest.split_at_mut(count);
+        let (root, rest) = rest.split_at_mut(count);
+        let (effective, speeds) = rest.split_at_mut(count);
+        let segments = self.senses.len() / 2;
+        let (ideal_signs, signs) = self.senses.split_at_mut(segments);
+        Written { relative_speed, ideal_root, root, effective, speeds, ideal_signs, signs }
+    }
+
+    fn of_equations(&self, block: usize) -> &[f64] {
+        &self.numbers[block * self.equations..(block + 1) * self.equations]
+    }
+
+    /// `t` of each equation, with losses.
+    pub(crate) fn root(&self) -> &[f64] {
+        self.of_equations(2)
+    }
+
+    /// `î` of each equation.
+    pub(crate) fn effective(&self) -> &[f64] {
+        self.of_equations(3)
+    }
+
+    /// Speeds of the nodes, the input first.
+    pub(crate) fn speeds(&self) -> &[f64] {
+        &self.numbers[4 * self.equations..]
+    }
+
+    pub(crate) fn ideal_signs(&self) -> &[i8] {
+        &self.senses[..self.senses.len() / 2]
+    }
+
     /// Ratio `i = ω_in/ω_out`.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         1.0 / self.output_speed
     }
 
-    /// Speed relative to the carrier of each active row's sun, `ω_a − ω_H`.
+    /// Power that leaves over power that enters; `None` where no torque moves the gear against its losses.
+    ///
+    /// At or below zero the gear locks itself: it moves only if power enters at both ends.
     #[must_use]
-    pub fn relative_speeds(&self) -> &[f64; MAX_ROWS] {
-        &self.relative_speed
+    pub fn efficiency(&self) -> Option<f64> {
+        self.has_branch.then_some(self.efficiency)
     }
 
-    /// Torque on the sun of each active row without losses.
+    /// Torque on the first central gear of each active set with two of them.
     #[must_use]
-    pub fn ideal_sun_torques(&self) -> &[f64; MAX_ROWS] {
-        &self.ideal_sun
+    pub fn sun_torques(&self) -> Option<&[f64]> {
+        self.has_branch.then(|| self.root())
     }
 
-    /// Sense of the relative power of each active row: 1 from sun to ring, −1 from ring to sun, 0
-    /// none.
+    /// The same without losses.
     #[must_use]
-    pub fn signs(&self) -> &[i8; MAX_ROWS] {
-        &self.signs
+    pub fn ideal_sun_torques(&self) -> &[f64] {
+        self.of_equations(1)
     }
 
-    /// Torques with losses; `None` where no torque moves the gear against them.
+    /// Speed relative to the carrier of the gear of reference of each active equation, `ω_r − ω_H`.
     #[must_use]
-    pub fn loaded(&self) -> Option<&Loaded> {
-        self.loaded.as_ref()
+    pub fn relative_speeds(&self) -> &[f64] {
+        self.of_equations(0)
+    }
+
+    /// Sense of the rolling power of each segment: 1 away from the gear of reference, −1 towards it, 0 none.
+    #[must_use]
+    pub fn signs(&self) -> &[i8] {
+        &self.senses[self.senses.len() / 2..]
     }
 }
 
@@ -160,27 +223,21 @@ impl CompiledGear {
     /// Compiles a gear that is driven, or whose torques are indeterminate only where nothing is lost.
     ///
     /// # Errors
-    /// [`Error::NotDriven`] in any other state, [`Error::TooMany`] beyond [`MAX_ROWS`] rows or
-    /// [`MAX_SHARED`] shared meshes.
+    /// [`Error::NotDriven`] in any other state, [`Error::ForeignGear`] for a gear of another gearbox.
     pub fn new(gearbox: &Gearbox, gear: &Gear) -> Result<Self, Error> {
+        gearbox.check_gear(gear)?;
         let topology = Topology::new(gearbox, gear);
         let verdict = verdict(gearbox, &topology);
         if !verdict.solvable {
             return Err(Error::NotDriven { state: verdict.state.to_string() });
         }
-        Self::of(gearbox, &topology, &verdict)
+        Ok(Self::of(gearbox, &topology, &verdict))
     }
 
-    pub(crate) fn of(gearbox: &Gearbox, topology: &Topology, verdict: &Verdict) -> Result<Self, Error> {
-        let limit = |what, count, limit| {
-            if count > limit { Err(Error::TooMany { what, count, limit }) } else { Ok(()) }
-        };
-        limit(Named::Row, verdict.rows.len(), MAX_ROWS)?;
-        limit(Named::Row, gearbox.rows.len(), usize::from(NO_GROUP))?;
-        limit(Named::SharedMesh, gearbox.shared.len(), MAX_SHARED)?;
+    pub(crate) fn of(gearbox: &Gearbox, topology: &Topology, verdict: &Verdict) -> Self {
         // Speeds that nothing gives are held: an idle part carries no torque, so holding it changes
         // nothing but the number of equations.
-        let mut slot = vec![RESTING as u8; topology.count];
+        let mut slot = vec![RESTING; topology.count];
         let mut next = 1;
         for (node, slot) in slot.iter_mut().enumerate() {
             if Some(node) == topology.input {
@@ -190,66 +247,62 @@ impl CompiledGear {
                 next += 1;
             }
         }
-        let place = |node: Option<usize>| node.map_or(RESTING as u8, |node| slot[node]);
-        let mut compiled = Self {
-            count: verdict.rows.len(),
-            rows: [0; MAX_ROWS],
-            nodes: [[RESTING as u8; 3]; MAX_ROWS],
-            groups: [NO_GROUP; MAX_ROWS],
-            output: usize::from(place(topology.output)),
-            row_count: gearbox.rows.len(),
+        let place = |node: Option<usize>| node.map_or(RESTING, |node| slot[node]);
+        let equations = verdict.equations.clone();
+        let mut segments = Vec::with_capacity(gearbox.segments.len());
+        let mut runs = Vec::with_capacity(gearbox.segments.len());
+        for (place, segment) in gearbox.segments.iter().enumerate() {
+            let from = equations.partition_point(|&one| one < segment.behind.start);
+            let to = equations.partition_point(|&one| one < segment.behind.end);
+            if from < to {
+                segments.push(place);
+                runs.push(Run { from, to });
+            }
+        }
+        let is_plain = runs.len() == equations.len()
+            && runs.iter().enumerate().all(|(place, run)| *run == Run { from: place, to: place + 1 });
+        Self {
+            nodes: equations.iter().map(|&one| topology.equations[one].map(place)).collect(),
+            equations,
+            segments,
+            runs,
+            is_plain,
+            output: place(topology.output),
+            equation_count: gearbox.equations.len(),
+            segment_count: gearbox.segments.len(),
             link_nodes: topology
                 .node
                 .iter()
                 .map(|node| match node {
-                    None => Some(RESTING as u8),
+                    None => Some(RESTING),
                     Some(node) => verdict.speeds[*node].map(|_| slot[*node]),
                 })
                 .collect(),
-        };
-        for (active, &row) in verdict.rows.iter().enumerate() {
-            compiled.rows[active] = row as u8;
-            compiled.nodes[active] = topology.rows[row].map(place);
-            compiled.groups[active] = gearbox.shared_group(row).map_or(NO_GROUP, |group| group as u8);
         }
-        Ok(compiled)
     }
 
-    /// Places in [`Gearbox::rows`] of the rows that settle speeds and torques; the others are idle.
+    /// Places of the active equations, one a set with two central gears: those that settle speeds and torques.
     #[must_use]
-    pub fn active_rows(&self) -> &[u8] {
-        &self.rows[..self.count]
+    pub fn active(&self) -> &[usize] {
+        &self.equations
     }
 
-    /// Solves for these ratios and losses, one entry a row of the gearbox, and the efficiencies of
-    /// the shared meshes.
+    /// Solves for these ratios and losses.
     ///
     /// # Errors
-    /// [`Error::RowCount`] unless there is one entry a row; [`Error::NotDriven`] where these ratios
+    /// [`Error::ValueCount`] unless there are as many as the gearbox has; [`Error::NotDriven`] where these ratios
     /// make the gear degenerate.
-    pub fn solve(
-        &self,
-        rows: &[RowValues],
-        shared: &[MeshEfficiency],
-        direction: Direction,
-        solution: &mut Solution,
-    ) -> Result<(), Error> {
-        if rows.len() != self.row_count {
-            return Err(Error::RowCount { given: rows.len(), expected: self.row_count });
+    pub fn solve(&self, values: &Values, direction: Direction, solution: &mut Solution) -> Result<(), Error> {
+        let Values { ratios, efficiencies } = values;
+        for (what, given, expected) in [
+            ("basic ratios", ratios.len(), self.equation_count),
+            ("efficiencies", efficiencies.len(), self.segment_count),
+        ] {
+            if given != expected {
+                return Err(Error::ValueCount { what, given, expected });
+            }
         }
-        let mut shared_eta = [1.0; MAX_SHARED];
-        for (eta, given) in shared_eta.iter_mut().zip(shared) {
-            *eta = given.get();
-        }
-        let shared_eta = &shared_eta[..shared.len().min(MAX_SHARED)];
-        let solved = self.solve_numbers(
-            |r| rows[r].ratio.get(),
-            |r| rows[r].efficiency.get(),
-            shared_eta,
-            direction,
-            solution,
-        );
-        if solved {
+        if self.solve_numbers(|e| ratios[e].get(), |s| efficiencies[s].get(), direction, PIVOT, solution) {
             Ok(())
         } else {
             Err(Error::NotDriven {
@@ -258,51 +311,55 @@ impl CompiledGear {
         }
     }
 
+    /// Pivots up to `least_pivot` have vanished; 0 for the ratios whose rank is proved.
     #[inline]
     pub(crate) fn solve_numbers(
         &self,
         i0: impl Fn(usize) -> f64,
         eta: impl Fn(usize) -> f64,
-        shared: &[f64],
         direction: Direction,
+        least_pivot: f64,
         solution: &mut Solution,
     ) -> bool {
         macro_rules! sizes {
             ($($n:literal)*) => {
-                match self.count {
-                    $($n => self.problem::<$n>(i0, eta, shared, direction).solve(solution),)*
-                    _ => false,
+                match (self.equations.len(), self.is_plain) {
+                    $(
+                        ($n, true) => self.problem::<$n, $n, true>(i0, eta, direction, least_pivot).solve(solution),
+                        ($n, false) => {
+                            self.problem::<$n, MOST_SEGMENTS, false>(i0, eta, direction, least_pivot).solve(solution)
+                        }
+                    )*
+                    _ => Network::of_gear(self, i0, eta, least_pivot).solve_gear(usize::from(self.output), direction, solution),
                 }
             };
         }
         sizes!(0 1 2 3 4 5 6 7 8 9 10 11 12)
     }
 
-    pub(crate) fn problem<'a, const N: usize>(
+    pub(crate) fn problem<const N: usize, const M: usize, const PLAIN: bool>(
         &self,
         i0: impl Fn(usize) -> f64,
         eta: impl Fn(usize) -> f64,
-        group_eta: &'a [f64],
         direction: Direction,
-    ) -> Problem<'a, N> {
+        least_pivot: f64,
+    ) -> Problem<'_, N, M, PLAIN> {
+        const { assert!(N <= MOST_EQUATIONS) };
         let mut problem = Problem {
             nodes: [[0; 3]; N],
             i0: [0.0; N],
-            eta: [0.0; N],
-            group: [NO_GROUP; N],
-            group_eta,
-            output: self.output,
+            eta: [1.0; M],
+            runs: &self.runs,
+            output: usize::from(narrow(self.output)),
             direction,
+            least_pivot,
         };
-        for j in 0..N {
-            let row = usize::from(self.rows[j]);
-            problem.nodes[j] = self.nodes[j];
-            problem.i0[j] = i0(row);
-            problem.eta[j] = eta(row);
-            problem.group[j] = self.groups[j];
+        for ((j, &equation), nodes) in self.equations.iter().enumerate().zip(&self.nodes) {
+            problem.nodes[j] = nodes.map(narrow);
+            problem.i0[j] = i0(equation);
         }
-        if group_eta.is_empty() {
-            problem.group = [NO_GROUP; N];
+        for (place, &segment) in self.segments.iter().enumerate() {
+            problem.eta[place] = eta(segment);
         }
         problem
     }
@@ -310,22 +367,20 @@ impl CompiledGear {
     /// Speed of a link in a solution, as a multiple of the input's; `None` where it does not follow.
     #[must_use]
     pub fn link_speed(&self, solution: &Solution, link: LinkId) -> Option<f64> {
-        let node = usize::from(self.link_nodes.get(link.0).copied()??);
-        Some(if node == RESTING { 0.0 } else { solution.speeds[node] })
-    }
-
-    /// Speeds of the members of an active row.
-    pub(crate) fn member_speeds(&self, solution: &Solution, active: usize) -> [f64; 3] {
-        self.nodes[active]
-            .map(|node| if usize::from(node) == RESTING { 0.0 } else { solution.speeds[usize::from(node)] })
+        let node = self.link_nodes.get(link.0).copied()??;
+        Some(if node == RESTING { 0.0 } else { solution.speeds()[usize::from(node)] })
     }
 }
 
-/// State and relations of a gear: over fractions where all teeth are known and the numbers hold,
-/// else over floats.
+/// State and relations of a gear, by the quickest way that proves them.
 pub(crate) fn verdict(gearbox: &Gearbox, topology: &Topology) -> Verdict {
-    fractions(gearbox)
-        .and_then(|ratios| classify(gearbox, topology, &ratios))
-        .or_else(|| classify(gearbox, topology, &numbers(gearbox)))
-        .unwrap_or_else(|| unreachable!("elimination over floats has no overflow to report"))
+    fn of<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios: Option<Vec<S>>) -> Option<Verdict> {
+        classify(gearbox, topology, &ratios?)
+    }
+    of(gearbox, topology, Some(bounded::<true>(gearbox)))
+        .or_else(|| of(gearbox, topology, fractions(gearbox)))
+        .or_else(|| of(gearbox, topology, rationals(gearbox)))
+        .or_else(|| of(gearbox, topology, Some(bounded::<false>(gearbox))))
+        .or_else(|| of(gearbox, topology, exact(gearbox)))
+        .unwrap_or_else(|| unreachable!("a number is a rational, and rationals of any size do not overflow"))
 }

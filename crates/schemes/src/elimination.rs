@@ -1,72 +1,158 @@
 //! Which unknowns of a homogeneous system follow from which: reduced echelon form with full pivoting.
 //!
-//! Rank decides the state of a gear, so it must not hang on rounding. Two ways, one code:
+//! Rank decides the state of a gear, so it must not depend on rounding. One code over all kinds of numbers,
+//! tried in this order:
 //!
-//! - over fractions of tooth counts every zero is exact, and nothing is a matter of tolerance;
-//! - over `f64` each equation is first scaled to a largest coefficient of 1, the pivot is the largest
-//!   remaining entry, and what is left below [`RANK_TOLERANCE`] is zero. Coefficients of a row lie
-//!   between `1/(1 + |i₀|)` and 1, so a true pivot of a gearbox is many orders above the tolerance,
-//!   while rounding leaves less than 1e-14.
+//! 1. [`Bounded`]: `f64` with a bound on its error, carried through every operation. A number larger than its
+//!    bound is certainly not zero; a zero that no rounding touched certainly is one. Where every decision is
+//!    certain, the verdict is proved, and this is the fast and the usual way.
+//! 2. [`Fraction`], then [`BigRational`]: where a number is as small as its bound, or a speed has lost digits, and
+//!    all ratios are tooth counts or decimals, the elimination is done again without rounding, in 128 bits, and
+//!    where these do not hold the numbers, in as many as it takes.
+//! 3. [`Bounded`] again where some ratio is a number of no known origin: what is as small as its error bound is
+//!    zero. The bound grows with the numbers, so this scales with the gear.
+//! 4. [`BigRational`] with the numbers as they stand, where even so one overflows.
 //!
 //! Some unknowns can be kept back until no other can serve as a pivot: what then still depends on
 //! them depends on nothing else.
 
+use crate::tolerance::{ERROR_FACTOR, SHARP};
 use epicyclic_gears::row::Fraction;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
-/// What is zero in an equation scaled to a largest coefficient of 1.
-pub(crate) const RANK_TOLERANCE: f64 = 1e-10;
+/// A number to eliminate with; operations are `None` where it would overflow or its zero is in doubt.
+pub(crate) trait Scalar: Clone {
+    fn zero() -> Self;
+    fn one() -> Self;
+    /// Rank in the choice of a pivot; 0 for what is zero.
+    fn weight(&self) -> f64;
+    /// What the weights of an equation are measured by: the largest of its entries'.
+    fn size(&self) -> f64 {
+        self.weight()
+    }
+    fn minus(&self, other: &Self) -> Option<Self>;
+    fn times(&self, other: &Self) -> Option<Self>;
+    fn over(&self, other: &Self) -> Option<Self>;
+    fn number(&self) -> f64;
 
-/// A number to eliminate with; `None` where it would overflow.
-pub(crate) trait Scalar: Copy {
-    const ZERO: Self;
-    const ONE: Self;
-    /// Rank in the choice of a pivot; 0 for what counts as zero.
-    fn weight(self) -> f64;
-    fn minus(self, other: Self) -> Option<Self>;
-    fn times(self, other: Self) -> Option<Self>;
-    fn over(self, other: Self) -> Option<Self>;
-    fn scale(row: &mut [Self]);
-    fn number(self) -> f64;
+    fn is_zero(&self) -> bool {
+        self.weight() == 0.0
+    }
+
+    /// Whether its digits are certain.
+    fn is_sharp(&self) -> bool {
+        true
+    }
+
+    fn negative(&self) -> Option<Self> {
+        Self::zero().minus(self)
+    }
 }
 
-impl Scalar for f64 {
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
+/// A number with a bound on its error.
+///
+/// `STRICT`: a difference as small as its bound is refused, and the elimination ends; otherwise it is zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bounded<const STRICT: bool> {
+    value: f64,
+    error: f64,
+}
 
-    fn weight(self) -> f64 {
-        if self.abs() <= RANK_TOLERANCE { 0.0 } else { self.abs() }
+impl<const STRICT: bool> Bounded<STRICT> {
+    /// A number rounded once.
+    pub(crate) fn rounded(value: f64) -> Self {
+        Self { value, error: value.abs() * f64::EPSILON }
+    }
+}
+
+/// Error bounds by which a number loses weight as a pivot: one known to six digits or fewer has the least.
+const LATE: f64 = 1e6;
+const LEAST_WEIGHT: f64 = 1e-6;
+
+impl<const STRICT: bool> Scalar for Bounded<STRICT> {
+    fn zero() -> Self {
+        Self { value: 0.0, error: 0.0 }
     }
 
-    fn minus(self, other: Self) -> Option<Self> {
-        Some(self - other)
+    fn one() -> Self {
+        Self { value: 1.0, error: 0.0 }
     }
 
-    fn times(self, other: Self) -> Option<Self> {
-        Some(self * other)
+    /// Uncertain numbers last: as pivots they would spread their error.
+    fn weight(&self) -> f64 {
+        let size = self.value.abs();
+        (size - self.error * LATE).max(size * LEAST_WEIGHT)
     }
 
-    fn over(self, other: Self) -> Option<Self> {
-        Some(self / other)
+    fn size(&self) -> f64 {
+        self.value.abs()
     }
 
-    fn scale(row: &mut [Self]) {
-        let largest = row.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if largest > 0.0 {
-            row.iter_mut().for_each(|x| *x /= largest);
+    fn minus(&self, other: &Self) -> Option<Self> {
+        if other.value == 0.0 {
+            return Some(*self);
         }
+        if self.value == 0.0 {
+            return Some(Self { value: -other.value, error: other.error });
+        }
+        let value = self.value - other.value;
+        let error = self.error + other.error + value.abs() * f64::EPSILON;
+        if value.abs() > ERROR_FACTOR * error {
+            return Some(Self { value, error });
+        }
+        // The difference of equal numbers that no rounding touched is certain.
+        (!STRICT || error == 0.0).then_some(Self::zero())
     }
 
-    fn number(self) -> f64 {
-        self
+    fn times(&self, other: &Self) -> Option<Self> {
+        // What a number times ±1 is, is as certain as it was.
+        for (one, other) in [(self, other), (other, self)] {
+            if one.error == 0.0 && one.value.abs() == 1.0 {
+                return Some(Self { value: one.value * other.value, error: other.error });
+            }
+        }
+        let value = self.value * other.value;
+        let error = self.value.abs() * other.error + other.value.abs() * self.error;
+        // Neither overflow nor what is lost below the least number leaves anything certain.
+        (value.is_finite() && (value.abs() > f64::MIN_POSITIVE || self.value == 0.0 || other.value == 0.0))
+            .then_some(Self { value, error: error + self.error * other.error + value.abs() * f64::EPSILON })
+    }
+
+    fn over(&self, other: &Self) -> Option<Self> {
+        if self.value == 0.0 {
+            return Some(Self::zero());
+        }
+        if other.error == 0.0 && (other.value.abs() == 1.0 || self == other) {
+            return Some(Self { value: self.value / other.value, error: self.error });
+        }
+        let value = self.value / other.value;
+        let least = other.value.abs() - other.error;
+        let error = (self.error + value.abs() * other.error) / least + value.abs() * f64::EPSILON;
+        (value.is_finite() && value.abs() > f64::MIN_POSITIVE).then_some(Self { value, error })
+    }
+
+    fn number(&self) -> f64 {
+        self.value
+    }
+
+    fn is_sharp(&self) -> bool {
+        !STRICT || self.error <= SHARP * self.value.abs()
     }
 }
 
 impl Scalar for Fraction {
-    const ZERO: Self = Self::new_raw(0, 1);
-    const ONE: Self = Self::new_raw(1, 1);
+    fn zero() -> Self {
+        Self::new_raw(0, 1)
+    }
+
+    fn one() -> Self {
+        Self::new_raw(1, 1)
+    }
 
     /// Short fractions first: they keep the numbers small.
-    fn weight(self) -> f64 {
+    fn weight(&self) -> f64 {
         if *self.numer() == 0 {
             0.0
         } else {
@@ -74,40 +160,46 @@ impl Scalar for Fraction {
         }
     }
 
-    fn minus(self, other: Self) -> Option<Self> {
+    fn minus(&self, other: &Self) -> Option<Self> {
         let shared = gcd(*self.denom(), *other.denom());
         let (left, right) = (other.denom() / shared, self.denom() / shared);
         let numer = self.numer().checked_mul(left)?.checked_sub(other.numer().checked_mul(right)?)?;
         reduced(numer, self.denom().checked_mul(left)?)
     }
 
-    fn times(self, other: Self) -> Option<Self> {
+    fn times(&self, other: &Self) -> Option<Self> {
         let (s, t) = (gcd(*self.numer(), *other.denom()), gcd(*other.numer(), *self.denom()));
         if s == 0 || t == 0 {
-            return Some(Self::ZERO);
+            return Some(<Self as Scalar>::zero());
         }
         let numer = (self.numer() / s).checked_mul(other.numer() / t)?;
         reduced(numer, (self.denom() / t).checked_mul(other.denom() / s)?)
     }
 
-    fn over(self, other: Self) -> Option<Self> {
+    fn over(&self, other: &Self) -> Option<Self> {
         let (numer, denom) = (*other.numer(), *other.denom());
         if numer == 0 {
             return None;
         }
         let sign = numer.signum();
-        self.times(Self::new_raw(denom * sign, numer.checked_abs()?))
+        Scalar::times(self, &Self::new_raw(denom * sign, numer.checked_abs()?))
     }
 
-    fn scale(_: &mut [Self]) {}
-
-    fn number(self) -> f64 {
+    fn number(&self) -> f64 {
         *self.numer() as f64 / *self.denom() as f64
     }
 }
 
 fn gcd(mut a: i128, mut b: i128) -> i128 {
+    // Most numbers are short, and short division is many times faster.
     while b != 0 {
+        if let (Ok(short_a), Ok(short_b)) = (i64::try_from(a), i64::try_from(b)) {
+            let (mut a, mut b) = (short_a.unsigned_abs(), short_b.unsigned_abs());
+            while b != 0 {
+                (a, b) = (b, a % b);
+            }
+            return i128::from(a);
+        }
         (a, b) = (b, a % b);
     }
     a.saturating_abs()
@@ -118,6 +210,75 @@ fn reduced(numer: i128, denom: i128) -> Option<Fraction> {
     (shared != 0).then(|| Fraction::new_raw(numer / shared, denom / shared))
 }
 
+impl Scalar for BigRational {
+    fn zero() -> Self {
+        <Self as Zero>::zero()
+    }
+
+    fn one() -> Self {
+        <Self as One>::one()
+    }
+
+    fn weight(&self) -> f64 {
+        if Zero::is_zero(self) { 0.0 } else { 1.0 / (1 + self.numer().bits() + self.denom().bits()) as f64 }
+    }
+
+    fn minus(&self, other: &Self) -> Option<Self> {
+        Some(self - other)
+    }
+
+    fn times(&self, other: &Self) -> Option<Self> {
+        Some(self * other)
+    }
+
+    fn over(&self, other: &Self) -> Option<Self> {
+        (!Zero::is_zero(other)).then(|| self / other)
+    }
+
+    fn number(&self) -> f64 {
+        // Both may be beyond the largest number while their ratio is not.
+        let (numer, denom) = (self.numer().abs(), self.denom());
+        let shift = numer.bits().max(denom.bits()).saturating_sub(1000);
+        let of = |big: &BigInt| (big >> shift).to_f64().unwrap_or(f64::INFINITY);
+        let size = match shift {
+            0 => of(&numer) / of(denom),
+            _ => self.abs().to_f64().unwrap_or_else(|| of(&numer) / of(denom)),
+        };
+        if self.is_negative() { -size } else { size }
+    }
+}
+
+/// A fraction as a rational of any size.
+pub(crate) fn big(fraction: &Fraction) -> BigRational {
+    BigRational::new_raw(BigInt::from(*fraction.numer()), BigInt::from(*fraction.denom()))
+}
+
+/// Digits that a number written by a person may have; one with more was computed.
+///
+/// Of computed numbers one in ten is, by chance, the nearest to a decimal of 15 digits, such as 125/27; one in ten
+/// thousand to one of 12.
+const WRITTEN_DIGITS: usize = 12;
+
+/// The decimal that a number was written as, `2.15` as 43/20; `None` of a number with more than 12 digits.
+pub(crate) fn decimal(value: f64) -> Option<Fraction> {
+    let text = format!("{value:e}");
+    let (mantissa, exponent) = text.split_once('e')?;
+    let exponent: i32 = exponent.parse().ok()?;
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = format!("{whole}{part}");
+    if digits.trim_start_matches('-').len() > WRITTEN_DIGITS {
+        return None;
+    }
+    let numer: i128 = digits.parse().ok()?;
+    let shift = exponent - i32::try_from(part.len()).ok()?;
+    let power = 10_i128.checked_pow(shift.unsigned_abs())?;
+    if shift < 0 {
+        Some(Fraction::new(numer, power))
+    } else {
+        Some(Fraction::from_integer(numer.checked_mul(power)?))
+    }
+}
+
 /// Reduced echelon form of a homogeneous system.
 #[derive(Debug, Clone)]
 pub(crate) struct Echelon<S> {
@@ -125,56 +286,75 @@ pub(crate) struct Echelon<S> {
     pub(crate) pivots: Vec<(usize, usize)>,
     /// Unknowns that can be chosen.
     pub(crate) free: Vec<usize>,
-    reduced: Vec<Vec<S>>,
-    columns: usize,
+    /// The equations one after the other.
+    reduced: Vec<S>,
+    /// Place of the pivot of each unknown that has one.
+    pivot_of: Vec<Option<usize>>,
 }
 
 impl<S: Scalar> Echelon<S> {
-    /// Reduces; the unknowns in `late` become pivots only where no other can, in their order.
-    /// `None` where a fraction outgrows its integers.
-    pub(crate) fn new(mut rows: Vec<Vec<S>>, columns: usize, late: &[usize]) -> Option<Self> {
-        rows.iter_mut().for_each(|row| S::scale(row));
-        let early: Vec<usize> = (0..columns).filter(|c| !late.contains(c)).collect();
-        let mut origin: Vec<usize> = (0..rows.len()).collect();
-        let mut pivots = vec![];
-        for class in std::iter::once(early.as_slice()).chain(late.chunks(1)) {
-            while let Some((row, column)) = largest(&rows, pivots.len(), class) {
+    /// Reduces equations that stand one after the other; the unknowns in `late` become pivots only where no other can, in their order.
+    /// `None` where a number is in doubt or outgrows its kind.
+    pub(crate) fn new(mut entries: Vec<S>, columns: usize, late: &[usize]) -> Option<Self> {
+        let count = entries.len().checked_div(columns).unwrap_or(0);
+        let mut origin: Vec<usize> = (0..count).collect();
+        let mut pivots = Vec::with_capacity(count.min(columns));
+        let mut pivot_row: Vec<S> = Vec::with_capacity(columns);
+        let mut pivot_of = vec![None; columns];
+        for class in std::iter::once(None).chain(late.iter().map(Some)) {
+            let is_meant = |column: usize| match class {
+                Some(only) => *only == column,
+                None => !late.contains(&column),
+            };
+            while let Some((row, column)) = largest(&entries, columns, pivots.len(), is_meant) {
                 let place = pivots.len();
-                rows.swap(place, row);
                 origin.swap(place, row);
-                let pivot = rows[place][column];
-                for entry in &mut rows[place] {
-                    *entry = entry.over(pivot)?;
+                pivot_row.clear();
+                pivot_row.extend_from_slice(&entries[row * columns..(row + 1) * columns]);
+                for at in 0..columns {
+                    entries.swap(place * columns + at, row * columns + at);
                 }
-                rows[place][column] = S::ONE;
-                let pivot_row = rows[place].clone();
-                for (other, row) in rows.iter_mut().enumerate() {
-                    let factor = row[column];
-                    if other == place || factor.weight() == 0.0 {
-                        row[column] = if other == place { S::ONE } else { S::ZERO };
+                let pivot = pivot_row[column].clone();
+                for (at, entry) in pivot_row.iter_mut().enumerate() {
+                    if at == column {
+                        *entry = S::one();
+                    } else if !entry.is_zero() {
+                        *entry = entry.over(&pivot)?;
+                    }
+                }
+                for (at, row) in entries.chunks_exact_mut(columns).enumerate() {
+                    if at == place || row[column].is_zero() {
                         continue;
                     }
-                    for (entry, pivot_entry) in row.iter_mut().zip(&pivot_row) {
-                        let difference = entry.minus(factor.times(*pivot_entry)?)?;
-                        *entry = if difference.weight() == 0.0 { S::ZERO } else { difference };
+                    let factor = std::mem::replace(&mut row[column], S::zero());
+                    for (at, (entry, pivot_entry)) in row.iter_mut().zip(&pivot_row).enumerate() {
+                        if at != column && !pivot_entry.is_zero() {
+                            *entry = entry.minus(&factor.times(pivot_entry)?)?;
+                        }
                     }
-                    row[column] = S::ZERO;
                 }
+                entries[place * columns..(place + 1) * columns].clone_from_slice(&pivot_row);
+                pivot_of[column] = Some(place);
                 pivots.push((origin[place], column));
             }
         }
-        let free = (0..columns).filter(|c| pivots.iter().all(|(_, p)| p != c)).collect();
-        Some(Self { pivots, free, reduced: rows, columns })
+        let free = (0..columns).filter(|&c| pivot_of[c].is_none()).collect();
+        Some(Self { pivots, free, reduced: entries, pivot_of })
     }
 
     /// How an unknown follows from the free ones: the factors that are not zero.
-    pub(crate) fn dependence(&self, unknown: usize) -> Vec<(usize, S)> {
-        let Some(place) = self.pivots.iter().position(|(_, column)| *column == unknown) else {
-            return vec![(unknown, S::ONE)];
-        };
-        let row = &self.reduced[place];
-        let factor = |f: usize| S::ZERO.minus(row[f]).map(|x| (f, x));
-        self.free.iter().filter_map(|&f| factor(f)).filter(|(_, x)| x.weight() > 0.0).collect()
+    pub(crate) fn dependence(&self, unknown: usize) -> impl Iterator<Item = (usize, S)> {
+        let columns = self.pivot_of.len();
+        let row = self.pivot_of[unknown].map(|place| &self.reduced[place * columns..(place + 1) * columns]);
+        self.free.iter().filter_map(move |&free| match row {
+            Some(row) => row[free].negative().map(|x| (free, x)).filter(|(_, x)| x.weight() > 0.0),
+            None => (free == unknown).then(|| (free, S::one())),
+        })
+    }
+
+    /// Whether an unknown is 0 whatever the free ones are.
+    pub(crate) fn is_nothing(&self, unknown: usize) -> bool {
+        self.dependence(unknown).next().is_none()
     }
 
     /// Which unknowns stand together in some least relation: a label for each.
@@ -182,23 +362,36 @@ impl<S: Scalar> Echelon<S> {
     /// These are the connected parts of the bipartite graph of pivots and free unknowns, and the
     /// parts do not depend on the choice of pivots (they are those of the system's matroid).
     pub(crate) fn parts(&self) -> Vec<usize> {
-        let mut groups = crate::groups::Groups::new(self.columns);
+        let columns = self.pivot_of.len();
+        let mut groups = crate::groups::Groups::new(columns);
         for &(_, pivot) in &self.pivots {
             for (free, _) in self.dependence(pivot) {
                 groups.join(pivot, free);
             }
         }
-        (0..self.columns).map(|column| groups.root(column)).collect()
+        (0..columns).map(|column| groups.root(column)).collect()
     }
 }
 
-fn largest<S: Scalar>(rows: &[Vec<S>], from: usize, columns: &[usize]) -> Option<(usize, usize)> {
+/// The remaining entry that is largest within its equation, in a column that is meant.
+fn largest<S: Scalar>(
+    entries: &[S],
+    columns: usize,
+    from: usize,
+    is_meant: impl Fn(usize) -> bool,
+) -> Option<(usize, usize)> {
     let mut best = None;
     let mut best_weight = 0.0;
-    for (place, row) in rows.iter().enumerate().skip(from) {
-        for &column in columns {
-            if row[column].weight() > best_weight {
-                best_weight = row[column].weight();
+    for (place, row) in entries.chunks_exact(columns.max(1)).enumerate().skip(from) {
+        let scale = row.iter().fold(0.0_f64, |most, entry| most.max(entry.size()));
+        if scale == 0.0 {
+            continue;
+        }
+        let share = scale.recip();
+        for (column, entry) in row.iter().enumerate() {
+            let weight = entry.weight() * share;
+            if weight > best_weight && is_meant(column) {
+                best_weight = weight;
                 best = Some((place, column));
             }
         }
@@ -209,31 +402,93 @@ fn largest<S: Scalar>(rows: &[Vec<S>], from: usize, columns: &[usize]) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    type Strict = Bounded<true>;
+    type Lenient = Bounded<false>;
+
+    fn rows<S: Scalar>(rows: &[&[i32]], of: impl Fn(i32) -> S) -> Vec<S> {
+        rows.iter().flat_map(|row| row.iter()).map(|&x| of(x)).collect()
+    }
+
+    fn rounded<const STRICT: bool>(x: i32) -> Bounded<STRICT> {
+        Bounded::rounded(f64::from(x))
+    }
 
     #[test]
     fn a_late_unknown_stays_free_as_long_as_it_can() {
         // x + y − 2z = 0, with z kept back.
-        let echelon = Echelon::new(vec![vec![1.0, 1.0, -2.0], vec![1.0, -1.0, 0.0]], 3, &[2]).unwrap();
+        let echelon = Echelon::<Strict>::new(rows(&[&[1, 1, -2], &[1, -1, 0]], rounded), 3, &[2]).unwrap();
         assert_eq!(echelon.free, [2]);
-        let factor = echelon.dependence(0)[0];
-        assert!(factor.0 == 2 && (factor.1 - 1.0).abs() < 1e-15);
+        let factor = echelon.dependence(0).next().unwrap();
+        assert!(factor.0 == 2 && (factor.1.number() - 1.0).abs() < 1e-15);
     }
 
     #[test]
     fn fractions_refuse_to_overflow() {
         let huge = Fraction::new_raw(i128::MAX, 1);
-        assert_eq!(huge.times(Fraction::new_raw(2, 1)), None);
-        assert_eq!(huge.minus(Fraction::new_raw(-1, 1)), None);
-        assert_eq!(huge.over(Fraction::ZERO), None);
-        assert_eq!(Fraction::new(2, 3).minus(Fraction::new(1, 6)), Some(Fraction::new(1, 2)));
-        assert_eq!(Fraction::new(2, 3).over(Fraction::new(-4, 9)), Some(Fraction::new(-3, 2)));
+        let of = Fraction::new_raw;
+        assert_eq!(Scalar::times(&huge, &of(2, 1)), None);
+        assert_eq!(Scalar::minus(&huge, &of(-1, 1)), None);
+        assert_eq!(Scalar::over(&huge, &of(0, 1)), None);
+        assert_eq!(Scalar::minus(&Fraction::new(2, 3), &Fraction::new(1, 6)), Some(Fraction::new(1, 2)));
+        assert_eq!(Scalar::over(&Fraction::new(2, 3), &Fraction::new(-4, 9)), Some(Fraction::new(-3, 2)));
     }
 
     #[test]
     fn unrelated_unknowns_are_parted() {
         let echelon =
-            Echelon::new(vec![vec![1.0, -1.0, 0.0, 0.0], vec![0.0, 0.0, 1.0, 2.0]], 4, &[]).unwrap();
+            Echelon::<Strict>::new(rows(&[&[1, -1, 0, 0], &[0, 0, 1, 2]], rounded), 4, &[]).unwrap();
         let parts = echelon.parts();
         assert!(parts[0] == parts[1] && parts[2] == parts[3] && parts[0] != parts[2]);
+    }
+
+    #[test]
+    fn a_doubtful_zero_ends_the_strict_elimination_only() {
+        let third = 1.0 / 3.0;
+        fn of<const S: bool>(entries: [f64; 4]) -> Vec<Bounded<S>> {
+            entries.map(Bounded::rounded).into()
+        }
+        let equations = [1.0, third, 3.0, 1.0];
+        assert!(Echelon::<Strict>::new(of(equations), 2, &[]).is_none());
+        assert_eq!(Echelon::<Lenient>::new(of(equations), 2, &[]).unwrap().pivots.len(), 1);
+    }
+
+    #[test]
+    fn decimals_are_what_was_written() {
+        assert_eq!(decimal(2.15), Some(Fraction::new(43, 20)));
+        assert_eq!(decimal(-0.1), Some(Fraction::new(-1, 10)));
+        assert_eq!(decimal(1e9), Some(Fraction::from_integer(1_000_000_000)));
+        assert_eq!(decimal(250.0), Some(Fraction::from_integer(250)));
+        assert_eq!(decimal(1.0 / 3.0), None);
+        assert_eq!(decimal(125.0 / 27.0), None);
+        assert_eq!(decimal(f64::MIN_POSITIVE), None);
+    }
+
+    #[test]
+    fn a_long_rational_has_its_number() {
+        let long = BigRational::new(BigInt::from(3) << 3000_u32, BigInt::from(1) << 3001_u32);
+        assert!((Scalar::number(&long) - 1.5).abs() < 1e-15);
+        assert!((Scalar::number(&-long) + 1.5).abs() < 1e-15);
+        assert_eq!(Scalar::number(&big(&Fraction::new(-3, 4))), -0.75);
+    }
+
+    proptest! {
+        #[test]
+        fn the_kinds_of_numbers_agree(
+            entries in prop::collection::vec(prop::collection::vec(-3_i32..4, 5), 1..5),
+        ) {
+            let rows: Vec<&[i32]> = entries.iter().map(Vec::as_slice).collect();
+            let short = Echelon::new(self::rows(&rows, |x| Fraction::from_integer(i128::from(x))), 5, &[4]).unwrap();
+            let long = Echelon::new(self::rows(&rows, |x| BigRational::from_integer(x.into())), 5, &[4]).unwrap();
+            let loose = Echelon::<Lenient>::new(self::rows(&rows, rounded), 5, &[4]).unwrap();
+            prop_assert_eq!(short.pivots.len(), long.pivots.len());
+            prop_assert_eq!(short.parts().len(), long.parts().len());
+            prop_assert_eq!(short.pivots.len(), loose.pivots.len());
+            if let Some(strict) = Echelon::<Strict>::new(self::rows(&rows, rounded), 5, &[4]) {
+                prop_assert_eq!(short.pivots.len(), strict.pivots.len());
+                prop_assert_eq!(short.free.contains(&4), strict.free.contains(&4));
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
-use crate::row::RowKind;
-use epicyclic_gears::row::Member;
+use crate::set::SetKind;
+use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
 
 /// What a name stands for in a gearbox.
@@ -9,24 +9,30 @@ use std::fmt;
 pub enum Named {
     /// A link.
     Link,
-    /// A row.
-    Row,
-    /// A brake or clutch.
+    /// A planet set, or a pair on fixed axes.
+    Set,
+    /// A shift element.
     Control,
     /// A gear.
     Gear,
-    /// A mesh that rows share.
-    SharedMesh,
+    /// A central gear or planet shaft of a set.
+    Member,
+    /// A planet of a set.
+    Planet,
+    /// A mesh of a set.
+    Mesh,
 }
 
 impl fmt::Display for Named {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Link => "link",
-            Self::Row => "row",
-            Self::Control => "control",
+            Self::Set => "set",
+            Self::Control => "shift element",
             Self::Gear => "gear",
-            Self::SharedMesh => "shared ring mesh",
+            Self::Member => "central gear",
+            Self::Planet => "planet",
+            Self::Mesh => "mesh",
         })
     }
 }
@@ -42,7 +48,7 @@ pub enum Error {
         what: Named,
         /// The name given.
         name: String,
-        /// Who names it, as `row \`P1\``.
+        /// Who names it, as `set \`P1\``.
         place: String,
         /// The nearest name that exists, or all of them where none is near.
         suggestion: Option<String>,
@@ -55,43 +61,82 @@ pub enum Error {
         /// The name.
         name: String,
     },
-    /// Two members of a row that are one piece for ever.
+    /// Two members of a set that are one piece for ever.
     #[error(
-        "{first} and {second} of row `{row}` are both `{link}`: such a row turns as a block; give them two \
-         links and join these by a control"
+        "{first} and {second} of set `{set}` are both `{link}`: such a set turns as a block; give them two \
+         links and join these by a clutch or brake"
     )]
     CoincidentMembers {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// The first of the two members.
-        first: Member,
+        first: &'static str,
         /// The second.
-        second: Member,
+        second: &'static str,
         /// The link of the first.
         link: String,
     },
-    /// A row parameter outside what its kind can have.
-    #[error("k = {k} of row `{row}` ({kind}): {}", allowed_k(*kind))]
+    /// A ring-to-sun ratio outside what its kind can have.
+    #[error("k = {k} of set `{set}` ({kind}): {}", allowed_k(*kind))]
     RowParameter {
-        /// The row.
-        row: String,
+        /// The set.
+        set: String,
         /// Its kind.
-        kind: RowKind,
+        kind: SetKind,
         /// The value given, `|i₀|`.
         k: f64,
     },
-    /// A stepped row whose teeth lack those of its planet.
-    #[error("row `{row}` ({kind}) needs the teeth of both steps of its planet, z_g and z_f")]
-    StepsMissing {
-        /// The row.
-        row: String,
-        /// Its kind.
-        kind: RowKind,
+    /// A basic ratio of a compound set beyond the limits.
+    #[error(
+        "set `{set}`: the basic ratio of {first} to {second} is {ratio:.3e}; between {:e} and {BASIC_RATIO:e} in \
+         size is solved", 1.0 / BASIC_RATIO
+    )]
+    BasicRatio {
+        /// The set.
+        set: String,
+        /// One gear.
+        first: String,
+        /// The other.
+        second: String,
+        /// The ratio.
+        ratio: f64,
     },
-    /// A control that joins a link with itself.
-    #[error("control `{control}` joins `{link}` with itself: name two different links")]
+    /// Basic ratios that multiply to more than numbers can tell.
+    #[error("the basic ratios of all sets multiply to 1e{exponent:.0}: up to {SPREAD:e} is solved")]
+    Spread {
+        /// Decimal exponent of the product.
+        exponent: f64,
+    },
+    /// A stepped set whose teeth lack those of its planet.
+    #[error("set `{set}` ({kind}) needs the teeth of both steps of its planet, z_g and z_f")]
+    StepsMissing {
+        /// The set.
+        set: String,
+        /// Its kind.
+        kind: SetKind,
+    },
+    /// A number of planets that no set has.
+    #[error(
+        "set `{set}` has {given} planets: 1 to {MOST_ALIKE} of each are allowed; leave the number out where it is unknown"
+    )]
+    PlanetCount {
+        /// The set.
+        set: String,
+        /// The number given.
+        given: u32,
+    },
+    /// A compound set that is none.
+    #[error("set `{set}`: {fault}")]
+    Compound {
+        /// The set.
+        set: String,
+        /// What is wrong with it.
+        fault: CompoundFault,
+    },
+    /// A shift element that joins a link with itself.
+    #[error("shift element `{control}` joins `{link}` with itself: name two different links")]
     ControlJoinsItself {
-        /// The control.
+        /// The shift element.
         control: String,
         /// The link named twice.
         link: String,
@@ -110,18 +155,8 @@ pub enum Error {
         /// Which terminal, as `input of gear \`1\``.
         place: String,
     },
-    /// Rows that cannot share the mesh of a planet with the ring.
-    #[error("rows `{first}` and `{second}` cannot share a mesh: {why}")]
-    SharedMesh {
-        /// The first row of the group.
-        first: String,
-        /// The row that does not fit.
-        second: String,
-        /// What does not fit.
-        why: &'static str,
-    },
-    /// A gearbox larger than the fixed arrays of the solver.
-    #[error("{count} {what}{}s: at most {limit} are solved", if *what == Named::SharedMesh { "e" } else { "" })]
+    /// A gearbox larger than is solved.
+    #[error("{count} {}: at most {limit} are allowed", plural(*what))]
     TooMany {
         /// Of which kind.
         what: Named,
@@ -130,9 +165,18 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
-    /// A gearbox without a single row.
-    #[error("a gearbox without rows: give at least one")]
-    NoRows,
+    /// A gearbox without a single set.
+    #[error("a gearbox without planet sets: give at least one")]
+    NoSets,
+    /// A gear that was made by another gearbox.
+    #[error("gear `{gear}` names shift elements or links that this gearbox has not: it is another gearbox's")]
+    ForeignGear {
+        /// The gear.
+        gear: String,
+    },
+    /// Speeds and torques that do not settle the state of a gear with several inputs.
+    #[error("{0}")]
+    Inputs(#[from] InputsFault),
     /// An input or output that was never named.
     #[error("no {terminal}: name the link where power {}", if *terminal == "input" { "enters" } else { "leaves" })]
     NoTerminal {
@@ -151,9 +195,11 @@ pub enum Error {
         /// What is wrong with it.
         why: &'static str,
     },
-    /// Stationary ratios or efficiencies that do not fit the compiled gear.
-    #[error("{given} rows are given to a gear compiled with {expected}")]
-    RowCount {
+    /// Basic ratios or efficiencies that do not fit the compiled gear.
+    #[error("{given} {what} are given to a gear compiled with {expected}")]
+    ValueCount {
+        /// `basic ratios` or `efficiencies`.
+        what: &'static str,
         /// How many were given.
         given: usize,
         /// How many there are.
@@ -161,14 +207,180 @@ pub enum Error {
     },
 }
 
+/// What is wrong with the description of a compound set.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompoundFault {
+    /// Fewer than two central gears.
+    #[error("{given} central gears: at least two members besides the carrier are due")]
+    TooFewMembers {
+        /// How many were given.
+        given: usize,
+    },
+    /// A gear without teeth.
+    #[error("gear `{gear}` has 0 teeth: at least 1 is due")]
+    NoTeeth {
+        /// The gear.
+        gear: String,
+    },
+    /// A planet with too many gears.
+    #[error("planet `{planet}` has {given} gears: {most} at most are allowed")]
+    PlanetGears {
+        /// The planet.
+        planet: String,
+        /// How many were given.
+        given: usize,
+        /// How many it may have.
+        most: usize,
+    },
+    /// One name for two things.
+    #[error("`{name}` is named twice: central gears and planets of a set have names of their own")]
+    NameTwice {
+        /// The name.
+        name: String,
+    },
+    /// Two shafts of one planet.
+    #[error(
+        "`{name}` is a second shaft of planet `{planet}`: one is enough, with its link for all that it joins"
+    )]
+    TwoShafts {
+        /// The second shaft.
+        name: String,
+        /// The planet.
+        planet: String,
+    },
+    /// A gear that is not there.
+    #[error("no gear is called `{name}`{}; a gear of a planet with several is `planet.1`, `planet.2`…", hint(suggestion.as_deref()))]
+    UnknownGear {
+        /// The name given.
+        name: String,
+        /// The nearest name that exists.
+        suggestion: Option<String>,
+    },
+    /// Two gears that cannot mesh.
+    #[error("`{first}` and `{second}` do not mesh: {why}")]
+    Mesh {
+        /// One gear.
+        first: String,
+        /// The other.
+        second: String,
+        /// Why not.
+        why: &'static str,
+    },
+    /// A mesh that closes a loop.
+    #[error(
+        "the mesh of `{first}` and `{second}` closes a loop: other meshes tie them already; leave it out"
+    )]
+    Loop {
+        /// One gear.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// A gear or planet that no mesh ties to the first central gear.
+    #[error("`{name}` meshes with none of the others: add a mesh")]
+    Apart {
+        /// The gear or planet.
+        name: String,
+    },
+}
+
+/// Why speeds and torques given for several inputs settle no state.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InputsFault {
+    /// Too few speeds.
+    #[error("{}", too_few(*given, *needed, candidates))]
+    TooFewSpeeds {
+        /// How many were given.
+        given: usize,
+        /// How many are needed.
+        needed: usize,
+        /// Links whose speeds are still free.
+        candidates: Vec<String>,
+    },
+    /// A speed that follows from the others, or contradicts them.
+    #[error("the speed of `{link}` is given, but it follows from the others: leave it out")]
+    DependentSpeed {
+        /// The link.
+        link: String,
+    },
+    /// A link named twice, or the housing.
+    #[error("`{link}` {why}")]
+    Link {
+        /// The link.
+        link: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// Too few or too many torques.
+    #[error("{}: {given} are given", of_the_torques(*needed, candidates))]
+    Torques {
+        /// How many were given.
+        given: usize,
+        /// How many are needed.
+        needed: usize,
+        /// Links that may carry one.
+        candidates: Vec<String>,
+    },
+    /// Torques that leave those at other links open, or contradict each other.
+    #[error("these torques do not settle the others: give that of another of {}", candidates.join(", "))]
+    DependentTorques {
+        /// Links that may carry one.
+        candidates: Vec<String>,
+    },
+    /// Sets whose torques depend on how tightly they were engaged.
+    #[error("sets {} share a torque that nothing settles", sets.join(", "))]
+    SharedTorques {
+        /// The sets.
+        sets: Vec<String>,
+    },
+    /// No torques keep the gear moving at these speeds.
+    #[error("no torques keep it moving this way: its mesh losses hold it")]
+    Locked,
+}
+
+fn too_few(given: usize, needed: usize, candidates: &[String]) -> String {
+    let add = match (needed - given, candidates) {
+        (1, [only]) => format!("that of {only}"),
+        (1, all) => format!("that of one of {}", all.join(", ")),
+        (missing, all) => format!("those of {missing} of {}", all.join(", ")),
+    };
+    format!("the gear keeps {needed} freedoms and the speeds given are {given}: add {add}")
+}
+
+/// `1 of the torques at a, b must be given`, or that all follow.
+fn of_the_torques(needed: usize, candidates: &[String]) -> String {
+    let links = candidates.join(", ");
+    if needed == 0 {
+        format!("the torques at {links} follow, none can be given")
+    } else {
+        format!("{needed} of the torques at {links} must be given")
+    }
+}
+
 fn hint(suggestion: Option<&str>) -> String {
     suggestion.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
 }
 
-fn allowed_k(kind: RowKind) -> &'static str {
+fn allowed_k(kind: SetKind) -> &'static str {
     match kind {
-        RowKind::Simple => "the ring of a simple row is larger than its sun, so k = z_b/z_a is above 1",
-        _ => "the size of the stationary ratio is finite and above 0",
+        SetKind::Simple => {
+            "the ring of a simple set is larger than its sun, so k = z_b/z_a is above 1, and 1e9 at most"
+        }
+        _ => "the size of the basic ratio is between 1e-9 and 1e9",
+    }
+}
+
+fn plural(what: Named) -> &'static str {
+    match what {
+        Named::Link => "links",
+        Named::Set => "planet sets",
+        Named::Control => "shift elements",
+        Named::Gear => "gears",
+        Named::Member => "central gears of one set",
+        Named::Planet => "planets of one set",
+        Named::Mesh => "meshes of one set",
     }
 }
 
@@ -176,32 +388,44 @@ fn allowed_k(kind: RowKind) -> &'static str {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Warning {
-    /// Teeth that break coaxiality without profile shift, `z_b ≠ z_a + 2·z_g`.
-    ///
-    /// Many gears in service do so on purpose, so it is no error.
-    Coaxiality {
-        /// The row.
-        row: String,
-        /// The ring's teeth.
-        ring: u32,
-        /// `z_a + 2·z_g`.
-        unshifted: u32,
-    },
-    /// An input or output that no row, control or permanent connection ever reaches.
+    /// An input or output that no set, shift element or permanent connection ever reaches.
     Unreachable {
         /// The link.
         link: String,
+    },
+    /// A gearbox without gears: nothing to analyse.
+    NoGears,
+    /// A gear whose input is its output.
+    SameTerminals {
+        /// The gear.
+        gear: String,
+        /// The link.
+        link: String,
+    },
+    /// Two sets with one carrier and one central gear: if they share planets, they are one set.
+    SharedPlanets {
+        /// One set.
+        first: String,
+        /// The other.
+        second: String,
+        /// What the central gear is.
+        member: &'static str,
     },
 }
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Coaxiality { row, ring, unshifted } => write!(
+            Self::Unreachable { link } => write!(f, "nothing ever joins `{link}` to a set"),
+            Self::NoGears => f.write_str("no gears are described: there is nothing to analyse"),
+            Self::SameTerminals { gear, link } => {
+                write!(f, "input and output of gear `{gear}` are both `{link}`: its ratio is 1 by definition")
+            }
+            Self::SharedPlanets { first, second, member } => write!(
                 f,
-                "row `{row}`: z_b = {ring}, but z_a + 2·z_g = {unshifted}: coaxial only with shifted profiles"
+                "sets `{first}` and `{second}` have one carrier and one {member}: if they share planets, describe \
+                 them as one compound set, since as two sets the shared mesh loses twice"
             ),
-            Self::Unreachable { link } => write!(f, "nothing ever joins `{link}` to a row"),
         }
     }
 }

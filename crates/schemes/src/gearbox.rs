@@ -1,7 +1,10 @@
-//! A gearbox: rows, the links that tie them, the controls that join links, and its gears.
+//! A gearbox: planet sets, the links that tie them, the shift elements that join links, and its gears.
 
-use crate::row::{MeshLoss, Row, RowKind};
-use crate::{Error, GearboxBuilder, Named, Warning};
+use crate::drawn::DrawnSet;
+use crate::{Error, GearboxBuilder, Named, PlanetSet, Warning};
+use epicyclic_gears::row::Fraction;
+use std::ops::Range;
+use std::sync::Arc;
 
 /// Name of the housing wherever a link is named.
 pub const GROUND: &str = "ground";
@@ -22,24 +25,25 @@ impl LinkId {
     }
 }
 
-/// A brake or a clutch.
+/// A shift element: a brake, a clutch, or a one-way clutch.
 ///
-/// A brake is a control one of whose links is the housing.
+/// A brake is one of whose links is the housing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Control {
     pub(crate) id: String,
     pub(crate) links: [LinkId; 2],
+    pub(crate) one_way: bool,
 }
 
 impl Control {
-    /// Name of the control.
+    /// Name of the shift element.
     #[must_use]
     pub fn id(&self) -> &str {
         &self.id
     }
 
-    /// The links it joins when engaged. A torque of the control acts so on the first and opposite on
-    /// the second; the housing, if it is one of them, is the second.
+    /// The links it joins when engaged. Its torque acts so on the first and opposite on the second; the housing,
+    /// if it is one of them, is the second, unless the element is a one-way clutch.
     #[must_use]
     pub fn links(&self) -> [LinkId; 2] {
         self.links
@@ -48,15 +52,22 @@ impl Control {
     /// Whether it holds a link to the housing.
     #[must_use]
     pub fn is_brake(&self) -> bool {
-        self.links[1] == LinkId::GROUND
+        self.links.contains(&LinkId::GROUND)
+    }
+
+    /// Whether it is a one-way clutch: it keeps its first link from turning slower than its second, and lets it
+    /// turn faster.
+    #[must_use]
+    pub fn is_one_way(&self) -> bool {
+        self.one_way
     }
 }
 
 /// A named set of engaged controls, with the links where power enters and leaves.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Gear {
-    pub(crate) name: String,
-    pub(crate) engaged: Vec<usize>,
+    pub(crate) name: Arc<str>,
+    pub(crate) engaged: Arc<[usize]>,
     pub(crate) input: LinkId,
     pub(crate) output: LinkId,
 }
@@ -87,11 +98,28 @@ impl Gear {
     }
 }
 
-/// A group of rows whose long planet meshes once with a common ring (Ravigneaux).
+/// An equation of a set, as the solver takes it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct SharedMesh {
-    pub(crate) rows: Vec<usize>,
-    pub(crate) eta: f64,
+pub(crate) struct Equation {
+    /// Place of the set.
+    pub(crate) set: usize,
+    /// Place of the central gear in its set.
+    pub(crate) central: usize,
+    /// Links of root, central gear and carrier.
+    pub(crate) links: [LinkId; 3],
+    /// `i_c`.
+    pub(crate) ratio: f64,
+    pub(crate) rational: Option<Fraction>,
+    pub(crate) exact: Option<Fraction>,
+}
+
+/// Meshes of a set that carry power in one sense together.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Segment {
+    pub(crate) set: usize,
+    /// Equations of the gearbox behind it.
+    pub(crate) behind: Range<usize>,
+    pub(crate) efficiency: f64,
 }
 
 /// A planetary gearbox of any structure.
@@ -99,11 +127,11 @@ pub(crate) struct SharedMesh {
 /// Built and checked once by [`Gearbox::builder`]; everything else only reads it.
 ///
 /// ```
-/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// use epicyclic_schemes::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let gearbox = Gearbox::builder("conveyor")
 ///     .links(["D", "B", "T1"])
-///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
 ///     .brake("K1", "T1")
 ///     .clutch("K2", "D", "B")
 ///     .input("D")
@@ -120,10 +148,12 @@ pub(crate) struct SharedMesh {
 pub struct Gearbox {
     pub(crate) name: String,
     pub(crate) links: Vec<String>,
-    pub(crate) rows: Vec<Row>,
+    pub(crate) sets: Vec<PlanetSet>,
+    pub(crate) equations: Vec<Equation>,
+    pub(crate) segments: Vec<Segment>,
+    pub(crate) drawn: Vec<DrawnSet>,
     pub(crate) controls: Vec<Control>,
     pub(crate) permanent: Vec<[LinkId; 2]>,
-    pub(crate) shared: Vec<SharedMesh>,
     pub(crate) gears: Vec<Gear>,
     pub(crate) input: LinkId,
     pub(crate) output: LinkId,
@@ -164,13 +194,13 @@ impl Gearbox {
         self.links.iter().position(|link| link == name).map(LinkId)
     }
 
-    /// The rows.
+    /// The planet sets, and the pairs on fixed axes.
     #[must_use]
-    pub fn rows(&self) -> &[Row] {
-        &self.rows
+    pub fn sets(&self) -> &[PlanetSet] {
+        &self.sets
     }
 
-    /// The brakes and clutches.
+    /// The brakes, clutches and one-way clutches.
     #[must_use]
     pub fn controls(&self) -> &[Control] {
         &self.controls
@@ -211,11 +241,11 @@ impl Gearbox {
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
     pub fn gear(&self, name: &str) -> Result<&Gear, Error> {
-        self.gears.iter().find(|gear| gear.name == name).ok_or_else(|| Error::Unknown {
+        self.gears.iter().find(|gear| gear.name() == name).ok_or_else(|| Error::Unknown {
             what: Named::Gear,
             name: name.into(),
             place: format!("gearbox `{}`", self.name),
-            suggestion: nearest(name, self.gears.iter().map(|gear| gear.name.as_str())),
+            suggestion: nearest(name, self.gears.iter().map(Gear::name)),
         })
     }
 
@@ -233,8 +263,8 @@ impl Gearbox {
             None => Err(self.unknown_link(name, which.into())),
         };
         Ok(Gear {
-            name: engaged.join("+"),
-            engaged: ascending(controls),
+            name: engaged.join("+").into(),
+            engaged: ascending(controls).into(),
             input: terminal(input, "input")?,
             output: terminal(output, "output")?,
         })
@@ -258,28 +288,51 @@ impl Gearbox {
         }
     }
 
-    /// Efficiency of each row by itself: without the mesh it shares, if it shares one.
-    pub(crate) fn own_efficiency(&self, row: usize) -> f64 {
-        let shares = self.shared.iter().any(|mesh| mesh.rows.contains(&row));
-        match self.rows[row].spec.loss {
-            MeshLoss::Meshes { first, between, .. } if shares => first.get() * between.get(),
-            loss => loss.row_efficiency().get(),
+    /// The equations of a set.
+    pub(crate) fn equations_of(&self, set: usize) -> Range<usize> {
+        let from = self.equations.partition_point(|one| one.set < set);
+        from..from + self.equations[from..].partition_point(|one| one.set == set)
+    }
+
+    /// Adds a set with its equations and segments.
+    pub(crate) fn push_set(&mut self, set: PlanetSet) {
+        let (place, from) = (self.sets.len(), self.equations.len());
+        let tree = &set.tree;
+        for (at, &central) in tree.order.iter().enumerate() {
+            self.equations.push(Equation {
+                set: place,
+                central,
+                links: [set.members()[tree.root], set.members()[central], set.carrier()],
+                ratio: tree.ratios[at],
+                rational: tree.rationals[at],
+                exact: tree.exact[at],
+            });
+        }
+        for segment in &tree.segments {
+            let behind = from + segment.behind.start..from + segment.behind.end;
+            self.segments.push(Segment { set: place, behind, efficiency: segment.efficiency });
+        }
+        self.sets.push(set);
+        for equation in from..self.equations.len() {
+            self.drawn.push(DrawnSet::of(self, equation));
         }
     }
 
-    /// The group of rows with a common ring mesh that a row belongs to.
-    pub(crate) fn shared_group(&self, row: usize) -> Option<usize> {
-        self.shared.iter().position(|mesh| mesh.rows.contains(&row))
+    /// Whether a gear is one of this gearbox, or could be.
+    pub(crate) fn check_gear(&self, gear: &Gear) -> Result<(), Error> {
+        let fits = gear.engaged.iter().all(|&control| control < self.controls.len())
+            && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
+        if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }
     }
 
-    /// Whether any row is an ordinary pair, whose wheels need not share the axis of the others.
+    /// Whether any set is an ordinary pair, whose gears need not share the axis of the others.
     #[must_use]
     pub fn has_pairs(&self) -> bool {
-        self.rows.iter().any(|row| matches!(row.spec.kind, RowKind::ExternalPair | RowKind::InternalPair))
+        self.sets.iter().any(PlanetSet::is_pair)
     }
 }
 
-/// Each once, in order: a control engaged twice is engaged.
+/// Each once, in order: what is engaged twice is engaged.
 pub(crate) fn ascending(mut places: Vec<usize>) -> Vec<usize> {
     places.sort_unstable();
     places.dedup();

@@ -6,158 +6,156 @@
 //!
 //! | symbol | meaning |
 //! |---|---|
-//! | `i` | ratio `ω_in/ω_out` as a function of the stationary ratios |
-//! | `η₀_j`, `x_j` | efficiency of row `j` under a resting carrier, its exponent |
+//! | `i` | ratio `ω_in/ω_out` as a function of the basic ratios |
+//! | `η₀_j`, `x_j` | efficiency of set `j` under a carrier at rest, its exponent |
 //!
 //! No torque is computed here, so the rule checks the torque balance. The derivative equals the
-//! relative power of the row per unit of input power, hence `x_j` is the sign of the *ideal* relative
-//! power; a mesh shared by rows counts with the sum of their derivatives.
+//! rolling power of the set per unit of input power, hence `x_j` is the sign of the *ideal* rolling
+//! power. In a compound set each segment of meshes has its own exponent: that of the derivative by all basic
+//! ratios that lie behind it together.
 //!
 //! # Where the rule as printed ends
-//! It takes its signs at the ideal ratio. No torques obey these signs, that is, some row would gain
+//! It takes its signs at the ideal ratio. No torques obey these signs, that is, some set would gain
 //! power,
 //!
-//! - where a row is so nearly idle in a gear with loops that the losses of the others reverse it,
-//! - where the gear locks itself, and what lies behind the locking row is driven from the far end.
+//! - where a set is so nearly idle in a gear with loops that the losses of the others reverse it,
+//! - where the gear locks itself, and what lies behind the locking set is driven from the far end.
 //!
-//! There the torque balance turns the sign of the row, continuously with the losses, and
+//! There the torque balance turns the sign of the set, continuously with the losses, and
 //! [`Kreines::reversed`] names it. With its exponent turned the rule gives the efficiency of the
 //! balance again. None of the two- and three-speed schemes is such a case for `k` in 1.3…10; of
-//! random driven gears of up to five rows with `η₀` from 0.9 to 1, one in several hundred is.
+//! random driven gears of up to five sets with `η₀` from 0.9 to 1, one in several hundred is.
 //!
 //! # Source
 //! multispeed-gearboxes, section 2.4, general rule.
 
 use crate::Gearbox;
-use crate::elimination::{Echelon, RANK_TOLERANCE, Scalar};
-use crate::state::row_equation;
-use crate::topology::Topology;
+use crate::elimination::{Bounded, Echelon, Scalar};
+use crate::tolerance::SLOPE;
+use crate::topology::{Topology, node_equations, numbers};
 
 /// What Kreines' rule says of a gear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kreines {
-    /// Exponent `x_j` of each row as printed, from the ideal ratio.
-    pub exponents: Vec<i8>,
-    /// Exponent of each shared mesh.
-    pub shared_exponents: Vec<i8>,
+    /// Exponents `x_j` as printed, from the ideal ratio: of each set its segments', one of a set with two
+    /// central gears.
+    pub exponents: Vec<Vec<i8>>,
     /// `η = î/i` with these exponents.
     pub efficiency: f64,
-    /// `η = î/i` with the signs of the loaded torques; the same but for rows in `reversed`.
+    /// `η = î/i` with the signs of the loaded torques; the same but for sets in `reversed`.
     pub efficiency_loaded: Option<f64>,
-    /// Names of rows whose power the losses reverse.
+    /// Names of sets in which the losses reverse the power through some mesh.
     pub reversed: Vec<String>,
 }
-
-/// A derivative below this share of the largest is none. Wider than the zero of a power: the
-/// elimination behind it amplifies rounding where rows are nearly alike.
-const SLOPE_TOLERANCE: f64 = 1e-9;
 
 /// A number with its derivative.
 #[derive(Debug, Clone, Copy)]
 struct Dual {
-    value: f64,
+    value: Bounded<false>,
     slope: f64,
 }
 
 impl Scalar for Dual {
-    const ZERO: Self = Self { value: 0.0, slope: 0.0 };
-    const ONE: Self = Self { value: 1.0, slope: 0.0 };
-
-    fn weight(self) -> f64 {
-        if self.value.abs() <= RANK_TOLERANCE { 0.0 } else { self.value.abs() }
+    fn zero() -> Self {
+        Self { value: Bounded::zero(), slope: 0.0 }
     }
 
-    fn minus(self, other: Self) -> Option<Self> {
-        Some(Self { value: self.value - other.value, slope: self.slope - other.slope })
+    fn one() -> Self {
+        Self { value: Bounded::one(), slope: 0.0 }
     }
 
-    fn times(self, other: Self) -> Option<Self> {
-        let slope = self.slope * other.value + self.value * other.slope;
-        Some(Self { value: self.value * other.value, slope })
+    fn weight(&self) -> f64 {
+        self.value.weight()
     }
 
-    fn over(self, other: Self) -> Option<Self> {
-        let value = self.value / other.value;
-        Some(Self { value, slope: (self.slope - value * other.slope) / other.value })
+    fn minus(&self, other: &Self) -> Option<Self> {
+        Some(Self { value: self.value.minus(&other.value)?, slope: self.slope - other.slope })
     }
 
-    fn scale(row: &mut [Self]) {
-        let largest = row.iter().fold(0.0_f64, |m, x| m.max(x.value.abs()));
-        if largest > 0.0 {
-            row.iter_mut().for_each(|x| *x = Self { value: x.value / largest, slope: x.slope / largest });
-        }
+    fn times(&self, other: &Self) -> Option<Self> {
+        let slope = self.slope * other.value.number() + self.value.number() * other.slope;
+        Some(Self { value: self.value.times(&other.value)?, slope })
     }
 
-    fn number(self) -> f64 {
-        self.value
+    fn over(&self, other: &Self) -> Option<Self> {
+        let value = self.value.over(&other.value)?;
+        Some(Self { value, slope: (self.slope - value.number() * other.slope) / other.value.number() })
+    }
+
+    fn number(&self) -> f64 {
+        self.value.number()
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value.is_zero() && self.slope == 0.0
     }
 }
 
-/// `i = ω_in/ω_out` of a gear whose rows have these stationary ratios, over any numbers; rows
-/// without one are left out.
+/// `i = ω_in/ω_out` of a gear with these basic ratios, over any numbers; equations without one are left out.
 ///
 /// `None` where the output does not follow; 0 where the input rests while the output turns.
 pub(crate) fn ratio<S: Scalar>(topology: &Topology, ratios: &[Option<S>]) -> Option<S> {
     let (input, output) = (topology.input?, topology.output?);
     if input == output {
-        return Some(S::ONE);
+        return Some(S::one());
     }
-    let equation = |(members, i0): (&[Option<usize>; 3], &Option<S>)| {
-        Some(row_equation(members, (*i0)?, topology.count))
-    };
-    let equations = topology.rows.iter().zip(ratios).filter_map(equation).collect::<Option<Vec<_>>>()?;
+    let equations = node_equations(topology, ratios.iter().map(Option::as_ref))?;
     let echelon = Echelon::new(equations, topology.count, &[input, output])?;
-    match echelon.dependence(input).as_slice() {
-        [] => Some(S::ZERO),
-        [(free, factor)] if *free == output => Some(*factor),
+    let mut depends = echelon.dependence(input);
+    match (depends.next(), depends.next()) {
+        (None, _) => Some(S::zero()),
+        (Some((free, factor)), None) if free == output => Some(factor),
         _ => None,
     }
 }
 
-/// Kreines' rule for a driven gear; `loaded` holds the signs of the loaded torques.
-pub(crate) fn kreines(
-    gearbox: &Gearbox,
-    topology: &Topology,
-    ratios: &[f64],
-    loaded: Option<(&[i8], &[i8])>,
-) -> Option<Kreines> {
-    let ideal = ratio(topology, &ratios.iter().copied().map(Some).collect::<Vec<_>>())?;
-    let slope = |row: usize| {
+/// Kreines' rule for a driven gear; `loaded` holds the sign of the loaded power in each segment.
+pub(crate) fn kreines(gearbox: &Gearbox, topology: &Topology, loaded: Option<&[i8]>) -> Option<Kreines> {
+    let numbers = numbers(gearbox);
+    let of = |ratios: &[f64]| {
+        let ratios: Vec<Option<Bounded<false>>> = ratios.iter().map(|i| Some(Bounded::rounded(*i))).collect();
+        ratio(topology, &ratios).map(|ratio| ratio.number())
+    };
+    let ideal = of(&numbers)?;
+    let slope = |segment: &crate::gearbox::Segment| {
         let dual = |(place, &value): (usize, &f64)| {
-            Some(Dual { value, slope: if place == row { value } else { 0.0 } })
+            let slope = if segment.behind.contains(&place) { value } else { 0.0 };
+            Some(Dual { value: Bounded::rounded(value), slope })
         };
-        let duals: Vec<Option<Dual>> = ratios.iter().enumerate().map(dual).collect();
+        let duals: Vec<Option<Dual>> = numbers.iter().enumerate().map(dual).collect();
         Some(ratio(topology, &duals)?.slope / ideal)
     };
-    let slopes = (0..ratios.len()).map(slope).collect::<Option<Vec<f64>>>()?;
-    let shared: Vec<f64> =
-        gearbox.shared.iter().map(|mesh| mesh.rows.iter().map(|&row| slopes[row]).sum()).collect();
-    let zero = SLOPE_TOLERANCE * slopes.iter().fold(1.0_f64, |m, s| m.max(s.abs()));
-    let sign = |s: &f64| i8::from(*s > zero) - i8::from(*s < -zero);
-    let exponents: Vec<i8> = slopes.iter().map(sign).collect();
-    let shared_exponents: Vec<i8> = shared.iter().map(sign).collect();
-    let efficiency = |rows: &[i8], shared: &[i8]| {
-        let replaced = |(row, &i0): (usize, &f64)| {
-            let group = gearbox.shared_group(row);
-            let common = group.map_or(1.0, |g| gearbox.shared[g].eta.powi(i32::from(shared[g])));
-            Some(i0 * gearbox.own_efficiency(row).powi(i32::from(rows[row])) * common)
+    let slopes = gearbox.segments.iter().map(slope).collect::<Option<Vec<f64>>>()?;
+    let zero = SLOPE * slopes.iter().fold(1.0_f64, |m, s| m.max(s.abs()));
+    let exponents: Vec<i8> = slopes.iter().map(|s| i8::from(*s > zero) - i8::from(*s < -zero)).collect();
+    let efficiency = |exponents: &[i8]| {
+        let mut replaced = numbers.clone();
+        for (segment, &exponent) in gearbox.segments.iter().zip(exponents) {
+            for i0 in &mut replaced[segment.behind.clone()] {
+                *i0 *= segment.efficiency.powi(i32::from(exponent));
+            }
+        }
+        Some(of(&replaced)? / ideal)
+    };
+    let reversed = |loaded: &[i8]| -> Vec<String> {
+        let turned = |place: &usize| {
+            gearbox.segments[*place].efficiency < 1.0
+                && loaded[*place] != 0
+                && loaded[*place] != exponents[*place]
         };
-        Some(ratio(topology, &ratios.iter().enumerate().map(replaced).collect::<Vec<_>>())? / ideal)
+        let mut sets: Vec<usize> =
+            (0..loaded.len()).filter(turned).map(|place| gearbox.segments[place].set).collect();
+        sets.dedup();
+        sets.into_iter().map(|set| gearbox.sets[set].id().to_owned()).collect()
     };
-    let reversed = |rows: &[i8]| -> Vec<String> {
-        (0..ratios.len())
-            .filter(|&row| {
-                let lossy = gearbox.rows[row].spec.loss.row_efficiency().get() < 1.0;
-                lossy && rows[row] != 0 && rows[row] != exponents[row]
-            })
-            .map(|row| gearbox.rows[row].id().to_owned())
-            .collect()
-    };
+    let mut by_set = vec![vec![]; gearbox.sets.len()];
+    for (segment, &exponent) in gearbox.segments.iter().zip(&exponents) {
+        by_set[segment.set].push(exponent);
+    }
     Some(Kreines {
-        efficiency: efficiency(&exponents, &shared_exponents)?,
-        efficiency_loaded: loaded.and_then(|(rows, shared)| efficiency(rows, shared)),
-        reversed: loaded.map_or_else(Vec::new, |(rows, _)| reversed(rows)),
-        exponents,
-        shared_exponents,
+        efficiency: efficiency(&exponents)?,
+        efficiency_loaded: loaded.and_then(&efficiency),
+        reversed: loaded.map_or_else(Vec::new, reversed),
+        exponents: by_set,
     })
 }

@@ -1,8 +1,9 @@
 //! A gear at work: its speeds, torques and powers as quantities.
 
 use crate::compiled::Direction;
+use crate::tolerance::LARGEST_LOAD;
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
-use crate::{Analysis, Error};
+use crate::{Analysis, Error, State};
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// What is known of the load at the input.
@@ -24,11 +25,11 @@ pub struct Operation {
     pub direction: Direction,
     /// Speed of each link by [`LinkId::index`](crate::LinkId::index); `None` where it does not follow.
     pub speeds: Vec<Option<AngularVelocity>>,
-    /// Slip of each control.
+    /// Slip of each shift element.
     pub slips: Vec<Option<AngularVelocity>>,
-    /// Torques on sun, ring and carrier of each row.
-    pub members: Vec<Option<[Torque; 3]>>,
-    /// Torque of each control.
+    /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members).
+    pub members: Vec<Option<Vec<Torque>>>,
+    /// Torque of each shift element.
     pub controls: Vec<Option<Torque>>,
     /// Torque on the input.
     pub input: Torque,
@@ -42,21 +43,21 @@ pub struct Operation {
     pub entering: Power,
 }
 
-impl Analysis {
+impl Analysis<'_> {
     /// The gear at this input speed and load, with losses.
     ///
     /// Power that enters at the input takes [`driving`](Analysis::driving); power that leaves there
     /// takes [`overrun`](Analysis::overrun), scaled to the input's load.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, InputLoad, row::RowSpec};
+    /// use epicyclic_schemes::{Gearbox, InputLoad, set::SetSpec};
     /// use uom::si::angular_velocity::revolution_per_minute;
     /// use uom::si::f64::{AngularVelocity, Torque};
     /// use uom::si::torque::newton_meter;
     /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let gearbox = Gearbox::builder("conveyor")
     ///     .links(["D", "B", "T1"])
-    ///     .row(RowSpec::simple("1", ["D", "T1", "B"], 3.0))
+    ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
     ///     .brake("K1", "T1")
     ///     .input("D")
     ///     .output("B")
@@ -77,7 +78,7 @@ impl Analysis {
     /// power out of the input of a gear that locks itself.
     pub fn at(&self, input_speed: AngularVelocity, load: InputLoad) -> Result<Operation, Error> {
         let refuse = |why| Error::OperatingPoint { why };
-        let not_driven = || Error::NotDriven { state: self.state.to_string() };
+        let not_driven = || Error::NotDriven { state: self.state().to_string() };
         let speed_rad_s = rad_per_s(input_speed);
         let torque_n_m = match load {
             InputLoad::Torque(torque) => n_m(torque),
@@ -86,17 +87,19 @@ impl Analysis {
             }
             InputLoad::Power(power) => watts(power) / speed_rad_s,
         };
-        if !(speed_rad_s.is_finite() && torque_n_m.is_finite()) {
-            return Err(refuse("speed and load are finite numbers"));
+        if ![speed_rad_s, torque_n_m].iter().all(|value| value.abs() <= LARGEST_LOAD) {
+            return Err(refuse("speed and load are numbers up to 1e50 in size"));
         }
-        if self.ideal.is_none() {
+        if self.ideal().is_none()
+            || matches!(self.state(), State::SelfLocking { .. }) && torque_n_m * speed_rad_s >= 0.0
+        {
             return Err(not_driven());
         }
         let direction = if torque_n_m * speed_rad_s >= 0.0 { Direction::Drive } else { Direction::Overrun };
         let (case, scale) = match direction {
-            Direction::Drive => (self.driving.as_ref(), torque_n_m),
+            Direction::Drive => (self.driving(), torque_n_m),
             Direction::Overrun => {
-                let case = self.overrun.as_ref().filter(|case| case.efficiency > 0.0);
+                let case = self.overrun().filter(|case| case.efficiency > 0.0);
                 let locked = refuse("power cannot leave at the input: the gear locks itself when overrun");
                 let case = case.ok_or(locked)?;
                 (Some(case), torque_n_m / case.input)
@@ -108,9 +111,13 @@ impl Analysis {
         let of_power = |x: f64| power(x * (scale * speed_rad_s).abs());
         Ok(Operation {
             direction,
-            speeds: self.speeds.iter().map(of_speed).collect(),
-            slips: self.slips.iter().map(of_speed).collect(),
-            members: case.members.iter().map(|m| m.map(|m| m.map(of_torque))).collect(),
+            speeds: self.speeds().iter().map(of_speed).collect(),
+            slips: self.slips().iter().map(of_speed).collect(),
+            members: case
+                .members
+                .iter()
+                .map(|m| m.as_ref().map(|m| m.iter().copied().map(of_torque).collect()))
+                .collect(),
             controls: case.controls.iter().map(|c| c.map(of_torque)).collect(),
             input: of_torque(case.input),
             output: of_torque(case.output),

@@ -113,6 +113,8 @@ mod tests {
     use crate::structures::Structure;
     use epicyclic_gears::efficiency::MeshEfficiency;
     use proptest::prelude::*;
+    use proptest::test_runner::TestRunner;
+    use std::cell::Cell;
 
     /// Efficiency of a gear.
     fn efficiency(structure: Structure, k: [f64; 2], eta0: f64, gear: usize) -> f64 {
@@ -125,10 +127,13 @@ mod tests {
         at([0, 1].map(|row| effective(k[row], eta0, exponents[row]))) / at(k)
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
-        #[test]
-        fn every_structure_equals_the_solver(a in 1.05..12.0, b in 1.05..12.0, eta in 0.85..=1.0) {
+    /// A gear whose ratio is beyond 1/100 to 100, or that is not driven, has no figures to compare: counted, and few.
+    #[test]
+    fn every_structure_equals_the_solver() {
+        let (compared, skipped) = (Cell::new(0_u32), Cell::new(0_u32));
+        let count = |counter: &Cell<u32>| counter.set(counter.get() + 1);
+        let strategy = (1.05..12.0, 1.05..12.0, 0.85..=1.0);
+        let compare = |(a, b, eta): (f64, f64, f64)| {
             for structure in Structure::all() {
                 let rows = structure.rows();
                 let (first, second) = (coefficients(rows[0], a), coefficients(rows[1], b));
@@ -136,26 +141,46 @@ mod tests {
                 let gearbox = structure.gearbox([a, b], eta0, LOCKING_PAIRS[0]).unwrap();
                 for (gear, name) in ["1", "2"].into_iter().enumerate() {
                     let found = gearbox.analyze(name).unwrap();
-                    let Some(ratio) = found.ratio().filter(|i| i.abs() > 1e-2 && i.abs() < 1e2) else { continue };
+                    let Some(ratio) = found.ratio().filter(|i| i.abs() > 1e-2 && i.abs() < 1e2) else {
+                        count(&skipped);
+                        continue;
+                    };
                     let ours = ratios(&first, &second)[gear];
                     prop_assert!((ours / ratio - 1.0).abs() < 1e-9, "{structure} {name} {ours} {ratio}");
                     for (role, speed) in Role::ALL.into_iter().zip(speeds(&first, &second, gear)) {
                         let exact = found.speed(gearbox.link(role.symbol()).unwrap()).unwrap();
-                        prop_assert!((speed - exact).abs() < 1e-9 * (1.0 + exact.abs()), "{structure} {role}");
+                        prop_assert!(
+                            (speed - exact).abs() < 1e-9 * (1.0 + exact.abs()),
+                            "{structure} {role}"
+                        );
                     }
-                    let Some(driving) = found.driving() else { continue };
+                    let Some(driving) = found.driving() else {
+                        count(&skipped);
+                        continue;
+                    };
                     let ours = efficiency(structure, [a, b], eta, gear);
-                    prop_assert!((ours - driving.efficiency).abs() < 1e-8, "{structure} {name} {ours} {driving:?}");
-                    let hats: [f64; 2] = [0, 1].map(|row| {
-                        effective([a, b][row], eta, exponents(rows, [a, b], gear)[row])
-                    });
-                    let torques = sun_torques(&coefficients(rows[0], hats[0]), &coefficients(rows[1], hats[1]), gear);
+                    prop_assert!(
+                        (ours - driving.efficiency).abs() < 1e-8,
+                        "{structure} {name} {ours} {driving:?}"
+                    );
+                    let hats: [f64; 2] =
+                        [0, 1].map(|row| effective([a, b][row], eta, exponents(rows, [a, b], gear)[row]));
+                    let torques =
+                        sun_torques(&coefficients(rows[0], hats[0]), &coefficients(rows[1], hats[1]), gear);
                     for (row, torque) in torques.into_iter().enumerate() {
-                        let exact = driving.members[row].unwrap()[0];
-                        prop_assert!((torque - exact).abs() < 1e-8 * (1.0 + exact.abs()), "{structure} {name} {row}");
+                        let exact = driving.members[row].as_ref().unwrap()[0];
+                        prop_assert!(
+                            (torque - exact).abs() < 1e-8 * (1.0 + exact.abs()),
+                            "{structure} {name} {row}"
+                        );
                     }
+                    count(&compared);
                 }
             }
-        }
+            Ok(())
+        };
+        TestRunner::new(ProptestConfig::with_cases(64)).run(&strategy, compare).unwrap();
+        let (compared, skipped) = (compared.get(), skipped.get());
+        assert!(skipped * 20 < compared, "{compared} compared, {skipped} skipped");
     }
 }

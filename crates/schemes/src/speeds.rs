@@ -1,20 +1,28 @@
-//! Speeds in a gear: links, planets, the slip of open controls.
+//! Speeds in a gear: links, planets, the slip of open shift elements.
 
-use crate::row::Row;
+use crate::planet_set::{MeshKind, PlanetSet};
 use crate::state::Verdict;
 use crate::topology::Topology;
 use crate::{Gear, Gearbox};
 
-/// How a row moves; speeds are multiples of the input's.
+/// How a set moves; speeds are multiples of the input's.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RowMotion {
-    /// Speeds of sun (wheel 1), ring (wheel 2) and carrier, `None` where they do not follow.
-    pub members: [Option<f64>; 3],
-    /// Speed of wheel 1 relative to the carrier, `ω_a − ω_H`.
+pub struct SetMotion {
+    /// Speeds of the members, in the order of [`PlanetSet::members`]: the carrier last. `None` where they do not
+    /// follow.
+    pub members: Vec<Option<f64>>,
+    /// Speed of the first central gear relative to the carrier, `ω_1 − ω_H`.
     pub relative: Option<f64>,
-    /// The planets: one of a simple or stepped row, two of a double planet or meshing suns, as far
-    /// as their teeth are known. A pair has none.
-    pub planets: Vec<PlanetMotion>,
+    /// The planets, in the order of [`PlanetSet::planets`]; `None` where teeth or speeds are missing.
+    pub planets: Vec<Option<PlanetMotion>>,
+}
+
+impl SetMotion {
+    /// Speed of the carrier.
+    #[must_use]
+    pub fn carrier(&self) -> Option<f64> {
+        self.members.last().copied().flatten()
+    }
 }
 
 /// How a planet turns, as multiples of the input's speed.
@@ -22,7 +30,7 @@ pub struct RowMotion {
 pub struct PlanetMotion {
     /// Relative to the carrier, `ω_g − ω_H`: what its bearing sees.
     pub relative: f64,
-    /// Seen from the housing, `ω_g`. Of a bevel planet, whose axis is not the row's, `None`.
+    /// Seen from the housing, `ω_g`. Of a bevel planet, whose axis is not the set's, `None`.
     pub absolute: Option<f64>,
 }
 
@@ -31,7 +39,7 @@ pub(crate) fn link_speeds(topology: &Topology, verdict: &Verdict) -> Vec<Option<
     topology.node.iter().map(|node| node.map_or(Some(0.0), |node| verdict.speeds[node])).collect()
 }
 
-/// Slip of every control, speed of its first link less that of its second: 0 when engaged.
+/// Slip of every shift element, speed of its first link less that of its second: 0 when engaged.
 pub(crate) fn slips(gearbox: &Gearbox, gear: &Gear, speeds: &[Option<f64>]) -> Vec<Option<f64>> {
     let slip = |(place, control): (usize, &crate::Control)| {
         if gear.engaged.contains(&place) {
@@ -42,26 +50,27 @@ pub(crate) fn slips(gearbox: &Gearbox, gear: &Gear, speeds: &[Option<f64>]) -> V
     gearbox.controls.iter().enumerate().map(slip).collect()
 }
 
-/// Motion of a row between links of known speeds.
+/// Motion of a set between links of known speeds.
 ///
 /// ```text
-/// ω_g − ω_H = ∓(ω_wheel − ω_H)·z_wheel/z_g      − outside a sun, + inside a ring
+/// ω_g − ω_H = ∓(ω_c − ω_H)·z_c/z_g      − outside a sun, + inside a ring
 /// ```
 ///
 /// # Source
 /// multispeed-gearboxes (2.25), table 2.3.
-pub(crate) fn row_motion(row: &Row, speeds: &[Option<f64>]) -> RowMotion {
-    let members = row.members.map(|link| speeds[link.0]);
-    let [a, _, h] = members;
-    let planet = |ratio: &crate::row::PlanetRatio| {
-        let (wheel, carrier) = (members[ratio.wheel]?, h?);
-        let relative = (wheel - carrier) * ratio.factor;
-        let parallel = row.spec.kind != crate::row::RowKind::Bevel;
-        Some(PlanetMotion { relative, absolute: parallel.then_some(relative + carrier) })
+pub(crate) fn set_motion(set: &PlanetSet, speeds: &[Option<f64>]) -> SetMotion {
+    let members: Vec<Option<f64>> = set.members().iter().map(|link| speeds[link.0]).collect();
+    let carrier = members[set.centrals().len()];
+    // Of a central gear whose speed is known; the first in most sets.
+    let known = (0..set.centrals().len()).find(|&central| members[central].is_some());
+    let is_parallel =
+        !set.meshes().iter().any(|mesh| matches!(mesh.kind, MeshKind::BevelLeft | MeshKind::BevelRight));
+    let planet = |place: usize| {
+        let (central, carrier) = (known?, carrier?);
+        let over_central = set.planet_factor(place)? / set.ratio_between(central, 0);
+        let relative = (members[central]? - carrier) * over_central;
+        Some(PlanetMotion { relative, absolute: is_parallel.then_some(relative + carrier) })
     };
-    RowMotion {
-        members,
-        relative: a.zip(h).map(|(a, h)| a - h),
-        planets: row.planets().iter().filter_map(planet).collect(),
-    }
+    let planets = (0..set.planets().len()).map(planet).collect();
+    SetMotion { relative: members[0].zip(carrier).map(|(a, h)| a - h), members, planets }
 }

@@ -1,6 +1,6 @@
 //! What a gear does: its state, from the rank of its equations.
 //!
-//! Speeds obey one equation a row; torques obey one equation a link. Both systems are brought to
+//! Speeds obey the equations of the sets; torques obey one equation a link. Both systems are brought to
 //! reduced echelon form with input and output kept back, so the state is read off, not counted:
 //!
 //! | state | in the speeds | in the torques |
@@ -11,16 +11,19 @@
 //! | [`OutputAtRest`](State::OutputAtRest) | `ω_out = 0` follows, `ω_in` is free | |
 //! | [`TorquesIndeterminate`](State::TorquesIndeterminate) | `ω_out = ω_in/i` | a torque in relation with the input's is free |
 //! | [`Driven`](State::Driven) | `ω_out = ω_in/i` | all such torques follow |
+//! | [`SelfLocking`](State::SelfLocking) | as driven | but with losses `η ≤ 0`: no torque at the input moves a load |
 //!
 //! The first line that fits is the state. "In relation" means: in one part of the system's matroid
 //! (some least relation holds both). That is how parts beside the power path are told from it: an
-//! idle row that spins freely, an idle link held by two brakes at once, a row locked on its own do
+//! idle set that spins freely, an idle link held by two brakes at once, a set locked on its own do
 //! not spoil a driven gear; they only leave their own speed or torque unnamed.
 
-use crate::elimination::{Echelon, RANK_TOLERANCE, Scalar};
-use crate::topology::{Topology, factors};
+use crate::elimination::{Echelon, Scalar};
+use crate::tolerance::SPEED;
+use crate::topology::{Topology, factors, node_equations};
 use crate::{Gearbox, LinkId};
 use std::fmt;
+use std::ops::Range;
 
 /// State of a gear, with the links it concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,31 +48,38 @@ pub enum State {
         links: Vec<String>,
     },
     /// Input and output are related, but only together with further speeds that nothing gives: a
-    /// differential with too few controls engaged.
+    /// differential with too few shift elements engaged.
     Underdetermined {
         /// How many further speeds must be given.
         missing: usize,
         /// The links whose speeds are not known, any of which could be held.
         links: Vec<String>,
     },
-    /// Speeds follow, but torques on the power path depend on how tightly redundant controls or rows
-    /// were engaged. Losses still follow where the unknown torques belong to controls alone, or to
-    /// rows that turn as a block.
+    /// Speeds follow, but torques on the power path depend on how tightly redundant shift elements or sets
+    /// were engaged. Losses still follow where the unknown torques belong to shift elements alone, or to
+    /// sets that turn as a block.
     TorquesIndeterminate {
         /// Links of the redundant parts.
         links: Vec<String>,
-        /// Redundant controls.
+        /// Redundant shift elements.
         controls: Vec<String>,
-        /// Rows of unknown torque.
-        rows: Vec<String>,
+        /// Sets of unknown torque.
+        sets: Vec<String>,
+    },
+    /// The mesh losses hold the gear: no torque at the input moves a load at the output.
+    SelfLocking {
+        /// The input.
+        links: Vec<String>,
+        /// Whether no torque at the output moves it either.
+        both_ways: bool,
     },
 }
 
 impl State {
-    /// Whether input and output turn at a known ratio: driven, or with torques indeterminate.
+    /// Whether input and output turn at a known ratio: driven, self-locking, or with torques indeterminate.
     #[must_use]
     pub fn has_ratio(&self) -> bool {
-        matches!(self, Self::Driven | Self::TorquesIndeterminate { .. })
+        matches!(self, Self::Driven | Self::TorquesIndeterminate { .. } | Self::SelfLocking { .. })
     }
 
     /// The state's name, as in reports.
@@ -82,6 +92,7 @@ impl State {
             Self::OutputFree { .. } => "output free",
             Self::Underdetermined { .. } => "underdetermined",
             Self::TorquesIndeterminate { .. } => "torques indeterminate",
+            Self::SelfLocking { .. } => "self-locking",
         }
     }
 
@@ -94,7 +105,8 @@ impl State {
             | Self::OutputAtRest { links }
             | Self::OutputFree { links }
             | Self::Underdetermined { links, .. }
-            | Self::TorquesIndeterminate { links, .. } => links,
+            | Self::TorquesIndeterminate { links, .. }
+            | Self::SelfLocking { links, .. } => links,
         }
     }
 }
@@ -113,37 +125,82 @@ impl fmt::Display for State {
 type Choice<'a> = &'a dyn Fn(LinkId) -> bool;
 
 /// The state of a gear and what else the two reductions tell.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Verdict {
     pub(crate) state: State,
     /// Speed of each node as a multiple of the input's; `None` where it does not follow.
     pub(crate) speeds: Vec<Option<f64>>,
-    /// Rows whose equations suffice, in the order of their pivots.
-    pub(crate) rows: Vec<usize>,
+    /// Equations that suffice, ascending.
+    pub(crate) equations: Vec<usize>,
     /// Nodes at speeds that can be chosen, the input apart.
     pub(crate) chosen: Vec<usize>,
-    /// Whether the torque of each row, and of each edge, follows from the input's.
-    pub(crate) row_known: Vec<bool>,
-    pub(crate) edge_known: Vec<bool>,
+    /// Which torques follow from the input's.
+    pub(crate) known: Known,
     /// Whether the losses follow: driven, or torques unknown only where nothing rolls.
     pub(crate) solvable: bool,
 }
 
-/// Reads the state off; `None` where a fraction outgrows its integers.
+/// Whether the torque of each equation, and of each edge, follows from those at the terminals.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Known {
+    All,
+    Some { equations: Vec<bool>, edges: Vec<bool> },
+}
+
+impl Known {
+    pub(crate) fn equation(&self, equation: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Some { equations, .. } => equations[equation],
+        }
+    }
+
+    pub(crate) fn edge(&self, edge: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Some { edges, .. } => edges[edge],
+        }
+    }
+}
+
+/// Reads the state off; `None` where a number is in doubt or outgrows its kind.
 pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Verdict> {
     let speeds = speed_relations(topology, ratios)?;
-    let torques = Torques::new(gearbox, topology, ratios)?;
-    let parts = speeds.parts();
-    let depends = |node: usize| speeds.dependence(node);
-    let at_rest = |node: Option<usize>| node.is_none_or(|node| depends(node).is_empty());
+    let at_rest = |node: Option<usize>| node.is_none_or(|node| speeds.is_nothing(node));
     let input_blocked = at_rest(topology.input);
+    let mut node_speeds: Vec<Option<f64>> = Vec::with_capacity(topology.count);
+    for node in 0..topology.count {
+        let mut speed = Some(0.0);
+        for (place, (free, factor)) in speeds.dependence(node).enumerate() {
+            if !factor.is_sharp() {
+                return None;
+            }
+            let is_of_input = place == 0 && !input_blocked && Some(free) == topology.input;
+            speed = Some(factor.number()).filter(|speed| is_of_input && speed.is_normal());
+        }
+        node_speeds.push(speed);
+    }
+    let chosen: Vec<usize> =
+        speeds.free.iter().copied().filter(|node| Some(*node) != topology.input).collect();
+    let mut equations: Vec<usize> = speeds.pivots.iter().map(|(equation, _)| *equation).collect();
+    equations.sort_unstable();
+    let count = gearbox.equations.len();
+    // Independent equations that leave but the input free, and connections without a loop: every torque follows.
+    let is_square = equations.len() == count && topology.is_forest && chosen.is_empty() && !input_blocked;
+    if is_square && !at_rest(topology.output) {
+        return Some(Verdict {
+            state: State::Driven,
+            speeds: node_speeds,
+            equations,
+            chosen,
+            known: Known::All,
+            solvable: true,
+        });
+    }
 
-    let speed_of = |node: usize| match depends(node).as_slice() {
-        [] => Some(0.0),
-        [(free, factor)] if !input_blocked && Some(*free) == topology.input => Some(factor.number()),
-        _ => None,
-    };
-    let node_speeds: Vec<Option<f64>> = (0..topology.count).map(speed_of).collect();
+    let [input, output] = topology.terminals;
+    let torques = Torques::new(gearbox, topology, ratios, &[output, input])?;
+    let parts = speeds.parts();
     let names = |wanted: Choice| -> Vec<String> {
         (1..gearbox.links.len()).filter(|&l| wanted(LinkId(l))).map(|l| gearbox.links[l].clone()).collect()
     };
@@ -166,87 +223,107 @@ pub(crate) fn classify<S: Scalar>(gearbox: &Gearbox, topology: &Topology, ratios
     } else {
         torques.state(gearbox, topology, &names, &unknown)
     };
-    let chosen = speeds.free.iter().copied().filter(|n| Some(*n) != topology.input).collect();
-    let rows = speeds.pivots.iter().map(|(row, _)| *row).filter(|row| *row < gearbox.rows.len()).collect();
-    let (row_known, edge_known) =
-        (torques.known(0, gearbox.rows.len()), torques.known(gearbox.rows.len(), topology.edges.len()));
-    // Controls that share a torque, and rows that turn as a block, lose nothing however they share it.
-    let rolls = |row: usize| {
-        let [a, _, h] = topology.rows[row].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
-        a.zip(h).is_none_or(|(a, h)| (a - h).abs() > RANK_TOLERANCE)
+    let known = torques.known(gearbox, topology);
+    // Shift elements that share a torque, and sets that turn as a block, lose nothing however they share it.
+    let rolls = |equation: usize| {
+        let [a, _, h] =
+            topology.equations[equation].map(|node| node.map_or(Some(0.0), |node| node_speeds[node]));
+        a.zip(h).is_none_or(|(a, h)| (a - h).abs() > SPEED * a.abs().max(h.abs()))
     };
-    let unknown_row = |row: usize| !row_known[row] && rolls(row) && torques.on_power_path(row);
+    let unknown_equation = |one: usize| !known.equation(one) && rolls(one) && torques.on_power_path(one);
     let solvable = match state {
         State::Driven => true,
-        State::TorquesIndeterminate { .. } => !(0..gearbox.rows.len()).any(unknown_row),
+        State::TorquesIndeterminate { .. } => !(0..count).any(unknown_equation),
         _ => false,
     };
-    Some(Verdict { state, speeds: node_speeds, rows, chosen, row_known, edge_known, solvable })
+    Some(Verdict { state, speeds: node_speeds, equations, chosen, known, solvable })
 }
 
 /// Relations between the speeds of the nodes, input and output kept back.
 pub(crate) fn speed_relations<S: Scalar>(topology: &Topology, ratios: &[S]) -> Option<Echelon<S>> {
-    let mut equations = vec![];
-    for (members, &i0) in topology.rows.iter().zip(ratios) {
-        equations.push(row_equation(members, i0, topology.count)?);
-    }
-    let late: Vec<usize> = match (topology.output, topology.input) {
-        (Some(output), Some(input)) if output != input => vec![output, input],
-        (output, input) => input.or(output).into_iter().collect(),
-    };
-    Echelon::new(equations, topology.count, &late)
-}
-
-/// A row's equation over the nodes. A block whose factors cancel leaves nothing.
-pub(crate) fn row_equation<S: Scalar>(members: &[Option<usize>; 3], i0: S, count: usize) -> Option<Vec<S>> {
-    let mut equation = vec![S::ZERO; count];
-    for (member, factor) in members.iter().zip(factors(i0)?) {
-        if let Some(node) = *member {
-            equation[node] = equation[node].minus(S::ZERO.minus(factor)?)?;
+    let equations = node_equations(topology, ratios.iter().map(Some))?;
+    match (topology.output, topology.input) {
+        (Some(output), Some(input)) if output != input => {
+            Echelon::new(equations, topology.count, &[output, input])
         }
+        (output, input) => Echelon::new(equations, topology.count, input.or(output).as_slice()),
     }
-    Some(equation)
 }
 
-/// Relations between the torques: unknowns are the sun's of each row, those of the edges, the
-/// output's and the input's; equations are those of the links, so that edges in a loop show.
-struct Torques<S> {
+/// Relations between the torques: unknowns are `t` of each equation, those of the edges and of the terminals;
+/// equations are those of the links, so that edges in a loop show.
+pub(crate) struct Torques<S> {
     relations: Echelon<S>,
-    input: usize,
+    parts: Vec<usize>,
+    terminals: Range<usize>,
 }
 
 impl<S: Scalar> Torques<S> {
-    fn new(gearbox: &Gearbox, topology: &Topology, ratios: &[S]) -> Option<Self> {
-        let (rows, edges) = (gearbox.rows.len(), topology.edges.len());
-        let (output, input) = (rows + edges, rows + edges + 1);
-        let mut equations = vec![vec![S::ZERO; input + 1]; gearbox.links.len()];
-        let minus_one = S::ZERO.minus(S::ONE)?;
-        for (place, (row, &i0)) in gearbox.rows.iter().zip(ratios).enumerate() {
-            for (link, factor) in row.members.iter().zip(factors(i0)?) {
-                let entry = &mut equations[link.0][place];
-                *entry = entry.minus(factor)?;
+    /// The last terminals stay free as long as they can.
+    pub(crate) fn new(
+        gearbox: &Gearbox,
+        topology: &Topology,
+        ratios: &[S],
+        terminals: &[LinkId],
+    ) -> Option<Self> {
+        let (count, edges) = (gearbox.equations.len(), topology.edges.len());
+        let columns = count + edges..count + edges + terminals.len();
+        // Of all links but the housing.
+        let mut equations = vec![S::zero(); columns.end * (gearbox.links.len() - 1)];
+        let at = |link: usize, column: usize| link.checked_sub(1).map(|row| row * columns.end + column);
+        let minus_one = S::one().negative()?;
+        for (place, (one, ratio)) in gearbox.equations.iter().zip(ratios).enumerate() {
+            let links = one.links.map(|link| Some(link.0));
+            for (link, factor) in factors(links, ratio)? {
+                if let Some(entry) = link.and_then(|link| at(link, place)) {
+                    equations[entry] = factor;
+                }
             }
         }
         for (place, edge) in topology.edges.iter().enumerate() {
-            equations[edge.links[0].0][rows + place] = S::ONE;
-            equations[edge.links[1].0][rows + place] = minus_one;
+            for (link, factor) in edge.links.iter().zip([S::one(), minus_one.clone()]) {
+                if let Some(entry) = at(link.0, count + place) {
+                    equations[entry] = factor;
+                }
+            }
         }
-        for (terminal, column) in topology.terminals.into_iter().zip([input, output]) {
-            equations[terminal.0][column] = S::ONE;
+        for (terminal, column) in terminals.iter().zip(columns.clone()) {
+            if let Some(entry) = at(terminal.0, column) {
+                equations[entry] = S::one();
+            }
         }
-        equations.remove(0);
-        Some(Self { relations: Echelon::new(equations, input + 1, &[output, input])?, input })
+        let late: Vec<usize> = columns.clone().collect();
+        let relations = Echelon::new(equations, columns.end, &late)?;
+        // The equations of a set share planets: they are one part, whichever gear they refer to.
+        let mut parts = relations.parts();
+        for set in 0..gearbox.sets.len() {
+            let own = gearbox.equations_of(set);
+            for one in own.start + 1..own.end {
+                let (kept, joined) = (parts[own.start], parts[one]);
+                parts.iter_mut().filter(|part| **part == joined).for_each(|part| *part = kept);
+            }
+        }
+        Some(Self { parts, relations, terminals: columns })
     }
 
-    fn on_power_path(&self, column: usize) -> bool {
-        let parts = self.relations.parts();
-        parts[column] == parts[self.input]
+    pub(crate) fn on_power_path(&self, column: usize) -> bool {
+        self.terminals.clone().any(|terminal| self.parts[column] == self.parts[terminal])
     }
 
-    fn known(&self, from: usize, count: usize) -> Vec<bool> {
-        (from..from + count)
-            .map(|column| self.relations.dependence(column).iter().all(|(free, _)| *free == self.input))
-            .collect()
+    /// Whether a torque follows from those at the terminals.
+    fn follows(&self, column: usize) -> bool {
+        self.relations.dependence(column).all(|(free, _)| self.terminals.contains(&free))
+    }
+
+    /// Whether an equation carries any torque.
+    pub(crate) fn is_loaded(&self, equation: usize) -> bool {
+        !self.relations.is_nothing(equation)
+    }
+
+    pub(crate) fn known(&self, gearbox: &Gearbox, topology: &Topology) -> Known {
+        let follows = |columns: Range<usize>| columns.map(|column| self.follows(column)).collect();
+        let (count, edges) = (gearbox.equations.len(), topology.edges.len());
+        Known::Some { equations: follows(0..count), edges: follows(count..count + edges) }
     }
 
     /// The state of a gear whose speeds from input to output follow.
@@ -257,31 +334,29 @@ impl<S: Scalar> Torques<S> {
         names: &dyn Fn(Choice) -> Vec<String>,
         unknown_speed: &dyn Fn(LinkId) -> bool,
     ) -> State {
-        let parts = self.relations.parts();
-        let rows = gearbox.rows.len();
-        let open = |column: usize| {
-            parts[column] == parts[self.input]
-                && self.relations.dependence(column).iter().any(|(free, _)| *free != self.input)
-        };
-        let open_rows: Vec<usize> = (0..rows).filter(|&r| open(r)).collect();
-        let open_edges: Vec<usize> = (0..topology.edges.len()).filter(|&e| open(rows + e)).collect();
-        if !open_rows.is_empty() || !open_edges.is_empty() {
+        let count = gearbox.equations.len();
+        let open = |column: usize| self.on_power_path(column) && !self.follows(column);
+        let is_open = |set: &usize| gearbox.equations_of(*set).any(open);
+        let open_sets: Vec<usize> = (0..gearbox.sets.len()).filter(is_open).collect();
+        let open_edges: Vec<usize> = (0..topology.edges.len()).filter(|&e| open(count + e)).collect();
+        if !open_sets.is_empty() || !open_edges.is_empty() {
             let touched = |link: LinkId| {
-                open_rows.iter().any(|&r| gearbox.rows[r].members.contains(&link))
+                open_sets.iter().any(|&set| gearbox.sets[set].members().contains(&link))
                     || open_edges.iter().any(|&e| topology.edges[e].links.contains(&link))
             };
             let control = |&e: &usize| topology.edges[e].control.map(|c| gearbox.controls[c].id.clone());
             return State::TorquesIndeterminate {
                 links: names(&touched),
                 controls: open_edges.iter().filter_map(control).collect(),
-                rows: open_rows.iter().map(|&r| gearbox.rows[r].id().to_owned()).collect(),
+                sets: open_sets.iter().map(|&set| gearbox.sets[set].id().to_owned()).collect(),
             };
         }
-        // A loaded row at an unknown speed: only with special dimensions (i₀ = 1 and a carrier that
+        // A loaded set at an unknown speed: only with special dimensions (i₀ = 1 and a carrier that
         // nothing holds, or torques that cancel), but then its losses do not follow.
-        let loaded = |r: usize| !self.relations.dependence(r).is_empty();
+        let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| self.is_loaded(equation));
+        let loaded: Vec<usize> = (0..gearbox.sets.len()).filter(is_loaded).collect();
         let adrift = |link: LinkId| {
-            unknown_speed(link) && (0..rows).any(|r| loaded(r) && gearbox.rows[r].members.contains(&link))
+            unknown_speed(link) && loaded.iter().any(|&set| gearbox.sets[set].members().contains(&link))
         };
         let links = names(&adrift);
         if links.is_empty() { State::Driven } else { State::Underdetermined { missing: links.len(), links } }

@@ -45,7 +45,7 @@
 
 pub use crate::catalogue::Role;
 
-use crate::row::{MeshLoss, RowSpec};
+use crate::set::{MeshLoss, SetSpec};
 use crate::{Error, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use std::cmp::Ordering;
@@ -242,8 +242,8 @@ impl Structure {
             .input("D")
             .output("B");
         for (name, (members, k)) in ["1", "2"].iter().zip(self.rows.iter().zip(k)) {
-            let row = RowSpec::simple(name, members.map(Role::symbol), k);
-            builder = builder.row(row.with_loss(MeshLoss::Row(eta0)));
+            let row = SetSpec::simple(name, members.map(Role::symbol), k);
+            builder = builder.set(row.with_loss(MeshLoss::Row(eta0)));
         }
         builder.gear("1", ["K1"]).gear("2", ["K2"]).gear("direct", ["L"]).build()
     }

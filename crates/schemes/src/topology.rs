@@ -1,27 +1,30 @@
-//! A gear as nodes and rows: the links that its engaged controls make one piece are one node.
+//! A gear as nodes and equations: the links that its engaged shift elements make one piece are one node.
 
-use crate::elimination::Scalar;
+use crate::elimination::{Bounded, Scalar, big};
 use crate::groups::Groups;
 use crate::{Gear, Gearbox, LinkId};
 use epicyclic_gears::row::Fraction;
+use num_rational::BigRational;
 
-/// A connection that carries torque between two links: permanent, or an engaged control.
-#[derive(Debug, Clone, Copy)]
+/// A connection that carries torque between two links: permanent, or an engaged shift element.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Edge {
     pub(crate) links: [LinkId; 2],
-    /// Place of the control; none of a permanent connection.
+    /// Place of the shift element; none of a permanent connection.
     pub(crate) control: Option<usize>,
 }
 
 /// The nodes of a gear.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Topology {
     /// Node of each link; `None` where it is one piece with the housing.
     pub(crate) node: Vec<Option<usize>>,
     pub(crate) count: usize,
     pub(crate) edges: Vec<Edge>,
-    /// Nodes of sun, ring and carrier of each row.
-    pub(crate) rows: Vec<[Option<usize>; 3]>,
+    /// Whether no connection closes a loop with others.
+    pub(crate) is_forest: bool,
+    /// Nodes of root, central gear and carrier of each equation.
+    pub(crate) equations: Vec<[Option<usize>; 3]>,
     pub(crate) input: Option<usize>,
     pub(crate) output: Option<usize>,
     /// Links of input and output.
@@ -37,39 +40,92 @@ impl Topology {
             .map(|&control| Edge { links: gearbox.controls[control].links, control: Some(control) });
         let edges: Vec<Edge> = permanent.chain(engaged).collect();
         let mut groups = Groups::new(gearbox.links.len());
+        let mut is_forest = true;
         for edge in &edges {
-            groups.join(edge.links[0].0, edge.links[1].0);
+            is_forest &= groups.join(edge.links[0].0, edge.links[1].0);
         }
-        let mut of_root = vec![None; gearbox.links.len()];
         let mut count = 0;
-        let mut node = vec![None; gearbox.links.len()];
-        for (link, node) in node.iter_mut().enumerate() {
+        let mut node: Vec<Option<usize>> = vec![None; gearbox.links.len()];
+        for link in 1..node.len() {
+            // A part is known by its smallest link, which comes first.
             let root = groups.root(link);
-            if root == 0 {
-                continue;
-            }
-            *node = Some(*of_root[root].get_or_insert_with(|| {
+            node[link] = node[root];
+            if root == link {
+                node[link] = Some(count);
                 count += 1;
-                count - 1
-            }));
+            }
         }
-        let rows = gearbox.rows.iter().map(|row| row.members.map(|link| node[link.0])).collect();
+        let equations = gearbox.equations.iter().map(|one| one.links.map(|link| node[link.0])).collect();
         let (input, output) = (node[gear.input.0], node[gear.output.0]);
-        Self { node, count, edges, rows, input, output, terminals: [gear.input, gear.output] }
+        let terminals = [gear.input, gear.output];
+        Self { node, count, edges, is_forest, equations, input, output, terminals }
     }
 }
 
-/// Factors of a row's equation `ω_a − i₀·ω_b − (1 − i₀)·ω_H = 0`.
-pub(crate) fn factors<S: Scalar>(i0: S) -> Option<[S; 3]> {
-    Some([S::ONE, S::ZERO.minus(i0)?, i0.minus(S::ONE)?])
+/// The factors `1, −i, i − 1` of an equation over the nodes of its three links, sums of those that share a node.
+///
+/// Sums are taken in closed form, so that a block leaves exactly nothing. Where two members are one node, the
+/// equation says that the third turns with them, and its factors are 1 and −1.
+pub(crate) fn factors<S: Scalar>(nodes: [Option<usize>; 3], i: &S) -> Option<[(Option<usize>, S); 3]> {
+    let none = (None, S::zero());
+    let [r, c, h] = nodes;
+    Some(if r == c && c == h {
+        [none.clone(), none.clone(), none]
+    } else if r == c {
+        // (1 − i)·(ω_r − ω_H)
+        let mut factor = S::one().minus(i)?;
+        if factor.weight() > 0.0 {
+            factor = S::one();
+        }
+        [(r, factor.clone()), none, (h, factor.negative()?)]
+    } else if r == h || c == h {
+        [(r, S::one()), (c, S::one().negative()?), none]
+    } else {
+        [(r, S::one()), (c, i.negative()?), (h, i.minus(&S::one())?)]
+    })
 }
 
-/// Stationary ratios of all rows as numbers.
+/// Basic ratios of all equations as numbers.
 pub(crate) fn numbers(gearbox: &Gearbox) -> Vec<f64> {
-    gearbox.rows.iter().map(|row| row.ratio.get()).collect()
+    gearbox.equations.iter().map(|one| one.ratio).collect()
 }
 
-/// Stationary ratios of all rows as fractions, where the teeth of all are known.
+/// The same with bounds on their errors.
+pub(crate) fn bounded<const STRICT: bool>(gearbox: &Gearbox) -> Vec<Bounded<STRICT>> {
+    gearbox.equations.iter().map(|one| Bounded::rounded(one.ratio)).collect()
+}
+
+/// The same as fractions, where all are known by teeth or as decimals.
 pub(crate) fn fractions(gearbox: &Gearbox) -> Option<Vec<Fraction>> {
-    gearbox.rows.iter().map(|row| row.exact).collect()
+    gearbox.equations.iter().map(|one| one.rational).collect()
+}
+
+/// The same as rationals of any size.
+pub(crate) fn rationals(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
+    gearbox.equations.iter().map(|one| one.rational.as_ref().map(big)).collect()
+}
+
+/// The numbers as they stand as rationals, for what no other kind holds.
+pub(crate) fn exact(gearbox: &Gearbox) -> Option<Vec<BigRational>> {
+    gearbox.equations.iter().map(|one| BigRational::from_float(one.ratio)).collect()
+}
+
+/// The equations over the nodes, one after the other. A block whose factors cancel leaves nothing.
+pub(crate) fn node_equations<'r, S: Scalar + 'r>(
+    topology: &Topology,
+    ratios: impl Iterator<Item = Option<&'r S>>,
+) -> Option<Vec<S>> {
+    let mut entries = Vec::with_capacity(topology.equations.len() * topology.count);
+    for (&nodes, ratio) in topology.equations.iter().zip(ratios) {
+        // What has no ratio is left out.
+        let Some(ratio) = ratio else { continue };
+        let from = entries.len();
+        entries.resize(from + topology.count, S::zero());
+        for (node, factor) in factors(nodes, ratio)? {
+            if let Some(node) = node {
+                entries[from + node] = factor;
+            }
+        }
+    }
+    Some(entries)
 }

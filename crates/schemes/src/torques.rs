@@ -1,9 +1,9 @@
-//! Torques in a gear, with and without losses: members, controls, input and output.
+//! Torques in a gear, with and without losses: members, shift elements, input and output.
 
 use crate::compiled::{CompiledGear, Direction, Solution};
-use crate::power_flow::{PowerFlow, power_flow};
-use crate::state::Verdict;
-use crate::topology::Topology;
+use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
+use crate::state::{Known, Verdict};
+use crate::topology::{Edge, Topology};
 use crate::{Gearbox, LinkId};
 
 /// Torques and powers of a gear while one unit of power enters it.
@@ -16,11 +16,11 @@ use crate::{Gearbox, LinkId};
 pub struct LoadCase {
     /// Which way power runs.
     pub direction: Direction,
-    /// Torques on sun, ring and carrier of each row; `None` in an idle row whose torque nothing
-    /// settles.
-    pub members: Vec<Option<[f64; 3]>>,
-    /// Torque of each control on its first link (the second takes the opposite): 0 when open, `None`
-    /// where controls in a loop share it in a way that nothing settles.
+    /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members): the
+    /// carrier last; `None` in an idle set whose torque nothing settles.
+    pub members: Vec<Option<Vec<f64>>>,
+    /// Torque of each shift element on its first link (the second takes the opposite): 0 when open, `None`
+    /// where elements in a loop share it in a way that nothing settles.
     pub controls: Vec<Option<f64>>,
     /// Torque on the input from outside.
     pub input: f64,
@@ -31,25 +31,28 @@ pub struct LoadCase {
     /// Power that leaves over power that enters; 1 without losses. At or below 0 the gear locks
     /// itself in this direction.
     pub efficiency: f64,
-    /// Sense of the relative power of each row: 1 from sun to ring, −1 from ring to sun, 0 none (and
-    /// so no loss).
+    /// Sense of the rolling power in each segment of meshes that carry power together, set by set: 1 away from the
+    /// gear of reference, −1 towards it, 0 none (and so no loss). A set with two central gears has one segment, 1
+    /// from the first to the second.
     pub signs: Vec<i8>,
-    /// Sense of the power in each shared mesh: 1 from planet to ring.
-    pub shared_signs: Vec<i8>,
     /// Powers.
     pub power: PowerFlow,
+    /// Torques of each equation on its root, central gear and carrier.
+    pub(crate) equations: Vec<[f64; 3]>,
+    is_lossy: bool,
 }
 
-/// Torques on the members of the active rows and at the terminals, as the kernel found them.
+/// Torques of the active equations and at the terminals, as the solver found them.
 pub(crate) struct Found<'a> {
     pub(crate) direction: Direction,
-    pub(crate) sun: &'a [f64],
+    pub(crate) root: &'a [f64],
     pub(crate) effective: &'a [f64],
     pub(crate) entering: f64,
     pub(crate) leaving: f64,
     pub(crate) efficiency: f64,
+    /// Of the active segments.
     pub(crate) signs: &'a [i8],
-    pub(crate) shared_signs: &'a [i8],
+    pub(crate) is_lossy: bool,
 }
 
 pub(crate) struct Scene<'a> {
@@ -60,29 +63,58 @@ pub(crate) struct Scene<'a> {
     pub(crate) speeds: &'a [Option<f64>],
 }
 
+/// Torques on the links and sets of a gear, from what the solver found.
+pub(crate) struct Members {
+    /// On the members of each set.
+    pub(crate) sets: Vec<Vec<f64>>,
+    /// Sense of the power in each segment of the gearbox, 0 in one that is not active.
+    pub(crate) signs: Vec<i8>,
+}
+
+/// Torques on the members of the sets, for `t` and `î` of these equations and the signs of these segments.
+pub(crate) fn members(
+    gearbox: &Gearbox,
+    [equations, segments]: [&[usize]; 2],
+    [root, effective]: [&[f64]; 2],
+    active_signs: &[i8],
+) -> Members {
+    let mut sets: Vec<Vec<f64>> = gearbox.sets.iter().map(|set| vec![0.0; set.members().len()]).collect();
+    for ((&place, &t), &i) in equations.iter().zip(root).zip(effective) {
+        let one = &gearbox.equations[place];
+        let of_set = &mut sets[one.set];
+        of_set[gearbox.sets[one.set].tree.root] += t;
+        of_set[one.central] -= i * t;
+        let carrier = of_set.len() - 1;
+        of_set[carrier] += (i - 1.0) * t;
+    }
+    let mut signs = vec![0; gearbox.segments.len()];
+    for (&segment, &sign) in segments.iter().zip(active_signs) {
+        signs[segment] = sign;
+    }
+    Members { sets, signs }
+}
+
 /// The load case without losses, from the solution in a direction.
 pub(crate) fn ideal(scene: &Scene, ratios: &[f64], solution: &Solution) -> LoadCase {
-    let active = scene.compiled.active_rows();
-    let effective: Vec<f64> = active.iter().map(|&row| ratios[usize::from(row)]).collect();
+    let effective: Vec<f64> = scene.compiled.equations.iter().map(|&equation| ratios[equation]).collect();
     load_case(
         scene,
         &Found {
             direction: Direction::Drive,
-            sun: &solution.ideal_sun[..active.len()],
+            root: solution.ideal_sun_torques(),
             effective: &effective,
             entering: 1.0,
-            leaving: -solution.ratio(),
+            leaving: solution.ideal_other,
             efficiency: 1.0,
-            signs: &solution.ideal_signs[..active.len()],
-            shared_signs: &[],
+            signs: solution.ideal_signs(),
+            is_lossy: false,
         },
     )
 }
 
 /// The load case with losses; `None` where no torque moves the gear against them.
 pub(crate) fn loaded(scene: &Scene, direction: Direction, solution: &Solution) -> Option<LoadCase> {
-    let loaded = solution.loaded()?;
-    let count = scene.compiled.active_rows().len();
+    let efficiency = solution.efficiency()?;
     let entering = match direction {
         Direction::Drive => 1.0,
         Direction::Overrun => solution.ratio(),
@@ -91,54 +123,52 @@ pub(crate) fn loaded(scene: &Scene, direction: Direction, solution: &Solution) -
         scene,
         &Found {
             direction,
-            sun: &loaded.sun[..count],
-            effective: &loaded.effective[..count],
+            root: solution.root(),
+            effective: solution.effective(),
             entering,
-            leaving: loaded.other,
-            efficiency: loaded.efficiency,
-            signs: &solution.signs[..count],
-            shared_signs: &solution.shared_signs[..scene.gearbox.shared.len()],
+            leaving: solution.other,
+            efficiency,
+            signs: solution.signs(),
+            is_lossy: true,
         },
     ))
 }
 
 fn load_case(scene: &Scene, found: &Found) -> LoadCase {
     let Scene { gearbox, verdict, .. } = scene;
-    let rows = gearbox.rows.len();
-    let mut members = vec![[0.0; 3]; rows];
-    let mut signs = vec![0; rows];
-    for (active, &row) in scene.compiled.active_rows().iter().enumerate() {
-        let (sun, i) = (found.sun[active], found.effective[active]);
-        members[usize::from(row)] = [sun, -i * sun, (i - 1.0) * sun];
-        signs[usize::from(row)] = found.signs[active];
-    }
+    let active = [scene.compiled.equations.as_slice(), &scene.compiled.segments];
+    let Members { sets, signs } = members(gearbox, active, [found.root, found.effective], found.signs);
     let (input, output) = match found.direction {
         Direction::Drive => (found.entering, found.leaving),
         Direction::Overrun => (found.leaving, found.entering),
     };
-    // What the connections must supply to each link.
-    let mut demand = vec![0.0; gearbox.links.len()];
-    for (row, torques) in gearbox.rows.iter().zip(&members) {
-        for (link, torque) in row.members.iter().zip(torques) {
-            demand[link.0] += torque;
-        }
-    }
+    let mut demand = demands(gearbox, &sets);
     let [input_link, output_link] = scene.topology.terminals;
     demand[input_link.0] -= input;
     demand[output_link.0] -= output;
-    let edges = edge_torques(scene, &demand);
+    let edges = edge_torques(scene.topology, &verdict.known, demand);
     let mut controls = vec![Some(0.0); gearbox.controls.len()];
     for (edge, torque) in scene.topology.edges.iter().zip(&edges) {
         if let Some(control) = edge.control {
             controls[control] = *torque;
         }
     }
-    let members: Vec<Option<[f64; 3]>> = members
-        .into_iter()
-        .zip(&verdict.row_known)
-        .map(|(torques, known)| known.then_some(torques))
-        .collect();
-    let power = power_flow(scene, &members, &edges, [input, output]);
+    let known = |set: usize| gearbox.equations_of(set).all(|equation| verdict.known.equation(equation));
+    let members: Vec<Option<Vec<f64>>> =
+        sets.into_iter().enumerate().map(|(set, torques)| known(set).then_some(torques)).collect();
+    let power = power_flow(&Flowing {
+        gearbox,
+        topology: scene.topology,
+        speeds: scene.speeds,
+        members: &members,
+        edges: &edges,
+        terminals: &[(input_link, input), (output_link, output)],
+        least: 1.0,
+    });
+    let mut equations = vec![[0.0; 3]; gearbox.equations.len()];
+    for ((&place, &t), &i) in scene.compiled.equations.iter().zip(found.root).zip(found.effective) {
+        equations[place] = [t, -i * t, (i - 1.0) * t];
+    }
     LoadCase {
         direction: found.direction,
         members,
@@ -148,29 +178,96 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
         housing: -input - output,
         efficiency: found.efficiency,
         signs,
-        shared_signs: found.shared_signs.to_vec(),
         power,
+        equations,
+        is_lossy: found.is_lossy,
     }
+}
+
+impl LoadCase {
+    /// Power through each mesh of a set of its gearbox, in the order of
+    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes); `None` where torque or speed do not follow.
+    #[must_use]
+    pub fn meshes(&self, gearbox: &Gearbox, set: usize) -> Option<Vec<MeshPower>> {
+        let power = self.power.sets.get(set)?.as_ref()?;
+        let signs = self.is_lossy.then(|| self.signs_of(gearbox, set));
+        Some(mesh_powers(gearbox.sets.get(set)?, power, signs, self.power.largest))
+    }
+
+    /// The senses of the rolling power of one set.
+    #[must_use]
+    pub fn signs_of(&self, gearbox: &Gearbox, set: usize) -> &[i8] {
+        let from = gearbox.segments.partition_point(|segment| segment.set < set);
+        let to = gearbox.segments.partition_point(|segment| segment.set <= set);
+        self.signs.get(from..to).unwrap_or_default()
+    }
+}
+
+/// What the connections must supply to each link for these torques on the sets' members.
+pub(crate) fn demands(gearbox: &Gearbox, sets: &[Vec<f64>]) -> Vec<f64> {
+    let mut demand = vec![0.0; gearbox.links.len()];
+    for (set, torques) in gearbox.sets.iter().zip(sets) {
+        for (link, torque) in set.members().iter().zip(torques) {
+            demand[link.0] += torque;
+        }
+    }
+    demand
 }
 
 /// Torque of every connection on its first link.
 ///
 /// A connection that is the only way between two sides carries what the side away from the housing
 /// demands. One in a loop carries an unknown share.
-fn edge_torques(scene: &Scene, demand: &[f64]) -> Vec<Option<f64>> {
-    let edges = &scene.topology.edges;
-    let side = |without: usize, start: LinkId| {
+pub(crate) fn edge_torques(topology: &Topology, known: &Known, mut demand: Vec<f64>) -> Vec<Option<f64>> {
+    let mut torques: Vec<Option<f64>> = vec![None; topology.edges.len()];
+    if topology.edges.is_empty() {
+        return torques;
+    }
+    let mut degree = vec![0_usize; demand.len()];
+    for Edge { links, .. } in &topology.edges {
+        degree[links[0].0] += 1;
+        degree[links[1].0] += 1;
+    }
+    let mut open: Vec<bool> = vec![true; topology.edges.len()];
+    // From the ends inwards: the last connection of a link carries what the link and all behind it demand.
+    loop {
+        let leaf = |link: LinkId| link != LinkId::GROUND && degree[link.0] == 1;
+        let Some(place) = (0..open.len())
+            .find(|&place| open[place] && topology.edges[place].links.iter().any(|&link| leaf(link)))
+        else {
+            break;
+        };
+        let [first, second] = topology.edges[place].links;
+        let (end, other, sign) = if leaf(first) { (first, second, 1.0) } else { (second, first, -1.0) };
+        torques[place] = known.edge(place).then_some(sign * demand[end.0]);
+        demand[other.0] += demand[end.0];
+        degree[end.0] -= 1;
+        degree[other.0] -= 1;
+        open[place] = false;
+    }
+    // What is left stands in loops, or between them.
+    for place in 0..open.len() {
+        if open[place] && known.edge(place) {
+            torques[place] = bridge(topology, &open, place, &demand);
+        }
+    }
+    torques
+}
+
+/// Torque of a connection between two loops; `None` of one in a loop.
+fn bridge(topology: &Topology, open: &[bool], place: usize, demand: &[f64]) -> Option<f64> {
+    let side = |start: LinkId| {
         let mut inside = vec![false; demand.len()];
         let mut waiting = vec![start.0];
         while let Some(link) = waiting.pop() {
             if std::mem::replace(&mut inside[link], true) {
                 continue;
             }
-            for (place, edge) in edges.iter().enumerate().filter(|(place, _)| *place != without) {
+            for (other, edge) in topology.edges.iter().enumerate().filter(|(other, _)| open[*other]) {
                 let [first, second] = edge.links.map(|link| link.0);
-                if place != without && first == link {
+                if other != place && first == link {
                     waiting.push(second);
-                } else if second == link {
+                } else if other != place && second == link {
                     waiting.push(first);
                 }
             }
@@ -179,12 +276,10 @@ fn edge_torques(scene: &Scene, demand: &[f64]) -> Vec<Option<f64>> {
     };
     let total =
         |inside: &[bool]| inside.iter().zip(demand).filter(|(is, _)| **is).map(|(_, d)| d).sum::<f64>();
-    let torque = |(place, edge): (usize, &crate::topology::Edge)| {
-        let first = side(place, edge.links[0]);
-        if first[edge.links[1].0] || !scene.verdict.edge_known[place] {
-            return None;
-        }
-        Some(if first[0] { -total(&side(place, edge.links[1])) } else { total(&first) })
-    };
-    edges.iter().enumerate().map(torque).collect()
+    let [one, other] = topology.edges[place].links;
+    let first = side(one);
+    if first[other.0] {
+        return None;
+    }
+    Some(if first[0] { -total(&side(other)) } else { total(&first) })
 }

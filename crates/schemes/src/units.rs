@@ -1,7 +1,9 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
 use uom::si::angular_velocity::radian_per_second;
-use uom::si::f64::{Angle, AngularVelocity, Length, Mass, MassDensity, Power, Pressure, Torque, Velocity};
+use uom::si::f64::{
+    Angle, AngularVelocity, Force, Length, Mass, MassDensity, Power, Pressure, Torque, Velocity,
+};
 use uom::si::length::meter;
 use uom::si::power::watt;
 use uom::si::torque::newton_meter;
@@ -67,4 +69,12 @@ pub(crate) fn kg_per_m3(density_kg_m3: f64) -> MassDensity {
 
 pub(crate) fn kilograms(mass: Mass) -> f64 {
     mass.get::<uom::si::mass::kilogram>()
+}
+
+pub(crate) fn radians(angle: Angle) -> f64 {
+    angle.get::<uom::si::angle::radian>()
+}
+
+pub(crate) fn force(force_n: f64) -> Force {
+    Force::new::<uom::si::force::newton>(force_n)
 }

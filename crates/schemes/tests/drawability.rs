@@ -7,7 +7,7 @@ mod common;
 use common::machines;
 use epicyclic_schemes::drawability::layout::{Point, Segment};
 use epicyclic_schemes::drawability::{self, Element, Layout, Options, Verdict};
-use epicyclic_schemes::row::{RowKind, RowSpec};
+use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_schemes::{Gearbox, LinkId};
 use proptest::prelude::*;
@@ -38,10 +38,10 @@ fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
     }
     let drawn = lines.len();
     // What must hang together with the lines.
-    assert_eq!(layout.rows.len(), gearbox.rows().len(), "{name}");
-    for (place, (stack, row)) in layout.rows.iter().zip(gearbox.rows()).enumerate() {
+    assert_eq!(layout.rows.len(), gearbox.drawn_sets().len(), "{name}");
+    for (place, (stack, row)) in layout.rows.iter().zip(gearbox.drawn_sets()).enumerate() {
         assert_eq!(stack.row, place, "{name}");
-        assert_eq!(stack.members, row.members().map(|link| piece(gearbox, link)), "{name}");
+        assert_eq!(stack.members, row.links.map(|link| piece(gearbox, link)), "{name}");
         let ys = [stack.sun, stack.sun_mesh, stack.planet, stack.ring_mesh, stack.ring];
         assert!(ys.windows(2).all(|pair| pair[0] < pair[1]), "{name} {ys:?}");
         let wheel = |low: f64, high: f64| Segment {
@@ -135,7 +135,7 @@ fn only(gearbox: &Gearbox, elements: &[Element]) -> Option<Gearbox> {
     let mut builder = Gearbox::builder("witness").links(gearbox.links()[1..].iter().cloned());
     for element in elements {
         match *element {
-            Element::Row(row) => builder = builder.row(gearbox.rows()[row].spec().clone()),
+            Element::Row(row) => builder = builder.set(gearbox.sets()[row].short()?.clone()),
             Element::Control(control) => {
                 let control = &gearbox.controls()[control];
                 let [a, b] = control.links().map(name);
@@ -154,7 +154,7 @@ fn scheme(rows: &[&str], lock: Option<[&str; 2]>) -> Gearbox {
     let mut builder = Gearbox::builder(&rows.join(" + ")).links(["D", "B", "T1", "T2"]).brake("K1", "T1");
     for (place, row) in rows.iter().enumerate() {
         let members: Vec<&str> = row.split_whitespace().collect();
-        builder = builder.row(RowSpec::simple(&place.to_string(), members.try_into().unwrap(), 2.5));
+        builder = builder.set(SetSpec::simple(&place.to_string(), members.try_into().unwrap(), 2.5));
     }
     if rows.len() > 1 {
         builder = builder.brake("K2", "T2");
@@ -204,7 +204,7 @@ fn a_second_carrier_between_the_same_shafts_is_shut_in() {
     };
     assert_eq!(
         witness.describe(&gearbox),
-        "cannot be drawn together: row `0`, row `1`, brake `K1`, brake `K2`, the input at `D`, the output at \
+        "cannot be drawn together: set `0`, set `1`, brake `K1`, brake `K2`, the input at `D`, the output at \
          `B`, link `D`, link `B`, link `T1`, link `T2`"
     );
     // One brake less, and it can.
@@ -218,7 +218,7 @@ fn rows_that_tie_three_links_to_three_others_cross() {
     let build = |rows: &[[&str; 3]], clutches: &[[&str; 2]]| {
         let mut builder = Gearbox::builder("K33").links(links).input("a").output("x");
         for (place, row) in rows.iter().enumerate() {
-            builder = builder.row(RowSpec::simple(&place.to_string(), *row, 2.0));
+            builder = builder.set(SetSpec::simple(&place.to_string(), *row, 2.0));
         }
         for (place, [p, q]) in clutches.iter().enumerate() {
             builder = builder.clutch(&format!("C{place}"), p, q);
@@ -240,8 +240,8 @@ fn rows_on_one_carrier_do_not_interleave() {
     let build = |clutches: &[[&str; 2]]| {
         let mut builder = Gearbox::builder("common carrier")
             .links(["a1", "b1", "a2", "b2", "h", "in", "out"])
-            .row(RowSpec::simple("1", ["a1", "b1", "h"], 2.0))
-            .row(RowSpec::simple("2", ["a2", "b2", "h"], 2.0))
+            .set(SetSpec::simple("1", ["a1", "b1", "h"], 2.0))
+            .set(SetSpec::simple("2", ["a2", "b2", "h"], 2.0))
             .input("in")
             .output("out");
         for (place, [p, q]) in clutches.iter().enumerate() {
@@ -259,10 +259,10 @@ fn rows_on_one_carrier_do_not_interleave() {
 #[test]
 fn a_gearbox_of_pairs_on_a_layshaft_is_drawn() {
     let mut builder = Gearbox::builder("layshaft").links(["in", "lay", "out", "w1", "w2", "w3", "w4"]);
-    builder = builder.row(RowSpec::new("0", RowKind::ExternalPair, ["in", "lay", "ground"], 1.5));
+    builder = builder.set(SetSpec::new("0", SetKind::ExternalPair, ["in", "lay", "ground"], 1.5));
     for wheel in ["w1", "w2", "w3", "w4"] {
         builder = builder
-            .row(RowSpec::new(wheel, RowKind::ExternalPair, ["lay", wheel, "ground"], 1.2))
+            .set(SetSpec::new(wheel, SetKind::ExternalPair, ["lay", wheel, "ground"], 1.2))
             .clutch(&format!("C{wheel}"), wheel, "out");
     }
     assert!(check(&builder.input("in").output("out").build().unwrap()));
@@ -314,7 +314,7 @@ fn build(plan: &Plan, order: &[usize], mirrored: bool) -> Option<Gearbox> {
     for place in turn(plan.rows.len()) {
         let members = plan.rows[place].map(name);
         let members = [0, 1, 2].map(|member| members[member].as_str());
-        builder = builder.row(RowSpec::simple(&place.to_string(), members, 2.5));
+        builder = builder.set(SetSpec::simple(&place.to_string(), members, 2.5));
     }
     for place in turn(plan.controls.len()) {
         let [a, b] = plan.controls[place];
@@ -341,8 +341,8 @@ fn by_exhaustion(gearbox: &Gearbox) -> Option<bool> {
     edges.push([input, vertex(gearbox.input())]);
     edges.push([output, vertex(gearbox.output())]);
     let mut chords: Vec<(usize, [usize; 2])> = vec![];
-    for row in gearbox.rows() {
-        let [a, b, h] = row.members().map(vertex);
+    for row in gearbox.drawn_sets() {
+        let [a, b, h] = row.links.map(vertex);
         chords.push((h, [edges.len(), edges.len() + 1]));
         edges.extend([[h, a], [h, b]]);
     }

@@ -12,7 +12,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use epicyclic_schemes::drawability;
-use epicyclic_schemes::row::RowSpec;
+use epicyclic_schemes::set::SetSpec;
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_schemes::{Gearbox, LinkId};
 
@@ -178,7 +178,7 @@ const NAMES: [&str; LINKS] = ["D", "B", "T1", "T2"];
 fn gearbox(structure: Structure) -> Gearbox {
     let mut builder = Gearbox::builder("two rows").links(NAMES).brake("K1", "T1").brake("K2", "T2");
     for (place, row) in structure.rows().iter().enumerate() {
-        builder = builder.row(RowSpec::simple(&place.to_string(), row.map(|role| NAMES[role as usize]), 2.5));
+        builder = builder.set(SetSpec::simple(&place.to_string(), row.map(|role| NAMES[role as usize]), 2.5));
     }
     builder.input("D").output("B").build().unwrap()
 }

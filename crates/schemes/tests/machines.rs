@@ -6,9 +6,11 @@ mod common;
 
 use common::machines::{self, Machine};
 use common::plain;
-use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::row::Fraction;
-use epicyclic_schemes::{Analysis, CompiledGear, Direction, RowValues, Solution, State, Warning};
+use epicyclic_schemes::planet_set::Description;
+use epicyclic_schemes::set::{MeshLoss, SetKind};
+use epicyclic_schemes::{Analysis, CompiledGear, Direction, Gearbox, Solution, State, Warning};
 
 #[test]
 fn every_gear_has_its_published_ratio() {
@@ -38,16 +40,15 @@ fn ratios_are_exact_fractions() {
     assert_eq!(exact("8"), Fraction::new(2, 3));
 }
 
-fn balances(found: &Analysis) {
+fn balances(found: &Analysis<'_>) {
     let cases = [found.ideal(), found.driving(), found.overrun()];
     for case in cases.into_iter().flatten() {
         let largest = case.power.largest;
-        let losses: f64 = case.power.rows.iter().map(|row| row.unwrap().loss).sum();
+        let losses: f64 = case.power.sets.iter().map(|set| set.as_ref().unwrap().loss).sum();
         assert!(losses > -1e-12 * largest);
         assert!((losses - (1.0 - case.efficiency)).abs() < 1e-12 * largest, "{losses} {}", case.efficiency);
-        for row in &case.power.rows {
-            let row = row.unwrap();
-            assert!((row.members.iter().sum::<f64>() - row.loss).abs() < 1e-12 * largest);
+        for set in case.power.sets.iter().flatten() {
+            assert!((set.members.iter().sum::<f64>() - set.loss).abs() < 1e-12 * largest);
         }
         for torques in case.members.iter().flatten() {
             assert!(torques.iter().sum::<f64>().abs() < 1e-12 * largest);
@@ -111,42 +112,80 @@ fn the_planet_of_the_wind_gearbox_turns_by_its_teeth() {
     let wind = machines::wind().gearbox;
     let found = wind.analyze("overall").unwrap();
     // No planet count given: z_g from coaxiality, (99 − 21)/2 = 39. ω_s = 120/21.
-    let planet = found.rows()[0].planets[0];
+    let planet = found.sets()[0].planets[0].unwrap();
     assert!((planet.relative - -(120.0 / 21.0 - 1.0) * 21.0 / 39.0).abs() < 1e-13);
-    assert!(found.rows()[1].planets.is_empty());
+    assert!(found.sets()[1].planets.is_empty());
     assert_eq!(wind.warnings(), [] as [Warning; 0]);
 }
 
 #[test]
 fn the_compiled_gear_equals_the_analysis_and_the_plain_way() {
     for Machine { gearbox, gears } in machines::all() {
-        let values: Vec<RowValues> = gearbox
-            .rows()
-            .iter()
-            .map(|row| RowValues {
-                ratio: row.stationary_ratio(),
-                efficiency: row.spec().loss.row_efficiency(),
-            })
-            .collect();
-        let etas: Vec<f64> = values.iter().map(|row| row.efficiency.get()).collect();
+        let values = gearbox.values();
+        let etas: Vec<f64> = values.efficiencies.iter().map(|eta| eta.get()).collect();
         let mut solution = Solution::default();
         for published in gears {
             let gear = gearbox.gear(published.gear).unwrap();
             let found = gearbox.analyze_gear(gear).unwrap();
             let compiled = CompiledGear::new(&gearbox, gear).unwrap();
-            compiled.solve(&values, &[] as &[MeshEfficiency], Direction::Drive, &mut solution).unwrap();
+            compiled.solve(&values, Direction::Drive, &mut solution).unwrap();
             let plain = plain::solve(&gearbox, gear, &plain::ratios(&gearbox), &etas).unwrap();
             assert!((solution.ratio() - found.ratio().unwrap()).abs() < 1e-13 * solution.ratio().abs());
             for (index, speed) in found.speeds().iter().enumerate().skip(1) {
                 assert!((speed.unwrap() - plain.speeds[index - 1]).abs() < 1e-12);
             }
             let efficiency = found.efficiency().unwrap();
-            assert!((solution.loaded().unwrap().efficiency - efficiency).abs() < 1e-14);
+            assert!((solution.efficiency().unwrap() - efficiency).abs() < 1e-14);
             assert!((plain.efficiency - efficiency).abs() < 1e-12, "{} {}", gearbox.name(), published.gear);
             assert_eq!(plain.signs, found.driving().unwrap().signs);
             for (row, torques) in found.driving().unwrap().members.iter().enumerate() {
-                assert!((torques.unwrap()[0] - plain.suns[row]).abs() < 1e-12);
+                assert!((torques.as_ref().unwrap()[0] - plain.suns[row]).abs() < 1e-12);
             }
         }
     }
+}
+
+/// Ford AOD: gears 4 and R turn the long planets by the large sun, 36 teeth at the input's speed against the carrier.
+/// The short ones are in mesh with them, so the double planet's speeds need its teeth: 18 and 18 make all planets
+/// alike, 15 of the short ones turn them the fastest.
+#[test]
+fn planets_in_mesh_turn_by_their_teeth() {
+    let planets = |gearbox: &Gearbox, gear: &str, set: usize| -> Vec<Option<f64>> {
+        let found = gearbox.analyze(gear).unwrap();
+        found.sets()[set].planets.iter().map(|planet| planet.map(|planet| planet.relative)).collect()
+    };
+    let teeth = |count| ToothCount::new(count).unwrap();
+    for (short, fastest) in [(18, 2.0), (15, 2.4)] {
+        let two_sets = machines::ravigneaux_builder([MeshLoss::IDEAL; 2])
+            .map_sets(|set| match set.kind {
+                SetKind::DoublePlanet => set.planet_teeth(teeth(short), Some(teeth(18))),
+                _ => set,
+            })
+            .build()
+            .unwrap();
+        let one_set = machines::ravigneaux_set([1.0; 4])
+            .map_descriptions(|description| match description {
+                Description::Compound(mut set) => {
+                    set.planets[0].teeth = vec![short];
+                    Description::Compound(set)
+                }
+                short => short,
+            })
+            .build()
+            .unwrap();
+        for (gear, sense) in [("R", 1.0), ("4", -1.0)] {
+            // Against the carrier the large sun turns as the input in R, and backwards as fast in 4.
+            let expected = [sense * 36.0 / f64::from(short), -sense * 36.0 / 18.0];
+            for found in [planets(&two_sets, gear, 0), planets(&one_set, gear, 0)] {
+                let fastest_found = found.iter().flatten().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+                assert!((fastest_found - fastest).abs() < 1e-12, "{gear}");
+                for (speed, expected) in found.iter().zip(expected) {
+                    assert!((speed.unwrap() - expected).abs() < 1e-12, "{gear} {found:?}");
+                }
+            }
+            assert!((planets(&two_sets, gear, 1)[0].unwrap() + sense * 2.0).abs() < 1e-12);
+        }
+    }
+    // Without their teeth they are missing, not those of the other set.
+    assert_eq!(planets(&machines::ravigneaux().gearbox, "R", 0), [None, None]);
 }

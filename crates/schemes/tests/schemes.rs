@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::row::{MeshLoss, RowSpec};
+use epicyclic_schemes::set::{MeshLoss, SetSpec};
 use epicyclic_schemes::{Gearbox, State};
 use proptest::prelude::*;
 
@@ -130,7 +130,7 @@ fn build(scheme: &Scheme, k: [f64; 2], eta: f64) -> Gearbox {
     for (row, (members, k)) in scheme.rows.iter().zip(k).enumerate() {
         let members: Vec<&str> = members.split_whitespace().collect();
         if let [a, b, h] = members[..] {
-            builder = builder.row(RowSpec::simple(&row.to_string(), [a, b, h], k).with_loss(loss));
+            builder = builder.set(SetSpec::simple(&row.to_string(), [a, b, h], k).with_loss(loss));
         }
     }
     if !scheme.rows[1].is_empty() {
@@ -155,7 +155,7 @@ fn holds(scheme: &Scheme, gear: &str, k: f64, l: f64, eta: f64) {
     assert!(kreines.reversed.is_empty());
     // The power balance once more, from members alone.
     let case = found.driving().unwrap();
-    let lost: f64 = case.power.rows.iter().map(|row| row.unwrap().members.iter().sum::<f64>()).sum();
+    let lost: f64 = case.power.sets.iter().map(|set| set.as_ref().unwrap().members.iter().sum::<f64>()).sum();
     assert!((1.0 - lost - closed).abs() < 1e-12 * case.power.largest);
 }
 
@@ -203,7 +203,7 @@ fn the_scheme_of_the_excavator_wheel_turns_as_table_3_2_says() {
     let speed = |link: &str| found.speed(gearbox.link(link).unwrap()).unwrap();
     // a₁ −0.92, H₁ 0.39, g₁ 2.67, g₂ 1.36.
     assert!((speed("T1") - -0.92).abs() < 0.005 && (speed("B") - 0.39).abs() < 0.005);
-    let planets = [found.rows()[0].planets[0], found.rows()[1].planets[0]];
+    let planets = [0, 1].map(|set| found.sets()[set].planets[0].unwrap());
     assert!((planets[0].absolute.unwrap() - 2.67).abs() < 0.005);
     assert!((planets[1].absolute.unwrap() - 1.36).abs() < 0.005);
     // The objection of the reading: planet 1 exceeds 2·ω_D relative to its carrier.
@@ -216,8 +216,8 @@ fn a_gear_closed_by_an_ordinary_train_has_one_ratio() {
     let (k, l) = (3.0, 2.5);
     let gearbox = Gearbox::builder("Fig. 1.14 a")
         .links(["a1", "b1", "H1", "H2"])
-        .row(RowSpec::simple("1", ["a1", "b1", "H1"], k))
-        .row(RowSpec::simple("2", ["b1", "H1", "H2"], l))
+        .set(SetSpec::simple("1", ["a1", "b1", "H1"], k))
+        .set(SetSpec::simple("2", ["b1", "H1", "H2"], l))
         .ground("H2")
         .input("a1")
         .output("H1")
@@ -237,8 +237,8 @@ fn a_gear_closed_by_a_planetary_gear_has_one_ratio() {
     let closed_by = |ring: &str, carrier: &str| {
         Gearbox::builder("Fig. 1.14 b")
             .links(["a1", "b1", "H1", "a2"])
-            .row(RowSpec::simple("1", ["a1", "b1", "H1"], k))
-            .row(RowSpec::simple("2", ["a2", ring, carrier], l))
+            .set(SetSpec::simple("1", ["a1", "b1", "H1"], k))
+            .set(SetSpec::simple("2", ["a2", ring, carrier], l))
             .ground("a2")
             .input("a1")
             .output("H1")
@@ -247,21 +247,23 @@ fn a_gear_closed_by_a_planetary_gear_has_one_ratio() {
             .unwrap()
     };
     // b₂ is H₁, H₂ is b₁: ω_b1 = ω_H1·l/(1 + l).
-    let found = closed_by("H1", "b1").analyze("closed").unwrap();
+    let gearbox = closed_by("H1", "b1");
+    let found = gearbox.analyze("closed").unwrap();
     assert!((found.ratio().unwrap() - (1.0 + k - k * l / (1.0 + l))).abs() < 1e-13);
     // b₂ is b₁, H₂ is H₁: ω_b1 = ω_H1·(1 + l)/l, and the ratio falls to 1 − k/l: power circulates.
-    let found = closed_by("b1", "H1").analyze("closed").unwrap();
+    let gearbox = closed_by("b1", "H1");
+    let found = gearbox.analyze("closed").unwrap();
     let i = 1.0 + k - k * (1.0 + l) / l;
     assert!((found.ratio().unwrap() - i).abs() < 1e-13);
     // The ring takes T_b·ω_b = k·(1 + l)/l/i of power out of row 1 or into it: |1.2·3.5/…| by hand.
     let through_ring = (k * (1.0 + l) / l / i).abs();
     let ideal = found.ideal().unwrap();
-    assert!((ideal.power.rows[0].unwrap().members[1].abs() - through_ring).abs() < 1e-11);
+    assert!((ideal.power.sets[0].as_ref().unwrap().members[1].abs() - through_ring).abs() < 1e-11);
     assert!(ideal.power.circulating > 1.0);
     // One loop, from the ring of one row to that of the other and back by the carriers; nothing of it in the suns.
-    let round = &ideal.power.circulating_members;
     let loop_power = ideal.power.circulating;
-    for [sun, ring, carrier] in round {
+    for set in 0..2 {
+        let [sun, ring, carrier] = [0, 1, 2].map(|member| ideal.power.circulating_member(set, member));
         assert!(
             sun.abs() < 1e-12 && (ring.abs() - loop_power).abs() < 1e-11 && (carrier + ring).abs() < 1e-11
         );

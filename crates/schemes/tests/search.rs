@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use epicyclic_gears::synthesis::{Bounds, ToothSet};
-use epicyclic_schemes::search::{Found, ToothSearch};
+use epicyclic_schemes::search::{Found, MOST_PAIRS, MOST_TOOTH_SETS, ToothSearch};
 use epicyclic_schemes::selection::{Demand, Objective, Order, RatioSeries, SelectionError, Signs};
 use epicyclic_schemes::structures::Structure;
 use proptest::prelude::*;
@@ -117,6 +117,66 @@ fn the_number_of_threads_changes_nothing() {
     };
     let alone = run(1);
     assert!(alone == run(2) && alone == run(5));
+}
+
+/// However little is held, the first designs are the same, or the search says that it cannot tell.
+#[test]
+fn what_is_held_changes_nothing_or_is_refused() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds.ring = 12..=80;
+    let (best, whole) = (search.best(20).unwrap(), search.front().unwrap());
+    assert_eq!(best.entries().len(), 20);
+    for entry in best.entries() {
+        let (all, (first, count)) = (best.designs(entry), best.first_design(entry).unwrap());
+        assert_eq!(count, all.iter().map(|design| design.pairs.len() as u64).sum::<u64>());
+        assert_eq!((first.structure, first.k, first.pairs[0]), (all[0].structure, all[0].k, all[0].pairs[0]));
+    }
+    let (mut told, mut refused) = (0, 0);
+    for most_held in [4, 200, 2000, 6000, 10_000, 15_000, 20_000, 200_000] {
+        let little = ToothSearch { most_held, ..search.clone() };
+        match little.best(20) {
+            Ok(found) => {
+                let objectives = |found: &Found| -> Vec<_> {
+                    found.entries().iter().map(|entry| (entry.objectives, found.designs(entry))).collect()
+                };
+                assert_eq!(objectives(&found), objectives(&best), "{most_held}");
+                assert_eq!(found.counts(), best.counts());
+                told += 1;
+            }
+            Err(SelectionError::FrontTooLarge { .. }) => refused += 1,
+            Err(other) => panic!("{other}"),
+        }
+        match little.front() {
+            Ok(found) => assert_eq!(members(&found), members(&whole), "{most_held}"),
+            Err(SelectionError::FrontTooLarge { .. }) => refused += 1,
+            Err(other) => panic!("{other}"),
+        }
+    }
+    assert!(told >= 4 && refused >= 3, "{told} told, {refused} refused");
+}
+
+#[test]
+fn a_space_beyond_all_memory_is_refused_with_its_size() {
+    let mut search = ToothSearch::new(excavator());
+    let every = 1..=10_000;
+    (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (every.clone(), every.clone(), every);
+    match search.best(1) {
+        Err(SelectionError::TooManyToothSets { tooth_sets, most: MOST_TOOTH_SETS }) => {
+            assert_eq!(tooth_sets, search.bounds.count().unwrap());
+        }
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("it was tried"),
+    }
+    let range = 1..=600;
+    (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (range.clone(), range.clone(), range);
+    search.demand.tolerance = 0.5;
+    match search.best(1) {
+        Err(SelectionError::TooManyPairs { tooth_sets: 80_313, pairs, most: MOST_PAIRS, .. }) => {
+            assert!(pairs > MOST_PAIRS);
+        }
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("it was tried"),
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@
 mod common;
 
 use common::machines;
-use epicyclic_schemes::row::RowSpec;
+use epicyclic_schemes::set::SetSpec;
 use epicyclic_schemes::{Gearbox, GearboxBuilder, State};
 
 fn names(links: &[&str]) -> Vec<String> {
@@ -15,7 +15,7 @@ fn names(links: &[&str]) -> Vec<String> {
 fn one_row() -> GearboxBuilder {
     Gearbox::builder("one row")
         .links(["a", "b", "H", "x", "y"])
-        .row(RowSpec::simple("1", ["a", "b", "H"], 3.0))
+        .set(SetSpec::simple("1", ["a", "b", "H"], 3.0))
         .brake("Kb", "b")
         .brake("Kb2", "b")
         .brake("Ka", "a")
@@ -71,7 +71,7 @@ fn an_output_beside_the_row_is_free() {
 fn two_brakes_on_one_reaction_share_it_in_an_unknown_way() {
     let found = state(one_row(), &["Kb", "Kb2"]);
     let expected =
-        State::TorquesIndeterminate { links: names(&["b"]), controls: names(&["Kb", "Kb2"]), rows: vec![] };
+        State::TorquesIndeterminate { links: names(&["b"]), controls: names(&["Kb", "Kb2"]), sets: vec![] };
     assert_eq!(found, expected);
     // What they hold together, and so the efficiency, is known all the same.
     let gearbox = one_row().gear("g", ["Kb", "Kb2"]).build().unwrap();
@@ -113,10 +113,10 @@ fn a_block_by_one_clutch_is_driven() {
 #[test]
 fn a_block_by_two_clutches_shares_the_torque_in_an_unknown_way() {
     let found = state(one_row(), &["ab", "bH"]);
-    let State::TorquesIndeterminate { links, controls, rows } = found else { panic!("{found}") };
+    let State::TorquesIndeterminate { links, controls, sets } = found else { panic!("{found}") };
     assert_eq!(links, ["a", "b", "H"]);
     assert_eq!(controls, ["ab", "bH"]);
-    assert_eq!(rows, ["1"]);
+    assert_eq!(sets, ["1"]);
     // A block loses nothing, however the clutches share the torque.
     let gearbox = one_row().gear("g", ["ab", "bH"]).build().unwrap();
     let found = gearbox.analyze("g").unwrap();
@@ -128,14 +128,14 @@ fn a_block_by_two_clutches_shares_the_torque_in_an_unknown_way() {
 fn an_idle_row_that_spins_freely_spoils_nothing() {
     let gearbox = one_row()
         .links(["p", "q"])
-        .row(RowSpec::simple("2", ["H", "p", "q"], 2.0))
+        .set(SetSpec::simple("2", ["H", "p", "q"], 2.0))
         .gear("g", ["Kb"])
         .build()
         .unwrap();
     let found = gearbox.analyze("g").unwrap();
     assert_eq!(*found.state(), State::Driven);
-    assert_eq!(found.rows()[1].members, [Some(0.25), None, None]);
-    assert_eq!(found.driving().unwrap().members[1], Some([0.0, 0.0, 0.0]));
+    assert_eq!(found.sets()[1].members, [Some(0.25), None, None]);
+    assert_eq!(found.driving().unwrap().members[1], Some(vec![0.0; 3]));
     assert!((found.efficiency().unwrap() - 1.0).abs() < 1e-15);
 }
 
@@ -143,7 +143,7 @@ fn an_idle_row_that_spins_freely_spoils_nothing() {
 fn a_row_locked_on_its_own_spoils_nothing() {
     let gearbox = one_row()
         .links(["p", "q", "r"])
-        .row(RowSpec::simple("2", ["p", "q", "r"], 2.0))
+        .set(SetSpec::simple("2", ["p", "q", "r"], 2.0))
         .brake("Kp", "p")
         .brake("Kq", "q")
         .brake("Kr", "r")
@@ -159,30 +159,31 @@ fn a_row_locked_on_its_own_spoils_nothing() {
 
 #[test]
 fn twin_rows_share_the_torque_in_an_unknown_way() {
-    let twin = one_row().row(RowSpec::simple("2", ["a", "b", "H"], 3.0));
+    let twin = one_row().set(SetSpec::simple("2", ["a", "b", "H"], 3.0));
     let found = state(twin, &["Kb"]);
-    let State::TorquesIndeterminate { rows, controls, .. } = found else { panic!("{found}") };
-    assert_eq!(rows, ["1", "2"]);
+    let State::TorquesIndeterminate { sets, controls, .. } = found else { panic!("{found}") };
+    assert_eq!(sets, ["1", "2"]);
     assert!(controls.is_empty());
-    let twin = one_row().row(RowSpec::simple("2", ["a", "b", "H"], 3.0));
-    let found = twin.gear("g", ["Kb"]).build().unwrap().analyze("g").unwrap();
+    let twin = one_row().set(SetSpec::simple("2", ["a", "b", "H"], 3.0));
+    let gearbox = twin.gear("g", ["Kb"]).build().unwrap();
+    let found = gearbox.analyze("g").unwrap();
     assert_eq!((found.ratio(), found.efficiency()), (Some(4.0), None));
 }
 
 #[test]
 fn rows_that_differ_only_in_ratio_turn_as_a_block() {
     // Two rows on the same three links, k different: all turn alike, and nothing can be held.
-    let pair = one_row().row(RowSpec::simple("2", ["a", "b", "H"], 3.5));
+    let pair = one_row().set(SetSpec::simple("2", ["a", "b", "H"], 3.5));
     assert_eq!(state(pair.clone(), &[]), State::Driven);
     assert!(matches!(state(pair, &["Kb"]), State::InputBlocked { .. }));
 }
 
 #[test]
 fn wheels_that_turn_alike_leave_their_carrier_alone() {
-    use epicyclic_schemes::row::RowKind;
+    use epicyclic_schemes::set::SetKind;
     let alike = Gearbox::builder("south-pointing")
         .links(["a", "b", "H"])
-        .row(RowSpec::new("1", RowKind::SteppedSuns, ["a", "b", "H"], 1.0))
+        .set(SetSpec::new("1", SetKind::SteppedSuns, ["a", "b", "H"], 1.0))
         .brake("KH", "H")
         .input("a")
         .output("b")

@@ -2,7 +2,7 @@
 
 use super::{Calculation, Refusal, Results};
 use epicyclic_dynamics::energy::{MovingBody, kinetic_energy};
-use epicyclic_dynamics::planetary::{PlanetaryDrive, SpeedRatios};
+use epicyclic_dynamics::planetary::{PlanetaryDrive, SpeedRatios, Turning};
 use epicyclic_dynamics::{lagrange, loads};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
@@ -128,7 +128,9 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
     let motion = drive.motion(driving, load)?;
     let sun_planet = MeshEfficiency::new(given.sun_planet.get())?;
     let planet_ring = MeshEfficiency::new(given.planet_ring.get())?;
-    let lossy = drive.motion_with_losses(driving, load, sun_planet, planet_ring)?;
+    let turning = if given.speed.0.value < 0.0 { Turning::Backward } else { Turning::Forward };
+    let lossy = drive.motion_with_losses(driving, load, sun_planet, planet_ring, turning)?;
+    let [held_from, held_to] = drive.held_loads(driving, sun_planet, planet_ring);
 
     let mut results = Results::default();
     results
@@ -151,6 +153,8 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .quantity("with_losses.acceleration.sun", lossy.accelerations.sun)
         .quantity("with_losses.acceleration.planet", lossy.accelerations.planet)
         .quantity("with_losses.acceleration.carrier", lossy.accelerations.carrier)
+        .quantity("with_losses.held.from", held_from)
+        .quantity("with_losses.held.to", held_to)
         .quantity("with_losses.mesh_loss", drive.mesh_loss(&lossy, given.speed.0, sun_planet, planet_ring)?);
     if let Ok(time) = lagrange::starting_time(given.speed.0, force, drive.reduced_inertia()?) {
         results.quantity("starting_time", time);

@@ -5,8 +5,9 @@ use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::bearing::{self, Series, Verification};
 use epicyclic_gears::carrier::{Arm, Carrier, Hole, Hub};
 use epicyclic_gears::efficiency::{MeshEfficiency, efficiency};
-use epicyclic_gears::geometry::{BasicRack, Toothing, Wheel, centre_distance};
+use epicyclic_gears::geometry::{Toothing, Wheel, centre_distance};
 use epicyclic_gears::mass::{FormulaEight, WheelBody, published_wheel_inertia};
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::row::{Member, Mode, RowParameter, StationaryRatio};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{Bounds, Placement, neighbour_limit};
@@ -180,7 +181,8 @@ struct ToothConditionsGiven {
 fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     let [sun, planet, ring] = [given.sun, given.planet, given.ring].map(ToothCount::new);
     let (sun, planet, ring) = (sun?, planet?, ring?);
-    let bounds = Bounds { addendum: given.addendum.map_or(1.0, Number::get), ..Bounds::default() };
+    let rack = rack(given.addendum, None);
+    let bounds = Bounds { rack, ..Bounds::default() };
     let row = StationaryRatio::simple(sun, ring);
     let spacing = PlanetSpacing::least_unequal(sun, ring, given.planets);
     let coaxiality = i64::from(sun.get()) + 2 * i64::from(planet.get()) - i64::from(ring.get());
@@ -190,11 +192,11 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
         .number("ratio", row.ratio(Mode::new(Member::Sun, Member::Carrier)?)?)
         .count("coaxiality_difference", coaxiality)
         .count("most_planets", bounds.most_planets(sun, planet))
-        .number("slots_per_planet", f64::from(spacing.slots()) / f64::from(given.planets.max(1)))
+        .number("slots_per_planet", spacing.slots() as f64 / f64::from(given.planets.max(1)))
         .answer("assembles_equally_spaced", spacing.is_equal())
         .quantity("planet_angle", Angle::new::<radian>(TAU / f64::from(given.planets.max(1))))
         .quantity("smallest_planet_angle", spacing.smallest_gap());
-    if let Some(limit) = neighbour_limit(sun, planet, bounds.addendum) {
+    if let Some(limit) = neighbour_limit(sun, planet, &rack) {
         results.number("neighbour_limit", limit);
     }
     Ok(results)

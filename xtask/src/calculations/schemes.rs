@@ -4,6 +4,7 @@ use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::{DescriptionError, GearboxFile};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::row::{Fraction, Mode, RowParameter};
 use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, row};
 use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
@@ -76,7 +77,7 @@ impl From<DescriptionError> for Refusal {
     fn from(error: DescriptionError) -> Self {
         match error {
             DescriptionError::Gearbox(error) => error.into(),
-            DescriptionError::Row { source, .. } => source.into(),
+            DescriptionError::Set { source, .. } => source.into(),
             error => Self::of(&error),
         }
     }
@@ -110,8 +111,9 @@ fn gear(given: &GearGiven) -> Result<Results, Refusal> {
             results.number(format!("speed.{name}"), *speed);
         }
     }
-    for (row, motion) in gearbox.rows().iter().zip(found.rows()) {
+    for (row, motion) in gearbox.sets().iter().zip(found.sets()) {
         for (place, planet) in motion.planets.iter().enumerate() {
+            let Some(planet) = planet else { continue };
             let name = format!("planet.{}.{}", row.id(), place + 1);
             results.number(format!("{name}.relative"), planet.relative);
             if let Some(absolute) = planet.absolute {
@@ -153,7 +155,9 @@ fn gear_ratios(given: &GearRatiosGiven) -> Result<Results, Refusal> {
             results.text(format!("exact.{name}"), fraction(exact));
         }
     }
-    for (place, warning) in gearbox.warnings().iter().enumerate() {
+    let of_gearbox = gearbox.warnings().iter().map(ToString::to_string);
+    let teeth = gearbox.tooth_checks(&BasicRack::default()).into_iter().filter(|warning| !warning.is_note());
+    for (place, warning) in of_gearbox.chain(teeth.map(|warning| warning.to_string())).enumerate() {
         results.text(format!("warning.{}", place + 1), warning);
     }
     Ok(results)
@@ -233,9 +237,9 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
     };
     let within = |range: ParameterRange| {
         gearbox
-            .rows()
+            .sets()
             .iter()
-            .all(|row| RowParameter::new(-row.stationary_ratio().get()).is_ok_and(|k| range.contains(k)))
+            .all(|set| RowParameter::new(-set.basic_ratio().get()).is_ok_and(|k| range.contains(k)))
     };
     results
         .answer("k_within_1.7_to_7", within(ParameterRange::USED))
@@ -248,13 +252,13 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
             results.number(format!("ratio.{name}"), ratio);
             results.number(format!("efficiency.{name}"), efficiency);
         }
-        for (row, motion) in found.rows().iter().enumerate() {
-            for (member, speed) in ["a", "b", "H"].into_iter().zip(motion.members) {
-                let Some(speed) = speed else { continue };
+        for (row, motion) in found.sets().iter().enumerate() {
+            for (member, speed) in ["a", "b", "H"].into_iter().zip(&motion.members) {
+                let Some(speed) = *speed else { continue };
                 fastest_link = fastest_link.max(speed.abs());
                 results.number(format!("{name}.{member}{}", row + 1), speed);
             }
-            for planet in &motion.planets {
+            for planet in motion.planets.iter().flatten() {
                 fastest_planet = fastest_planet.max(planet.relative.abs());
                 results.number(format!("{name}.g{}.relative", row + 1), planet.relative);
                 if let Some(absolute) = planet.absolute {

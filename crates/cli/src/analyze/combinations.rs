@@ -35,7 +35,7 @@ pub(super) fn report(subject: &Subject) -> Result<Report, Failure> {
     Ok(Report {
         title: Some(gearbox.name().to_owned()),
         parts: vec![Part::Records(records)],
-        warnings: Some(warnings(gearbox)),
+        warnings: Some(warnings(subject)),
     })
 }
 

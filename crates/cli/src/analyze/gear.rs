@@ -1,13 +1,19 @@
 //! Everything about one gear.
 
-use super::overview::{as_published, engaged, fast_planets, in_words, published_figure, warnings};
+use super::overview::{
+    as_published, contradictions, duty, engaged, fast_planets, in_words, moving, published_figure,
+    self_locking, warnings,
+};
 use super::subject::Subject;
-use super::{Input, Worked, pins, work};
+use super::{Input, Worked, pins, shared, work};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::Dimension;
-use epicyclic_schemes::{Analysis, Direction, Gearbox, LinkId, LoadCase, Operation};
+use epicyclic_schemes::planet_set::GearOf;
+use epicyclic_schemes::{
+    Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, State,
+};
 
 const CASES: &[(&str, &str)] =
     &[("without_losses", "without losses"), ("with_losses", "with losses"), ("at_load", "at the load")];
@@ -26,9 +32,14 @@ pub(super) fn report(subject: &Subject, name: &str, input: Input) -> Result<Repo
     if !gearbox.controls().is_empty() {
         parts.push(Part::Records(scene.controls()));
     }
+    if gearbox.controls().iter().any(Control::is_one_way) {
+        parts.push(Part::Records(scene.one_way_clutches()));
+    }
     if worked.analysis.ideal().is_some() {
         parts.push(Part::Facts(scene.terminals()));
-        parts.push(Part::Records(scene.rows()));
+        parts.push(Part::Records(scene.sets()));
+        parts.push(Part::Records(scene.members()));
+        parts.push(Part::Records(scene.meshes()));
         parts.push(Part::Facts(scene.powers()));
     }
     if worked.analysis.patterns().len() > 1 {
@@ -45,11 +56,11 @@ struct Scene<'a> {
     subject: &'a Subject,
     gearbox: &'a Gearbox,
     input: Input,
-    worked: &'a Worked,
+    worked: &'a Worked<'a>,
 }
 
 impl Scene<'_> {
-    fn analysis(&self) -> &Analysis {
+    fn analysis(&self) -> &Analysis<'_> {
         &self.worked.analysis
     }
 
@@ -77,7 +88,6 @@ impl Scene<'_> {
         let (analysis, gearbox) = (self.analysis(), self.gearbox);
         let gear = analysis.gear();
         let exact = analysis.exact_ratio().map(|ratio| ratio.to_string());
-        let locks = analysis.is_self_locking().map_or(Figure::None, Figure::YesNo);
         let mut rows = vec![
             Row::new("gear", "gear", "", [text(gear.name())]),
             Row::new("engaged", "engaged", "", [Figure::Texts(engaged(gearbox, gear))]),
@@ -112,20 +122,20 @@ impl Scene<'_> {
             }
         }
         rows.extend([
-            Row::new("efficiency", "efficiency", "η", [multiple(analysis.efficiency())]),
+            Row::new("efficiency", "efficiency", "η", [moving(analysis.efficiency())]),
             Row::new(
                 "kreines_efficiency",
                 "the same by Kreines' rule",
                 "",
-                [multiple(analysis.kreines().map(|kreines| kreines.efficiency))],
+                [moving(analysis.kreines().map(|kreines| kreines.efficiency))],
             ),
             Row::new(
                 "overrun_efficiency",
-                "overrun efficiency",
+                "back-driving efficiency",
                 "",
-                [multiple(analysis.overrun_efficiency())],
+                [moving(analysis.overrun_efficiency())],
             ),
-            Row::new("self_locking", "locks itself when overrun", "", [locks]),
+            Row::new("self_locking", "self-locking", "", [self_locking(analysis)]),
         ]);
         Section { name: "gear", title: "Gear", columns: &[], rows, note: "" }
     }
@@ -151,7 +161,7 @@ impl Scene<'_> {
             let speed = self.analysis().speeds()[link];
             vec![
                 text(&self.gearbox.links()[link]),
-                text(self.members(link)),
+                text(self.made_of(link)),
                 multiple(speed),
                 self.speed(speed),
                 multiple(self.case().and_then(|case| case.power.links[link])),
@@ -175,49 +185,59 @@ impl Scene<'_> {
     }
 
     /// What a link is made of: `sun P1, ring P2`.
-    fn members(&self, link: usize) -> String {
-        let names = ["sun", "ring", "carrier"];
+    fn made_of(&self, link: usize) -> String {
         let gear = self.analysis().gear();
         let terminal = |which: LinkId, name: &'static str| (which.index() == link).then(|| name.to_owned());
         let terminals = [terminal(gear.input(), "input"), terminal(gear.output(), "output")];
-        let of_rows = self.gearbox.rows().iter().flat_map(|row| {
-            let members = row.members().into_iter().zip(names).filter(|(member, _)| member.index() == link);
-            members.map(|(_, name)| format!("{name} {}", row.id())).collect::<Vec<_>>()
+        let of_sets = self.gearbox.sets().iter().flat_map(|set| {
+            let members = set.members().iter().enumerate().filter(|(_, member)| member.index() == link);
+            members.map(|(place, _)| format!("{} {}", set.member_name(place), set.id())).collect::<Vec<_>>()
         });
-        terminals.into_iter().flatten().chain(of_rows).collect::<Vec<_>>().join(", ")
+        terminals.into_iter().flatten().chain(of_sets).collect::<Vec<_>>().join(", ")
     }
 
     fn planets(&self) -> Records {
         let mut rows = vec![];
-        for (row, motion) in self.gearbox.rows().iter().zip(self.analysis().rows()) {
+        for (set, motion) in self.gearbox.sets().iter().zip(self.analysis().sets()) {
             for (place, planet) in motion.planets.iter().enumerate() {
+                let relative = planet.map(|planet| planet.relative);
+                let absolute = planet.and_then(|planet| planet.absolute);
                 rows.push(vec![
-                    text(row.id()),
-                    Figure::Count(place as u32 + 1),
-                    multiple(Some(planet.relative)),
-                    self.speed(Some(planet.relative)),
-                    multiple(planet.absolute),
-                    self.speed(planet.absolute),
+                    text(set.id()),
+                    text(pins::planet_name(set, place)),
+                    multiple(relative),
+                    self.speed(relative),
+                    multiple(absolute),
+                    self.speed(absolute),
                 ]);
             }
         }
         let shown: &[&'static str] = if self.input.speed.is_some() {
-            &["row", "planet", "relative_of_input", "relative", "absolute_of_input", "absolute"]
+            &["set", "planet", "relative_of_input", "relative", "absolute_of_input", "absolute"]
         } else {
-            &["row", "planet", "relative_of_input", "absolute_of_input"]
+            &["set", "planet", "relative_of_input", "absolute_of_input"]
+        };
+        let is_missing =
+            |set: &PlanetSet| (0..set.planets().len()).any(|planet| set.planet_factor(planet).is_none());
+        let without: Vec<&str> =
+            self.gearbox.sets().iter().filter(|set| is_missing(set)).map(PlanetSet::id).collect();
+        let missing = if without.is_empty() {
+            String::new()
+        } else {
+            format!("Planet teeth are missing, and with them speeds: set {}.", without.join(", "))
         };
         Records {
             name: "planets",
             columns: vec![
-                Column::words("row", "row"),
-                Column::number("planet", "planet"),
+                Column::words("set", "set"),
+                Column::words("planet", "planet"),
                 Column::number("relative_of_input", "on its carrier"),
                 Column::quantity("relative", Dimension::AngularSpeed),
                 Column::number("absolute_of_input", "absolute"),
                 Column::quantity("absolute", Dimension::AngularSpeed),
             ],
             rows,
-            views: vec![View::new("Speeds of planets over the input's", shown)],
+            views: vec![View { note: missing, ..View::new("Speeds of planets over the input's", shown) }],
             is_answer: false,
         }
     }
@@ -231,11 +251,7 @@ impl Scene<'_> {
             vec![
                 text(control.id()),
                 text(format!("{first} - {second}")),
-                if is_engaged {
-                    Figure::Answer("engaged", "engaged")
-                } else {
-                    Figure::Answer("open", "open")
-                },
+                shared::state(is_engaged),
                 multiple(analysis.slips()[place]),
                 self.speed(analysis.slips()[place]),
                 multiple(ideal),
@@ -289,81 +305,190 @@ impl Scene<'_> {
                 row("output", "at the output", |case| case.output, |at| at.output),
                 row("housing", "from the housing", |case| case.housing, |at| -at.input - at.output),
             ],
-            note: "",
+            note: if self.is_held() {
+                "With losses: the torques at which it just moves, the output helped along. With less there the meshes \
+                 hold it, whatever the input's torque."
+            } else {
+                ""
+            },
         }
     }
 
-    fn rows(&self) -> Records {
-        let analysis = self.analysis();
-        let ideal = analysis.ideal();
-        let kreines = analysis.kreines();
-        let rows = self.gearbox.rows().iter().enumerate().map(|(place, row)| {
-            let power = self.case().and_then(|case| case.power.rows[place]);
-            let member = |of: Option<[f64; 3]>, member: usize| multiple(of.map(|of| of[member]));
-            let ideal = ideal.and_then(|case| case.members[place]);
-            let sign = self.case().map_or(0, |case| case.signs[place]);
-            let mut cells = vec![
-                text(row.id()),
-                text(row.spec().kind.to_string()),
-                multiple(Some(row.stationary_ratio().get())),
-                row.exact_ratio().map_or(Figure::None, |ratio| Figure::Text(ratio.to_string())),
-                Figure::Multiple(row.spec().loss.row_efficiency().get()),
-                match sign {
-                    0 => Figure::Answer("none", "none"),
-                    1 => Figure::Answer("sun_to_ring", "sun to ring"),
-                    _ => Figure::Answer("ring_to_sun", "ring to sun"),
+    /// Whether no torque at the input moves it.
+    fn is_held(&self) -> bool {
+        matches!(self.analysis().state(), State::SelfLocking { .. })
+    }
+
+    fn sets(&self) -> Records {
+        let kreines = self.analysis().kreines();
+        let rows = self.gearbox.sets().iter().enumerate().map(|(place, set)| {
+            let power = self.case().and_then(|case| case.power.sets[place].as_ref());
+            let signs = self.case().map_or(&[][..], |case| case.signs_of(self.gearbox, place));
+            // Of a set with more than two central gears no one number says it: its members and meshes do.
+            let is_short = set.short().is_some();
+            vec![
+                text(set.id()),
+                text(set.kind_name()),
+                if is_short { multiple(Some(set.basic_ratio().get())) } else { Figure::None },
+                set.exact_ratio()
+                    .filter(|_| is_short)
+                    .map_or(Figure::None, |ratio| Figure::Text(ratio.to_string())),
+                if is_short { Figure::Multiple(set.efficiency()) } else { Figure::None },
+                match signs {
+                    [0] => Figure::Answer("none", "none"),
+                    [1] => Figure::Answer("first_to_second", "first to second"),
+                    [-1] => Figure::Answer("second_to_first", "second to first"),
+                    _ => Figure::None,
                 },
-                kreines.map_or(Figure::None, |kreines| Figure::Number(f64::from(kreines.exponents[place]))),
-            ];
-            cells.extend((0..3).map(|which| member(ideal, which)));
-            cells.extend((0..3).map(|which| {
-                multiple(self.of_input(|case| case.members[place].map(|members| members[which])))
-            }));
-            cells.extend((0..3).map(|which| {
-                column(self.operation().and_then(|at| at.members[place]).map(|members| members[which]))
-            }));
-            cells.extend((0..3).map(|which| member(power.map(|power| power.members), which)));
-            cells.push(multiple(power.map(|power| power.relative)));
-            cells.push(multiple(power.map(|power| power.loss)));
-            cells
+                kreines.map_or(Figure::None, |kreines| {
+                    Figure::Texts(kreines.exponents[place].iter().map(ToString::to_string).collect())
+                }),
+                multiple(power.filter(|_| is_short).map(epicyclic_schemes::power_flow::SetPower::relative)),
+                multiple(power.map(|power| power.loss)),
+            ]
         });
-        let mut views = vec![
-            View::new(
-                "Rows",
-                &["row", "kind", "stationary_ratio", "exact_ratio", "efficiency", "relative_power_runs"],
-            ),
-            View::new(
-                "Torques on the rows over the input's, without losses",
-                &[
-                    "row",
-                    "ideal_sun_torque_of_input",
-                    "ideal_ring_torque_of_input",
-                    "ideal_carrier_torque_of_input",
-                ],
-            ),
-        ];
+        Records {
+            name: "sets",
+            columns: vec![
+                Column::words("set", "set"),
+                Column::words("kind", "kind"),
+                Column::number("basic_ratio", "i₀"),
+                Column::number("exact_ratio", "exact"),
+                Column::number("efficiency", "η₀"),
+                Column::words("rolling_power_runs", "rolling power runs"),
+                Column::words("kreines_exponents", "x"),
+                Column::number("rolling_power", "rolling"),
+                Column::number("loss", "loss"),
+            ],
+            rows: rows.collect(),
+            views: vec![View {
+                note: "Rolling: power through the meshes, seen from the carrier, over what enters; from the first \
+                       central gear to the second. i₀, η₀: of sets with two central gears."
+                    .to_owned(),
+                ..View::new(
+                    "Planet sets",
+                    &[
+                        "set",
+                        "kind",
+                        "basic_ratio",
+                        "exact_ratio",
+                        "efficiency",
+                        "rolling_power",
+                        "loss",
+                    ],
+                )
+            }],
+            is_answer: false,
+        }
+    }
+
+    /// Torques and powers of every member of every set.
+    fn members(&self) -> Records {
+        let ideal = self.analysis().ideal();
+        let mut rows = vec![];
+        for (place, set) in self.gearbox.sets().iter().enumerate() {
+            let power = self.case().and_then(|case| case.power.sets[place].as_ref());
+            let at = self.operation().and_then(|at| at.members[place].as_ref());
+            for (member, link) in set.members().iter().enumerate() {
+                let of = |case: &LoadCase| case.members[place].as_ref().map(|torques| torques[member]);
+                let name = if member == set.centrals().len() {
+                    "carrier".to_owned()
+                } else {
+                    set.gear_name(GearOf::Central(member))
+                };
+                rows.push(vec![
+                    text(set.id()),
+                    text(name),
+                    text(self.gearbox.link_name(*link)),
+                    multiple(ideal.and_then(of)),
+                    multiple(self.of_input(of)),
+                    column(at.map(|torques| torques[member])),
+                    multiple(power.map(|power| power.members[member])),
+                    multiple(self.case().map(|case| case.power.circulating_member(place, member))),
+                ]);
+            }
+        }
+        let mut shown = vec!["set", "member", "link", "ideal_torque_of_input"];
         if self.subject.has_losses() {
-            views.push(View::new(
-                "Torques on the rows over the input's, with losses",
-                &["row", "sun_torque_of_input", "ring_torque_of_input", "carrier_torque_of_input"],
-            ));
+            shown.push("torque_of_input");
         }
-        if self.operation().is_some() {
-            views.push(View::new(
-                "Torques on the rows at the load, with losses, N·m",
-                &["row", "sun_torque", "ring_torque", "carrier_torque"],
-            ));
+        shown.extend(self.operation().map(|_| "torque"));
+        shown.push("power_of_entering");
+        if self.case().is_some_and(|case| case.power.circulating > 0.0) {
+            shown.push("circulating_of_entering");
         }
-        views.push(View {
-            note: "Positive where power enters the row. Relative: what passes its meshes, seen from the carrier, \
-                   from sun to ring."
-                .to_owned(),
-            ..View::new(
-                "Powers of the rows over what enters, with losses",
-                &["row", "sun_power", "ring_power", "carrier_power", "relative_power", "loss"],
-            )
+        Records {
+            name: "members",
+            columns: vec![
+                Column::words("set", "set"),
+                Column::words("member", "member"),
+                Column::words("link", "link"),
+                Column::number("ideal_torque_of_input", "ideal T"),
+                Column::number("torque_of_input", "T"),
+                Column::quantity("torque", Dimension::Torque),
+                Column::number("power_of_entering", "power"),
+                Column::number("circulating_of_entering", "circulating"),
+            ],
+            rows,
+            views: vec![View {
+                note:
+                    "T: over the input's torque, without losses and with. Power: over what enters the gear; \
+                       positive where it enters the set."
+                        .to_owned(),
+                ..View::new("Members of the sets", &shown)
+            }],
+            is_answer: false,
+        }
+    }
+
+    /// Power through every mesh.
+    fn meshes(&self) -> Records {
+        let power = |set| self.case().and_then(|case| case.meshes(self.gearbox, set));
+        let rows = shared::meshes(self.gearbox, power, multiple);
+        Records {
+            name: "meshes",
+            columns: vec![
+                Column::words("set", "set"),
+                Column::words("from", "from"),
+                Column::words("to", "to"),
+                Column::number("efficiency", "η"),
+                Column::number("enters_of_entering", "enters"),
+                Column::number("leaves_of_entering", "leaves"),
+            ],
+            rows,
+            views: vec![View {
+                note: "In the sense of the power.".to_owned(),
+                ..View::new(
+                    "Power through the meshes over what enters the gear, seen from the carriers",
+                    &["set", "from", "to", "efficiency", "enters_of_entering", "leaves_of_entering"],
+                )
+            }],
+            is_answer: false,
+        }
+    }
+
+    /// What the one-way clutches do.
+    fn one_way_clutches(&self) -> Records {
+        let rows = self.analysis().one_way_clutches().into_iter().map(|one| {
+            vec![
+                text(self.gearbox.controls()[one.control].id()),
+                Figure::YesNo(one.is_relied_on),
+                duty(one.drive),
+                duty(one.coast),
+            ]
         });
-        Records { name: "rows", columns: row_columns(), rows: rows.collect(), views, is_answer: false }
+        Records {
+            name: "one_way_clutches",
+            columns: vec![
+                Column::words("clutch", "clutch"),
+                Column::words("relied_on", "relied on"),
+                Column::words("drive", "on drive"),
+                Column::words("coast", "on coast"),
+            ],
+            rows: rows.collect(),
+            views: vec![View::new("One-way clutches", &["clutch", "relied_on", "drive", "coast"])],
+            is_answer: false,
+        }
     }
 
     fn powers(&self) -> Section {
@@ -375,6 +500,9 @@ impl Scene<'_> {
             Row::new("circulating", "circulates", "", [of(|case| case.power.circulating)]),
             Row::new("largest", "largest of any member", "", [of(|case| case.power.largest)]),
         ];
+        if self.is_held() {
+            rows[0] = Row::new("helping", "enters at the output too", "", [of(|case| -case.efficiency)]);
+        }
         if let Some(operation) = self.powered() {
             let entering = operation.entering;
             let at = |of: Option<f64>| of.map_or(Figure::None, |of| quantity(entering * of));
@@ -401,13 +529,16 @@ impl Scene<'_> {
     }
 
     fn patterns(&self) -> Records {
-        let arrows = |signs: &[i8]| {
-            let one = |(row, sign): (&epicyclic_schemes::row::Row, &i8)| match sign {
-                0 => format!("{} 0", row.id()),
-                1 => format!("{} +", row.id()),
-                _ => format!("{} -", row.id()),
+        let arrows = |signs: &[Vec<i8>]| {
+            let one = |sign: &i8| match sign {
+                0 => "0",
+                1 => "+",
+                _ => "-",
             };
-            self.gearbox.rows().iter().zip(signs).map(one).collect::<Vec<_>>().join(", ")
+            let of_set = |(set, signs): (&PlanetSet, &Vec<i8>)| {
+                format!("{} {}", set.id(), signs.iter().map(one).collect::<String>())
+            };
+            self.gearbox.sets().iter().zip(signs).map(of_set).collect::<Vec<_>>().join(", ")
         };
         let rows = self.analysis().patterns().iter().map(|pattern| {
             vec![
@@ -419,13 +550,13 @@ impl Scene<'_> {
         Records {
             name: "patterns",
             columns: vec![
-                Column::words("signs", "rows"),
+                Column::words("signs", "sets"),
                 Column::number("efficiency", "η"),
                 Column::words("chosen", "chosen"),
             ],
             rows: rows.collect(),
             views: vec![View::new(
-                "Ways in which the losses bear themselves out (+: from sun to ring)",
+                "Self-consistent sign patterns of the losses (+: from the first gear to the others)",
                 &["signs", "efficiency", "chosen"],
             )],
             is_answer: false,
@@ -434,56 +565,25 @@ impl Scene<'_> {
 
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let analysis = self.analysis();
-        let mut all = warnings(self.gearbox);
+        let mut all = warnings(self.subject);
         all.extend(fast_planets(self.gearbox, analysis));
-        if *analysis.state() != epicyclic_schemes::State::Driven {
+        if *analysis.state() != State::Driven {
             all.push(("state", in_words(analysis.state())));
         }
         if self.input.load.is_some() && self.operation().is_none() {
             all.push(("no-load", "no torques follow from the load in this state".to_owned()));
         }
+        all.extend(contradictions(self.gearbox, analysis));
         if let Some(kreines) = analysis.kreines().filter(|kreines| !kreines.reversed.is_empty()) {
             let rows = kreines.reversed.join(", ");
             all.push((
                 "kreines",
-                format!("Kreines' rule as printed does not hold: the losses reverse the power of row {rows}"),
+                format!("Kreines' rule as printed does not hold: the losses reverse the power of set {rows}"),
             ));
         }
         if analysis.is_self_locking() == Some(true) {
-            all.push(("self-locking", "the gear locks itself when driven from its output".to_owned()));
-        }
-        if analysis.ideal().is_some() && analysis.driving().is_none() {
-            all.push(("locked", "no torque on the input moves the gear against its losses".to_owned()));
+            all.push(("self-locking", "the gear is self-locking when driven from its output".to_owned()));
         }
         all
     }
-}
-
-fn row_columns() -> Vec<Column> {
-    let torque =
-        |name| Column { heading: heading(name).to_owned(), ..Column::quantity(name, Dimension::Torque) };
-    let number = |name| Column::number(name, heading(name));
-    let mut columns = vec![
-        Column::words("row", "row"),
-        Column::words("kind", "kind"),
-        Column::number("stationary_ratio", "i₀"),
-        Column::number("exact_ratio", "exact"),
-        Column::number("efficiency", "η₀"),
-        Column::words("relative_power_runs", "relative power runs"),
-        Column::number("kreines_exponent", "x"),
-    ];
-    columns.extend(
-        ["ideal_sun_torque_of_input", "ideal_ring_torque_of_input", "ideal_carrier_torque_of_input"]
-            .map(number),
-    );
-    columns.extend(["sun_torque_of_input", "ring_torque_of_input", "carrier_torque_of_input"].map(number));
-    columns.extend(["sun_torque", "ring_torque", "carrier_torque"].map(torque));
-    columns.extend(["sun_power", "ring_power", "carrier_power"].map(number));
-    columns.extend([Column::number("relative_power", "relative"), Column::number("loss", "loss")]);
-    columns
-}
-
-/// The member that a key names.
-fn heading(name: &str) -> &'static str {
-    ["sun", "ring", "carrier"].into_iter().find(|member| name.contains(member)).unwrap_or("")
 }

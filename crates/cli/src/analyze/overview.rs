@@ -9,8 +9,8 @@ use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::gearbox::PublishedGear;
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_schemes::row::Row;
-use epicyclic_schemes::{Analysis, Gear, Gearbox, State};
+use epicyclic_schemes::one_way::Duty;
+use epicyclic_schemes::{Analysis, Gear, Gearbox, PlanetSet, State};
 
 /// The whole answer.
 pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure> {
@@ -19,9 +19,9 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .gears()
         .iter()
         .map(|gear| work(gearbox, gear.name(), input))
-        .collect::<Result<Vec<Worked>, Failure>>()?;
+        .collect::<Result<Vec<Worked<'_>>, Failure>>()?;
     let source = subject.source.as_ref().map(|source| Part::Words(wrapped("Source:", source)));
-    let states = states(&worked);
+    let states = states(subject, &worked);
     let forces = pins::of_gears(subject, &worked, input)?;
     let parts = source
         .into_iter()
@@ -29,13 +29,15 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .chain((!states.is_empty()).then_some(Part::Words(states)))
         .chain(forces.map(Part::Records))
         .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
+        .chain(one_way_clutches(gearbox, &worked).map(Part::Records))
         .collect();
-    let mut warnings = warnings(gearbox);
+    let mut warnings = warnings(subject);
     warnings.extend(worked.iter().flat_map(|gear| fast_planets(gearbox, &gear.analysis)));
+    warnings.extend(worked.iter().flat_map(|gear| contradictions(gearbox, &gear.analysis)));
     Ok(Report { title: Some(gearbox.name().to_owned()), parts, warnings: Some(warnings) })
 }
 
-fn gears(subject: &Subject, worked: &[Worked], input: Input) -> Records {
+fn gears(subject: &Subject, worked: &[Worked<'_>], input: Input) -> Records {
     let mut views = vec![View::new("Gears", &["gear", "engaged", "state", "ratio", "exact_ratio", "step"])];
     if !subject.published.is_empty() {
         views.push(View::new("Published ratios", &["gear", "published", "as_published", "agrees", "remark"]));
@@ -75,8 +77,8 @@ fn columns() -> Vec<Column> {
         Column::words("agrees", "agrees"),
         Column::words("remark", "remark"),
         Column::number("efficiency", "η"),
-        Column::number("overrun_efficiency", "η overrun"),
-        Column::words("self_locking", "locks itself"),
+        Column::number("overrun_efficiency", "η back"),
+        Column::words("self_locking", "self-locking"),
         Column::number("circulating", "circulating"),
         Column::number("largest", "largest |ω|"),
         Column::number("planet", "planet"),
@@ -85,7 +87,7 @@ fn columns() -> Vec<Column> {
     ]
 }
 
-fn row(subject: &Subject, worked: &[Worked], place: usize, input: Input) -> Vec<Figure> {
+fn row(subject: &Subject, worked: &[Worked<'_>], place: usize, input: Input) -> Vec<Figure> {
     let gearbox = &subject.gearbox;
     let Worked { analysis, operation } = &worked[place];
     let gear = analysis.gear();
@@ -108,9 +110,9 @@ fn row(subject: &Subject, worked: &[Worked], place: usize, input: Input) -> Vec<
             .zip(analysis.ratio())
             .map_or(Figure::None, |(gear, ratio)| Figure::YesNo(gear.stands_for(ratio))),
         published.and_then(remark).map_or_else(|| text(""), text),
-        multiple(analysis.efficiency()),
-        multiple(analysis.overrun_efficiency()),
-        analysis.is_self_locking().map_or(Figure::None, Figure::YesNo),
+        moving(analysis.efficiency()),
+        moving(analysis.overrun_efficiency()),
+        self_locking(analysis),
         multiple(analysis.driving().map(|case| case.power.circulating)),
         multiple(largest_speed(gearbox, analysis)),
         multiple(largest_planet_speed(analysis)),
@@ -119,13 +121,32 @@ fn row(subject: &Subject, worked: &[Worked], place: usize, input: Input) -> Vec<
     ]
 }
 
+/// An efficiency of a gear that moves; none of one that its losses hold.
+pub(super) fn moving(efficiency: Option<f64>) -> Figure {
+    multiple(efficiency.filter(|efficiency| *efficiency > 0.0))
+}
+
+/// From which end a gear is self-locking.
+pub(super) fn self_locking(analysis: &Analysis<'_>) -> Figure {
+    let from_output = match analysis.is_self_locking() {
+        Some(from_output) => from_output,
+        None => return Figure::None,
+    };
+    match (matches!(analysis.state(), State::SelfLocking { .. }), from_output) {
+        (false, false) => Figure::Answer("no", "no"),
+        (false, true) => Figure::Answer("from_output", "from output"),
+        (true, false) => Figure::Answer("from_input", "from input"),
+        (true, true) => Figure::Answer("both_ways", "both ways"),
+    }
+}
+
 /// Names of what is engaged.
 pub(super) fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
     gear.engaged().iter().map(|&place| gearbox.controls()[place].id().to_owned()).collect()
 }
 
 /// Ratio of the gear before over this one's, between the same links and in the same sense.
-fn step(before: &Analysis, this: &Analysis) -> Option<f64> {
+fn step(before: &Analysis<'_>, this: &Analysis<'_>) -> Option<f64> {
     let (one, other) = (before.ratio()?, this.ratio()?);
     let between = |analysis: &Analysis| [analysis.gear().input(), analysis.gear().output()];
     (one * other > 0.0 && between(before) == between(this)).then(|| one / other)
@@ -149,12 +170,12 @@ fn remark(gear: &PublishedGear) -> Option<String> {
     (!all.is_empty()).then(|| all.join(", "))
 }
 
-fn largest_speed(gearbox: &Gearbox, analysis: &Analysis) -> Option<f64> {
+fn largest_speed(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Option<f64> {
     (1..gearbox.links().len()).filter_map(|link| analysis.speeds()[link]).map(f64::abs).reduce(f64::max)
 }
 
-fn largest_planet_speed(analysis: &Analysis) -> Option<f64> {
-    let planets = analysis.rows().iter().flat_map(|row| &row.planets);
+fn largest_planet_speed(analysis: &Analysis<'_>) -> Option<f64> {
+    let planets = analysis.sets().iter().flat_map(|set| set.planets.iter().flatten());
     planets.map(|planet| planet.relative.abs()).reduce(f64::max)
 }
 
@@ -163,16 +184,26 @@ fn note(subject: &Subject) -> String {
     if subject.has_losses() {
         speeds.to_owned()
     } else {
-        format!("{speeds} The file states no losses; --efficiency 0.97 gives each row some.")
+        format!("{speeds} The file states no losses; --efficiency 0.97 gives each set some.")
     }
 }
 
-fn states(worked: &[Worked]) -> String {
+fn states(subject: &Subject, worked: &[Worked<'_>]) -> String {
     let gears = worked.iter().map(|worked| &worked.analysis);
     let not_driven = gears.filter(|analysis| *analysis.state() != State::Driven);
-    let lines: String = not_driven
-        .map(|analysis| wrapped(" -", &format!("{}: {}", analysis.gear().name(), in_words(analysis.state()))))
-        .collect();
+    let line = |analysis: &Analysis<'_>| {
+        let name = analysis.gear().name();
+        match subject.inputs(name).map(|inputs| inputs.speeds.keys().cloned().collect::<Vec<_>>()) {
+            Some(links) if !links.is_empty() => {
+                format!(
+                    "{name}: settled by the speeds of {}; --gear '{name}' shows its state",
+                    links.join(", ")
+                )
+            }
+            _ => format!("{name}: {}", in_words(analysis.state())),
+        }
+    };
+    let lines: String = not_driven.map(|analysis| wrapped(" -", &line(analysis))).collect();
     if lines.is_empty() { lines } else { format!("Not simply driven\n{lines}") }
 }
 
@@ -192,12 +223,16 @@ pub(super) fn in_words(state: &State) -> String {
             let speeds = if *missing == 1 { "one more speed" } else { "more speeds" };
             format!("{speeds} must be given, of {}", list(links))
         }
-        State::TorquesIndeterminate { controls, rows, .. } => {
+        State::TorquesIndeterminate { controls, sets, .. } => {
             let of =
                 |what: &str, names: &[String]| (!names.is_empty()).then(|| format!("{what} {}", list(names)));
             let parts: Vec<String> =
-                [of("controls", controls), of("rows", rows)].into_iter().flatten().collect();
-            format!("how the torque is shared hangs on how tightly they hold: {}", parts.join("; "))
+                [of("shift elements", controls), of("sets", sets)].into_iter().flatten().collect();
+            format!("how the torque is shared depends on how tightly they hold: {}", parts.join("; "))
+        }
+        State::SelfLocking { links, both_ways } => {
+            let back = if *both_ways { "; nor does any at the output" } else { "" };
+            format!("no torque at the input, {}, moves a load against the mesh losses{back}", list(links))
         }
         // A state that this program does not know yet.
         state => return state.to_string(),
@@ -217,27 +252,111 @@ fn shift_table(gearbox: &Gearbox) -> String {
 }
 
 /// Planets of a gear that turn faster on their carriers than is usual: more than twice the input's speed.
-pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis) -> Vec<(&'static str, String)> {
-    let fastest = gear.rows().iter().map(|row| {
-        row.planets.iter().map(|planet| planet.relative.abs()).filter(|speed| *speed > 2.0).reduce(f64::max)
+pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'static str, String)> {
+    let fastest = gear.sets().iter().map(|row| {
+        row.planets
+            .iter()
+            .flatten()
+            .map(|planet| planet.relative.abs())
+            .filter(|speed| *speed > 2.0)
+            .reduce(f64::max)
     });
-    let of_row = |(row, fastest): (&Row, Option<f64>)| {
+    let of_set = |(row, fastest): (&PlanetSet, Option<f64>)| {
         let (gear, row, speed) = (gear.gear().name(), row.id(), trimmed(fastest?, 4));
         let message = format!(
             "in gear {gear} planet {row} turns at {speed} times the input's speed on its carrier; 2 is the usual limit"
         );
         Some(("planet-speed", message))
     };
-    gearbox.rows().iter().zip(fastest).filter_map(of_row).collect()
+    gearbox.sets().iter().zip(fastest).filter_map(of_set).collect()
+}
+
+/// What the one-way clutches do in each gear; `None` without any.
+fn one_way_clutches(gearbox: &Gearbox, worked: &[Worked<'_>]) -> Option<Records> {
+    if !gearbox.controls().iter().any(epicyclic_schemes::Control::is_one_way) {
+        return None;
+    }
+    let mut rows = vec![];
+    for Worked { analysis, .. } in worked {
+        for one in analysis.one_way_clutches() {
+            rows.push(vec![
+                text(analysis.gear().name()),
+                text(gearbox.controls()[one.control].id()),
+                Figure::YesNo(one.is_relied_on),
+                duty(one.drive),
+                duty(one.coast),
+                analysis.has_engine_braking().map_or(Figure::None, Figure::YesNo),
+            ]);
+        }
+    }
+    Some(Records {
+        name: "one_way_clutches",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("clutch", "clutch"),
+            Column::words("relied_on", "relied on"),
+            Column::words("drive", "on drive"),
+            Column::words("coast", "on coast"),
+            Column::words("engine_braking", "engine braking"),
+        ],
+        rows,
+        views: vec![View {
+            note: "Engine braking: of gears that rely on one.".to_owned(),
+            ..View::new(
+                "One-way clutches",
+                &["gear", "clutch", "relied_on", "drive", "coast", "engine_braking"],
+            )
+        }],
+        is_answer: false,
+    })
+}
+
+/// What a one-way clutch does, as an answer.
+pub(super) fn duty(duty: Duty) -> Figure {
+    match duty {
+        Duty::Holds => Figure::Answer("holds", "holds"),
+        Duty::Overruns => Figure::Answer("overruns", "overruns"),
+        Duty::Idles => Figure::Answer("idles", "idles"),
+        Duty::WouldOverrun => Figure::Answer("would_overrun", "would overrun"),
+        Duty::WouldHold => Figure::Answer("would_hold", "would hold"),
+        Duty::Unknown => Figure::None,
+    }
+}
+
+/// One-way clutches that do not do what the gear's engaged elements say.
+pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'static str, String)> {
+    let name = gear.gear().name();
+    let all = gear.one_way_clutches().into_iter().filter_map(|one| {
+        let clutch = gearbox.controls()[one.control].id();
+        let message = match one.drive {
+            Duty::WouldOverrun => format!(
+                "gear {name} relies on the one-way clutch {clutch}, whose torque would turn it free: leave it out of \
+                 the gear, or turn its links around"
+            ),
+            Duty::WouldHold => format!(
+                "in gear {name} the one-way clutch {clutch} would hold, since its first link would turn slower than \
+                 its second: name it in the gear, or turn its links around"
+            ),
+            _ => return None,
+        };
+        Some(("one-way-clutch", message))
+    });
+    all.collect()
 }
 
 /// Remarks on the gearbox itself.
-pub(super) fn warnings(gearbox: &Gearbox) -> Vec<(&'static str, String)> {
+pub(super) fn warnings(subject: &Subject) -> Vec<(&'static str, String)> {
+    let gearbox = &subject.gearbox;
     use epicyclic_schemes::Warning;
     let name = |warning: &Warning| match warning {
-        Warning::Coaxiality { .. } => "coaxiality",
         Warning::Unreachable { .. } => "unreachable",
+        Warning::NoGears => "no-gears",
+        Warning::SameTerminals { .. } => "same-terminals",
+        Warning::SharedPlanets { .. } => "shared-planets",
         _ => "other",
     };
-    gearbox.warnings().iter().map(|warning| (name(warning), warning.to_string())).collect()
+    let of_gearbox = gearbox.warnings().iter().map(|warning| (name(warning), warning.to_string()));
+    // How gears must be arranged is no fault.
+    let teeth = gearbox.tooth_checks(&subject.rack).into_iter().filter(|warning| !warning.is_note());
+    of_gearbox.chain(teeth.map(|warning| ("teeth", warning.to_string()))).collect()
 }

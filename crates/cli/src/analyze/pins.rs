@@ -7,15 +7,17 @@ use crate::figure::{Figure, column, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_formats::Dimension;
 use epicyclic_schemes::pins::{Lack, Pin};
-use epicyclic_schemes::{Direction, LoadCase};
-use uom::si::f64::Torque;
+use epicyclic_schemes::{Direction, LoadCase, PlanetSet};
 use uom::si::time::hour;
-use uom::si::torque::newton_meter;
 
 /// The planets of one gear, where it has any.
-pub(super) fn of_gear(subject: &Subject, worked: &Worked, input: Input) -> Result<Option<Records>, Failure> {
+pub(super) fn of_gear(
+    subject: &Subject,
+    worked: &Worked<'_>,
+    input: Input,
+) -> Result<Option<Records>, Failure> {
     let pins = &subject.pins;
-    let sized = pins.iter().any(|(_, pin)| pin.radius.is_some());
+    let sized = pins.iter().any(|pin| pin.radius.is_some());
     if pins.is_empty() || !(sized || worked.analysis.ideal().is_some()) {
         return Ok(None);
     }
@@ -26,11 +28,11 @@ pub(super) fn of_gear(subject: &Subject, worked: &Worked, input: Input) -> Resul
 /// The planets of all gears, where the size of any row is known.
 pub(super) fn of_gears(
     subject: &Subject,
-    worked: &[Worked],
+    worked: &[Worked<'_>],
     input: Input,
 ) -> Result<Option<Records>, Failure> {
     let pins = &subject.pins;
-    if pins.iter().all(|(_, pin)| pin.radius.is_none()) {
+    if pins.iter().all(|pin| pin.radius.is_none()) {
         return Ok(None);
     }
     let mut all = vec![];
@@ -43,36 +45,37 @@ pub(super) fn of_gears(
 
 fn rows(
     subject: &Subject,
-    worked: &Worked,
+    worked: &Worked<'_>,
     input: Input,
-    pins: &[(usize, Pin)],
+    pins: &[Pin],
 ) -> Result<Vec<Vec<Figure>>, Failure> {
     let analysis = &worked.analysis;
     let is_overrun = worked.operation.as_ref().is_some_and(|at| at.direction == Direction::Overrun);
     let case = if is_overrun { analysis.overrun() } else { analysis.driving() };
-    let newton_metres = Torque::new::<newton_meter>;
     let mut rows = vec![];
-    for (place, pin) in pins {
-        let row = &subject.gearbox.rows()[*place];
-        let of_input = |case: &LoadCase| Some(case.members[*place]?.map(|torque| torque / case.input));
-        let of_input = case.and_then(of_input);
-        let carrier_torque = of_input.map(|torques| torques[2].abs());
+    for pin in pins {
+        let set = &subject.gearbox.sets()[pin.set];
+        let of_carrier = |case: &LoadCase| {
+            let torques = case.members[pin.set].as_ref()?;
+            Some(torques.last()?.abs() / case.input.abs())
+        };
+        let carrier_torque = case.and_then(of_carrier);
         let each = carrier_torque.zip(pin.planets).map(|(torque, count)| torque / f64::from(count));
-        let per_unit = pin.forces(of_input.map(|torques| torques.map(newton_metres)), None)?;
-        let carrier = analysis.speed(row.carrier());
+        let per_unit = case.map(|case| pin.of_unit_input(case)).transpose()?.unwrap_or_default();
+        let carrier = analysis.speed(set.carrier());
         let speed = input.speed.zip(carrier).map(|(speed, of)| speed * of);
-        let torques = worked.operation.as_ref().and_then(|operation| operation.members[*place]);
-        let forces = pin.forces(torques, speed)?;
-        // A row with a pin has one planet: of kinds with more no force follows.
-        let planet = analysis.rows()[*place].planets.first();
+        let at = worked.operation.as_ref().and_then(|operation| operation.members[pin.set].as_deref());
+        let forces = pin.forces(at, speed)?;
+        let planet = analysis.sets()[pin.set].planets[pin.planet];
         let turning = input.speed.zip(planet).map(|(speed, planet)| speed * planet.relative);
         let life = match forces.total.zip(turning) {
             Some((force, turning)) => pin.life(force, turning)?,
             None => None,
         };
         rows.push(vec![
-            text(row.id()),
+            text(set.id()),
             text(analysis.gear().name()),
+            text(planet_name(set, pin.planet)),
             pin.planets.map_or(Figure::None, Figure::Count),
             column(pin.radius),
             column(pin.mass),
@@ -98,11 +101,11 @@ fn records(
     rows: Vec<Vec<Figure>>,
     input: Input,
     loaded: bool,
-    pins: &[(usize, Pin)],
+    pins: &[Pin],
     several: bool,
 ) -> Records {
-    let first: &[&'static str] = if several { &["gear", "row"] } else { &["row"] };
-    let sized = pins.iter().any(|(_, pin)| pin.radius.is_some());
+    let first: &[&'static str] = if several { &["gear", "set", "planet"] } else { &["set", "planet"] };
+    let sized = pins.iter().any(|pin| pin.radius.is_some());
     let shown: &[&'static str] = match (sized, loaded, input.speed) {
         (false, ..) => &["planets", "carrier_torque_of_input", "carrier_torque_each_of_input"],
         (true, false, None) => {
@@ -133,7 +136,7 @@ fn records(
         note: note(subject, pins, sized, input.speed.is_some()),
         ..View::new(title, &[first, shown].concat())
     }];
-    let has_capacity = pins.iter().any(|(_, pin)| pin.bearing.is_some());
+    let has_capacity = pins.iter().any(|pin| pin.bearing.is_some());
     if has_capacity && loaded && input.speed.is_some() {
         let shown: &[&'static str] = &["force", "bearing_capacity", "bearing_speed", "bearing_life_h"];
         views.push(View {
@@ -146,8 +149,9 @@ fn records(
     Records {
         name: "planet_bearings",
         columns: vec![
-            Column::words("row", "row"),
+            Column::words("set", "set"),
             Column::words("gear", "gear"),
+            Column::words("planet", "planet"),
             Column::number("planets", "planets"),
             headed("carrier_radius", "at radius, mm", Dimension::Length),
             headed("planet_mass", "mass, kg", Dimension::Mass),
@@ -170,43 +174,57 @@ fn records(
 }
 
 /// What the columns are, and what is missing of which row.
-fn note(subject: &Subject, pins: &[(usize, Pin)], sized: bool, turns: bool) -> String {
+fn note(subject: &Subject, pins: &[Pin], sized: bool, turns: bool) -> String {
     let mut notes = vec![];
     if sized {
-        notes.push("Radial: of the meshes, outwards positive. All planets carry alike.".to_owned());
+        notes.push("Tangential: along the orbit, positive against the carrier. Radial: of the meshes, outwards positive. All \
+             planets carry alike.".to_owned());
         if !turns {
             notes.push("--speed adds the centrifugal force.".to_owned());
         }
     }
-    let mut told: Vec<(Lack, Vec<&str>)> = vec![];
-    for (place, pin) in pins {
-        let row = subject.gearbox.rows()[*place].id();
-        for &lack in &pin.lacks {
-            match told.iter_mut().find(|(known, _)| *known == lack) {
-                Some((_, rows)) => rows.push(row),
-                None => told.push((lack, vec![row])),
-            }
-        }
-    }
-    if !subject.published.is_empty() {
+    // A list of transmissions states sizes of compound sets alone.
+    let has_sizes =
+        |pin: &&Pin| subject.published.is_empty() || subject.gearbox.sets()[pin.set].short().is_none();
+    if !pins.iter().any(|pin| has_sizes(&pin)) {
         notes.push("A list of transmissions states no sizes, and no forces follow.".to_owned());
         return notes.join(" ");
     }
+    let mut told: Vec<(Lack, Vec<&str>)> = vec![];
+    for pin in pins.iter().filter(has_sizes) {
+        let set = subject.gearbox.sets()[pin.set].id();
+        for lack in &pin.lacks {
+            match told.iter_mut().find(|(known, _)| known == lack) {
+                Some((_, sets)) if sets.last() == Some(&set) => {}
+                Some((_, sets)) => sets.push(set),
+                None => told.push((lack.clone(), vec![set])),
+            }
+        }
+    }
+    let count = pins.iter().map(|pin| pin.set).collect::<std::collections::BTreeSet<_>>().len();
     let of_rows = |rows: &[&str]| match rows.len() {
-        all if all == pins.len() => "all rows".to_owned(),
-        1 => format!("row {}", rows[0]),
-        _ => format!("rows {}", rows.join(", ")),
+        all if all == count => "all sets".to_owned(),
+        1 => format!("set {}", rows[0]),
+        _ => format!("sets {}", rows.join(", ")),
     };
     let missing: Vec<String> =
-        told.iter().map(|(lack, rows)| format!("{} ({})", wanted(*lack), of_rows(rows))).collect();
+        told.iter().map(|(lack, rows)| format!("{} ({})", wanted(lack), of_rows(rows))).collect();
     if !missing.is_empty() {
         notes.push(format!("Missing for the forces: {}.", missing.join("; ")));
     }
     notes.join(" ")
 }
 
+/// A planet of a set by its name, or by its number where it has none.
+pub(super) fn planet_name(set: &PlanetSet, planet: usize) -> String {
+    match &set.planets()[planet].name {
+        name if name.is_empty() => (planet + 1).to_string(),
+        name => name.clone(),
+    }
+}
+
 /// The keys of a file that would help.
-fn wanted(lack: Lack) -> String {
+fn wanted(lack: &Lack) -> String {
     match lack {
         Lack::Planets => "planets".to_owned(),
         Lack::Radius => "module with teeth, or carrier_radius".to_owned(),

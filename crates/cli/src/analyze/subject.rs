@@ -5,14 +5,17 @@ use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::gearbox::{
-    DescriptionError, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
+    DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
 };
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::Gearbox;
-use epicyclic_schemes::pins::{Pin, RowSize};
-use epicyclic_schemes::row::MeshLoss;
-use uom::si::f64::Ratio;
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_schemes::pins::Pin;
+use epicyclic_schemes::planet_set::Description;
+use epicyclic_schemes::set::MeshLoss;
+use epicyclic_schemes::{Gearbox, PlanetSet};
+use std::collections::BTreeMap;
+use uom::si::f64::{AngularVelocity, Ratio, Torque};
 
 /// What a file holds.
 pub(super) enum Content {
@@ -27,8 +30,21 @@ pub(crate) struct Subject {
     /// Where its data stand.
     pub(crate) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
-    /// The planets of the rows that have any, with the row's place.
-    pub(super) pins: Vec<(usize, Pin)>,
+    /// The planets of the sets that have any.
+    pub(super) pins: Vec<Pin>,
+    /// What their teeth are checked by.
+    pub(super) rack: BasicRack,
+    /// Its place in the file.
+    pub(crate) base: Path,
+    /// Speeds and torques that the file states of gears.
+    pub(super) inputs: Vec<(String, GearInputs)>,
+}
+
+/// Speeds and torques of several links, as a file states them of a gear.
+#[derive(Debug, Clone)]
+pub(super) struct GearInputs {
+    pub(super) speeds: BTreeMap<String, Quantity<AngularVelocity>>,
+    pub(super) torques: BTreeMap<String, Quantity<Torque>>,
 }
 
 impl Subject {
@@ -37,9 +53,14 @@ impl Subject {
         self.published.iter().find(|published| published.name == gear)
     }
 
-    /// Whether any row loses power.
+    /// What the file states of several links in a gear.
+    pub(super) fn inputs(&self, gear: &str) -> Option<&GearInputs> {
+        self.inputs.iter().find(|(name, _)| name == gear).map(|(_, inputs)| inputs)
+    }
+
+    /// Whether any set loses power.
     pub(super) fn has_losses(&self) -> bool {
-        self.gearbox.rows().iter().any(|row| row.spec().loss.row_efficiency().get() < 1.0)
+        self.gearbox.sets().iter().any(PlanetSet::has_losses)
     }
 }
 
@@ -65,24 +86,47 @@ pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result
             message: "the file holds one gearbox; leave the option out".to_owned(),
         });
     }
-    let mut file: GearboxFile = document.read()?;
-    if let Some(eta) = args.efficiency {
-        for row in &mut file.rows {
-            if row.efficiency.is_none() && row.meshes.is_none() {
-                row.efficiency = Some(eta);
-            }
-        }
+    if has("shared_ring_meshes") {
+        let message =
+            "sets that share planets are one: describe them as an entry of compound_sets".to_owned();
+        let place = Path::root().key("shared_ring_meshes");
+        return Err(document.error(&place, Problem::Refused { message }).into());
     }
+    let file: GearboxFile = document.read()?;
     let at = |error: DescriptionError| located(document, &Path::root(), &error);
     let gearbox = file.gearbox().map_err(at)?;
+    let gearbox = match efficiency {
+        Some(eta) => with_losses(&gearbox, eta)?,
+        None => gearbox,
+    };
+    let rack = file.rack().map_err(|error| {
+        let key = if matches!(error, epicyclic_gears::Error::OutOfRange { .. }) {
+            "pressure_angle"
+        } else {
+            "addendum"
+        };
+        let problem = Problem::Refused { message: error.to_string() };
+        Failure::from(document.error(&Path::root().key(key), problem))
+    })?;
     let pins = file.pins(&gearbox).map_err(at)?;
-    Ok(Content::One(Box::new(Subject { gearbox, source: None, published: vec![], pins })))
+    let of_gear = |gear: &GearEntry| {
+        let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
+        (gear.name.clone(), inputs)
+    };
+    let inputs = file.gears.iter().map(of_gear).collect();
+    let (source, published, base) = (None, vec![], Path::root());
+    Ok(Content::One(Box::new(Subject { gearbox, source, published, pins, rack, base, inputs })))
 }
 
-/// The efficiency of a row that `--efficiency` gives.
+/// The efficiency of a set that `--efficiency` gives.
 pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
     MeshEfficiency::new(eta.0.value)
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
+}
+
+/// The names to choose from, each on a line of its own.
+pub(super) fn names(transmissions: &[Transmission]) -> String {
+    transmissions.iter().map(|transmission| format!("\n  {}", transmission.name)).collect()
 }
 
 /// The place of the transmission meant; `None` where there are several and none is named.
@@ -138,15 +182,28 @@ fn transmission(
         None => gearbox,
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
-    // The format of transmissions states no sizes.
-    let of_row = |place| Some(gearbox.pin(place, &RowSize::default())?.map(|pin| (place, pin)));
-    let pins = (0..gearbox.rows().len()).filter_map(of_row).collect::<Result<_, _>>()?;
-    Ok(Box::new(Subject { gearbox, source, published, pins }))
+    let pins = transmission.pins(&gearbox).map_err(|error| located(document, &base, &error))?;
+    let of_gear = |gear: &PublishedGear| {
+        let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
+        (gear.name.clone(), inputs)
+    };
+    let inputs = transmission.gears.iter().map(of_gear).collect();
+    let rack = BasicRack::default();
+    Ok(Box::new(Subject { gearbox, source, published, pins, rack, base, inputs }))
 }
 
-/// The same gearbox with this efficiency of each row; the format of transmissions states none.
+/// The same gearbox with this efficiency of each set for which none is stated.
 fn with_losses(gearbox: &Gearbox, eta: MeshEfficiency) -> Result<Gearbox, Failure> {
-    Ok(gearbox.to_builder().map_rows(|row| row.with_loss(MeshLoss::Row(eta))).build()?)
+    // A set with a sun and a ring has two meshes.
+    let each = MeshEfficiency::new(eta.get().sqrt()).unwrap_or(eta);
+    let lossless: Vec<String> =
+        gearbox.sets().iter().filter(|set| !set.has_losses()).map(|set| set.id().to_owned()).collect();
+    let change = |description: Description| match description {
+        description if !lossless.iter().any(|id| id == description.id()) => description,
+        Description::Short(spec) => spec.with_loss(MeshLoss::Row(eta)).into(),
+        Description::Compound(spec) => spec.with_mesh_efficiency(each).into(),
+    };
+    Ok(gearbox.to_builder().map_descriptions(change).build()?)
 }
 
 /// What there is to choose from.
@@ -156,8 +213,8 @@ pub(super) fn list(transmissions: &[Transmission]) -> Report {
         name: "transmissions",
         columns: vec![
             Column::words("name", ""),
-            Column::number("rows", "rows"),
-            Column::number("controls", "controls"),
+            Column::number("sets", "sets"),
+            Column::number("shift_elements", "shift elements"),
             Column::number("gears", "gears"),
         ],
         rows: transmissions
@@ -165,13 +222,13 @@ pub(super) fn list(transmissions: &[Transmission]) -> Report {
             .map(|one| {
                 vec![
                     text(&one.name),
-                    count(one.rows.len()),
-                    count(one.elements.len()),
+                    count(one.rows.len() + one.compound_sets.len()),
+                    count(one.elements.len() + one.one_way.len()),
                     count(one.gears.len()),
                 ]
             })
             .collect(),
-        views: vec![View::new("Transmissions", &["name", "rows", "controls", "gears"])],
+        views: vec![View::new("Transmissions", &["name", "sets", "shift_elements", "gears"])],
         is_answer: true,
     };
     let hint = "--transmission chooses one, by its name or a part of it.\n".to_owned();

@@ -5,7 +5,7 @@ use crate::analyze::{self, Choice};
 use crate::failure::Failure;
 use crate::input;
 use crate::schemes::{Scheme, Sizes, dimensioned};
-use epicyclic_formats::{Document, Number};
+use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::drawability::{self, Verdict};
@@ -16,6 +16,14 @@ use std::path::Path;
 pub(super) struct Subject {
     pub(super) gearbox: Gearbox,
     pub(super) gearing: bool,
+    /// Its place in a file.
+    pub(super) base: formats::Path,
+}
+
+impl Subject {
+    fn of_catalogue(gearbox: Gearbox, gearing: bool) -> Self {
+        Self { gearbox, gearing, base: formats::Path::root() }
+    }
 }
 
 /// Row parameter of rows of which only the structure is drawn; it shows nowhere.
@@ -47,7 +55,7 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     };
     let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
     if let Some(found) = dimensioned(sizes, scheme, eta)? {
-        return Ok(Subject { gearbox: found.gearbox, gearing: true });
+        return Ok(Subject::of_catalogue(found.gearbox, true));
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
         let message = format!(
@@ -59,7 +67,7 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     let any = |is_there: bool| is_there.then(|| Number::new(ANY_K).ok()).flatten();
     let sizes = Sizes { k1: any(true), k2: any(matches!(scheme, Scheme::Three(_))), ..Sizes::default() };
     match dimensioned(sizes, scheme, eta)? {
-        Some(found) => Ok(Subject { gearbox: found.gearbox, gearing: false }),
+        Some(found) => Ok(Subject::of_catalogue(found.gearbox, false)),
         None => option("--k1", "needed".into()),
     }
 }
@@ -102,12 +110,12 @@ fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
     for lock in roles {
         let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, lock)?;
         if matches!(drawability::draw(&gearbox, drawability::Options::default()), Verdict::Drawable(_)) {
-            return Ok(Subject { gearbox, gearing: k.is_some() });
+            return Ok(Subject::of_catalogue(gearbox, k.is_some()));
         }
         any.get_or_insert(gearbox);
     }
     match any {
-        Some(gearbox) => Ok(Subject { gearbox, gearing: k.is_some() }),
+        Some(gearbox) => Ok(Subject::of_catalogue(gearbox, k.is_some())),
         None => unreachable!("four roles have six pairs"),
     }
 }
@@ -119,5 +127,6 @@ fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, F
         return Err(Failure::Option { option, message });
     }
     let choice = Choice::new(file.to_owned(), args.transmission.clone(), args.efficiency);
-    Ok(Subject { gearbox: analyze::gearbox(&choice, document)?, gearing: true })
+    let (gearbox, base) = analyze::gearbox(&choice, document)?;
+    Ok(Subject { gearbox, gearing: true, base })
 }

@@ -5,7 +5,7 @@ use crate::report::{Part, Report, Row, Section};
 use epicyclic_dynamics::drive::{Choice, DriveDesign, Motion, ShaftDesign, Start, WheelMass};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
-use uom::si::f64::{AngularVelocity, Length, MomentOfInertia, Time};
+use uom::si::f64::{AngularVelocity, Force, Length, MomentOfInertia, Time};
 
 const WHEELS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
 const SHAFTS: &[(&str, &str)] =
@@ -15,6 +15,11 @@ const MOTIONS: &[(&str, &str)] = &[("without_losses", "without losses"), ("with_
 
 const PIN: &str = "A planet's pin carries no torque. The method sizes it by the torque on the planets all the same; \
                    check its bending by the force on it.";
+
+const FORCES: &str = "The sum of both mesh forces is the tangential force on the pin: they hold the friction of the \
+                      teeth. The nominal forces, for the strength of teeth, lay the whole torque on the pitch circle. \
+                      They leave out the torque of friction on the planet, so they are larger and their sum is not the \
+                      pin's force.";
 
 /// The whole answer.
 pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
@@ -28,7 +33,13 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
             section("powers", "Powers", &[], powers(design)),
             section("wheels", "Wheels", WHEELS, wheels(design)),
             section("wheels", "Wheels together", &[], mesh(design)),
-            section("forces", "Forces, planets sharing evenly", &[], forces(design)),
+            Part::Facts(Section {
+                name: "forces",
+                title: "Forces, planets sharing evenly",
+                columns: &[],
+                rows: forces(design),
+                note: FORCES,
+            }),
             Part::Facts(Section {
                 name: "shafts",
                 title: "Shafts by torsion, and bearings",
@@ -48,12 +59,24 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
 fn warnings(design: &DriveDesign) -> Vec<(&'static str, String)> {
     let of_design = design.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
     // In balance is how every drive stands whose load is its nominal one; the outcome says so.
-    let start = matches!(design.with_losses.start, Start::Overloaded(_)).then(|| {
-        (
+    let [least, greatest] = design.with_losses.held.map(|load| trimmed(load.si(), 5));
+    let start = match design.with_losses.start {
+        Start::After(_) | Start::InBalance => None,
+        Start::Held => Some((
             "no-start",
-            "with the losses of the meshes it does not start: the load exceeds the driving torque".to_owned(),
-        )
-    });
+            format!(
+                "it does not start: with this driving torque the friction of the meshes holds loads from {least} to \
+                 {greatest} N·m; the drive starts forward below them and runs backward above"
+            ),
+        )),
+        Start::Backward(_) => Some((
+            "runs-backward",
+            format!(
+                "the load turns the drive backward: with this driving torque the friction of the meshes holds no more \
+                 than {greatest} N·m; it starts forward below {least} N·m"
+            ),
+        )),
+    };
     of_design.chain(start).collect()
 }
 
@@ -142,11 +165,27 @@ fn wheels(design: &DriveDesign) -> Vec<Row> {
             "d_f",
             wheels.map(|wheel| quantity(wheel.root_diameter())),
         ),
+        Row::new(
+            "base_diameter",
+            "base diameter",
+            "d_b",
+            wheels.map(|wheel| quantity(wheel.base_diameter())),
+        ),
     ]
 }
 
 fn mesh(design: &DriveDesign) -> Vec<Row> {
+    let rack = design.wheels.sun.rack();
     vec![
+        Row {
+            remark: format!("2·h_a*/sin²α = {}", trimmed(rack.undercut_limit(), 4)),
+            ..Row::new(
+                "least_teeth_without_undercut",
+                "external teeth without undercut, at least",
+                "z_min",
+                [Figure::Count(rack.least_teeth_without_undercut())],
+            )
+        },
         Row::new("module", "module", "m", [quantity(design.wheels.sun.module())]),
         Row::new("face_width", "face width", "b", [quantity(design.wheels.face_width)]),
         Row::new("centre_distance", "centre distance", "a_w", [quantity(design.wheels.centre_distance)]),
@@ -155,12 +194,24 @@ fn mesh(design: &DriveDesign) -> Vec<Row> {
 
 fn forces(design: &DriveDesign) -> Vec<Row> {
     let forces = &design.forces;
+    let nominal = |name, label, nominal: Force, real: Force| Row {
+        remark: format!("{:+.1} %", 100.0 * (nominal.si() / real.si() - 1.0)),
+        ..Row::new(name, label, "", [quantity(nominal)])
+    };
     vec![
         Row::new("sun_mesh", "tangential, at each mesh with the sun", "", [quantity(forces.sun_mesh)]),
         Row::new("ring_mesh", "tangential, at each mesh with the ring", "", [quantity(forces.ring_mesh)]),
         Row::new("pin_tangential", "pin, from the carrier's torque", "", [quantity(forces.pin_tangential)]),
+        Row::new("pin_meshes", "pin, radial of both meshes, outwards", "", [quantity(forces.pin_meshes)]),
         Row::new("pin_centrifugal", "pin, centrifugal", "", [quantity(forces.pin_centrifugal)]),
-        Row::new("pin", "pin, both", "", [quantity(forces.pin)]),
+        Row::new("pin", "pin, together", "", [quantity(forces.pin)]),
+        nominal(
+            "sun_nominal",
+            "nominal, of a tooth of the sun, 2·T₁/(N·d₁)",
+            forces.sun_nominal,
+            forces.sun_mesh,
+        ),
+        nominal("ring_nominal", "nominal, of the ring, 2·T₃/(N·d₃)", forces.ring_nominal, forces.ring_mesh),
     ]
 }
 
@@ -245,6 +296,8 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
     let motions = [design.without_losses, design.with_losses];
     let of = |figure: fn(&Motion) -> Figure| motions.map(|motion| figure(&motion));
     vec![
+        Row::new("held_from", "forward at loads below", "", of(|motion| quantity(motion.held[0]))),
+        Row::new("held_to", "backward at loads above", "", of(|motion| quantity(motion.held[1]))),
         Row::new(
             "generalized_force",
             "generalized force",
@@ -275,9 +328,10 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
             "outcome",
             "",
             of(|motion| match motion.start {
-                Start::After(_) => Figure::Answer("starts", "starts"),
+                Start::After(_) => Figure::Answer("starts", "starts forward"),
                 Start::InBalance => Figure::Answer("in-balance", "in balance: does not start"),
-                Start::Overloaded(_) => Figure::Answer("overloaded", "overloaded: does not start"),
+                Start::Held => Figure::Answer("held", "held by mesh friction"),
+                Start::Backward(_) => Figure::Answer("runs-backward", "runs backward"),
             }),
         ),
         Row::new(
@@ -286,7 +340,7 @@ fn motions(design: &DriveDesign) -> Vec<Row> {
             "t",
             of(|motion| match motion.start {
                 Start::After(time) => quantity(time),
-                Start::InBalance | Start::Overloaded(_) => optional::<Time>(None),
+                Start::InBalance | Start::Held | Start::Backward(_) => optional::<Time>(None),
             }),
         ),
     ]

@@ -4,12 +4,12 @@ use super::design::{Drawn, refuse};
 use super::{Files, View};
 use crate::failure::Failure;
 use crate::output;
+use crate::writing::Content;
 use epicyclic_drawing::{Scene, dxf, svg};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_pictures::motor;
-use std::path::PathBuf;
 use uom::si::angle::degree;
 use uom::si::curvature::radian_per_millimeter;
 use uom::si::length::millimeter;
@@ -18,15 +18,18 @@ use uom::si::length::millimeter;
 const MOST_POINTS: u32 = 100_000;
 
 /// Every file that is asked for, before any is written.
-pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<(PathBuf, String)>, Failure> {
+pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<Content>, Failure> {
     let mut written = vec![];
     if files.svg.is_some() || files.dxf.is_some() {
-        let scene = scene(files.view, drawn)?;
+        let scene = scene(files.view, drawn).map_err(|failure| match failure {
+            Failure::Picture(epicyclic_pictures::Error::Motor(error)) => refuse(error),
+            failure => failure,
+        })?;
         if let Some(file) = &files.svg {
-            written.push((file.clone(), svg::write(&scene)?));
+            written.push((file.clone(), svg::write(&scene)?.into_bytes()));
         }
         if let Some(file) = &files.dxf {
-            written.push((file.clone(), dxf::write(&scene)?));
+            written.push((file.clone(), dxf::write(&scene)?.into_bytes()));
         }
     }
     if let Some(file) = &files.csv {
@@ -34,13 +37,13 @@ pub(super) fn content(files: &Files, drawn: &Drawn) -> Result<Vec<(PathBuf, Stri
             let message = format!("{} points of a half-lobe: from 1 to {MOST_POINTS}", files.points);
             return Err(Failure::Option { option: "--points", message });
         }
-        written.push((file.clone(), centrodes(&drawn.motor, files.points)?));
+        written.push((file.clone(), centrodes(&drawn.motor, files.points)?.into_bytes()));
     }
     Ok(written)
 }
 
 pub(super) fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
-    let scene = match view {
+    Ok(match view {
         View::Centrodes => motor::centrodes(&drawn.motor, drawn.angle),
         View::Motor => motor::whole(&drawn.motor, drawn.angle),
         View::Chambers => motor::chambers(&drawn.motor, drawn.angle),
@@ -51,11 +54,7 @@ pub(super) fn scene(view: View, drawn: &Drawn) -> Result<Scene, Failure> {
                 return Err(Failure::Option { option: "--view teeth", message });
             }
         },
-    };
-    scene.map_err(|error| match error {
-        epicyclic_pictures::Error::Motor(error) => refuse(error),
-        error => error.into(),
-    })
+    }?)
 }
 
 /// Points of both centrodes, evenly spaced along each half-lobe, counter-clockwise from a crest on the x axis.

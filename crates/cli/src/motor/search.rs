@@ -7,7 +7,7 @@ use super::design::{Chosen, Drawn, refuse};
 use super::{Files, files};
 use crate::failure::Failure;
 use crate::lists::Quantities;
-use crate::output::{Format, OutputArgs, complain, write_file};
+use crate::output::{Format, OutputArgs, complain};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_hydromotor::checks::ToothHeights;
 use epicyclic_hydromotor::closure::Family;
@@ -65,7 +65,7 @@ pub(crate) struct Args {
     width: Option<Quantity<Length>>,
 
     /// How far the displacement may lie from the wanted one, where module and width are given: 2%, or 0.02.
-    #[arg(long, default_value = "2%", allow_hyphen_values = true)]
+    #[arg(long, default_value = "2%", requires = "module", requires = "width", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
     /// Width over the stator's diameter, which then gives both module and width.
@@ -125,12 +125,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// Number of the design that is drawn.
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    /// Number of the design that is drawn, or whose centrodes are written.
+    #[arg(long, requires = "files", value_name = "N", default_value_t = 1)]
     design: usize,
 
     /// Angle of the rotor in the drawing.
-    #[arg(long, default_value = "0 deg", allow_hyphen_values = true)]
+    #[arg(long, default_value = "0 deg", requires = "drawing", allow_hyphen_values = true)]
     angle: Quantity<Angle>,
 
     #[command(flatten)]
@@ -217,10 +217,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let shown = &listed[..limit.min(listed.len())];
     let hidden = listed.len() - shown.len();
     let report = answer::report(&search, &found, shown, hidden, all);
-    for (file, content) in &files {
-        write_file(file, content.as_bytes())?;
-    }
-    report.deliver(&args.output)?;
+    report.deliver_with(files, &args.output)?;
     if format != Format::Table && hidden > 0 {
         complain(&format!("note: {} designs found, {} shown", found.designs.len(), shown.len()));
     }

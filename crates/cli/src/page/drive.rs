@@ -12,9 +12,7 @@ use uom::si::time::second;
 
 pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure> {
     let (title, design) = drive::calculate(document)?;
-    let picture = |scene: Result<_, epicyclic_drawing::Error>| {
-        scene.map_err(|error| Failure::Format(error.to_string()))
-    };
+    let picture = |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(Failure::from);
     let wheels = &design.wheels;
     let angles = design.gear.spacing.angles();
     let set = GearSet {
@@ -96,7 +94,7 @@ fn start(design: &DriveDesign) -> Option<Plot> {
     let speed = design.speeds.sun.get::<revolution_per_minute>();
     let time = |start: Start| match start {
         Start::After(time) => Some(time.get::<second>()),
-        Start::InBalance | Start::Overloaded(_) => None,
+        Start::InBalance | Start::Held | Start::Backward(_) => None,
     };
     let starts = [
         ("without losses", time(design.without_losses.start)),

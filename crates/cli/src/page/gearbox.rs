@@ -8,11 +8,13 @@ use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
 use epicyclic_schemes::drawability::{self, Layout, Verdict};
-use epicyclic_schemes::row::{Gearing, RowKind, RowSpec};
+use epicyclic_schemes::set::{Gearing, SetKind, SetSpec};
 use epicyclic_schemes::{Analysis, Gearbox};
 
-/// Places in a range of `k`.
-const PLACES: u32 = 60;
+/// Places in a range of `k`, at most and at least.
+const PLACES: [u32; 2] = [60, 12];
+/// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes seconds.
+const ANALYSES: usize = 6000;
 
 pub(super) fn sheet(
     choice: &Choice,
@@ -20,7 +22,13 @@ pub(super) fn sheet(
     load: &Load,
     text: String,
 ) -> Result<Sheet, Failure> {
-    let Everything { subject, overview, gears } = everything(choice, document, load)?;
+    let everything = everything(choice, document, load)?;
+    let base = everything.subject.base.clone();
+    page(everything, text).map_err(|failure| failure.in_file(document, &base))
+}
+
+fn page(everything: Everything, text: String) -> Result<Sheet, Failure> {
+    let Everything { subject, overview, gears } = everything;
     let gearbox = &subject.gearbox;
     let analyses = gearbox
         .gears()
@@ -66,7 +74,7 @@ pub(super) fn sheet(
         title: gearbox.name().to_owned(),
         about: format!(
             "Planetary gearbox with {}, {} and {}",
-            count(gearbox.rows().len(), "row"),
+            count(gearbox.sets().len(), "set"),
             count(gearbox.controls().len(), "control"),
             count(gearbox.gears().len(), "gear")
         ),
@@ -125,21 +133,23 @@ fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Resu
 }
 
 fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T, Failure> {
-    drawn.map_err(|error| Failure::Format(error.to_string()))
+    drawn.map_err(Failure::from)
 }
 
-/// Efficiency, ratio and planet speed of each gear over the `k` of each row.
+/// Efficiency, ratio and planet speed of each gear over the `k` of each set.
 fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
     let mut blocks = vec![Block::words(
-        "What changes with the k of one row while the others stay as they are; gears that do not change are left out. Planet: speed of that row's planet on its carrier, \
+        "What changes with the k of one set while the others stay as they are; gears that do not change are left out. Planet: speed of that set's planet on its carrier, \
          over the input's. The mark is this gearbox.",
     )];
-    let rows = gearbox.rows().iter().enumerate().filter(|(_, row)| !row.spec().kind.is_pair());
-    for (place, row) in rows {
-        let k = row.stationary_ratio().get().abs();
-        let studied = study(gearbox, place, range(row.spec().kind, k));
-        let across = format!("k of row {}", row.id());
-        let has_losses = row.spec().loss.row_efficiency().get() < 1.0;
+    // A set with more than two central gears has no one k.
+    let sets = gearbox.sets().iter().enumerate().filter(|(_, set)| !set.is_pair());
+    for (place, set) in sets {
+        let Some(kind) = set.kind() else { continue };
+        let k = set.basic_ratio().get().abs();
+        let studied = study(gearbox, place, range(kind, k));
+        let across = format!("k of set {}", set.id());
+        let has_losses = set.has_losses();
         let plots = [
             ("Ratio", "ratio i", Some(&studied.ratios)),
             ("Efficiency", "efficiency η", has_losses.then_some(&studied.efficiencies)),
@@ -147,13 +157,13 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
         ];
         for (title, up, curves) in plots {
             let Some(curves) = curves.filter(|curves| !curves.is_empty()) else { continue };
-            let title = format!("{title} over k of row {}", row.id());
+            let title = format!("{title} over k of set {}", set.id());
             let plot = curves
                 .iter()
                 .cloned()
                 .fold(Plot::new(&title, &across, up), Plot::with)
                 .mark("this gearbox", k);
-            let scene = plot.scene().map_err(|error| Failure::Format(error.to_string()))?;
+            let scene = plot.scene().map_err(Failure::from)?;
             blocks.push(Block::picture(scene, title));
         }
     }
@@ -161,9 +171,9 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
 }
 
 /// The `k` to look at: those usual for a row with sun and ring, and its own.
-fn range(kind: RowKind, k: f64) -> [f64; 2] {
+fn range(kind: SetKind, k: f64) -> [f64; 2] {
     match kind {
-        RowKind::Simple => [k.min(1.5), k.max(4.5)],
+        SetKind::Simple => [k.min(1.5), k.max(4.5)],
         _ => [0.6 * k, 1.6 * k],
     }
 }
@@ -176,34 +186,39 @@ struct Study {
 }
 
 fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
-    // Each sample is analysed once for all its curves.
-    let analyses = |k: f64| -> Vec<Option<Analysis>> {
-        let other = with_k(gearbox, row, k);
-        let gears = gearbox.gears().iter();
-        gears.map(|gear| other.as_ref()?.analyze(gear.name()).ok()).collect()
+    // Each sample is analysed once for all its curves: ratio, efficiency and planet speed of each gear.
+    type Sample = Vec<[Option<f64>; 3]>;
+    let of_gear = |other: &Gearbox, gear: &str| -> Option<[Option<f64>; 3]> {
+        let analysis = other.analyze(gear).ok()?;
+        let planets = analysis.sets().get(row)?.planets.iter().flatten();
+        let fastest = planets.map(|planet| planet.relative.abs()).reduce(f64::max);
+        Some([
+            analysis.ratio().filter(|ratio| ratio.abs() < 20.0),
+            analysis.efficiency().filter(|efficiency| *efficiency > 0.5),
+            fastest.filter(|speed| *speed < 20.0),
+        ])
     };
-    let samples: Vec<(f64, Vec<Option<Analysis>>)> = (0..=PLACES)
-        .map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES))
-        .map(|k| (k, analyses(k)))
+    let sample = |k: f64| -> Sample {
+        let other = with_k(gearbox, row, k);
+        let of = |gear: &epicyclic_schemes::Gear| of_gear(other.as_ref()?, gear.name());
+        gearbox.gears().iter().map(|gear| of(gear).unwrap_or_default()).collect()
+    };
+    let [most, fewest] = PLACES;
+    let each = ANALYSES / (gearbox.sets().len() * gearbox.gears().len()).max(1);
+    let places = u32::try_from(each).unwrap_or(most).clamp(fewest, most);
+    let samples: Vec<(f64, Sample)> = (0..=places)
+        .map(|i| low + (high - low) * f64::from(i) / f64::from(places))
+        .map(|k| (k, sample(k)))
         .collect();
-    let curves = |value: &dyn Fn(&Analysis) -> Option<f64>| {
+    let curves = |value: usize| {
         let curve = |(place, gear): (usize, &epicyclic_schemes::Gear)| {
-            let at = |(k, gears): &(f64, Vec<Option<Analysis>>)| {
-                [*k, gears[place].as_ref().and_then(value).unwrap_or(f64::NAN)]
-            };
+            let at = |(k, gears): &(f64, Sample)| [*k, gears[place][value].unwrap_or(f64::NAN)];
             Curve::new(format!("gear {}", gear.name()), samples.iter().map(at).collect()).colored(place)
         };
         let all = gearbox.gears().iter().enumerate().map(curve);
         all.filter(changes).collect::<Vec<_>>()
     };
-    Study {
-        ratios: curves(&|analysis| analysis.ratio().filter(|ratio| ratio.abs() < 20.0)),
-        efficiencies: curves(&|analysis| analysis.efficiency().filter(|efficiency| *efficiency > 0.5)),
-        planets: curves(&|analysis| {
-            let planets = analysis.rows().get(row)?.planets.iter();
-            planets.map(|planet| planet.relative.abs()).reduce(f64::max).filter(|speed| *speed < 20.0)
-        }),
-    }
+    Study { ratios: curves(0), efficiencies: curves(1), planets: curves(2) }
 }
 
 /// Whether a curve is more than a level line.
@@ -215,13 +230,13 @@ fn changes(curve: &Curve) -> bool {
 
 /// The gearbox with another `k` of one row; `None` where that is no row.
 fn with_k(gearbox: &Gearbox, row: usize, k: f64) -> Option<Gearbox> {
-    let id = gearbox.rows()[row].id().to_owned();
-    let change = |spec: RowSpec| {
+    let id = gearbox.sets()[row].id().to_owned();
+    let change = |spec: SetSpec| {
         if spec.id == id {
-            RowSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
+            SetSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
         } else {
             spec
         }
     };
-    gearbox.to_builder().map_rows(change).build().ok()
+    gearbox.to_builder().map_sets(change).build().ok()
 }

@@ -141,7 +141,7 @@ impl Block {
         Ok(match self {
             Self::Answer(report) => report.html(),
             Self::Picture { scene, caption } => {
-                let image = svg::embed(scene).map_err(|error| Failure::Format(error.to_string()))?;
+                let image = svg::embed(scene).map_err(Failure::from)?;
                 html! { figure { (PreEscaped(image)) figcaption { (caption) } } }
             }
             Self::Words(words) => html! { p { (words) } },

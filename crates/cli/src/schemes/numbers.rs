@@ -49,9 +49,9 @@ fn parameters(dimensioned: &Dimensioned, eta0: MeshEfficiency) -> Section {
     Section { name: "parameters", title: "Parameters", columns: &[], rows, note: "" }
 }
 
-fn results(dimensioned: &Dimensioned, gears: &[Analysis]) -> Records {
+fn results(dimensioned: &Dimensioned, gears: &[Analysis<'_>]) -> Records {
     let controls = dimensioned.gearbox.controls();
-    let row = |gear: &Analysis| {
+    let row = |gear: &Analysis<'_>| {
         let engaged = gear.gear().engaged().first().copied();
         let torque = gear.driving().zip(engaged).and_then(|(case, place)| case.controls[place]);
         vec![
@@ -99,17 +99,17 @@ fn results(dimensioned: &Dimensioned, gears: &[Analysis]) -> Records {
 }
 
 /// As the source's tables 3.1 and 3.2 have them.
-fn speeds(scheme: Scheme, gears: &[Analysis]) -> Records {
+fn speeds(scheme: Scheme, gears: &[Analysis<'_>]) -> Records {
     let mut rows = vec![];
     for (place, links) in scheme.rows().iter().enumerate() {
         for (member, (symbol, role)) in ["a", "b", "H"].into_iter().zip(links).enumerate() {
-            let of = |gear: &Analysis| gear.rows()[place].members[member];
+            let of = |gear: &Analysis<'_>| gear.sets()[place].members[member];
             rows.push(line(format!("{symbol}{}", place + 1), role.symbol(), gears, of));
         }
-        let planet = |gear: &Analysis| gear.rows()[place].planets.first().copied();
-        let absolute = |gear: &Analysis| planet(gear).and_then(|planet| planet.absolute);
+        let planet = |gear: &Analysis<'_>| gear.sets()[place].planets.first().copied().flatten();
+        let absolute = |gear: &Analysis<'_>| planet(gear).and_then(|planet| planet.absolute);
         rows.push(line(format!("g{}", place + 1), "", gears, absolute));
-        let relative = |gear: &Analysis| planet(gear).map(|planet| planet.relative);
+        let relative = |gear: &Analysis<'_>| planet(gear).map(|planet| planet.relative);
         rows.push(line(format!("g{0} on H{0}", place + 1), "", gears, relative));
     }
     let mut columns = vec![Column::words("member", "member"), Column::words("link", "link")];
@@ -131,7 +131,7 @@ fn line(name: String, link: &str, gears: &[Analysis], of: impl Fn(&Analysis) -> 
 }
 
 /// What section 3.1 of the source would object to.
-fn warnings(dimensioned: &Dimensioned, gears: &[Analysis]) -> Vec<(&'static str, String)> {
+fn warnings(dimensioned: &Dimensioned, gears: &[Analysis<'_>]) -> Vec<(&'static str, String)> {
     let mut all = vec![];
     let recommended = ParameterRange::RECOMMENDED;
     for (place, k) in dimensioned.k.iter().enumerate().filter(|(_, k)| !recommended.contains(**k)) {

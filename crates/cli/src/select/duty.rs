@@ -110,13 +110,13 @@ fn control(gearbox: &Gearbox, operation: Option<&Operation>, id: &str) -> Figure
 }
 
 fn of_members(no: u32, gear: &str, gearbox: &Gearbox, at: &Operation) -> Vec<Vec<Figure>> {
-    let of_row = |(place, row): (usize, &epicyclic_schemes::row::Row)| {
-        let torques = at.members[place];
+    let of_row = |(place, row): (usize, &epicyclic_schemes::PlanetSet)| {
+        let torques = at.members[place].as_ref();
         let mut cells = vec![Figure::Count(no), text(gear), text(row.id())];
         cells.extend((0..3).map(|member| column(torques.map(|torques| torques[member]))));
         cells
     };
-    gearbox.rows().iter().enumerate().map(of_row).collect()
+    gearbox.sets().iter().enumerate().map(of_row).collect()
 }
 
 fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {

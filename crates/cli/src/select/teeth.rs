@@ -21,24 +21,27 @@ use uom::si::length::{meter, millimeter};
 /// Designs that a search shows unless said otherwise.
 const SHOWN: usize = 10;
 
+/// The most that it shows: each takes some 35 kB while the answer is written.
+const MOST_SHOWN: usize = 10_000;
+
 /// Tooth numbers tried.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Tooth numbers, with --teeth")]
 pub(super) struct Bounds {
     /// Teeth of the suns.
-    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     sun: Span<u32>,
 
     /// Teeth of the planets.
-    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     planet: Span<u32>,
 
     /// Teeth of the rings.
-    #[arg(long, value_name = "RANGE", default_value = "12..200")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     ring: Span<u32>,
 
     /// Number of planets of a row, from 2 to 8.
-    #[arg(long, value_name = "RANGE", default_value = "3..8")]
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
     planet_count: Span<u32>,
 }
 
@@ -53,6 +56,13 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
         });
     }
     let limit = args.limit.unwrap_or(SHOWN);
+    if limit > MOST_SHOWN {
+        let message = format!(
+            "{limit} designs, each measured and written in full: at most {MOST_SHOWN}; narrow the ranges of teeth or the \
+             tolerance to see what lies further back on the front"
+        );
+        return Err(Failure::Option { option: "--limit", message });
+    }
     let search = ToothSearch {
         bounds: bounds(args)?,
         order,
@@ -112,7 +122,9 @@ fn module(args: &Args) -> Result<Option<RangeInclusive<Length>>, Failure> {
 /// An entry with the first of its designs, measured.
 struct Measured {
     objectives: Objectives,
-    designs: Vec<ToothDesign>,
+    first: ToothDesign,
+    /// Designs with the same objectives beside the first.
+    others: u64,
     candidate: Candidate,
 }
 
@@ -122,10 +134,10 @@ fn report(args: &Args, demand: &Demand, found: &Found, limit: usize) -> Result<R
         .iter()
         .take(limit)
         .filter_map(|entry| {
-            let designs = found.designs(entry);
-            let first = designs.first()?.clone();
+            let (first, count) = found.first_design(entry)?;
+            let others = count.saturating_sub(1);
             Some(measure(demand, &first).map(|candidate| {
-                candidate.map(|candidate| Measured { objectives: entry.objectives, designs, candidate })
+                candidate.map(|candidate| Measured { objectives: entry.objectives, first, others, candidate })
             }))
         })
         .filter_map(Result::transpose)
@@ -228,16 +240,15 @@ fn designs(demand: &Demand, all: &[Measured]) -> Records {
 }
 
 fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
-    let first = &one.designs[0];
+    let first = &one.first;
     let teeth = |row: usize| first.pairs.first().map_or_else(String::new, |pair| shown(&pair[row]));
-    let all: usize = one.designs.iter().map(|design| design.pairs.len()).sum();
     let mut figures = vec![
         Figure::Count(place as u32 + 1),
         text(candidates::name(one.candidate.mechanism)),
         text(first.structure.to_string()),
         text(teeth(0)),
         text(teeth(1)),
-        Figure::Count(u32::try_from(all.saturating_sub(1)).unwrap_or(u32::MAX)),
+        Figure::Count(u32::try_from(one.others).unwrap_or(u32::MAX)),
     ];
     figures.extend(measures::figures(demand, &one.candidate.gears, &first.k, &one.objectives));
     figures.push(Figure::YesNo(one.candidate.mixes_senses()));

@@ -17,7 +17,7 @@ pub(super) struct Answer<'a> {
     /// Its relative tolerance.
     pub(super) tolerance: f64,
     /// How many sets there are.
-    pub(super) found: usize,
+    pub(super) found: u64,
     /// Those to be shown.
     pub(super) shown: &'a [Candidate],
 }
@@ -29,6 +29,11 @@ pub(super) fn in_words(mode: Mode) -> String {
 
 impl Answer<'_> {
     pub(super) fn text(&self, format: Format) -> Result<String, Failure> {
+        let is_finite = |set: &Candidate| set.ratio.is_finite() && set.ratio_error.is_finite();
+        if let Some(set) = self.shown.iter().find(|set| !is_finite(set)) {
+            let figure = format!("ratio_error of the tooth set {}", counts(set).join(" "));
+            return Err(Failure::NotFinite { figure });
+        }
         match format {
             Format::Table => Ok(self.table()),
             Format::Json => output::json(&self.json()),
@@ -40,7 +45,7 @@ impl Answer<'_> {
     pub(super) fn count(&self) -> String {
         let sets = if self.found == 1 { "set" } else { "sets" };
         match self.shown.len() {
-            shown if shown == self.found => format!("{} tooth {sets}.", self.found),
+            shown if shown as u64 == self.found => format!("{} tooth {sets}.", self.found),
             shown => format!("{} tooth {sets} found, {shown} shown; --limit shows more.", self.found),
         }
     }
@@ -143,7 +148,7 @@ struct Json {
     ratio: f64,
     mode: String,
     tolerance: f64,
-    found: usize,
+    found: u64,
     shown: usize,
     tooth_sets: Vec<JsonSet>,
 }

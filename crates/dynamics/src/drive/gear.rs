@@ -3,33 +3,48 @@
 use super::result::{Gear, Wheel, Wheels};
 use super::spec::{DriveSpec, TeethSpec};
 use super::warning::Warning;
-use super::{USUAL_RATIO, mode};
+use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
 use crate::units::{length, meters};
 use epicyclic_gears::row::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{
-    Bounds, MOST_PLANETS, MOST_TEETH, ToothSet, is_undercut, least_teeth_without_undercut, neighbour_limit,
+    Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothSet, neighbour_limit,
 };
 use std::cmp::Reverse;
 use uom::si::angle::{degree, radian};
 use uom::si::length::millimeter;
 
+/// Relative shortfall of a gap that is the rounding of its calculation.
+const ROUNDING: f64 = 1e-9;
+
 /// The tooth set given, or the best within the bounds.
 pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
     match &spec.teeth {
-        TeethSpec::Given(teeth) => {
-            check(*teeth)?;
+        TeethSpec::Given { teeth, tip_gap, .. } => {
+            check(*teeth, *tip_gap)?;
             Ok(*teeth)
         }
         TeethSpec::Within(bounds) => {
-            let bounds = Bounds { addendum: spec.wheels.rack.addendum, ..bounds.clone() };
-            let found = bounds.for_ratio(spec.ratio, mode()?, spec.ratio_tolerance)?;
-            // The candidates come ordered by error, ring, sun; `min_by` keeps the first of equals.
-            let best = found.iter().min_by(|one, other| {
-                let by_error = one.ratio_error.abs().total_cmp(&other.ratio_error.abs());
-                by_error.then(Reverse(one.teeth.planets).cmp(&Reverse(other.teeth.planets)))
-            });
+            let bounds = Bounds { rack: spec.wheels.rack, ..bounds.clone() };
+            // By error, then most planets, smallest ring, smallest sun. One is held at a time.
+            let key = |near: &Near| (Reverse(near.teeth.planets), near.teeth.ring, near.teeth.sun);
+            let mut best: Option<Near> = None;
+            bounds.each_for_ratio(
+                spec.ratio,
+                mode()?,
+                spec.ratio_tolerance,
+                |_| {},
+                |near| {
+                    let nearer = |best: &Near| {
+                        let by_error = near.ratio_error.abs().total_cmp(&best.ratio_error.abs());
+                        by_error.then_with(|| key(&near).cmp(&key(best))).is_lt()
+                    };
+                    if best.as_ref().is_none_or(nearer) {
+                        best = Some(near);
+                    }
+                },
+            )?;
             let nothing = epicyclic_gears::Error::NoToothSet {
                 wanted: spec.ratio,
                 mode: mode()?,
@@ -41,7 +56,7 @@ pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
     }
 }
 
-fn check(teeth: ToothSet) -> Result<(), Error> {
+fn check(teeth: ToothSet, tip_gap: f64) -> Result<(), Error> {
     let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
     for (wheel, teeth) in [("sun", sun), ("planet", planet), ("ring", ring)] {
         if teeth > MOST_TEETH {
@@ -53,6 +68,10 @@ fn check(teeth: ToothSet) -> Result<(), Error> {
         let (from, to) = (teeth.planets, teeth.planets);
         return Err(epicyclic_gears::Error::PlanetNumber { from, to, most: MOST_PLANETS }.into());
     }
+    if !(tip_gap >= 0.0 && tip_gap.is_finite()) {
+        let (quantity, value, unit) = ("tip gap", tip_gap, "modules");
+        return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
+    }
     if ring == sun + 2 * planet { Ok(()) } else { Err(Error::NotCoaxial { sun, planet, ring }) }
 }
 
@@ -63,7 +82,11 @@ pub(super) fn conditions(
     wheels: &Wheels,
     warnings: &mut Vec<Warning>,
 ) -> Result<Gear, Error> {
-    let addendum = spec.wheels.rack.addendum;
+    let rack = spec.wheels.rack;
+    let (placement, least_gap) = match &spec.teeth {
+        TeethSpec::Given { placement, tip_gap, .. } => (*placement, *tip_gap),
+        TeethSpec::Within(bounds) => (bounds.placement, bounds.tip_gap),
+    };
     let ratio = teeth.stationary_ratio().ratio(mode()?)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
     let chord = 2.0 * meters(wheels.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
@@ -72,11 +95,12 @@ pub(super) fn conditions(
         ratio,
         exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode()?),
         ratio_error: ratio / spec.ratio - 1.0,
-        neighbour_limit: neighbour_limit(teeth.sun, teeth.planet, addendum),
-        most_planets: Bounds { addendum, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
+        neighbour_limit: neighbour_limit(teeth.sun, teeth.planet, &rack),
+        most_planets: Bounds { rack, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
         tip_gap: length(chord - meters(wheels.planet.tip_diameter())),
         spacing,
     };
+    finite("error of the ratio", gear.ratio_error)?;
     if gear.ratio_error.abs() > spec.ratio_tolerance + 4.0 * f64::EPSILON {
         warnings.push(Warning::RatioDeparts { wanted: spec.ratio, ratio, tolerance: spec.ratio_tolerance });
     }
@@ -84,8 +108,8 @@ pub(super) fn conditions(
         warnings.push(Warning::RatioOutsideUsualRange { ratio });
     }
     for (wheel, count) in [(Wheel::Sun, teeth.sun), (Wheel::Planet, teeth.planet)] {
-        if is_undercut(count, addendum) {
-            let at_least = least_teeth_without_undercut(addendum);
+        if rack.undercuts(count) {
+            let at_least = rack.least_teeth_without_undercut();
             warnings.push(Warning::Undercut { wheel, teeth: count.get(), at_least });
         }
     }
@@ -96,7 +120,12 @@ pub(super) fn conditions(
             most_planets: gear.most_planets,
         });
     }
-    if !gear.spacing.is_equal() {
+    let least_gap_mm = least_gap * spec.wheels.module.get::<millimeter>();
+    let gap_mm = gear.tip_gap.get::<millimeter>();
+    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - ROUNDING) {
+        warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });
+    }
+    if !gear.spacing.is_equal() && placement == Placement::Equal {
         warnings.push(Warning::UnequalSpacing {
             planets: teeth.planets,
             slots: gear.spacing.slots(),

@@ -6,10 +6,11 @@ use super::spec::DriveSpec;
 use crate::Error;
 use crate::energy::kinetic_energy;
 use crate::lagrange::starting_time;
-use crate::planetary::{Accelerations, PlanetaryDrive};
+use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
 use crate::reduction::{Link, Orbit};
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
-use uom::si::f64::{MomentOfInertia, Torque};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use uom::si::f64::{MomentOfInertia, Time, Torque};
 
 /// Part of the driving torque below which a surplus is the rounding of the calculation.
 const BALANCE: f64 = 1e-9;
@@ -50,12 +51,14 @@ pub(super) fn without_losses(
     finite("acceleration", rad_per_s2(accelerations.sun))?;
     let force = drive.generalized_force(driving, load)?;
     let inertia = drive.reduced_inertia()?;
-    Ok(settled(Motion {
-        inertia,
-        generalized_force: force,
-        accelerations,
-        start: start(spec, driving, force, inertia)?,
-    }))
+    let held = drive.held_loads(driving, MeshEfficiency::IDEAL, MeshEfficiency::IDEAL);
+    let balance = BALANCE * n_m(driving);
+    let start = match n_m(force) {
+        surplus if surplus.abs() <= balance => Start::InBalance,
+        surplus if surplus < 0.0 => Start::Backward(-force),
+        _ => Start::After(time(spec, force, inertia)?),
+    };
+    Ok(settled(Motion { inertia, generalized_force: force, accelerations, held, start }))
 }
 
 pub(super) fn with_losses(
@@ -65,19 +68,32 @@ pub(super) fn with_losses(
     load: Torque,
 ) -> Result<Motion, Error> {
     let (eta_12, eta_23) = (spec.sun_planet_efficiency, spec.planet_ring_efficiency);
-    let motion = drive.motion_with_losses(driving, load, eta_12, eta_23)?;
-    finite("acceleration", rad_per_s2(motion.accelerations.sun))?;
-    Ok(settled(Motion {
-        inertia: motion.inertia,
-        generalized_force: motion.force,
-        accelerations: motion.accelerations,
-        start: start(spec, driving, motion.force, motion.inertia)?,
-    }))
+    let held = drive.held_loads(driving, eta_12, eta_23);
+    let moving = |motion: LossyMotion, start| {
+        finite("acceleration", rad_per_s2(motion.accelerations.sun))?;
+        let LossyMotion { inertia, force: generalized_force, accelerations, .. } = motion;
+        Ok(settled(Motion { inertia, generalized_force, accelerations, held, start }))
+    };
+    let balance = BALANCE * n_m(driving);
+    match drive.from_rest(driving, load, eta_12, eta_23)? {
+        FromRest::Forward(motion) if n_m(motion.force) > balance => {
+            moving(motion, Start::After(time(spec, motion.force, motion.inertia)?))
+        }
+        FromRest::Backward(motion) if n_m(motion.force) < -balance => {
+            moving(motion, Start::Backward(-motion.force))
+        }
+        // At its least load the drive is in balance, whichever way the last digit fell.
+        FromRest::Forward(_) | FromRest::Held | FromRest::Backward(_) => {
+            let forward = drive.motion_with_losses(driving, load, eta_12, eta_23, Turning::Forward)?;
+            let in_balance = n_m(forward.force).abs() <= balance;
+            moving(forward, if in_balance { Start::InBalance } else { Start::Held })
+        }
+    }
 }
 
-/// In balance nothing accelerates: what rounding left of the force is dropped.
+/// What stays at rest has no acceleration and no force left.
 fn settled(motion: Motion) -> Motion {
-    if motion.start != Start::InBalance {
+    if !matches!(motion.start, Start::InBalance | Start::Held) {
         return motion;
     }
     let rest = angular_acceleration(0.0);
@@ -85,15 +101,8 @@ fn settled(motion: Motion) -> Motion {
     Motion { generalized_force: torque(0.0), accelerations, ..motion }
 }
 
-fn start(spec: &DriveSpec, driving: Torque, force: Torque, inertia: MomentOfInertia) -> Result<Start, Error> {
-    let surplus = n_m(force);
-    if surplus.abs() <= BALANCE * n_m(driving) {
-        return Ok(Start::InBalance);
-    }
-    if surplus < 0.0 {
-        return Ok(Start::Overloaded(torque(-surplus)));
-    }
+fn time(spec: &DriveSpec, force: Torque, inertia: MomentOfInertia) -> Result<Time, Error> {
     let time = starting_time(spec.speed, force, inertia)?;
     finite("starting time", seconds(time))?;
-    Ok(Start::After(time))
+    Ok(time)
 }

@@ -3,8 +3,9 @@
 use epicyclic_gears::bearing::{Bearing, Series};
 use epicyclic_gears::carrier::{Arm, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::geometry::BasicRack;
-use epicyclic_gears::synthesis::{Bounds, ToothSet, least_teeth_without_undercut};
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::synthesis::{Bounds, Placement, ToothSet};
+use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
 use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::pressure::megapascal;
@@ -50,11 +51,26 @@ pub struct DriveSpec {
 pub enum TeethSpec {
     /// These. A set that touches its neighbours, assembles at unequal angles only or misses the ratio is
     /// calculated nevertheless, with a [`Warning`](crate::drive::Warning).
-    Given(ToothSet),
+    Given {
+        /// The set.
+        teeth: ToothSet,
+        /// How its planets may be placed: a set that needs unequal angles is warned of unless they are allowed.
+        placement: Placement,
+        /// Least gap between the tip circles of neighbouring planets, in modules; a smaller one is warned of.
+        tip_gap: f64,
+    },
     /// The set within the bounds whose ratio is nearest to the wanted one; of equally near ones the one
-    /// with most planets, then with the smallest ring, then with the smallest sun. The bounds' addendum is
-    /// that of the wheels, whatever they say.
+    /// with most planets, then with the smallest ring, then with the smallest sun. The bounds' rack is that
+    /// of the wheels, whatever they say.
     Within(Bounds),
+}
+
+impl TeethSpec {
+    /// This set, its planets at equal angles, tips that just clear.
+    #[must_use]
+    pub const fn given(teeth: ToothSet) -> Self {
+        Self::Given { teeth, placement: Placement::Equal, tip_gap: 0.0 }
+    }
 }
 
 /// Shape and material of the wheels.
@@ -136,7 +152,7 @@ impl DriveSpec {
             speed,
             ratio,
             ratio_tolerance: 0.01,
-            teeth: TeethSpec::Within(default_bounds(rack.addendum)),
+            teeth: TeethSpec::Within(default_bounds(rack)),
             sun_planet_efficiency: usual_efficiency(0.97),
             planet_ring_efficiency: usual_efficiency(0.98),
             wheels: WheelSpec {
@@ -164,11 +180,14 @@ impl DriveSpec {
 }
 
 /// Where tooth numbers are sought unless said otherwise: as [`Bounds::default`], but without undercut wheels.
+///
+/// Where a flat pressure angle asks for more than 200 teeth, sun and planet have just the fewest that are not undercut.
 #[must_use]
-pub fn default_bounds(addendum: f64) -> Bounds {
+pub fn default_bounds(rack: BasicRack) -> Bounds {
     let usual = Bounds::default();
-    let least = least_teeth_without_undercut(addendum);
-    Bounds { sun: least..=*usual.sun.end(), planet: least..=*usual.planet.end(), addendum, ..usual }
+    let least = rack.least_teeth_without_undercut().max(1);
+    let external = |usual: &RangeInclusive<u32>| least..=least.max(*usual.end());
+    Bounds { sun: external(&usual.sun), planet: external(&usual.planet), rack, ..usual }
 }
 
 fn usual_efficiency(eta: f64) -> MeshEfficiency {

@@ -4,7 +4,7 @@ use super::*;
 use crate::units::{inertia, joules, kg_m2, length, power, rad_per_s2, seconds, torque, watts};
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
-use epicyclic_gears::geometry::BasicRack;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_gears::teeth::ToothCount;
 use proptest::prelude::*;
@@ -47,7 +47,8 @@ fn shape() -> CarrierSpec {
 /// The source's drive with its shafts, bearings and carrier.
 fn excavator() -> DriveSpec {
     let mut spec = DriveSpec::new(power(106.5e3), rpm(1950.0), 6.0, mm(8.0), mm(60.0));
-    spec.teeth = TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(1.0) });
+    spec.teeth =
+        TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(BasicRack::default()) });
     spec.wheels.rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
     spec.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
     spec.wheels.sun_bore = Bore::Bearing;
@@ -130,14 +131,25 @@ fn the_excavators_shafts_are_too_thin() {
 fn the_excavators_forces() {
     let found = design(&excavator()).unwrap().forces;
     let t1 = 106_500.0 / (65.0 * PI);
-    close(found.sun_mesh.get::<newton>(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
-    close(found.ring_mesh.get::<newton>(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
+    close(found.sun_nominal.get::<newton>(), 2.0 * t1 / (4.0 * 0.16), 1e-8);
+    close(found.ring_nominal.get::<newton>(), 2.0 * 4.753 * t1 / (4.0 * 0.8), 1e-8);
     let tangential = 5.753 * t1 / (4.0 * 0.24);
+    // Where the forces cross the line of centres: 80 mm and a little on the planet's side of the pitch point, by
+    // η = (1 − δ/r₂)/(1 + δ/r₁) with r₁ = 80, r₂ = 160 mm; in the ring's mesh η = (1 + δ/r₃)/(1 + δ/r₂).
+    let of_sun = 0.03 / (1.0 / 0.16 + 0.97 / 0.08);
+    let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
+    close(found.sun_mesh.get::<newton>(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
+    close(found.ring_mesh.get::<newton>(), 4.753 * t1 / (4.0 * (0.4 + of_ring)), 1e-8);
+    // The nominal forces together miss the pin's by 1.7 %.
+    let nominal = (found.sun_nominal + found.ring_nominal).get::<newton>();
+    close(nominal / tangential, 1.0172, 5e-5);
+    // (1597.2 − 1528.2)·tan 20°
+    close(found.pin_meshes.get::<newton>(), 25.1, 0.05);
     close(found.pin_tangential.get::<newton>(), tangential, 1e-8);
     // 31.565 kg: the source's 31.549 with π for 3.14.
     let centrifugal = exact(31.549) * (65.0 * PI / 6.0).powi(2) * 0.24;
     close(found.pin_centrifugal.get::<newton>(), centrifugal, 0.2);
-    close(found.pin.get::<newton>(), tangential.hypot(centrifugal), 0.2);
+    close(found.pin.get::<newton>(), tangential.hypot(centrifugal + 25.1), 0.2);
 }
 
 #[test]
@@ -181,9 +193,28 @@ fn at_full_load_only_the_document_starts() {
 fn more_load_than_torque_is_an_answer() {
     let found = design(&DriveSpec { load: Some(torque(6000.0)), ..excavator() }).unwrap();
     match (found.without_losses.start, found.with_losses.start) {
-        (Start::Overloaded(plain), Start::Overloaded(lossy)) => assert!(n_m(lossy) > n_m(plain)),
+        // Friction holds a part of what drives it backward.
+        (Start::Backward(plain), Start::Backward(lossy)) => assert!(n_m(lossy) < n_m(plain)),
         other => panic!("{other:?}"),
     }
+    let at = |load| design(&DriveSpec { load: Some(torque(load)), ..excavator() }).unwrap();
+    let held = at(3050.0);
+    assert_eq!(held.with_losses.start, Start::Held);
+    assert!(matches!(held.without_losses.start, Start::After(_)));
+    assert_eq!(rad_per_s2(held.with_losses.accelerations.sun), 0.0);
+    assert_eq!(n_m(held.with_losses.generalized_force), 0.0);
+    let [least, greatest] = held.with_losses.held.map(n_m);
+    close(least, 3000.41, 0.01);
+    close(greatest, 3264.74, 0.01);
+    let [alone, same] = held.without_losses.held.map(n_m);
+    close(alone, 6.0 * 106_500.0 / (65.0 * PI), 1e-9);
+    assert_eq!(alone, same);
+    let backward = at(3300.0);
+    assert_eq!(backward.with_losses.start, Start::Backward(-backward.with_losses.generalized_force));
+    close(n_m(backward.with_losses.generalized_force), -5.63, 0.005);
+    // At the edges themselves nothing moves yet.
+    assert_eq!(at(greatest).with_losses.start, Start::Held);
+    assert_eq!(at(least).with_losses.start, Start::InBalance);
     let idle = design(&DriveSpec { load: Some(torque(0.0)), ..excavator() }).unwrap();
     let times = [idle.without_losses.start, idle.with_losses.start].map(|start| match start {
         Start::After(time) => seconds(time),
@@ -204,7 +235,7 @@ fn attached_inertias_are_counted_where_they_turn() {
 
 #[test]
 fn of_equally_near_sets_the_one_with_most_planets_is_taken() {
-    let open = DriveSpec { teeth: TeethSpec::Within(default_bounds(1.0)), ..excavator() };
+    let open = DriveSpec { teeth: TeethSpec::Within(default_bounds(BasicRack::default())), ..excavator() };
     assert_eq!(design(&open).unwrap().gear.teeth, set(18, 36, 90, 4));
 }
 
@@ -237,14 +268,14 @@ fn doubtful_drives_are_calculated_with_warnings() {
     assert_eq!(with(|s| s.carrier = CarrierSpec::Neglected), ["carrier-neglected"]);
     assert_eq!(with(|s| s.wheels.module = mm(8.5)), ["pin-off-centre"]);
     assert_eq!(
-        with(|s| s.teeth = TeethSpec::Given(set(20, 40, 100, 5))),
+        with(|s| s.teeth = TeethSpec::given(set(20, 40, 100, 5))),
         // Five arms of 80 mm fit as well.
         ["neighbour-gap"]
     );
-    assert_eq!(with(|s| s.teeth = TeethSpec::Given(set(21, 39, 99, 4))), ["ratio-departs"]);
+    assert_eq!(with(|s| s.teeth = TeethSpec::given(set(21, 39, 99, 4))), ["ratio-departs"]);
     assert_eq!(
         with(|s| {
-            s.teeth = TeethSpec::Given(set(13, 40, 93, 3));
+            s.teeth = TeethSpec::given(set(13, 40, 93, 3));
             s.ratio = 106.0 / 13.0;
             s.wheels.sun_bore = Bore::Given(mm(50.0));
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
@@ -254,7 +285,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
     );
     assert_eq!(
         with(|s| {
-            s.teeth = TeethSpec::Given(set(60, 30, 120, 4));
+            s.teeth = TeethSpec::given(set(60, 30, 120, 4));
             s.ratio = 3.0;
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
         }),
@@ -262,12 +293,46 @@ fn doubtful_drives_are_calculated_with_warnings() {
     );
     assert_eq!(
         with(|s| {
-            s.teeth = TeethSpec::Given(set(60, 29, 118, 2));
+            s.teeth = TeethSpec::given(set(60, 29, 118, 2));
             s.ratio = 178.0 / 60.0;
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
         }),
         ["ratio-outside-usual-range"]
     );
+}
+
+/// 13 teeth are undercut at 20°, and not at 25°; 20 are, at 14.5°.
+#[test]
+fn undercut_follows_the_pressure_angle() {
+    use epicyclic_gears::synthesis::Placement;
+    use uom::si::angle::degree;
+    let at = |alpha_deg: f64, sun: u32| {
+        let mut spec = excavator();
+        spec.wheels.rack.pressure_angle = uom::si::f64::Angle::new::<degree>(alpha_deg);
+        spec.wheels.sun_bore = Bore::Given(mm(0.0));
+        spec.teeth = TeethSpec::given(set(sun, 40, sun + 80, 3));
+        let teeth = design(&spec).unwrap();
+        let undercut = teeth.warnings.iter().find_map(|warning| match warning {
+            Warning::Undercut { wheel: Wheel::Sun, at_least, .. } => Some(*at_least),
+            _ => None,
+        });
+        let sought = default_bounds(spec.wheels.rack).sun;
+        (undercut, *sought.start())
+    };
+    assert_eq!((at(14.5, 20), at(14.5, 32)), ((Some(32), 32), (None, 32)));
+    assert_eq!((at(20.0, 16), at(20.0, 17)), ((Some(17), 17), (None, 17)));
+    assert_eq!((at(25.0, 10), at(25.0, 11)), ((Some(11), 11), (None, 11)));
+
+    // What was asked of the spacing holds for a given set too: 23 + 103 slots are no multiple of 4.
+    let given = |placement, tip_gap| {
+        let mut spec = excavator();
+        spec.teeth = TeethSpec::Given { teeth: set(23, 40, 103, 4), placement, tip_gap };
+        names(&design(&spec).unwrap())
+    };
+    assert!(given(Placement::Equal, 0.0).contains(&"unequal-spacing"));
+    assert!(!given(Placement::LeastUnequal, 0.0).contains(&"unequal-spacing"));
+    assert!(!given(Placement::Equal, 0.1).contains(&"tip-gap-below-wanted"));
+    assert!(given(Placement::Equal, 3.0).contains(&"tip-gap-below-wanted"));
 }
 
 #[test]
@@ -288,6 +353,14 @@ fn impossible_drives_are_refused() {
     refused!(|s| s.speed = rpm(f64::NAN), Error::Gear(Gear::NotPositive { quantity: "speed", .. }));
     refused!(|s| s.ratio = -6.0, Error::Gear(Gear::NotPositive { quantity: "ratio", .. }));
     refused!(|s| s.ratio_tolerance = -1.0, Error::Gear(Gear::Tolerance { .. }));
+    refused!(|s| s.ratio_tolerance = 1.0, Error::Gear(Gear::Tolerance { .. }));
+    refused!(
+        |s| {
+            s.teeth = TeethSpec::given(set(20, 40, 100, 4));
+            s.ratio = 1e-308;
+        },
+        Error::Overflow { what: "error of the ratio", .. }
+    );
     refused!(
         |s| s.driving_torque = Some(torque(0.0)),
         Error::Gear(Gear::NotPositive { quantity: "driving torque", .. })
@@ -295,15 +368,15 @@ fn impossible_drives_are_refused() {
     refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::NotFinite { what: "load torque", .. });
     refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothSet { nearest: Some(_), .. }));
     refused!(
-        |s| s.teeth = TeethSpec::Given(set(20, 40, 101, 4)),
+        |s| s.teeth = TeethSpec::given(set(20, 40, 101, 4)),
         Error::NotCoaxial { sun: 20, planet: 40, ring: 101 }
     );
     refused!(
-        |s| s.teeth = TeethSpec::Given(set(u32::MAX, 1, 1, 4)),
+        |s| s.teeth = TeethSpec::given(set(u32::MAX, 1, 1, 4)),
         Error::Gear(Gear::ToothRange { wheel: "sun", .. })
     );
     refused!(
-        |s| s.teeth = TeethSpec::Given(set(20, 40, 100, u32::MAX)),
+        |s| s.teeth = TeethSpec::given(set(20, 40, 100, u32::MAX)),
         Error::Gear(Gear::PlanetNumber { .. })
     );
     refused!(|s| s.wheels.module = mm(-8.0), Error::Gear(Gear::NotPositive { quantity: "module", .. }));
@@ -348,9 +421,9 @@ prop_compose! {
         given: bool, sun_range in 12..60_u32,
     ) -> TeethSpec {
         if given {
-            TeethSpec::Given(set(sun, planet, sun + 2 * planet + off, planets))
+            TeethSpec::given(set(sun, planet, sun + 2 * planet + off, planets))
         } else {
-            TeethSpec::Within(Bounds { sun: sun_range..=sun_range + 2, planets: planets..=8, ..default_bounds(1.0) })
+            TeethSpec::Within(Bounds { sun: sun_range..=sun_range + 2, planets: planets..=8, ..default_bounds(BasicRack::default()) })
         }
     }
 }
@@ -392,7 +465,7 @@ prop_compose! {
     ) -> DriveSpec {
         let ratio = f64::from(2 * (sun + planet)) / f64::from(sun);
         let mut spec = DriveSpec::new(power(power_w), rpm(speed), ratio, mm(module), mm(width));
-        spec.teeth = TeethSpec::Given(set(sun, planet, sun + 2 * planet, planets));
+        spec.teeth = TeethSpec::given(set(sun, planet, sun + 2 * planet, planets));
         spec.wheels.sun_bore = Bore::Given(length(0.0));
         spec.wheels.planet_bore = Bore::Given(mm(module));
         spec.load = load.map(torque);
@@ -434,6 +507,12 @@ proptest! {
         let p = &found.powers;
         let left = watts(p.input) - watts(p.output) - watts(p.lost);
         prop_assert!(left.abs() < 1e-12 * watts(p.input));
+        // Both meshes of a planet and its pin balance, with losses too.
+        let meshes = (found.forces.sun_mesh + found.forces.ring_mesh).get::<newton>();
+        prop_assert!((meshes / found.forces.pin_tangential.get::<newton>() - 1.0).abs() < 1e-12);
+        // Nominal forces are larger, by no more than the meshes lose.
+        let nominal = (found.forces.sun_nominal + found.forces.ring_nominal).get::<newton>();
+        prop_assert!(nominal > meshes && nominal / meshes - 1.0 < 1.0 - found.efficiency.stationary);
         // The pins carry the carrier's torque.
         let pins = found.forces.pin_tangential.get::<newton>() * meters(found.wheels.centre_distance);
         let all = pins * f64::from(found.gear.teeth.planets);

@@ -70,12 +70,19 @@ pub enum Warning {
         /// The most equally spaced planets that clear each other.
         most_planets: u32,
     },
-    /// The planets do not assemble at equal angles.
+    /// The tips of neighbouring planets clear each other by less than was asked for.
+    TipGapBelowWanted {
+        /// Gap between the tip circles, mm.
+        gap_mm: f64,
+        /// The least gap wanted, mm.
+        wanted_mm: f64,
+    },
+    /// The planets do not assemble at equal angles, and unequal ones were not allowed.
     UnequalSpacing {
         /// Number of planets.
         planets: u32,
         /// Angles at which a planet fits, `z_a + z_b`.
-        slots: u32,
+        slots: u64,
         /// Greatest deviation from equal spacing, degrees.
         deviation_deg: f64,
     },
@@ -116,6 +123,7 @@ impl Warning {
             Self::StressOutsideUsualRange { .. } => "stress-outside-usual-range",
             Self::Undercut { .. } => "undercut",
             Self::NeighbourGap { .. } => "neighbour-gap",
+            Self::TipGapBelowWanted { .. } => "tip-gap-below-wanted",
             Self::UnequalSpacing { .. } => "unequal-spacing",
             Self::RatioDeparts { .. } => "ratio-departs",
             Self::RatioOutsideUsualRange { .. } => "ratio-outside-usual-range",
@@ -156,6 +164,10 @@ impl fmt::Display for Warning {
                 f,
                 "{planets} planets do not clear each other: their tips overlap by {:.2} mm; at most {most_planets} do",
                 -gap_mm
+            ),
+            Self::TipGapBelowWanted { gap_mm, wanted_mm } => write!(
+                f,
+                "the tips of neighbouring planets clear each other by {gap_mm:.2} mm; {wanted_mm:.2} mm are wanted"
             ),
             Self::UnequalSpacing { planets, slots, deviation_deg } => write!(
                 f,

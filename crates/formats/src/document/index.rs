@@ -12,6 +12,10 @@ use crate::error::Problem;
 /// How deep maps and sequences may nest. A case nests five levels or so; the value parser stops at 128.
 pub(super) const DEPTH_LIMIT: usize = 100;
 
+/// How many values a file may have: scalars, maps and sequences, without keys. The largest file of [`super::SIZE_LIMIT`] bytes
+/// could hold two million, and each takes some hundred bytes here and in the value tree.
+pub(super) const VALUE_LIMIT: usize = 200_000;
+
 /// A line and a column, both from 1; columns count characters. Displays as `12:7`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Position {
@@ -109,6 +113,8 @@ pub(super) fn documents(text: &str) -> Result<Vec<Node>, Found> {
 struct Builder {
     documents: Vec<Node>,
     open: Vec<Open>,
+    /// How many there are so far.
+    values: usize,
 }
 
 struct Open {
@@ -128,6 +134,7 @@ impl Builder {
                 if self.awaits_key() {
                     return self.key(text.into_owned(), at, plain);
                 }
+                self.count(at)?;
                 // A value left out has no position of its own: its key has.
                 let left_out = plain && text.is_empty();
                 let at = self
@@ -183,10 +190,19 @@ impl Builder {
         if self.awaits_key() {
             return Err(self.fail(at, Problem::ComplexKey));
         }
+        self.count(at)?;
         if self.open.len() == DEPTH_LIMIT {
             return Err(self.fail(at, Problem::TooDeep { limit: DEPTH_LIMIT }));
         }
         self.open.push(Open { at, content, key: None });
+        Ok(())
+    }
+
+    fn count(&mut self, at: Position) -> Result<(), Found> {
+        self.values += 1;
+        if self.values > VALUE_LIMIT {
+            return Err(self.fail(at, Problem::TooManyValues { limit: VALUE_LIMIT }));
+        }
         Ok(())
     }
 

@@ -27,6 +27,9 @@ use crate::{
     yaml::{self, Value},
 };
 
+/// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is not one.
+pub const SIZE_LIMIT: u64 = 4 << 20;
+
 /// A YAML document: its value, and the position of each key and value in it.
 #[derive(Debug)]
 pub struct Document {
@@ -39,9 +42,13 @@ impl Document {
     /// Every document of a file; they are parted by `---`. There is at least one.
     ///
     /// # Errors
-    /// Bytes that are not UTF-8, invisible characters, nothing to read, broken syntax, and whatever this module refuses.
+    /// More than [`SIZE_LIMIT`] bytes, bytes that are not UTF-8, invisible characters, nothing to read, broken syntax, and whatever this module refuses.
     pub fn parse_all(file_name: &str, bytes: &[u8]) -> Result<Vec<Self>, Error> {
         let file: Arc<str> = file_name.into();
+        let size = bytes.len() as u64;
+        if size > SIZE_LIMIT {
+            return Err(too_large(file_name, Some(size)));
+        }
         let fail = |(position, path, problem)| {
             Error::new(Place { file: Arc::clone(&file), position, path }, problem)
         };
@@ -224,6 +231,13 @@ impl Document {
         }
         node
     }
+}
+
+/// The error for a file of more than [`SIZE_LIMIT`] bytes, for who reads no further; with the size, if it is known.
+#[must_use]
+pub fn too_large(file_name: &str, size: Option<u64>) -> Error {
+    let place = Place { file: file_name.into(), position: Position::START, path: Path::root() };
+    Error::new(place, Problem::TooLarge { limit: SIZE_LIMIT, size })
 }
 
 fn step<'a>(value: &'a Value, segment: &Segment) -> Option<&'a Value> {

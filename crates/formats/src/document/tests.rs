@@ -162,7 +162,7 @@ fn a_decimal_comma_is_recognised_in_every_number() {
         ),
         (
             "given:\n  power: 1 W\n  ratio: 1e999",
-            "not-finite | c.yaml:3:10: given.ratio: 1e999: not a finite number; write one between -1.7e308 and 1.7e308",
+            "not-finite | c.yaml:3:10: given.ratio: 1e999: not a finite number; write one such as 3.94",
         ),
     ]);
 }
@@ -269,11 +269,11 @@ fn what_hides_values_is_refused() {
         ),
         (
             "given: {ratio: .nan}",
-            "not-finite | c.yaml:1:16: given.ratio: .nan: not a finite number; write one between -1.7e308 and 1.7e308",
+            "not-finite | c.yaml:1:16: given.ratio: .nan: not a finite number; write one such as 3.94",
         ),
         (
             "given: {arms: [1, -.INF]}",
-            "not-finite | c.yaml:1:19: given.arms[1]: -.inf: not a finite number; write one between -1.7e308 and 1.7e308",
+            "not-finite | c.yaml:1:19: given.arms[1]: -.inf: not a finite number; write one such as 3.94",
         ),
         ("? [a]\n: 1\n", "complex-key | c.yaml:1:3: a key must be plain text, not a map or a sequence"),
     ]);
@@ -402,4 +402,40 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn a_file_beyond_the_limit_is_refused_unread() {
+    let limit = usize::try_from(super::SIZE_LIMIT).unwrap();
+    // Not even text: its size alone is looked at.
+    let error = Document::parse_one("c.yaml", &vec![0xff; limit + 1]).unwrap_err();
+    let due = "c.yaml:1:1: the file is larger than 4194304 bytes: it has 4194305; a description is text and far smaller";
+    assert_eq!((error.name(), error.to_string().as_str()), ("too-large", due));
+    let whole = format!("title: {}\n", "x".repeat(limit - "title: \n".len()));
+    assert!(Document::parse_one("c.yaml", whole.as_bytes()).is_ok());
+    assert!(Document::parse_one("c.yaml", format!("{whole} ").as_bytes()).is_err());
+}
+
+#[test]
+fn a_file_of_too_many_values_is_refused_where_they_become_too_many() {
+    let limit = super::index::VALUE_LIMIT;
+    // The sequence is a value too.
+    let of = |count: usize| format!("a:\n{}", "- x\n".repeat(count));
+    assert!(Document::parse_one("c.yaml", of(limit - 2).as_bytes()).is_ok());
+    let error = Document::parse_one("c.yaml", of(limit).as_bytes()).unwrap_err();
+    let due = "c.yaml:200000:3: a[199998]: the file has more than 200000 values";
+    assert_eq!((error.name(), error.to_string().as_str()), ("too-many-values", due));
+}
+
+#[test]
+fn a_message_is_one_line_that_shows_every_character_of_a_name() {
+    let error =
+        Document::parse_one("c\u{1b}[2J\n.yaml", b"{\"a\\e[31m\\n\": 1, \"a\\e[31m\\n\": 2}").unwrap_err();
+    let text = error.to_string();
+    assert!(!text.contains(char::is_control), "{text:?}");
+    assert!(
+        text.starts_with(r"c\u001b[2J\n.yaml:1:18: ")
+            && text.contains(r"the key a\u001b[31m\n is written twice"),
+        "{text}"
+    );
 }

@@ -4,7 +4,7 @@ use epicyclic_dynamics::drive::{Bore, CarrierSpec, DriveSpec, ShaftSpec, TeethSp
 use epicyclic_gears::bearing::{self, Series};
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::geometry::BasicRack;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Placement, ToothSet};
 use epicyclic_gears::{Error as GearError, ToothCount};
 use std::ops::RangeInclusive;
@@ -28,7 +28,7 @@ impl DriveFile {
             clearance: wheels.clearance.map_or(rack.clearance, Number::get),
             pressure_angle: or(wheels.pressure_angle, rack.pressure_angle),
         };
-        let (teeth, own_ratio) = teeth(&self.teeth.clone().unwrap_or_default(), rack.addendum)?;
+        let (teeth, own_ratio) = teeth(&self.teeth.clone().unwrap_or_default(), rack)?;
         let ratio = self.ratio.map(Number::get).or(own_ratio).ok_or_else(|| Misfit {
             path: Path::root(),
             problem: Problem::MissingKey { key: "ratio".to_owned() },
@@ -80,10 +80,15 @@ fn or<T>(given: Option<Quantity<T>>, usual: T) -> T {
 }
 
 /// The teeth, and the ratio of a set given in full.
-fn teeth(file: &TeethFile, addendum: f64) -> Result<(TeethSpec, Option<f64>), Misfit> {
+fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), Misfit> {
     let single = |span: Option<Span<u32>>| span.and_then(|span| span.single());
     let count = |value, path| ToothCount::new(value).map_err(|error| Misfit::new(path, error));
     let (sun, planet, ring) = (single(file.sun), single(file.planet), single(file.ring));
+    let tip_gap = file.tip_gap.map_or(0.0, Number::get);
+    let placement = match file.spacing {
+        None | Some(Spacing::Equal) => Placement::Equal,
+        Some(Spacing::LeastUnequal) => Placement::LeastUnequal,
+    };
     if let (Some(sun), Some(planets)) = (sun, single(file.planets))
         && (planet.is_some() || ring.is_some())
         && (file.planet.is_none() || planet.is_some())
@@ -110,9 +115,10 @@ fn teeth(file: &TeethFile, addendum: f64) -> Result<(TeethSpec, Option<f64>), Mi
         };
         let (planet, ring) = (count(planet, "teeth.planet")?, count(ring, "teeth.ring")?);
         let ratio = 1.0 + ring.as_f64() / sun.as_f64();
-        return Ok((TeethSpec::Given(ToothSet { sun, planet, ring, planets }), Some(ratio)));
+        let teeth = ToothSet { sun, planet, ring, planets };
+        return Ok((TeethSpec::Given { teeth, placement, tip_gap }, Some(ratio)));
     }
-    let mut bounds = default_bounds(addendum);
+    let mut bounds = default_bounds(rack);
     let range = |span: Option<Span<u32>>, usual: &RangeInclusive<u32>, path| {
         let range = span.map_or(Ok(usual.clone()), |span| span.within(usual.clone()));
         let range = range.map_err(|error| Misfit::new(path, error))?;
@@ -125,11 +131,7 @@ fn teeth(file: &TeethFile, addendum: f64) -> Result<(TeethSpec, Option<f64>), Mi
         let range = planets.within(bounds.planets.clone());
         bounds.planets = range.map_err(|error| Misfit::new("teeth.planets", error))?;
     }
-    bounds.tip_gap = file.tip_gap.map_or(bounds.tip_gap, Number::get);
-    bounds.placement = match file.spacing {
-        None | Some(Spacing::Equal) => Placement::Equal,
-        Some(Spacing::LeastUnequal) => Placement::LeastUnequal,
-    };
+    (bounds.tip_gap, bounds.placement) = (tip_gap, placement);
     Ok((TeethSpec::Within(bounds), None))
 }
 

@@ -60,7 +60,7 @@ fn teeth_given_in_full_need_no_ratio() {
         TeethSpec::Within(bounds) => {
             assert_eq!((bounds.sun, bounds.ring, bounds.planets), (17..=40, 12..=150, 4..=4));
         }
-        TeethSpec::Given(_) => panic!("a range was taken for a number"),
+        TeethSpec::Given { .. } => panic!("a range was taken for a number"),
     }
 }
 

@@ -4,10 +4,13 @@ use super::DescriptionError;
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
-use epicyclic_schemes::{Error as Engine, Named};
+use epicyclic_schemes::{CompoundFault, Error as Engine, Named};
 
-/// The lists whose entries may bear the name of a control.
-const CONTROLS: [&str; 3] = ["brakes", "clutches", "elements"];
+/// The lists whose entries may bear the name of a shift element.
+const CONTROLS: [&str; 4] = ["brakes", "clutches", "elements", "one_way"];
+
+/// The lists whose entries may bear the name of a set.
+const SETS: [&str; 3] = ["sets", "rows", "compound_sets"];
 
 /// The error at its place in the document; `base` is the gearbox's own path, the root of a file with one.
 ///
@@ -16,11 +19,11 @@ const CONTROLS: [&str; 3] = ["brakes", "clutches", "elements"];
 /// use epicyclic_formats::{Document, Path};
 ///
 /// # fn main() -> Result<(), epicyclic_formats::Error> {
-/// let text = b"gearbox: I\ninput: D\noutput: B\nrows:\n- { id: P, sun: D, ring: T1, carrier: B, k: 0.9 }\n";
+/// let text = b"gearbox: I\ninput: D\noutput: B\nsets:\n- { id: P, sun: D, ring: T1, carrier: B, k: 0.9 }\n";
 /// let document = Document::parse_one("box.yaml", text)?;
 /// let refused = document.read::<GearboxFile>()?.gearbox().unwrap_err();
 /// let error = located(&document, &Path::root(), &refused);
-/// assert!(error.to_string().starts_with("box.yaml:5:45: rows[0].k: k = 0.9 of row `P`"));
+/// assert!(error.to_string().starts_with("box.yaml:5:45: sets[0].k: k = 0.9 of set `P`"));
 /// # Ok(())
 /// # }
 /// ```
@@ -28,6 +31,13 @@ const CONTROLS: [&str; 3] = ["brakes", "clutches", "elements"];
 pub fn located(document: &Document, base: &Path, error: &DescriptionError) -> Error {
     let file = File { document, base };
     document.error(&file.place(error), Problem::Refused { message: error.to_string() })
+}
+
+/// The place of a key of a gear, of a gear that has it; else the gear's.
+#[must_use]
+pub fn gear_place(document: &Document, base: &Path, gear: &str, key: &str) -> Path {
+    let file = File { document, base };
+    file.key(file.entry(&["gears"], gear), key)
 }
 
 struct File<'a> {
@@ -39,13 +49,15 @@ impl File<'_> {
     fn place(&self, error: &DescriptionError) -> Path {
         use DescriptionError as E;
         match error {
-            E::RowKnownInOneWay { row } | E::Losses { row, .. } | E::Missing { row, .. } => self.row(row),
-            E::Row { row, source } => {
-                keys_of(source).iter().fold(self.row(row), |path, key| self.key(path, key))
+            E::RowKnownInOneWay { set } | E::Losses { set, .. } | E::Missing { set, .. } => self.set(set),
+            E::Set { set, source } => {
+                keys_of(source).iter().fold(self.set(set), |path, key| self.key(path, key))
             }
-            E::Carrier { row, .. } => self.key(self.row(row), "carrier"),
-            E::PlanetTeeth { row, .. } => self.key(self.row(row), "planet_teeth"),
-            E::MemberInNoNode { row, member } => self.text(self.row(row), member),
+            E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
+            E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
+            E::MemberInNoNode { set, member } => self.text(self.set(set), member),
+            E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
+            E::Clutch { clutch } => self.entry(&CONTROLS, clutch),
             E::MemberInTwoNodes { member, second, .. } => {
                 self.text(self.base.clone().key("nodes").key(second.as_str()), member)
             }
@@ -58,44 +70,116 @@ impl File<'_> {
             Engine::Unknown { name, place, .. } => self.text(self.named(place), name),
             Engine::GroundedTerminal { place } => self.text(self.named(place), epicyclic_schemes::GROUND),
             Engine::Duplicate { what, name } => match what {
-                Named::Row => self.row(name),
+                Named::Set => self.set(name),
                 Named::Control => self.entry(&CONTROLS, name),
                 Named::Gear => self.entry(&["gears"], name),
                 _ => self.text(self.base.clone().key("links"), name),
             },
-            Engine::CoincidentMembers { row, .. } | Engine::StepsMissing { row, .. } => self.row(row),
-            Engine::RowParameter { row, .. } => {
-                ["k", "teeth", "z_r"].iter().fold(self.row(row), |path, key| self.key(path, key))
+            Engine::CoincidentMembers { set, .. }
+            | Engine::StepsMissing { set, .. }
+            | Engine::BasicRatio { set, .. } => self.set(set),
+            Engine::RowParameter { set, .. } => {
+                ["k", "teeth", "z_r"].iter().fold(self.set(set), |path, key| self.key(path, key))
             }
+            Engine::Compound { set, fault } => self.of_compound(set, fault),
+            Engine::TooMany { what, limit, .. } => self.beyond(*what, *limit),
+            Engine::NoSets => self.key(self.base.clone(), "sets"),
             Engine::ControlJoinsItself { control, .. } => self.entry(&CONTROLS, control),
             Engine::CyclicGrounds { first, .. } => {
                 let places = ["ties", "grounds"].map(|key| self.text(self.base.clone().key(key), first));
                 self.first_that_exists(places)
             }
-            Engine::SharedMesh { second, .. } => {
-                self.text(self.base.clone().key("shared_ring_meshes"), second)
-            }
             _ => self.base.clone(),
         }
     }
 
-    /// The entry that an error calls ``row `P1` ``, ``input of gear `1` `` or the like.
+    /// The entry that an error calls ``set `P1` ``, ``input of gear `1` `` or the like.
     fn named(&self, place: &str) -> Path {
         let name = place.split('`').nth(1).unwrap_or_default();
         let (what, _) = place.split_once('`').unwrap_or((place, ""));
         match what.trim() {
-            "row" => self.row(name),
-            "control" => self.entry(&CONTROLS, name),
+            "set" => self.set(name),
+            "shift element" => self.entry(&CONTROLS, name),
             "gear" => self.key(self.entry(&["gears"], name), "engaged"),
             "input of gear" => self.key(self.entry(&["gears"], name), "input"),
             "output of gear" => self.key(self.entry(&["gears"], name), "output"),
-            "a shared mesh" => self.base.clone().key("shared_ring_meshes"),
             terminal => self.key(self.base.clone(), terminal),
         }
     }
 
-    fn row(&self, id: &str) -> Path {
-        self.entry(&["rows"], id)
+    fn set(&self, id: &str) -> Path {
+        self.entry(&SETS, id)
+    }
+
+    fn of_compound(&self, set: &str, fault: &CompoundFault) -> Path {
+        let path = self.set(set);
+        match fault {
+            CompoundFault::NoTeeth { gear: name }
+            | CompoundFault::PlanetGears { planet: name, .. }
+            | CompoundFault::NameTwice { name }
+            | CompoundFault::TwoShafts { name, .. }
+            | CompoundFault::Apart { name } => {
+                let planet = name.split('.').next().unwrap_or(name);
+                let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
+                let exists = |map: &&&str| {
+                    self.document
+                        .value_at(&path.clone().key((**map).to_owned()))
+                        .is_some_and(|map| map.get(planet).is_some())
+                };
+                match maps.iter().find(exists) {
+                    Some(map) => path.key(*map).key(planet),
+                    None => path,
+                }
+            }
+            CompoundFault::UnknownGear { name, .. } => {
+                let meshes = path.clone().key("meshes");
+                let shafts = path.clone().key("planet_shafts");
+                let is_shaft =
+                    self.document.value_at(&shafts).is_some_and(|value| find(value, name).is_some());
+                self.text(if is_shaft { shafts } else { meshes }, name)
+            }
+            CompoundFault::Mesh { first, second, .. } | CompoundFault::Loop { first, second } => {
+                let meshes = path.clone().key("meshes");
+                let names = |mesh: &Value| {
+                    let gears = mesh.get("gears")?;
+                    Some([text_of(gears.get(0))?.to_owned(), text_of(gears.get(1))?.to_owned()])
+                };
+                let wanted = Some([first.clone(), second.clone()]);
+                match self.document.value_at(&meshes) {
+                    Some(Value::Sequence(entries)) => {
+                        match entries.iter().rposition(|mesh| names(mesh) == wanted) {
+                            Some(index) => meshes.index(index),
+                            None => path,
+                        }
+                    }
+                    _ => path,
+                }
+            }
+            _ => path,
+        }
+    }
+
+    /// The first entry beyond a limit.
+    fn beyond(&self, what: Named, limit: usize) -> Path {
+        let lists: &[&str] = match what {
+            Named::Set => &SETS,
+            Named::Control => &CONTROLS,
+            Named::Gear => &["gears"],
+            Named::Link => &["links", "nodes"],
+            _ => &[],
+        };
+        let mut left = limit;
+        for list in lists {
+            let path = self.base.clone().key(*list);
+            match self.document.value_at(&path) {
+                Some(Value::Sequence(entries)) if entries.len() > left => return path.index(left),
+                Some(Value::Sequence(entries)) => left -= entries.len(),
+                Some(Value::Mapping(entries)) if entries.len() > left => return path,
+                Some(Value::Mapping(entries)) => left -= entries.len(),
+                _ => {}
+            }
+        }
+        self.base.clone()
     }
 
     /// The last entry of these lists that bears a name: of two with one name, the one too many.
@@ -138,7 +222,7 @@ impl File<'_> {
     }
 }
 
-/// The keys of a row that may hold what a gear refuses.
+/// The keys of a set that may hold what a gear refuses.
 fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
     use epicyclic_gears::Error as E;
     match error {

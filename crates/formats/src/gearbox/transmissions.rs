@@ -1,13 +1,17 @@
 //! Real transmissions: members joined by nodes, elements between nodes, gears with published ratios.
 
-use super::DescriptionError;
-use crate::Number;
+use super::compound::{CompoundEntry, Note};
+use super::{DescriptionError, losses};
+use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_schemes::row::{RowKind, RowSpec};
-use epicyclic_schemes::{GROUND, GearSpec, Gearbox};
+use epicyclic_schemes::pins::{Pin, SetSize};
+use epicyclic_schemes::set::{SetKind, SetSpec};
+use epicyclic_schemes::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
+use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use uom::si::f64::{AngularVelocity, Ratio, Torque};
 
 /// A file of transmissions.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -15,6 +19,9 @@ use std::collections::BTreeMap;
 pub struct TransmissionsFile {
     /// The transmissions.
     pub transmissions: Vec<Transmission>,
+    /// Remark, of any form.
+    #[serde(default)]
+    pub note: Option<Note>,
 }
 
 /// A transmission with what is published of its gears.
@@ -28,8 +35,12 @@ pub struct Transmission {
     /// Where its data stand.
     #[serde(default)]
     pub source: Option<String>,
-    /// The rows, whose members are wheels and carriers.
+    /// The sets with two central gears, and pairs; their members are gears and carriers.
+    #[serde(default)]
     pub rows: Vec<TransmissionRow>,
+    /// Sets of any other form, gear by gear; their members too are named in nodes.
+    #[serde(default)]
+    pub compound_sets: Vec<CompoundEntry>,
     /// Which members turn as one piece: by node.
     pub nodes: BTreeMap<String, Vec<String>>,
     /// Node where power enters, unless a gear says otherwise.
@@ -39,25 +50,31 @@ pub struct Transmission {
     /// Brakes and clutches: the two nodes that each joins when engaged.
     #[serde(default)]
     pub elements: BTreeMap<String, [String; 2]>,
+    /// One-way clutches: each keeps its first node from turning slower than its second.
+    #[serde(default)]
+    pub one_way: BTreeMap<String, [String; 2]>,
     /// The gears.
     pub gears: Vec<PublishedGear>,
+    /// Remark, of any form.
+    #[serde(default)]
+    pub note: Option<Note>,
 }
 
-/// A row of a transmission.
+/// A set of a transmission with two central gears, or a pair.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TransmissionRow {
     /// Its name.
     pub id: String,
-    /// How its wheels are joined.
+    /// How its gears are joined.
     pub planet: Planet,
-    /// The sun, of a planetary row.
+    /// The sun.
     #[serde(default)]
     pub sun: Option<String>,
-    /// The ring, of a planetary row.
+    /// The ring.
     #[serde(default)]
     pub ring: Option<String>,
-    /// The carrier, of a planetary row.
+    /// The carrier, of a planet set.
     #[serde(default)]
     pub carrier: Option<String>,
     /// Teeth of the sun.
@@ -66,30 +83,42 @@ pub struct TransmissionRow {
     /// Teeth of the ring.
     #[serde(default)]
     pub z_r: Option<u32>,
-    /// Teeth of a planet.
+    /// Teeth of a planet; of a double planet that in mesh with the sun.
     #[serde(default)]
     pub z_p: Option<u32>,
+    /// Teeth of the planet, or of its step, in mesh with `gear_a` or the sun.
+    #[serde(default)]
+    pub z_pa: Option<u32>,
+    /// Teeth of the planet, or of its step, in mesh with `gear_b` or the ring.
+    #[serde(default)]
+    pub z_pb: Option<u32>,
     /// Number of planets.
     #[serde(default)]
     pub n_p: Option<u32>,
-    /// First wheel of a pair.
+    /// First gear of a pair; of a planet set its first central gear, in place of `sun`.
     #[serde(default)]
     pub gear_a: Option<String>,
-    /// Second wheel of a pair.
+    /// Second gear of a pair; of a planet set its second central gear, in place of `ring`.
     #[serde(default)]
     pub gear_b: Option<String>,
-    /// Teeth of the first wheel of a pair.
+    /// Teeth of the first gear, in place of `z_s`.
     #[serde(default)]
     pub z_a: Option<u32>,
-    /// Teeth of the second wheel of a pair.
+    /// Teeth of the second gear, in place of `z_r`.
     #[serde(default)]
     pub z_b: Option<u32>,
-    /// Remark.
+    /// Efficiency `η₀` under a carrier at rest, 0.97 or 97 %; 1 unless given.
     #[serde(default)]
-    pub note: Option<String>,
+    pub efficiency: Option<Quantity<Ratio>>,
+    /// Efficiency of each mesh from the first central gear to the second, in place of `efficiency`.
+    #[serde(default)]
+    pub meshes: Option<Vec<Quantity<Ratio>>>,
+    /// Remark, of any form.
+    #[serde(default)]
+    pub note: Option<Note>,
 }
 
-/// How the wheels of a row are joined.
+/// How the gears of a set are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Planet {
@@ -97,8 +126,20 @@ pub enum Planet {
     Simple,
     /// Two planets in mesh between sun and ring.
     Double,
-    /// Two wheels outside each other on fixed axes.
+    /// A stepped planet between a sun and a ring.
+    SteppedSunRing,
+    /// A stepped planet between two suns.
+    SteppedSuns,
+    /// A stepped planet between two rings.
+    SteppedRings,
+    /// Two suns, each with its planet, the planets in mesh.
+    MeshingSuns,
+    /// Bevel set.
+    Bevel,
+    /// Two gears outside each other on fixed axes.
     Pair,
+    /// A pinion in a ring on fixed axes.
+    InternalPair,
 }
 
 /// A gear with its published ratio.
@@ -115,9 +156,17 @@ pub struct PublishedGear {
     /// Node where power leaves in this gear, if another.
     #[serde(default)]
     pub output: Option<String>,
+    /// Speeds of nodes, as many as the gear keeps freedoms: of a power split or summing gear.
+    #[serde(default)]
+    pub speeds: BTreeMap<String, Quantity<AngularVelocity>>,
+    /// Torques at nodes where power enters or leaves, with `speeds`.
+    #[serde(default)]
+    pub torques: BTreeMap<String, Quantity<Torque>>,
     /// Input speed over output speed as published, negative in opposite senses.
     pub published_ratio: Number,
-    /// Decimals of the published figure.
+    /// Decimals of the published figure, from 0 to 12.
+    #[serde(deserialize_with = "few_decimals")]
+    #[schemars(range(max = MOST_DECIMALS))]
     pub printed_decimals: u32,
     /// How it came to its digits.
     #[serde(default)]
@@ -128,9 +177,22 @@ pub struct PublishedGear {
     /// Whether the figure was not read in the source named.
     #[serde(default)]
     pub unverified: bool,
-    /// Remark.
+    /// Remark, of any form.
     #[serde(default)]
-    pub note: Option<String>,
+    pub note: Option<Note>,
+}
+
+/// The most decimals of a published figure.
+const MOST_DECIMALS: u32 = 12;
+
+fn few_decimals<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    use serde::de::{Error, Unexpected};
+    let decimals = u32::deserialize(deserializer)?;
+    if decimals > MOST_DECIMALS {
+        let due = format!("a whole number from 0 to {MOST_DECIMALS}");
+        return Err(D::Error::invalid_value(Unexpected::Unsigned(decimals.into()), &due.as_str()));
+    }
+    Ok(decimals)
 }
 
 /// How a published figure came to its digits.
@@ -166,11 +228,20 @@ impl PublishedGear {
 }
 
 impl Transmission {
-    /// The transmission as a gearbox, its nodes as links, without losses.
+    /// The transmission as a gearbox, its nodes as links.
     ///
     /// # Errors
     /// [`DescriptionError`].
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
+        let counts = [
+            (Named::Set, self.rows.len() + self.compound_sets.len(), MOST_SETS),
+            (Named::Control, self.elements.len() + self.one_way.len(), MOST_ELEMENTS),
+            (Named::Gear, self.gears.len(), MOST_GEARS),
+            (Named::Link, self.nodes.len(), MOST_LINKS),
+        ];
+        if let Some((what, count, limit)) = counts.into_iter().find(|(_, count, limit)| count > limit) {
+            return Err(epicyclic_schemes::Error::TooMany { what, count, limit }.into());
+        }
         let mut node_of: BTreeMap<&str, &str> = BTreeMap::new();
         for (node, members) in &self.nodes {
             for member in members {
@@ -186,10 +257,17 @@ impl Transmission {
         let nodes = self.nodes.keys().map(String::as_str).filter(|node| *node != GROUND);
         let mut builder = Gearbox::builder(&self.name).links(nodes).input(&self.input).output(&self.output);
         for row in &self.rows {
-            builder = builder.row(row.spec(&node_of)?);
+            builder = builder.set(row.spec(&node_of)?);
+        }
+        for set in &self.compound_sets {
+            let node = |member: &str| node_of_member(&node_of, &set.id, member).map(str::to_owned);
+            builder = builder.compound_set(set.spec(node)?);
         }
         for (id, [first, second]) in &self.elements {
             builder = builder.clutch(id, first, second);
+        }
+        for (id, [first, second]) in &self.one_way {
+            builder = builder.one_way_clutch(id, first, second);
         }
         for gear in &self.gears {
             let PublishedGear { name, engaged, input, output, .. } = gear.clone();
@@ -197,35 +275,64 @@ impl Transmission {
         }
         Ok(builder.build()?)
     }
+
+    /// The planets of each set that has any on their pins. Only compound sets state sizes here.
+    ///
+    /// # Errors
+    /// [`DescriptionError::Set`] for an invalid size.
+    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
+        super::pins(gearbox, |set| {
+            let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
+            entry.map_or_else(SetSize::default, |entry| entry.size(set, &SetSize::default()))
+        })
+    }
+}
+
+fn node_of_member<'n>(
+    node_of: &BTreeMap<&str, &'n str>,
+    set: &str,
+    member: &str,
+) -> Result<&'n str, DescriptionError> {
+    node_of
+        .get(member)
+        .copied()
+        .ok_or_else(|| DescriptionError::MemberInNoNode { set: set.to_owned(), member: member.to_owned() })
 }
 
 impl TransmissionRow {
-    fn spec(&self, node_of: &BTreeMap<&str, &str>) -> Result<RowSpec, DescriptionError> {
-        let missing = |missing| DescriptionError::Missing { row: self.id.clone(), missing };
-        let gears = |source| DescriptionError::Row { row: self.id.clone(), source };
-        let node = |member: &Option<String>, what| {
-            let member = member.as_deref().ok_or_else(|| missing(what))?;
-            node_of.get(member).copied().ok_or_else(|| DescriptionError::MemberInNoNode {
-                row: self.id.clone(),
-                member: member.into(),
-            })
+    fn spec(&self, node_of: &BTreeMap<&str, &str>) -> Result<SetSpec, DescriptionError> {
+        let missing = |missing| DescriptionError::Missing { set: self.id.clone(), missing };
+        let gears = |source| DescriptionError::Set { set: self.id.clone(), source };
+        let node = |member: Option<&String>, what| {
+            node_of_member(node_of, &self.id, member.ok_or_else(|| missing(what))?)
         };
         let kind = match self.planet {
-            Planet::Pair => {
-                let wheels = [node(&self.gear_a, "`gear_a`")?, node(&self.gear_b, "`gear_b`")?];
-                let (a, b) = (self.z_a.ok_or(missing("`z_a`"))?, self.z_b.ok_or(missing("`z_b`"))?);
-                return RowSpec::pair(&self.id, wheels, a, b).map_err(gears);
-            }
-            Planet::Simple => RowKind::Simple,
-            Planet::Double => RowKind::DoublePlanet,
+            Planet::Simple => SetKind::Simple,
+            Planet::Double => SetKind::DoublePlanet,
+            Planet::SteppedSunRing => SetKind::SteppedSunRing,
+            Planet::SteppedSuns => SetKind::SteppedSuns,
+            Planet::SteppedRings => SetKind::SteppedRings,
+            Planet::MeshingSuns => SetKind::MeshingSuns,
+            Planet::Bevel => SetKind::Bevel,
+            Planet::Pair => SetKind::ExternalPair,
+            Planet::InternalPair => SetKind::InternalPair,
         };
-        let members =
-            [node(&self.sun, "`sun`")?, node(&self.ring, "`ring`")?, node(&self.carrier, "`carrier`")?];
-        let (sun, ring) = (self.z_s.ok_or(missing("`z_s`"))?, self.z_r.ok_or(missing("`z_r`"))?);
-        let mut spec = RowSpec::teeth(&self.id, kind, members, sun, ring).map_err(gears)?;
-        if let Some(planet) = self.z_p {
-            spec = spec.planet_teeth(ToothCount::new(planet).map_err(gears)?, None);
-        }
+        // A planet set names a sun and a ring, or its central gears a and b; a pair its gears.
+        let (first, second) = if kind.is_pair() { ("`gear_a`", "`gear_b`") } else { ("`sun`", "`ring`") };
+        let one = node(self.sun.as_ref().or(self.gear_a.as_ref()), first)?;
+        let other = node(self.ring.as_ref().or(self.gear_b.as_ref()), second)?;
+        let carrier = if kind.is_pair() { GROUND } else { node(self.carrier.as_ref(), "`carrier`")? };
+        let (first, second) = if kind.is_pair() { ("`z_a`", "`z_b`") } else { ("`z_s`", "`z_r`") };
+        let teeth = [
+            self.z_s.or(self.z_a).ok_or_else(|| missing(first))?,
+            self.z_r.or(self.z_b).ok_or_else(|| missing(second))?,
+        ];
+        let members = [one, other, carrier];
+        let mut spec = SetSpec::teeth(&self.id, kind, members, teeth[0], teeth[1]).map_err(gears)?;
+        spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
+        let count = |teeth: Option<u32>| teeth.map(ToothCount::new).transpose().map_err(gears);
+        spec.planet = count(self.z_p.or(self.z_pa))?;
+        spec.second_planet = count(self.z_pb)?;
         Ok(match self.n_p {
             Some(count) => spec.planet_count(count),
             None => spec,
@@ -257,12 +364,25 @@ mod tests {
     }
 
     #[test]
+    fn a_published_figure_has_few_decimals() {
+        for (decimals, found) in [("13", "13"), ("65536", "65536"), ("4000000000", "4000000000")] {
+            let text = PAIR.replace("printed_decimals: 2", &format!("printed_decimals: {decimals}"));
+            let document = Document::parse_one("t.yaml", text.as_bytes()).unwrap();
+            let error = document.read::<TransmissionsFile>().unwrap_err().to_string();
+            let due = format!("the number {found} where a whole number from 0 to 12 is due");
+            let place = "t.yaml:9:73: transmissions[0].gears[0].printed_decimals";
+            assert_eq!(error, format!("{place}: {due}"));
+        }
+        assert_eq!(read(&PAIR.replace("decimals: 2", "decimals: 12")).gears[0].printed_decimals, 12);
+    }
+
+    #[test]
     fn members_are_in_one_node_each() {
         let twice = read(&PAIR.replace("n_y: [Y]", "n_y: [Y, X]")).gearbox();
         assert!(matches!(twice, Err(DescriptionError::MemberInTwoNodes { .. })));
         let nowhere = read(&PAIR.replace("n_y: [Y]", "n_y: [Z]")).gearbox();
         assert!(matches!(nowhere, Err(DescriptionError::MemberInNoNode { .. })));
         let missing = read(&PAIR.replace(", z_b: 77", "")).gearbox();
-        assert_eq!(missing.unwrap_err().to_string(), "row `P`: `z_b` is missing");
+        assert_eq!(missing.unwrap_err().to_string(), "set `P`: `z_b` is missing");
     }
 }

@@ -98,6 +98,30 @@ impl Dimension {
             Self::Time => "time",
         }
     }
+
+    /// The largest size of a quantity that is read, in the SI unit; a plain number has it too.
+    ///
+    /// Far beyond any machine, and so far below what a double holds that products of several stay finite.
+    #[must_use]
+    pub const fn largest(self) -> f64 {
+        match self {
+            Self::Length
+            | Self::AngularSpeed
+            | Self::Speed
+            | Self::Angle
+            | Self::VolumeRate
+            | Self::Density => 1e6,
+            Self::Area
+            | Self::Volume
+            | Self::Mass
+            | Self::AngularAcceleration
+            | Self::Frequency
+            | Self::Force
+            | Self::Time => 1e9,
+            Self::Dimensionless | Self::Inertia | Self::Torque | Self::Power | Self::Pressure => 1e12,
+            Self::Energy => 1e15,
+        }
+    }
 }
 
 impl fmt::Display for Dimension {

@@ -1,6 +1,7 @@
 //! What may be wrong with a number or a quantity as written.
 
 use super::dimension::Dimension;
+use crate::visible::one_line;
 
 /// A text that is not the number or quantity it should be. Each message shows the text, what is wrong, and what to
 /// write instead.
@@ -14,7 +15,7 @@ pub enum QuantityError {
         expected: Option<Dimension>,
     },
     /// No number at the start.
-    #[error("{text}: this does not start with a number; write a number{}", example(*expected))]
+    #[error("{text}: this does not start with a number; write a number{}", example(*expected), text = one_line(text))]
     NotANumber {
         /// The text.
         text: String,
@@ -22,13 +23,21 @@ pub enum QuantityError {
         expected: Option<Dimension>,
     },
     /// NaN, infinity, or too large for a double.
-    #[error("{text}: not a finite number; write one between -1.7e308 and 1.7e308")]
+    #[error("{text}: not a finite number; write one such as 3.94", text = one_line(text))]
     NotFinite {
         /// The text.
         text: String,
     },
+    /// A number or quantity larger than any machine has.
+    #[error("{text}: too large; {} is at most {} in size", with_article(dimension.name()), most(*dimension), text = one_line(text))]
+    TooLarge {
+        /// The text.
+        text: String,
+        /// What it is a quantity of.
+        dimension: Dimension,
+    },
     /// `106,5 kW`.
-    #[error("{text}: decimal comma; write {corrected}{}", or_thousands(thousands.as_deref()))]
+    #[error("{text}: decimal comma; write {corrected}{}", or_thousands(thousands.as_deref()), text = one_line(text), corrected = one_line(corrected))]
     DecimalComma {
         /// The text.
         text: String,
@@ -38,7 +47,7 @@ pub enum QuantityError {
         thousands: Option<String>,
     },
     /// `1,950,000 mm`, `1 950 rpm`, `1'950 rpm`, `1_950 rpm`.
-    #[error("{text}: separated thousands; write {corrected}")]
+    #[error("{text}: separated thousands; write {corrected}", text = one_line(text), corrected = one_line(corrected))]
     ThousandsSeparator {
         /// The text.
         text: String,
@@ -46,7 +55,7 @@ pub enum QuantityError {
         corrected: String,
     },
     /// A bare number where a unit is due.
-    #[error("{text}: no unit; write {corrected}, or another unit of {expected} ({})", expected.unit_list())]
+    #[error("{text}: no unit; write {corrected}, or another unit of {expected} ({})", expected.unit_list(), text = one_line(text), corrected = one_line(corrected))]
     MissingUnit {
         /// The text.
         text: String,
@@ -56,7 +65,7 @@ pub enum QuantityError {
         corrected: String,
     },
     /// A unit where a plain number is due.
-    #[error("{text}: a plain number is due here, without a unit; write {corrected}")]
+    #[error("{text}: a plain number is due here, without a unit; write {corrected}", text = one_line(text), corrected = one_line(corrected))]
     UnexpectedUnit {
         /// The text.
         text: String,
@@ -64,7 +73,7 @@ pub enum QuantityError {
         corrected: String,
     },
     /// A unit we do not know.
-    #[error("{text}: unknown unit {unit}{}{}", did_you_mean(corrected.as_deref()), of_dimension(*expected))]
+    #[error("{text}: unknown unit {unit}{}{}", did_you_mean(corrected.as_deref()), of_dimension(*expected), text = one_line(text), unit = one_line(unit))]
     UnknownUnit {
         /// The text.
         text: String,
@@ -76,7 +85,7 @@ pub enum QuantityError {
         corrected: Option<String>,
     },
     /// A unit that means different things to different engineers.
-    #[error("{text}: {unit} may be several units; write {choices}")]
+    #[error("{text}: {unit} may be several units; write {choices}", text = one_line(text), unit = one_line(unit))]
     AmbiguousUnit {
         /// The text.
         text: String,
@@ -86,7 +95,7 @@ pub enum QuantityError {
         choices: String,
     },
     /// A unit of another dimension.
-    #[error("{text}: {unit} is a unit of {found}, and {} is due; its units are {}", with_article(expected.name()), expected.unit_list())]
+    #[error("{text}: {unit} is a unit of {found}, and {} is due; its units are {}", with_article(expected.name()), expected.unit_list(), text = one_line(text), unit = one_line(unit))]
     WrongDimension {
         /// The text.
         text: String,
@@ -107,6 +116,7 @@ impl QuantityError {
             Self::Empty { .. } => "empty-text",
             Self::NotANumber { .. } => "not-a-number",
             Self::NotFinite { .. } => "not-finite",
+            Self::TooLarge { .. } => "too-large",
             Self::DecimalComma { .. } => "decimal-comma",
             Self::ThousandsSeparator { .. } => "thousands-separator",
             Self::MissingUnit { .. } => "missing-unit",
@@ -123,6 +133,15 @@ pub(crate) fn with_article(noun: &str) -> String {
     format!("{article} {noun}")
 }
 
+/// The largest size, in the SI unit.
+fn most(dimension: Dimension) -> String {
+    let largest = format!("{:e}", dimension.largest());
+    match dimension {
+        Dimension::Dimensionless => largest,
+        dimension => format!("{largest} {}", dimension.si_unit().symbol),
+    }
+}
+
 fn example(expected: Option<Dimension>) -> String {
     match expected {
         None | Some(Dimension::Dimensionless) => ", such as 3.94".to_owned(),
@@ -133,11 +152,11 @@ fn example(expected: Option<Dimension>) -> String {
 }
 
 fn or_thousands(thousands: Option<&str>) -> String {
-    thousands.map(|text| format!(", or {text} if the comma parts thousands")).unwrap_or_default()
+    thousands.map(|text| format!(", or {} if the comma parts thousands", one_line(text))).unwrap_or_default()
 }
 
 fn did_you_mean(corrected: Option<&str>) -> String {
-    corrected.map(|text| format!("; write {text}?")).unwrap_or_default()
+    corrected.map(|text| format!("; write {}?", one_line(text))).unwrap_or_default()
 }
 
 fn of_dimension(expected: Option<Dimension>) -> String {

@@ -105,7 +105,15 @@ fn parse_in(text: &str, expected: Option<Dimension>) -> Result<Measured, Quantit
         });
     };
     let measured = Measured { number: lexed.number.to_owned(), value: lexed.value, unit };
-    if measured.si().is_finite() { Ok(measured) } else { Err(QuantityError::NotFinite { text: text() }) }
+    let size = measured.si().abs();
+    if !size.is_finite() {
+        return Err(QuantityError::NotFinite { text: text() });
+    }
+    let dimension = measured.dimension();
+    if size > dimension.largest() {
+        return Err(QuantityError::TooLarge { text: text(), dimension });
+    }
+    Ok(measured)
 }
 
 #[cfg(test)]
@@ -189,17 +197,26 @@ mod tests {
                 "wrong-dimension",
                 "520 J: J is a unit of energy, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m",
             ),
+            ("nan kW", Power, "not-finite", "nan kW: not a finite number; write one such as 3.94"),
+            ("1e308 MW", Power, "not-finite", "1e308 MW: not a finite number; write one such as 3.94"),
+            ("1e200 N·m", Torque, "too-large", "1e200 N·m: too large; a torque is at most 1e12 N·m in size"),
             (
-                "nan kW",
-                Power,
-                "not-finite",
-                "nan kW: not a finite number; write one between -1.7e308 and 1.7e308",
+                "-1e8 rpm",
+                AngularSpeed,
+                "too-large",
+                "-1e8 rpm: too large; an angular speed is at most 1e6 rad/s in size",
             ),
             (
-                "1e308 MW",
-                Power,
-                "not-finite",
-                "1e308 MW: not a finite number; write one between -1.7e308 and 1.7e308",
+                "1e308 %",
+                Dimensionless,
+                "too-large",
+                "1e308 %: too large; a plain number is at most 1e12 in size",
+            ),
+            (
+                "1.1 Gm\u{1b}\n",
+                Length,
+                "unknown-unit",
+                "1.1 Gm\\u001b: unknown unit Gm\\u001b (units of length: mm, µm, cm, dm, m, km, in)",
             ),
             (
                 "5 mm",

@@ -4,7 +4,7 @@ use std::{borrow::Cow, fmt, str::FromStr};
 
 use serde::{Deserialize, Deserializer, Serialize, de};
 
-use super::error::QuantityError;
+use super::{dimension::Dimension, error::QuantityError};
 
 /// A finite plain number.
 ///
@@ -23,13 +23,13 @@ use super::error::QuantityError;
 pub struct Number(f64);
 
 impl Number {
-    /// A number known to be finite.
+    /// A number known to be finite, and not too large to reckon with.
     ///
     /// # Errors
-    /// [`QuantityError::NotFinite`].
+    /// [`QuantityError::NotFinite`], [`QuantityError::TooLarge`].
     pub fn new(value: f64) -> Result<Self, QuantityError> {
         if value.is_finite() {
-            Ok(Self(value))
+            within(value, || format!("{value:?}")).map(Self)
         } else {
             Err(QuantityError::NotFinite { text: value.to_string() })
         }
@@ -79,12 +79,12 @@ impl<'de> Deserialize<'de> for Number {
 
             #[allow(clippy::cast_precision_loss)] // an integer above 2^53 is read like its decimal text
             fn visit_i64<E: de::Error>(self, value: i64) -> Result<Number, E> {
-                Ok(Number(value as f64))
+                Number::new(value as f64).map_err(E::custom)
             }
 
             #[allow(clippy::cast_precision_loss)] // as above
             fn visit_u64<E: de::Error>(self, value: u64) -> Result<Number, E> {
-                Ok(Number(value as f64))
+                Number::new(value as f64).map_err(E::custom)
             }
 
             // Only formats other than ours come here, our reader explains a text in a numeric field by itself.
@@ -121,13 +121,23 @@ impl schemars::JsonSchema for Number {
 pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
     let lexed = lex(text)?;
     if lexed.unit.is_empty() {
-        return Ok(lexed.value);
+        return within(lexed.value, || text.trim().to_owned());
     }
     let corrected = lexed.number.to_owned();
     // `3.94 kW` is a quantity; `3.94abc` is no number at all.
     match super::unit::find_unit(lexed.unit) {
         Some(_) => Err(QuantityError::UnexpectedUnit { text: text.to_owned(), corrected }),
         None => Err(QuantityError::NotANumber { text: text.to_owned(), expected: None }),
+    }
+}
+
+/// The value, unless it is larger than any plain number may be.
+fn within(value: f64, text: impl FnOnce() -> String) -> Result<f64, QuantityError> {
+    let dimension = Dimension::Dimensionless;
+    if value.abs() <= dimension.largest() {
+        Ok(value)
+    } else {
+        Err(QuantityError::TooLarge { text: text(), dimension })
     }
 }
 
@@ -293,10 +303,10 @@ mod tests {
             ("1'950", "1'950: separated thousands; write 1950"),
             ("1_950", "1_950: separated thousands; write 1950"),
             ("1.950.000", "1.950.000: separated thousands; write 1950000"),
-            ("NaN", "NaN: not a finite number; write one between -1.7e308 and 1.7e308"),
-            ("-.inf", "-.inf: not a finite number; write one between -1.7e308 and 1.7e308"),
-            ("∞", "∞: not a finite number; write one between -1.7e308 and 1.7e308"),
-            ("1e999", "1e999: not a finite number; write one between -1.7e308 and 1.7e308"),
+            ("NaN", "NaN: not a finite number; write one such as 3.94"),
+            ("-.inf", "-.inf: not a finite number; write one such as 3.94"),
+            ("∞", "∞: not a finite number; write one such as 3.94"),
+            ("1e999", "1e999: not a finite number; write one such as 3.94"),
             ("520 N·m", "520 N·m: a plain number is due here, without a unit; write 520"),
         ] {
             assert_eq!(parse_number(text).unwrap_err().to_string(), message);
@@ -307,6 +317,12 @@ mod tests {
     fn a_number_is_finite() {
         assert!(Number::new(f64::NAN).is_err());
         assert_eq!(Number::new(f64::INFINITY).unwrap_err().name(), "not-finite");
+        assert_eq!(Number::new(1.1e12).unwrap_err().name(), "too-large");
+        assert_eq!(
+            parse_number("-1e308").unwrap_err().to_string(),
+            "-1e308: too large; a plain number is at most 1e12 in size"
+        );
+        assert_eq!(parse_number("-1e12"), Ok(-1e12));
         assert_eq!(Number::new(-0.5).unwrap().to_string(), "-0.5");
     }
 }

@@ -219,6 +219,13 @@ impl Dimension {
         &self.units()[0]
     }
 
+    /// Its unit in SI: `W` for a power, `m` for a length.
+    #[must_use]
+    pub fn si_unit(self) -> &'static Unit {
+        // Each has one; a test holds it.
+        self.units().iter().find(|unit| unit.factor == 1.0).unwrap_or(self.usual_unit())
+    }
+
     /// The names of its units, for a message: `kW, mW, W, MW, PS, hp(I)`.
     #[must_use]
     pub fn unit_list(self) -> String {
@@ -306,6 +313,7 @@ mod tests {
             for unit in dimension.units() {
                 assert_eq!(unit.dimension, dimension);
                 assert!(unit.factor > 0.0 && unit.factor.is_finite());
+                assert_eq!(dimension.si_unit().factor, 1.0);
                 assert_eq!(find_unit(unit.symbol), Some(unit), "{}", unit.symbol);
                 for spelling in unit.spellings() {
                     assert_eq!(key(spelling), *spelling, "not in plain form");

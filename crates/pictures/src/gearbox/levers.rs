@@ -114,7 +114,7 @@ struct Layers {
 /// The diagram while it is drawn.
 struct Sheet<'a> {
     gearbox: &'a Gearbox,
-    gear: Option<&'a Analysis>,
+    gear: Option<&'a Analysis<'a>>,
     levers: &'a [Lever],
     placed: &'a [Vec<Node>],
     scene: Scene,
@@ -269,7 +269,7 @@ impl Sheet<'_> {
         let heading = Text::new([left, bounds.top + 6.0], TITLE_MM, self.scene.title()).align(Align::Left);
         self.scene.add(layer, heading);
         let mut lines: Vec<String> =
-            self.gearbox.rows().iter().enumerate().map(|(place, row)| words::row(place, row, true)).collect();
+            (0..self.gearbox.drawn_sets().len()).map(|place| words::set(self.gearbox, place, true)).collect();
         lines.push(
             "along a lever: distances between links; the first row of a lever has its carrier 1 from wheel 2"
                 .into(),

@@ -47,14 +47,14 @@ const WIDEST_MM: f64 = 4.5;
 const IDLE_MM: f64 = 0.3;
 
 /// What is shown of a gear.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Show<'a> {
     /// No gear: the structure alone.
     Structure,
     /// What is engaged and what rests.
-    Gear(&'a Analysis),
+    Gear(&'a Analysis<'a>),
     /// The same with the power as width of lines: with losses, where they follow.
-    Power(&'a Analysis),
+    Power(&'a Analysis<'a>),
 }
 
 /// How a scheme is drawn.
@@ -79,11 +79,11 @@ impl Default for Options {
 /// ```
 /// use epicyclic_pictures::gearbox::scheme::{Options, Show, scene};
 /// use epicyclic_schemes::drawability::{self, Verdict};
-/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// use epicyclic_schemes::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("I")
 ///     .links(["D", "B", "T1"])
-///     .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
 ///     .brake("K1", "T1")
 ///     .input("D")
 ///     .output("B")
@@ -133,7 +133,7 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
 }
 
 /// The load case that is drawn.
-fn load(gear: &Analysis) -> Option<&LoadCase> {
+fn load<'a>(gear: &'a Analysis<'_>) -> Option<&'a LoadCase> {
     gear.driving().or_else(|| gear.ideal())
 }
 
@@ -187,7 +187,7 @@ struct Layers {
 struct Sheet<'a> {
     gearbox: &'a Gearbox,
     layout: &'a Layout,
-    gear: Option<&'a Analysis>,
+    gear: Option<&'a Analysis<'a>>,
     load: Option<&'a LoadCase>,
     pieces: Vec<Piece>,
     /// Width of the power that enters.
@@ -205,7 +205,7 @@ impl<'a> Sheet<'a> {
     fn new(
         gearbox: &'a Gearbox,
         layout: &'a Layout,
-        gear: Option<&'a Analysis>,
+        gear: Option<&'a Analysis<'a>>,
         load: Option<&'a LoadCase>,
         title: &str,
     ) -> Result<Self, Error> {
@@ -220,8 +220,10 @@ impl<'a> Sheet<'a> {
             labels: scene.layer("labels", Style::line(0.1))?,
         };
         let pieces = flow::pieces(gearbox, layout, gear.zip(load));
+        let places = 0..gearbox.drawn_sets().len();
         let members =
-            load.iter().flat_map(|case| case.power.rows.iter().flatten()).flat_map(|row| row.members);
+            gear.zip(load).map(|(gear, case)| places.filter_map(|place| gear.drawn_power(case, place)));
+        let members = members.into_iter().flatten().flat_map(|power| power.members);
         let powers = pieces.iter().filter_map(|piece| piece.power).chain(members).map(f64::abs);
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
@@ -249,7 +251,7 @@ impl<'a> Sheet<'a> {
             Some(power) => Look {
                 color: POWER,
                 width_mm: power.abs() * self.entering_mm,
-                inner_mm: circulating.abs() * self.entering_mm,
+                inner_mm: circulating.abs().min(power.abs()) * self.entering_mm,
             },
         }
     }
@@ -265,9 +267,8 @@ impl<'a> Sheet<'a> {
 
     /// Power of a member into its row, and the part of it that goes round.
     fn member(&self, row: usize, member: usize) -> (Option<f64>, f64) {
-        let Some(case) = self.load else { return (None, 0.0) };
-        let power = case.power.rows[row].as_ref().map(|row| row.members[member]);
-        (power, case.power.circulating_members[row][member])
+        let power = self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, row));
+        power.map_or((None, 0.0), |power| (Some(power.members[member]), power.circulating[member]))
     }
 
     fn links(&mut self) {
@@ -339,8 +340,8 @@ impl<'a> Sheet<'a> {
             y -= 4.6;
             y + 4.6
         };
-        for (place, row) in self.gearbox.rows().iter().enumerate() {
-            write(&mut self.scene, 0.0, words::row(place, row, options.gearing));
+        for place in 0..self.gearbox.drawn_sets().len() {
+            write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
         }
         let Some(gear) = self.gear else { return };
         let controls = gear.gear().engaged().iter().map(|&place| self.gearbox.controls()[place].id());

@@ -43,7 +43,7 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
         lines: scene.layer("lines", Style::line(0.5))?,
         labels: scene.layer("labels", Style::line(0.1))?,
     };
-    let plans: Vec<Plan> = (0..gearbox.rows().len()).map(|row| Plan::of(gearbox, gear, row)).collect();
+    let plans: Vec<Plan> = (0..gearbox.drawn_sets().len()).map(|row| Plan::of(gearbox, gear, row)).collect();
     // Millimetres across to one up, for a speed of 1.
     let widest = plans.iter().map(Plan::widest).fold(1e-9, f64::max);
     let slope = FASTEST_MM / (HEIGHT_MM * widest);
@@ -145,8 +145,7 @@ fn panel(
         let middle = Point::new(f64::midpoint(from.x, to.x), f64::midpoint(from.y, to.y));
         places.put(scene, layers.labels, &line.name, middle, &wishes);
     }
-    let caption =
-        Text::new([left, -6.0], LETTERS_MM, words::row(row, &gearbox.rows()[row], true)).align(Align::Left);
+    let caption = Text::new([left, -6.0], LETTERS_MM, words::set(gearbox, row, true)).align(Align::Left);
     let next = far.max(caption.bounds().right) + 12.0;
     scene.add(layers.labels, caption);
     next

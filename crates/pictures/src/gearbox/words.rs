@@ -1,6 +1,7 @@
-//! Numbers and rows in words.
+//! Numbers and sets in words.
 
-use epicyclic_schemes::row::{Gearing, Row, RowKind};
+use epicyclic_schemes::Gearbox;
+use epicyclic_schemes::set::SetKind;
 
 /// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is 0.
 pub(super) fn decimal(value: f64) -> String {
@@ -13,18 +14,21 @@ pub(super) fn decimal(value: f64) -> String {
     format!("{value:.decimals$}").replace('-', "−")
 }
 
-/// A row by its number, name, kind and gearing: `1 (P1): simple, z 48/96, k = 2.000`.
-pub(super) fn row(place: usize, row: &Row, gearing: bool) -> String {
+/// A drawn set by its number, name, kind and gearing: `1 (P1): simple, z 48/96, k = 2.000`.
+pub(super) fn set(gearbox: &Gearbox, place: usize, gearing: bool) -> String {
     let number = (place + 1).to_string();
-    let name = if row.id() == number { String::new() } else { format!(" ({})", row.id()) };
-    let mut words = format!("row {number}{name}: {}", row.spec().kind);
+    let drawn = &gearbox.drawn_sets()[place];
+    let id = gearbox.sets()[drawn.set].id();
+    let name = if id == number { String::new() } else { format!(" ({id})") };
+    let mut words = format!("set {number}{name}: {}", drawn.kind);
     if gearing {
-        if let Gearing::Teeth(first, second) = row.spec().gearing {
+        if let Some([first, second]) = drawn.teeth(gearbox) {
             words += &format!(", z {}/{}", first.get(), second.get());
         }
-        let (symbol, size) = match row.spec().kind {
-            RowKind::Simple => ("k", -row.stationary_ratio().get()),
-            _ => ("i0", row.stationary_ratio().get()),
+        let ratio = drawn.basic_ratio(gearbox);
+        let (symbol, size) = match drawn.kind {
+            SetKind::Simple => ("k", -ratio),
+            _ => ("i0", ratio),
         };
         words += &format!(", {symbol} = {}", decimal(size));
     }

@@ -12,7 +12,7 @@ use epicyclic_gears::row::RowParameter;
 use epicyclic_schemes::Gearbox;
 use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
 use epicyclic_schemes::drawability::{self, Layout, Verdict};
-use epicyclic_schemes::row::MeshLoss;
+use epicyclic_schemes::set::MeshLoss;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
@@ -31,7 +31,7 @@ pub(crate) fn in_service() -> Vec<Gearbox> {
     let all = document.read::<TransmissionsFile>().unwrap().transmissions;
     let loss = MeshLoss::Row(MeshEfficiency::new(0.97).unwrap());
     all.iter()
-        .map(|one| one.gearbox().unwrap().to_builder().map_rows(|row| row.with_loss(loss)).build().unwrap())
+        .map(|one| one.gearbox().unwrap().to_builder().map_sets(|row| row.with_loss(loss)).build().unwrap())
         .collect()
 }
 

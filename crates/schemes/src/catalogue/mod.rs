@@ -44,7 +44,7 @@ pub use range::{ParameterRange, Reach};
 pub use three_speed::ThreeSpeed;
 pub use two_speed::TwoSpeed;
 
-use crate::row::{MeshLoss, RowSpec};
+use crate::set::{MeshLoss, SetSpec};
 use crate::{Error, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::RowParameter;
@@ -102,8 +102,8 @@ pub(crate) fn gearbox(
         builder = builder.links(["T2"]).brake("K2", "T2").gear("2", ["K2"]);
     }
     for (place, (members, k)) in rows.iter().enumerate() {
-        let row = RowSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
-        builder = builder.row(row.with_loss(MeshLoss::Row(eta0)));
+        let row = SetSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
+        builder = builder.set(row.with_loss(MeshLoss::Row(eta0)));
     }
     builder.gear("direct", ["L"]).build()
 }

@@ -110,13 +110,13 @@ mod tests {
     use super::*;
     use crate::Gearbox;
     use crate::drawability::{Options, Verdict, draw};
-    use crate::row::RowSpec;
+    use crate::set::SetSpec;
 
     #[test]
     fn a_line_moved_across_others_is_found() {
         let gearbox = Gearbox::builder("I")
             .links(["D", "B", "T1"])
-            .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
             .brake("K1", "T1")
             .input("D")
             .output("B")

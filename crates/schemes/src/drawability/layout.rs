@@ -46,7 +46,7 @@ pub struct LinkShape {
 /// stacked in the same order, wheel 1, planet, wheel 2: see [what is idealised](super#idealised).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RowStack {
-    /// Place of the row in [`Gearbox::rows`].
+    /// Place of the row in [`Gearbox::sets`].
     pub row: usize,
     /// Links of wheel 1, wheel 2 and carrier as they are drawn.
     pub members: [LinkId; 3],
@@ -172,7 +172,7 @@ impl Drawing<'_> {
     }
 
     fn row_piece(&self, row: usize, member: usize) -> LinkId {
-        self.scheme.piece(self.gearbox.rows()[row].members()[member])
+        self.scheme.piece(self.gearbox.drawn_sets()[row].links[member])
     }
 
     /// The piece a vertex is drawn as part of.

@@ -7,13 +7,13 @@
 //!
 //! ```
 //! use epicyclic_schemes::drawability::{self, Options, Verdict};
-//! use epicyclic_schemes::{Gearbox, row::RowSpec};
+//! use epicyclic_schemes::{Gearbox, set::SetSpec};
 //! # fn main() -> Result<(), epicyclic_schemes::Error> {
 //! let box_of = |second: [&str; 3]| {
 //!     Gearbox::builder("two rows")
 //!         .links(["D", "B", "T1", "T2"])
-//!         .row(RowSpec::simple("1", ["D", "B", "T1"], 2.5))
-//!         .row(RowSpec::simple("2", second, 2.5))
+//!         .set(SetSpec::simple("1", ["D", "B", "T1"], 2.5))
+//!         .set(SetSpec::simple("2", second, 2.5))
 //!         .brake("K1", "T1")
 //!         .brake("K2", "T2")
 //!         .input("D")
@@ -122,7 +122,7 @@ impl Default for Options {
 /// Something without which a scheme may be drawable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Element {
-    /// A row, by its place in [`Gearbox::rows`].
+    /// A row, by its place in [`Gearbox::sets`].
     Row(usize),
     /// A brake or clutch, by its place in [`Gearbox::controls`]; a lock asked for has the number after
     /// the last.
@@ -151,7 +151,7 @@ impl Witness {
     pub fn describe(&self, gearbox: &Gearbox) -> String {
         let name = |link: LinkId| gearbox.link_name(link);
         let words = self.elements.iter().map(|element| match *element {
-            Element::Row(row) => format!("row `{}`", gearbox.rows()[row].id()),
+            Element::Row(row) => format!("set `{}`", gearbox.sets()[gearbox.drawn_sets()[row].set].id()),
             Element::Control(control) => match gearbox.controls().get(control) {
                 Some(control) if control.is_brake() => format!("brake `{}`", control.id()),
                 Some(control) => format!("clutch `{}`", control.id()),
@@ -245,15 +245,15 @@ fn witness(scheme: &Scheme<'_>) -> Witness {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::row::RowSpec;
+    use crate::set::SetSpec;
 
     #[test]
     fn a_witness_holds_nothing_that_could_be_left_out() {
         let gearbox = Gearbox::builder("three rows")
             .links(["D", "B", "T1", "T2", "T3"])
-            .row(RowSpec::simple("1", ["D", "B", "T1"], 2.5))
-            .row(RowSpec::simple("2", ["D", "B", "T2"], 2.5))
-            .row(RowSpec::simple("3", ["D", "T3", "B"], 2.5))
+            .set(SetSpec::simple("1", ["D", "B", "T1"], 2.5))
+            .set(SetSpec::simple("2", ["D", "B", "T2"], 2.5))
+            .set(SetSpec::simple("3", ["D", "T3", "B"], 2.5))
             .brake("K1", "T1")
             .brake("K2", "T2")
             .brake("K3", "T3")
@@ -277,7 +277,7 @@ mod tests {
     fn locks_of_scheme_one_are_all_pairs() {
         let gearbox = Gearbox::builder("I")
             .links(["D", "B", "T1"])
-            .row(RowSpec::simple("1", ["D", "T1", "B"], 2.94))
+            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
             .brake("K1", "T1")
             .input("D")
             .output("B")

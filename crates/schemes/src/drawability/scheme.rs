@@ -126,7 +126,7 @@ impl<'a> Scheme<'a> {
 
     /// Everything a witness may name, in the order in which it is tried to do without.
     pub(super) fn elements(&self) -> Vec<Element> {
-        let rows = (0..self.gearbox.rows().len()).map(Element::Row);
+        let rows = (0..self.gearbox.drawn_sets().len()).map(Element::Row);
         let controls = (0..self.gearbox.controls().len() + self.locks.len()).map(Element::Control);
         let take_offs = self.take_offs().into_iter().map(Element::TakeOff);
         let links = (1..self.piece.len())
@@ -142,7 +142,7 @@ impl<'a> Scheme<'a> {
             vertices: self.count,
             ends: BORDER.to_vec(),
             kinds: vec![Kind::Border; 4],
-            planets: Vec::with_capacity(self.gearbox.rows().len()),
+            planets: Vec::with_capacity(self.gearbox.drawn_sets().len()),
         };
         let keeps = |element: Element| !without.contains(&element);
         let end = |graph: &mut Graph, link: LinkId| {
@@ -167,7 +167,7 @@ impl<'a> Scheme<'a> {
                 graph.join([vertex, HOUSING], Kind::TakeOff(link));
             }
         }
-        for (row, members) in self.gearbox.rows().iter().map(crate::row::Row::members).enumerate() {
+        for (row, members) in self.gearbox.drawn_sets().iter().map(|drawn| drawn.links).enumerate() {
             if keeps(Element::Row(row)) {
                 let [sun, ring, carrier] = members.map(|link| end(&mut graph, link));
                 let sun = graph.join([carrier, sun], Kind::Sun(row));

@@ -5,7 +5,7 @@
 //! something near by dominates, out of memory.
 
 use super::Point;
-use crate::selection::objectives::{Costs, dominates};
+use crate::selection::objectives::{Costs, Order, dominates};
 
 /// Designs of a piece of work, with their costs.
 #[derive(Debug, Default)]
@@ -13,6 +13,31 @@ pub(super) struct Contenders {
     rivals: Vec<Costs>,
     pub(super) costs: Vec<Costs>,
     pub(super) points: Vec<Point>,
+}
+
+impl Contenders {
+    /// Keeps the designs at these places, ascending.
+    pub(super) fn keep(&mut self, places: &[u32]) {
+        for (to, &from) in places.iter().enumerate() {
+            self.costs[to] = self.costs[from as usize];
+            self.points[to] = self.points[from as usize];
+        }
+        self.costs.truncate(places.len());
+        self.points.truncate(places.len());
+    }
+
+    /// Keeps the first designs in an order, at most `count`, in the places that they had among each other: all whose
+    /// costs stand before the costs returned, which are the first left out. There must be more than `count`.
+    pub(super) fn first(&mut self, count: usize, order: Order) -> Costs {
+        let mut places: Vec<u32> = (0..self.costs.len() as u32).collect();
+        let compare = |a: &u32, b: &u32| order.compare(&self.costs[*a as usize], &self.costs[*b as usize]);
+        let (_, first_out, _) = places.select_nth_unstable_by(count, compare);
+        let first_out = self.costs[*first_out as usize];
+        let before = |place: &u32| order.compare(&self.costs[*place as usize], &first_out).is_lt();
+        let kept: Vec<u32> = (0..self.costs.len() as u32).filter(before).collect();
+        self.keep(&kept);
+        first_out
+    }
 }
 
 const RIVALS: usize = 24;

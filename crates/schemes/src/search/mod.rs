@@ -27,6 +27,13 @@
 //! the front: five objectives over two parameters leave much that nothing dominates. Trying takes some
 //! 45 ms on one core, the front of all the rest; the first of it ([`ToothSearch::best`]) needs a sort.
 //!
+//! # What it refuses
+//! More than [`MOST_TOOTH_SETS`] tooth sets a row, [`MOST_WINDOWS`] windows or [`MOST_PAIRS`] pairs of row parameters, all
+//! counted before anything is tried, with their numbers. Within these limits a search takes less than 1 GiB: one patch
+//! is tried after another, and where the designs held become more than 4·10⁶ those that cannot be among the first
+//! entries are left out ([`ToothSearch::best`]), or those that others dominate ([`ToothSearch::front`]). Where that
+//! would leave too few to answer, the search is refused and nothing is left out in silence.
+//!
 //! Results do not depend on the number of threads: work is cut into pieces by content and put together in
 //! their order. Run it within a `rayon::ThreadPool` of your own to choose their number.
 //!
@@ -54,14 +61,14 @@ mod window;
 
 use crate::selection::SelectionError;
 use crate::selection::demand::Demand;
-use crate::selection::front::{Entry, front};
+use crate::selection::front::{Entry, front, non_dominated};
 use crate::selection::objectives::{Costs, Objectives, Order, nowhere_worse};
 use crate::structures::Structure;
 use crate::units::in_metres;
 use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothSet};
 use levels::{Level, levels};
-use patch::{Allowed, Measured, Patch};
+use patch::{Allowed, Measured, Patch, Side};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -94,6 +101,8 @@ pub struct ToothSearch {
     pub module: Option<RangeInclusive<Length>>,
     /// Greatest pitch diameter of a ring.
     pub ring_diameter: Option<Length>,
+    /// The most designs held at a time, 52 bytes each, beside a batch of some 2·10⁶; 4·10⁶ by default.
+    pub most_held: usize,
 }
 
 /// What a search found.
@@ -156,8 +165,55 @@ struct SizeLimits {
     ring: f64,
 }
 
-/// Strips of `k₂` in one piece of work.
+/// Strips of `k₂` in one piece of work, and pairs, unless a single strip has more.
 const PIECE: usize = 128;
+const PIECE_PAIRS: u64 = 1 << 18;
+
+/// Pairs tried before their contenders are put together.
+const BATCH_PAIRS: u64 = 1 << 21;
+
+/// The most designs held at a time unless said otherwise.
+const MOST_HELD: usize = 1 << 22;
+
+/// The most tooth sets of a row that a search takes.
+pub const MOST_TOOTH_SETS: u64 = 1_000_000;
+
+/// The most windows: row parameters times structures with their ratios.
+pub const MOST_WINDOWS: u64 = 20_000_000;
+
+/// The most pairs of row parameters that are tried, a minute or two of work.
+pub const MOST_PAIRS: u64 = 1_000_000_000;
+
+/// Leaves out some of the designs held.
+type Reduce<'a> = dyn FnMut(&mut Contenders) -> Result<(), SelectionError> + 'a;
+
+/// Strips in pieces, and these in batches.
+fn batches(strips: &[[u32; 3]]) -> Vec<Vec<&[[u32; 3]]>> {
+    let (mut found, mut batch, mut in_batch) = (vec![], vec![], 0);
+    let mut rest = strips;
+    while !rest.is_empty() {
+        let (mut count, mut pairs) = (0, 0);
+        while count < rest.len().min(PIECE) {
+            let more = Patch::pairs(&rest[count..=count]);
+            if count > 0 && pairs + more > PIECE_PAIRS {
+                break;
+            }
+            (count, pairs) = (count + 1, pairs + more);
+        }
+        let (piece, after) = rest.split_at(count);
+        rest = after;
+        if !batch.is_empty() && in_batch + pairs > BATCH_PAIRS {
+            found.push(std::mem::take(&mut batch));
+            in_batch = 0;
+        }
+        batch.push(piece);
+        in_batch += pairs;
+    }
+    if !batch.is_empty() {
+        found.push(batch);
+    }
+    found
+}
 
 impl ToothSearch {
     /// All structures, default tooth bounds and order, no limits of size.
@@ -170,6 +226,7 @@ impl ToothSearch {
             order: Order::default(),
             module: None,
             ring_diameter: None,
+            most_held: MOST_HELD,
         }
     }
 
@@ -187,8 +244,18 @@ impl ToothSearch {
     /// # Errors
     /// As [`front`](Self::front), and [`SelectionError::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, SelectionError> {
-        let (mut found, costs) = self.contenders(watch)?;
-        found.entries = front(&costs, self.order);
+        let mut found = self.prepared()?;
+        let held = self.each(&mut found, watch, &mut |held: &mut Contenders| {
+            // Nothing on the front of all is off the front of a part.
+            held.keep(&non_dominated(&held.costs));
+            let most = self.most_held / 4 * 3;
+            if held.costs.len() > most {
+                return Err(SelectionError::FrontTooLarge { designs: held.costs.len(), most });
+            }
+            Ok(())
+        })?;
+        found.entries = front(&held.costs, self.order);
+        found.points = held.points;
         Ok(found)
     }
 
@@ -208,33 +275,51 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, SelectionError> {
-        let (mut found, costs) = self.contenders(watch)?;
-        found.entries = first_of_front(&costs, self.order, count);
-        Ok(found)
-    }
-
-    /// What a few designs met before do not dominate, with its costs.
-    fn contenders(&self, watch: &Watch) -> Result<(Found, Vec<Costs>), SelectionError> {
         let mut found = self.prepared()?;
-        let (gathered, [tried, feasible]) = self.each(&found, watch)?;
-        (found.counts.tried, found.counts.feasible) = (tried, feasible);
-        let mut costs = vec![];
-        for contenders in gathered {
-            costs.extend(contenders.costs);
-            found.points.extend(contenders.points);
+        // The first design in the order that was left out. All before it are held, and what dominates a design stands
+        // before it; so entries before it are those of the front of all.
+        let mut left_out: Option<Costs> = None;
+        let held = self.each(&mut found, watch, &mut |held: &mut Contenders| {
+            let first_out = held.first(self.most_held / 2, self.order);
+            // What was left out earlier may stand before what is left out now.
+            if left_out.is_none_or(|before| self.order.compare(&first_out, &before).is_lt()) {
+                left_out = Some(first_out);
+            }
+            Ok(())
+        })?;
+        found.entries = first_of_front(&held.costs, self.order, count);
+        if let Some(left_out) = left_out {
+            let before = |entry: &Entry| self.order.compare(&held.costs[entry.members[0]], &left_out).is_lt();
+            found.entries.retain(before);
+            if found.entries.len() < count {
+                return Err(SelectionError::FrontTooLarge { designs: count, most: found.entries.len() });
+            }
         }
-        Ok((found, costs))
+        found.points = held.points;
+        Ok(found)
     }
 
     /// Levels, patches and windows: all that comes before trying.
     fn prepared(&self) -> Result<Found, SelectionError> {
         self.demand.check()?;
         let size = self.size_limits()?;
+        let counted = self.bounds.count()?;
+        if counted > MOST_TOOTH_SETS {
+            return Err(SelectionError::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
+        }
         let all_sets = self.bounds.tooth_sets()?;
         let tooth_sets = all_sets.len();
         let (levels, sets) = levels(all_sets, &self.demand.limits, &self.demand.rating);
         let assignments = self.assignments()?;
         let of = assignments.len();
+        if levels.len() as u64 * of as u64 > MOST_WINDOWS {
+            return Err(SelectionError::TooManyWindows {
+                tooth_sets: counted,
+                parameters: levels.len(),
+                structures: of,
+                most: MOST_WINDOWS,
+            });
+        }
         let patches: Vec<Patch> = assignments
             .into_par_iter()
             .map(|(structure, ratios)| Patch::new(structure, ratios, &self.demand, &levels))
@@ -242,6 +327,11 @@ impl ToothSearch {
             .into_iter()
             .flatten()
             .collect();
+        let pairs = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
+        if pairs > MOST_PAIRS {
+            let (tooth_sets, parameters) = (counted, levels.len());
+            return Err(SelectionError::TooManyPairs { tooth_sets, parameters, pairs, most: MOST_PAIRS });
+        }
         let counts = Counts {
             tooth_sets,
             levels: levels.len(),
@@ -257,34 +347,59 @@ impl ToothSearch {
         Ok(Found { entries, points, patches, levels, sets, counts, size, allowed, rating })
     }
 
-    /// Offers every pair of levels that meets the criteria to the contenders of its piece of work; they
-    /// come back in the order of the pieces, with the numbers tried and met.
-    fn each(&self, found: &Found, watch: &Watch) -> Result<(Vec<Contenders>, [u64; 2]), SelectionError> {
-        let of_patch = |(place, patch): (usize, &'_ Patch)| {
-            let pieces = patch.strips.len().div_ceil(PIECE);
-            (0..pieces).map(move |piece| (place as u32, piece)).collect::<Vec<_>>()
-        };
-        let pieces: Vec<(u32, usize)> = found.patches.iter().enumerate().flat_map(of_patch).collect();
+    /// Offers every pair of levels that meets the criteria to the contenders of its piece of work, and puts these
+    /// together in the order of the pieces. Where more come together than are held, `reduce` leaves some out.
+    ///
+    /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a batch and
+    /// what is held.
+    fn each(
+        &self,
+        found: &mut Found,
+        watch: &Watch,
+        reduce: &mut Reduce,
+    ) -> Result<Contenders, SelectionError> {
+        let batches: Vec<(u32, Vec<&[[u32; 3]]>)> = (0_u32..)
+            .zip(&found.patches)
+            .flat_map(|(place, patch)| batches(&patch.strips).into_iter().map(move |batch| (place, batch)))
+            .collect();
+        let of = batches.iter().map(|(_, pieces)| pieces.len()).sum();
         let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
-        let try_piece = |&(patch, piece): &(u32, usize)| {
-            let mut gathered = Contenders::default();
+        let mut held = Contenders::default();
+        let [mut tried, mut feasible] = [0, 0];
+        let mut sides: Option<(u32, [Vec<Side>; 2])> = None;
+        for (patch, pieces) in &batches {
+            if sides.as_ref().is_none_or(|(of, _)| of != patch) {
+                drop(sides.take());
+                sides = Some((*patch, found.patches[*patch as usize].sides(&found.levels)));
+            }
+            let Some((_, sides)) = &sides else { continue };
+            let try_piece = |strips: &&[[u32; 3]]| {
+                let mut gathered = Contenders::default();
+                if cancelled.load(Ordering::Relaxed) {
+                    return (gathered, [0, 0]);
+                }
+                let counts = self.try_strips(found, *patch, sides, strips, &mut gathered);
+                let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of };
+                if watch(progress).is_break() {
+                    cancelled.store(true, Ordering::Relaxed);
+                }
+                (gathered, counts)
+            };
+            let results: Vec<(Contenders, [u64; 2])> = pieces.par_iter().map(try_piece).collect();
             if cancelled.load(Ordering::Relaxed) {
-                return (gathered, [0, 0]);
+                return Err(SelectionError::Cancelled);
             }
-            let strips = found.patches[patch as usize].strips.iter().skip(PIECE * piece).take(PIECE);
-            let counts = self.try_strips(found, patch, strips, &mut gathered);
-            let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of: pieces.len() };
-            if watch(progress).is_break() {
-                cancelled.store(true, Ordering::Relaxed);
+            for (gathered, counts) in results {
+                (tried, feasible) = (tried + counts[0], feasible + counts[1]);
+                held.costs.extend(gathered.costs);
+                held.points.extend(gathered.points);
             }
-            (gathered, counts)
-        };
-        let (gathered, counts): (Vec<Contenders>, Vec<[u64; 2]>) =
-            pieces.par_iter().map(try_piece).collect::<Vec<_>>().into_iter().unzip();
-        if cancelled.into_inner() {
-            return Err(SelectionError::Cancelled);
+            if held.costs.len() > self.most_held.max(4) {
+                reduce(&mut held)?;
+            }
         }
-        Ok((gathered, [0, 1].map(|place| counts.iter().map(|counts| counts[place]).sum())))
+        (found.counts.tried, found.counts.feasible) = (tried, feasible);
+        Ok(held)
     }
 
     /// Structures with the ratios of their gears, each design once.
@@ -328,11 +443,12 @@ impl ToothSearch {
     }
 
     /// Tries all pairs of some strips; how many there are, and how many meet the criteria.
-    fn try_strips<'a>(
+    fn try_strips(
         &self,
         found: &Found,
         place: u32,
-        strips: impl Iterator<Item = &'a [u32; 3]>,
+        sides: &[Vec<Side>; 2],
+        strips: &[[u32; 3]],
         into: &mut Contenders,
     ) -> [u64; 2] {
         let Found { patches, levels, sets, allowed, size, .. } = found;
@@ -342,7 +458,8 @@ impl ToothSearch {
             tried += u64::from(to - from);
             for two in from..to {
                 let pair = [one as usize, two as usize];
-                let Some(measured) = patch.measure(levels, pair, allowed) else { continue };
+                let rows = [&sides[0][pair[0]], &sides[1][pair[1]]];
+                let Some(measured) = patch.measure(levels, pair, rows, allowed) else { continue };
                 let at = pair.map(|place| &levels[place]);
                 let mut shares = at.map(|level| level.share);
                 if size.module.is_some() || size.ring.is_finite() {
@@ -398,11 +515,32 @@ impl Found {
         entry.members.iter().filter_map(|&member| self.design(self.points.get(member)?, entry)).collect()
     }
 
+    /// The first design of an entry, with its first pair of tooth sets alone, and how many pairs the entry has in all;
+    /// never more than one design is held. `None` of an entry of another search.
+    #[must_use]
+    pub fn first_design(&self, entry: &Entry) -> Option<(ToothDesign, u64)> {
+        let mut first: Option<ToothDesign> = None;
+        let mut count = 0;
+        for &member in &entry.members {
+            let Some(mut design) = self.points.get(member).and_then(|point| self.design(point, entry)) else {
+                continue;
+            };
+            count += design.pairs.len() as u64;
+            if first.is_none() {
+                design.pairs.truncate(1);
+                design.pairs.shrink_to_fit();
+                first = Some(design);
+            }
+        }
+        first.map(|first| (first, count))
+    }
+
     fn design(&self, point: &Point, entry: &Entry) -> Option<ToothDesign> {
         let patch = &self.patches[point.patch as usize];
         let pair = point.levels.map(|level| level as usize);
-        let measured = patch.measure(&self.levels, pair, &self.allowed)?;
         let levels = pair.map(|level| &self.levels[level]);
+        let rows = [0, 1].map(|row| patch.side(row, levels[row]));
+        let measured = patch.measure(&self.levels, pair, [&rows[0], &rows[1]], &self.allowed)?;
         let costs = entry.objectives;
         let share = |set: &ToothSet| self.rating.share(set.planets);
         let mut pairs = vec![];

@@ -18,15 +18,16 @@ pub(crate) struct Patch {
     rows: [RowRoles; 2],
     /// Ways to lock, drawn ones unless that does not matter.
     locks: Vec<[Role; 2]>,
-    /// Row 1 at each level, and row 2.
-    sides: [Vec<Side>; 2],
+    /// Senses of the relative powers, by gear and row.
+    exponents: [[i8; 2]; 2],
+    eta0: f64,
     /// Windows of `k₂` as places of levels: place of `k₁`, first, end.
     pub(crate) strips: Vec<[u32; 3]>,
 }
 
 /// A row at one level: coefficients without losses, and with those of gears 1 and 2.
 #[derive(Debug, Clone, Copy)]
-struct Side {
+pub(crate) struct Side {
     ideal: Coefficients,
     loaded: [Coefficients; 2],
 }
@@ -113,24 +114,40 @@ impl Patch {
         })?;
         let exponents = [0, 1].map(|gear| exponents(rows, witness, gear));
         let eta0 = demand.eta0.get();
-        let side = |row: usize| -> Vec<Side> {
-            let at = |level: &Level| Side {
-                ideal: coefficients(rows[row], level.k),
-                loaded: [0, 1]
-                    .map(|gear| coefficients(rows[row], effective(level.k, eta0, exponents[gear][row]))),
-            };
-            levels.iter().map(at).collect()
+        Some(Self { structure, wanted: ratio, rows, locks, exponents, eta0, strips })
+    }
+
+    /// A row at a level.
+    pub(crate) fn side(&self, row: usize, level: &Level) -> Side {
+        let loaded = |gear: usize| {
+            let k = effective(level.k, self.eta0, self.exponents[gear][row]);
+            coefficients(self.rows[row], k)
         };
-        let sides = [side(0), side(1)];
-        Some(Self { structure, wanted: ratio, rows, locks, sides, strips })
+        Side { ideal: coefficients(self.rows[row], level.k), loaded: [0, 1].map(loaded) }
+    }
+
+    /// Row 1 at each level, and row 2. They take more memory than all else of a patch, so they are kept while it is
+    /// tried and no longer.
+    pub(crate) fn sides(&self, levels: &[Level]) -> [Vec<Side>; 2] {
+        [0, 1].map(|row| levels.iter().map(|level| self.side(row, level)).collect())
+    }
+
+    /// Pairs of levels within the windows of some strips.
+    pub(crate) fn pairs(strips: &[[u32; 3]]) -> u64 {
+        strips.iter().map(|[_, from, to]| u64::from(to - from)).sum()
     }
 
     /// Measures a pair of levels; `None` where a criterion is not met.
     #[inline]
-    pub(crate) fn measure(&self, levels: &[Level], pair: [usize; 2], allowed: &Allowed) -> Option<Measured> {
+    pub(crate) fn measure(
+        &self,
+        levels: &[Level],
+        pair: [usize; 2],
+        [one, two]: [&Side; 2],
+        allowed: &Allowed,
+    ) -> Option<Measured> {
         const D: usize = Role::D.index();
         const B: usize = Role::B.index();
-        let (one, two) = (&self.sides[0][pair[0]], &self.sides[1][pair[1]]);
         let fractions = [0, 1].map(|gear| fraction(&one.ideal, &two.ideal, gear));
         let ratio = fractions.map(|[n, d]| n / d);
         let error = |gear: usize| (ratio[gear] / self.wanted[gear] - 1.0).abs();

@@ -113,6 +113,59 @@ pub enum SelectionError {
     /// Limits in millimetres without what settles millimetres.
     #[error("limits of module or ring diameter need an input torque and a load factor K")]
     SizeWithoutTorque,
+    /// More tooth sets than a search takes.
+    #[error(
+        "{tooth_sets} tooth sets a row, {} pairs of them a structure: a search takes at most {most} a row; narrow the \
+         ranges of teeth or of the row parameter",
+        pairs_of(*tooth_sets)
+    )]
+    TooManyToothSets {
+        /// Tooth sets of a row within the bounds.
+        tooth_sets: u64,
+        /// The most that a search takes.
+        most: u64,
+    },
+    /// More structures and row parameters than a search goes through.
+    #[error(
+        "{tooth_sets} tooth sets a row of {parameters} row parameters, in {structures} structures with their ratios: \
+         parameters times structures are at most {most}; narrow the ranges of teeth or of the row parameter, or \
+         search fewer structures"
+    )]
+    TooManyWindows {
+        /// Tooth sets of a row within the bounds.
+        tooth_sets: u64,
+        /// Distinct row parameters among them.
+        parameters: usize,
+        /// Structures with an assignment of ratios.
+        structures: usize,
+        /// The most that a search takes.
+        most: u64,
+    },
+    /// More pairs of row parameters within the windows than are tried.
+    #[error(
+        "{tooth_sets} tooth sets a row of {parameters} row parameters: {pairs} pairs of these come near the ratios; a \
+         search tries at most {most}; narrow the ranges of teeth, of the row parameter, or the tolerance"
+    )]
+    TooManyPairs {
+        /// Tooth sets of a row within the bounds.
+        tooth_sets: u64,
+        /// Distinct row parameters among them.
+        parameters: usize,
+        /// Pairs to be tried.
+        pairs: u64,
+        /// The most that a search tries.
+        most: u64,
+    },
+    /// A front that memory does not hold.
+    #[error(
+        "a front of {designs} designs: at most {most} are held; narrow the ranges of teeth or the tolerance"
+    )]
+    FrontTooLarge {
+        /// Designs on the front, or asked for.
+        designs: usize,
+        /// The most held, or found among what is held.
+        most: usize,
+    },
     /// Stopped by the caller.
     #[error("the search was cancelled")]
     Cancelled,
@@ -122,6 +175,12 @@ pub enum SelectionError {
     /// What the engine refuses.
     #[error(transparent)]
     Gearbox(#[from] crate::Error),
+}
+
+/// `6.4e7`: pairs of so many.
+fn pairs_of(count: u64) -> String {
+    let count = count as f64;
+    format!("{:.1e}", count * count)
 }
 
 /// `1 speed`, `4 speeds`.

@@ -3,7 +3,7 @@
 use super::SelectionError;
 use crate::locking::{Lock, locks, locks_of_row};
 use crate::pair::{coefficients, ratios};
-use crate::row::{MeshLoss, RowSpec};
+use crate::set::{MeshLoss, SetSpec};
 use crate::structures::{Role, RowRoles, Structure};
 use crate::{Error, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -161,7 +161,7 @@ impl Mechanism {
             Self::Rows(_) => builder.links(["D", "B", "T1", "T2"]).brake("K2", "T2"),
         };
         for (name, row) in ["1", "2"].iter().zip(self.rows()) {
-            builder = builder.row(RowSpec::simple(name, row.map(Role::symbol), k));
+            builder = builder.set(SetSpec::simple(name, row.map(Role::symbol), k));
         }
         builder.build()
     }
@@ -183,7 +183,7 @@ impl Mechanism {
             }
             (Self::Row(row), &[k]) => Ok(Gearbox::builder(&self.to_string())
                 .links(["D", "B", "T1"])
-                .row(RowSpec::simple("1", row.map(Role::symbol), k).with_loss(MeshLoss::Row(eta0)))
+                .set(SetSpec::simple("1", row.map(Role::symbol), k).with_loss(MeshLoss::Row(eta0)))
                 .brake("K1", "T1")
                 .clutch("L", lock[0].symbol(), lock[1].symbol())
                 .input("D")
@@ -191,7 +191,12 @@ impl Mechanism {
                 .gear("1", ["K1"])
                 .gear("direct", ["L"])
                 .build()?),
-            _ => Err(Error::RowCount { given: k.len(), expected: self.rows().len() }.into()),
+            _ => Err(Error::ValueCount {
+                what: "ring-to-sun ratios",
+                given: k.len(),
+                expected: self.rows().len(),
+            }
+            .into()),
         }
     }
 }

@@ -10,7 +10,7 @@ use epicyclic_schemes::selection::drawing::drawable_locks;
 use epicyclic_schemes::selection::size::relative_ring_diameter;
 use epicyclic_schemes::selection::{Demand, Mechanism};
 use epicyclic_schemes::structures::{Role, Structure};
-use epicyclic_schemes::{CompiledGear, Direction, Gearbox, LinkId, RowValues, Solution};
+use epicyclic_schemes::{CompiledGear, Direction, Gearbox, LinkId, Solution, Values};
 
 /// A design that meets the criteria.
 #[derive(Debug, Clone, Copy)]
@@ -85,33 +85,30 @@ impl Model {
         if !k.iter().all(|k| limits.parameter.contains(k)) {
             return None;
         }
-        let values = k.map(|k| RowValues {
-            ratio: StationaryRatio::from(RowParameter::new(k).expect("k above 1")),
-            efficiency: demand.eta0,
-        });
+        let values = values(k, demand);
         let mut solution = Solution::default();
         let (mut error, mut efficiency) = (0.0_f64, f64::INFINITY);
         let (mut links, mut planets, mut torques) = (0.0_f64, 0.0_f64, [0.0_f64; 2]);
         let mut slips = vec![0.0_f64; self.locks.len()];
         for (gear, wanted) in self.gears.iter().zip(wanted) {
-            gear.solve(&values, &[], Direction::Drive, &mut solution).ok()?;
+            gear.solve(&values, Direction::Drive, &mut solution).ok()?;
             error = error.max((solution.ratio() / wanted - 1.0).abs());
             if !within(error, demand.tolerance) {
                 return None;
             }
-            let loaded = solution.loaded()?;
-            efficiency = efficiency.min(loaded.efficiency);
+            efficiency = efficiency.min(solution.efficiency()?);
             let mut speeds = [0.0; 4];
             for (speed, link) in speeds.iter_mut().zip(self.links) {
                 *speed = gear.link_speed(&solution, link)?;
                 links = links.max(speed.abs());
             }
-            for (row, k) in self.gearbox.rows().iter().zip(k) {
-                let [a, _, h] = row.members().map(|link| gear.link_speed(&solution, link));
+            for (row, k) in self.gearbox.sets().iter().zip(k) {
+                let of = |member: usize| gear.link_speed(&solution, row.members()[member]);
+                let (a, h) = (of(0), of(2));
                 planets = planets.max(((a? - h?) * 2.0 / (k - 1.0)).abs());
             }
-            for (&row, torque) in gear.active_rows().iter().zip(loaded.sun) {
-                let largest = &mut torques[usize::from(row)];
+            for (&set, torque) in gear.active().iter().zip(solution.sun_torques()?) {
+                let largest = &mut torques[set];
                 *largest = largest.max(torque.abs());
             }
             for (slip, [x, y]) in slips.iter_mut().zip(self.locks.iter().copied()) {
@@ -134,6 +131,11 @@ impl Model {
     }
 }
 
+fn values(k: [f64; 2], demand: &Demand) -> Values {
+    let ratio = |k| StationaryRatio::from(RowParameter::new(k).expect("k above 1"));
+    Values { ratios: k.map(ratio).into(), efficiencies: vec![demand.eta0; 2] }
+}
+
 /// For each structure and assignment of ratios the point of a grid of row parameters, so many a side,
 /// whose ratios come nearest.
 pub(crate) fn nearest_on_a_grid(
@@ -150,14 +152,11 @@ pub(crate) fn nearest_on_a_grid(
             let mut best = (structure, [0.0; 2], f64::INFINITY);
             for step in 0..side * side {
                 let k = [rung(step / side), rung(step % side)];
-                let values = k.map(|k| RowValues {
-                    ratio: StationaryRatio::from(RowParameter::new(k).expect("k above 1")),
-                    efficiency: demand.eta0,
-                });
+                let values = values(k, demand);
                 let mut error = 0.0_f64;
                 let mut solution = Solution::default();
                 for (gear, wanted) in model.gears.iter().zip(&target) {
-                    if gear.solve(&values, &[], Direction::Drive, &mut solution).is_ok() {
+                    if gear.solve(&values, Direction::Drive, &mut solution).is_ok() {
                         error = error.max((solution.ratio() / wanted - 1.0).abs());
                     }
                 }

@@ -4,7 +4,8 @@
 #![allow(clippy::unwrap_used, reason = "fixtures of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::row::{MeshLoss, RowKind, RowSpec};
+use epicyclic_schemes::compound::CompoundSpec;
+use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_schemes::{GearSpec, Gearbox, GearboxBuilder};
 
 /// A gear with its published ratio.
@@ -27,9 +28,9 @@ fn rounded(gear: &'static str, ratio: &'static str) -> Published {
     Published { gear, ratio, inverted: false, truncated: false }
 }
 
-fn simple(id: &str, members: [&str; 3], sun: u32, ring: u32) -> RowSpec {
+fn simple(id: &str, members: [&str; 3], sun: u32, ring: u32) -> SetSpec {
     let eta = MeshEfficiency::new(0.97).unwrap();
-    RowSpec::teeth(id, RowKind::Simple, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta))
+    SetSpec::teeth(id, SetKind::Simple, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta))
 }
 
 /// ZF 8HP45: four rows, five controls, eight gears and reverse.
@@ -47,10 +48,10 @@ pub(crate) fn eight_speed() -> Machine {
     ];
     let mut builder = Gearbox::builder("ZF 8HP45")
         .links(["in", "S1S2", "R1", "C1R4", "R2S3", "R3S4", "C3", "out"])
-        .row(simple("P1", ["S1S2", "R1", "C1R4"], 48, 96))
-        .row(simple("P2", ["S1S2", "R2S3", "in"], 48, 96))
-        .row(simple("P3", ["R2S3", "R3S4", "C3"], 60, 96))
-        .row(simple("P4", ["R3S4", "C1R4", "out"], 28, 104))
+        .set(simple("P1", ["S1S2", "R1", "C1R4"], 48, 96))
+        .set(simple("P2", ["S1S2", "R2S3", "in"], 48, 96))
+        .set(simple("P3", ["R2S3", "R3S4", "C3"], 60, 96))
+        .set(simple("P4", ["R3S4", "C1R4", "out"], 28, 104))
         .brake("A", "S1S2")
         .brake("B", "R1")
         .clutch("C", "in", "R3S4")
@@ -69,8 +70,8 @@ pub(crate) fn eight_speed() -> Machine {
 pub(crate) fn simpson() -> Machine {
     let gearbox = Gearbox::builder("GM TH400")
         .links(["in", "RA", "S", "CB", "out"])
-        .row(simple("PA", ["S", "RA", "out"], 26, 54))
-        .row(simple("PB", ["S", "out", "CB"], 26, 54))
+        .set(simple("PA", ["S", "RA", "out"], 26, 54))
+        .set(simple("PB", ["S", "out", "CB"], 26, 54))
         .clutch("FWD", "in", "RA")
         .clutch("DIR", "in", "S")
         .brake("INT", "S")
@@ -87,14 +88,35 @@ pub(crate) fn simpson() -> Machine {
     Machine { gearbox, gears }
 }
 
-/// Ford AOD without losses: a Ravigneaux set.
+/// Ford AOD: a Ravigneaux set, with the efficiencies of its meshes at the small sun, between the planets, at the
+/// large sun and at the ring.
+pub(crate) fn ravigneaux_set(etas: [f64; 4]) -> GearboxBuilder {
+    let [small, between, large, ring] = etas.map(|eta| MeshEfficiency::new(eta).unwrap());
+    let set = CompoundSpec::new("RAV", "C")
+        .sun("Ss", 30)
+        .sun("Sl", 36)
+        .ring("out", 72)
+        .planet("short", &[18])
+        .planet("long", &[18])
+        .mesh("Ss", "short", small)
+        .mesh("short", "long", between)
+        .mesh("Sl", "long", large)
+        .mesh("long", "out", ring);
+    aod(Gearbox::builder("Ford AOD").links(["in", "Ss", "Sl", "C", "out"]).compound_set(set))
+}
+
+/// The same as two sets that do not know of each other.
 pub(crate) fn ravigneaux_builder(losses: [MeshLoss; 2]) -> GearboxBuilder {
-    let double = RowSpec::teeth("RAVb", RowKind::DoublePlanet, ["Ss", "out", "C"], 30, 72).unwrap();
-    Gearbox::builder("Ford AOD")
+    let double = SetSpec::teeth("RAVb", SetKind::DoublePlanet, ["Ss", "out", "C"], 30, 72).unwrap();
+    aod(Gearbox::builder("Ford AOD")
         .links(["in", "Ss", "Sl", "C", "out"])
-        .row(double.with_loss(losses[0]))
-        .row(simple("RAVa", ["Sl", "out", "C"], 36, 72).with_loss(losses[1]))
-        .clutch("FWD", "in", "Ss")
+        .set(double.with_loss(losses[0]))
+        .set(simple("RAVa", ["Sl", "out", "C"], 36, 72).with_loss(losses[1])))
+}
+
+/// Its shift elements and gears.
+fn aod(sets: GearboxBuilder) -> GearboxBuilder {
+    sets.clutch("FWD", "in", "Ss")
         .clutch("REV", "in", "Sl")
         .clutch("DIR", "in", "C")
         .brake("B2", "Sl")
@@ -134,10 +156,10 @@ fn special(name: &str, engaged: &str, input: Option<&str>, output: Option<&str>)
 pub(crate) fn power_split() -> Machine {
     let gearbox = Gearbox::builder("Toyota Prius P410")
         .links(["eng", "mg1", "mg2", "ring", "cs", "diff", "C2"])
-        .row(simple("PSD", ["mg1", "ring", "eng"], 30, 78))
-        .row(simple("MSR", ["mg2", "ring", "C2"], 22, 58))
-        .row(RowSpec::pair("CG", ["ring", "cs"], 54, 55).unwrap())
-        .row(RowSpec::pair("FG", ["cs", "diff"], 24, 77).unwrap())
+        .set(simple("PSD", ["mg1", "ring", "eng"], 30, 78))
+        .set(simple("MSR", ["mg2", "ring", "C2"], 22, 58))
+        .set(SetSpec::pair("CG", ["ring", "cs"], 54, 55).unwrap())
+        .set(SetSpec::pair("FG", ["cs", "diff"], 24, 77).unwrap())
         .ground("C2")
         .brake("LOCK_ENG", "eng")
         .brake("LOCK_MG1", "mg1")
@@ -165,9 +187,9 @@ pub(crate) fn power_split() -> Machine {
 pub(crate) fn wind() -> Machine {
     let gearbox = Gearbox::builder("NREL GRC 750 kW")
         .links(["in", "R1", "s", "i", "out"])
-        .row(simple("P1", ["s", "R1", "in"], 21, 99))
-        .row(RowSpec::pair("G2", ["s", "i"], 82, 23).unwrap())
-        .row(RowSpec::pair("G3", ["i", "out"], 88, 22).unwrap())
+        .set(simple("P1", ["s", "R1", "in"], 21, 99))
+        .set(SetSpec::pair("G2", ["s", "i"], 82, 23).unwrap())
+        .set(SetSpec::pair("G3", ["i", "out"], 88, 22).unwrap())
         .ground("R1")
         .input("in")
         .output("out")

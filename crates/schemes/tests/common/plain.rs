@@ -3,29 +3,35 @@
 #![allow(dead_code, reason = "each test binary uses its own part")]
 #![allow(clippy::unwrap_used, reason = "fixtures of tests")]
 
-use epicyclic_schemes::{Gear, Gearbox, LinkId};
+use epicyclic_schemes::{Gear, Gearbox, LinkId, PlanetSet};
 use nalgebra::{DMatrix, DVector};
 
-/// Equations of rows with these stationary ratios, of permanent connections and engaged controls.
+/// Equations of sets with these ratios of their first central gear to each other, of permanent connections and engaged controls.
 pub(crate) fn equations(gearbox: &Gearbox, gear: &Gear, ratios: &[f64]) -> DMatrix<f64> {
     let links = gearbox.links().len();
     let engaged = gear.engaged().iter().map(|&c| gearbox.controls()[c].links());
     let joined: Vec<[LinkId; 2]> = gearbox.permanent().iter().copied().chain(engaged).collect();
-    let mut matrix = DMatrix::zeros(gearbox.rows().len() + joined.len(), links);
-    for (r, (row, &i0)) in gearbox.rows().iter().zip(ratios).enumerate() {
-        for (link, factor) in row.members().iter().zip([1.0, -i0, i0 - 1.0]) {
+    let mut matrix = DMatrix::zeros(ratios.len() + joined.len(), links);
+    let pairs =
+        gearbox.sets().iter().flat_map(|set| (1..set.centrals().len()).map(move |other| (set, other)));
+    for (r, ((set, other), &i)) in pairs.zip(ratios).enumerate() {
+        let links = [set.members()[0], set.members()[other], set.carrier()];
+        for (link, factor) in links.iter().zip([1.0, -i, i - 1.0]) {
             matrix[(r, link.index())] += factor;
         }
     }
     for (e, [first, second]) in joined.iter().enumerate() {
-        matrix[(gearbox.rows().len() + e, first.index())] += 1.0;
-        matrix[(gearbox.rows().len() + e, second.index())] -= 1.0;
+        matrix[(ratios.len() + e, first.index())] += 1.0;
+        matrix[(ratios.len() + e, second.index())] -= 1.0;
     }
     matrix.remove_column(0)
 }
 
 pub(crate) fn ratios(gearbox: &Gearbox) -> Vec<f64> {
-    gearbox.rows().iter().map(|row| row.stationary_ratio().get()).collect()
+    let of_set = |set: &PlanetSet| {
+        (1..set.centrals().len()).map(|other| set.ratio_between(0, other)).collect::<Vec<_>>()
+    };
+    gearbox.sets().iter().flat_map(of_set).collect()
 }
 
 fn unit(links: usize, link: LinkId) -> DMatrix<f64> {
@@ -87,7 +93,7 @@ pub(crate) struct Plain {
 /// The torques obey the transposed system: `Cᵀ·t = T_in·e_in + T_out·e_out`, so with the equation of
 /// the input appended as a last row, `[C; e_in]ᵀ·(t; −T_in) = T_out·e_out`.
 pub(crate) fn solve(gearbox: &Gearbox, gear: &Gear, ratios: &[f64], etas: &[f64]) -> Option<Plain> {
-    let rows = gearbox.rows().len();
+    let rows = gearbox.sets().len();
     let system = |ratios: &[f64]| {
         let matrix = equations(gearbox, gear, ratios);
         let input = unit(matrix.ncols(), gear.input());
@@ -115,10 +121,10 @@ pub(crate) fn solve(gearbox: &Gearbox, gear: &Gear, ratios: &[f64], etas: &[f64]
     };
     let (ideal, _) = torques(matrix)?;
     let relative: Vec<f64> = gearbox
-        .rows()
+        .sets()
         .iter()
         .enumerate()
-        .map(|(r, row)| ideal[r] * (speed(row.members()[0]) - speed(row.members()[2])))
+        .map(|(r, row)| ideal[r] * (speed(row.members()[0]) - speed(row.carrier())))
         .collect();
     let largest = relative.iter().fold(1.0_f64, |m, p| m.max(p.abs()));
     let sign = |p: &f64| if p.abs() <= 1e-11 * largest { 0 } else { p.signum() as i8 };

@@ -16,8 +16,9 @@ impl Lever {
     /// The lever of one row: carrier at 0, wheel 2 at −1, wheel 1 at `−i₀`.
     #[must_use]
     pub fn of_row(gearbox: &Gearbox, row: usize) -> Self {
-        let members = gearbox.rows()[row].members().map(|link| piece_of(gearbox, link));
-        let at = [-gearbox.rows()[row].stationary_ratio().get(), -1.0, 0.0];
+        let drawn = &gearbox.drawn_sets()[row];
+        let members = drawn.links.map(|link| piece_of(gearbox, link));
+        let at = [-drawn.basic_ratio(gearbox), -1.0, 0.0];
         let mut nodes: Vec<(LinkId, f64)> = vec![];
         for node in members.into_iter().zip(at) {
             if nodes.iter().all(|(link, _)| *link != node.0) {
@@ -41,7 +42,7 @@ impl Lever {
     /// The members of its rows at a node, `a` wheel 1, `b` wheel 2, `H` carrier, with the numbers of their rows.
     pub(super) fn members(&self, gearbox: &Gearbox, link: LinkId) -> String {
         let of_row = |&row: &usize| {
-            let members = gearbox.rows()[row].members().map(|member| piece_of(gearbox, member));
+            let members = gearbox.drawn_sets()[row].links.map(|member| piece_of(gearbox, member));
             let here = members.into_iter().zip(["a", "b", "H"]).filter(move |(member, _)| *member == link);
             here.map(move |(_, letter)| format!("{letter}{}", row + 1))
         };
@@ -80,13 +81,13 @@ impl Lever {
 ///
 /// ```
 /// use epicyclic_pictures::gearbox::levers::levers;
-/// use epicyclic_schemes::{Gearbox, row::RowSpec};
+/// use epicyclic_schemes::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// // Simpson: common suns, the first carrier with the second ring.
 /// let gearbox = Gearbox::builder("Simpson")
 ///     .links(["S", "R1", "out", "C2"])
-///     .row(RowSpec::simple("1", ["S", "R1", "out"], 2.0))
-///     .row(RowSpec::simple("2", ["S", "out", "C2"], 2.0))
+///     .set(SetSpec::simple("1", ["S", "R1", "out"], 2.0))
+///     .set(SetSpec::simple("2", ["S", "out", "C2"], 2.0))
 ///     .input("R1")
 ///     .output("out")
 ///     .build()?;
@@ -100,7 +101,8 @@ impl Lever {
 /// ```
 #[must_use]
 pub fn levers(gearbox: &Gearbox) -> Vec<Lever> {
-    let mut levers: Vec<Lever> = (0..gearbox.rows().len()).map(|row| Lever::of_row(gearbox, row)).collect();
+    let mut levers: Vec<Lever> =
+        (0..gearbox.drawn_sets().len()).map(|row| Lever::of_row(gearbox, row)).collect();
     let pair = |levers: &[Lever]| {
         (0..levers.len())
             .find_map(|a| (a + 1..levers.len()).find_map(|b| Some((a, b, levers[a].with(&levers[b])?))))

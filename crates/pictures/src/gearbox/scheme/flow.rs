@@ -45,7 +45,11 @@ pub(in crate::gearbox) fn piece_of(gearbox: &Gearbox, link: LinkId) -> LinkId {
 }
 
 /// All pieces of all links but the housing; without a load their powers are `None`.
-pub(super) fn pieces(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis, &LoadCase)>) -> Vec<Piece> {
+pub(super) fn pieces(
+    gearbox: &Gearbox,
+    layout: &Layout,
+    load: Option<(&Analysis<'_>, &LoadCase)>,
+) -> Vec<Piece> {
     let entries = entries(gearbox, layout, load);
     let mut all = vec![];
     for shape in layout.links.iter().filter(|shape| shape.link != LinkId::GROUND) {
@@ -114,17 +118,16 @@ fn passed(entering: &[Vec<&Entry>], behind: &[bool]) -> (Option<f64>, f64) {
     (power, round.flat_map(|(entries, _)| entries.iter().map(|entry| entry.circulating)).sum())
 }
 
-fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis, &LoadCase)>) -> Vec<Entry> {
+fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &LoadCase)>) -> Vec<Entry> {
     let mut entries = vec![];
     for stack in &layout.rows {
-        let power = load.map(|(_, case)| case.power.rows[stack.row].as_ref());
-        let round = load.map_or([0.0; 3], |(_, case)| case.power.circulating_members[stack.row]);
+        let power = load.and_then(|(gear, case)| gear.drawn_power(case, stack.row));
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
             entries.push(Entry {
                 link: stack.members[member],
                 at: Point { x: stack.x, y },
-                power: power.flatten().map(|power| -power.members[member]),
-                circulating: -round[member],
+                power: power.map(|power| -power.members[member]),
+                circulating: -power.map_or(0.0, |power| power.circulating[member]),
             });
         }
     }
@@ -132,7 +135,7 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis, &LoadCas
         let first = gearbox.controls().get(mark.control).map(|control| control.links()[0]);
         let first = first.map(|link| piece_of(gearbox, link));
         let power = load.and_then(|(gear, case)| control_power(gearbox, gear, case, mark.control));
-        let round = load.and_then(|(_, case)| case.power.circulating_controls.get(mark.control).copied());
+        let round = load.map(|(_, case)| case.power.circulating_control(mark.control));
         for (link, at) in [mark.lower, mark.upper] {
             let sign = if Some(link) == first { 1.0 } else { -1.0 };
             let circulating = sign * round.unwrap_or(0.0);

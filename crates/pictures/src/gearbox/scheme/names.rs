@@ -45,7 +45,7 @@ impl Sheet<'_> {
     fn wheel_names(&mut self, places: &mut Places) {
         for stack in self.layout.rows.clone() {
             let number = stack.row + 1;
-            let kind = self.gearbox.rows()[stack.row].spec().kind;
+            let kind = self.gearbox.drawn_sets()[stack.row].kind;
             let (sun_rim, ring_rim) =
                 if kind.is_pair() { (stack.planet, stack.planet) } else { (stack.sun_mesh, stack.ring_mesh) };
             let x = at(Place { x: stack.x, y: 0.0 }).x;

@@ -5,7 +5,7 @@ use crate::gearbox::{ENGAGED, RESTING};
 use epicyclic_drawing::{Color, Point, Shape, Style};
 use epicyclic_schemes::LinkId;
 use epicyclic_schemes::drawability::layout::{Point as Place, RowStack, Segment};
-use epicyclic_schemes::row::RowKind;
+use epicyclic_schemes::set::SetKind;
 
 /// Half the length of a rim, and of a plate.
 const RIM_MM: f64 = 2.6;
@@ -19,8 +19,8 @@ const PIN_MM: f64 = 3.2;
 const HATCH_MM: f64 = 1.8;
 
 /// Whether the carrier of a row is not drawn straight through its planet.
-fn is_cut(kind: RowKind) -> bool {
-    matches!(kind, RowKind::DoublePlanet | RowKind::MeshingSuns) || kind.is_pair()
+fn is_cut(kind: SetKind) -> bool {
+    matches!(kind, SetKind::DoublePlanet | SetKind::MeshingSuns) || kind.is_pair()
 }
 
 /// What is left of a line of a link where carriers fork around double planets, and bearings of pairs end.
@@ -32,7 +32,7 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
     }
     let half = FORK_MM / super::ALONG_MM;
     for stack in &sheet.layout.rows {
-        let kind = sheet.gearbox.rows()[stack.row].spec().kind;
+        let kind = sheet.gearbox.drawn_sets()[stack.row].kind;
         if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
             continue;
         }
@@ -124,7 +124,7 @@ impl Sheet<'_> {
     /// Wheels and planets of all rows.
     pub(super) fn rows(&mut self) {
         for stack in self.layout.rows.clone() {
-            let kind = self.gearbox.rows()[stack.row].spec().kind;
+            let kind = self.gearbox.drawn_sets()[stack.row].kind;
             let x = at(Place { x: stack.x, y: 0.0 }).x;
             // Rims of stepped planets' wheels stand on two sides.
             let aside = if kind.is_stepped() { 3.2 } else { 0.0 };
@@ -136,7 +136,7 @@ impl Sheet<'_> {
             self.wheel(&stack, 1, [x, UP_MM * stack.ring], ring_mesh + MESH_MM, aside);
             match kind {
                 _ if kind.is_pair() => {}
-                RowKind::DoublePlanet | RowKind::MeshingSuns => self.double_planet(&stack, x),
+                SetKind::DoublePlanet | SetKind::MeshingSuns => self.double_planet(&stack, x),
                 _ if kind.is_stepped() => self.stepped_planet(&stack, x, aside),
                 _ => {
                     let rims = [sun_mesh + MESH_MM, ring_mesh - MESH_MM];

@@ -1,6 +1,7 @@
 //! Radii of a row's wheels, and the lines of its links and planets over them.
 
-use epicyclic_schemes::row::{Gearing, Row, RowKind};
+use epicyclic_schemes::drawn::DrawnSet;
+use epicyclic_schemes::set::SetKind;
 use epicyclic_schemes::{Analysis, Gearbox, LinkId};
 
 /// A line of the plan between two points `[radius, velocity]`.
@@ -36,28 +37,30 @@ struct Radii {
 }
 
 /// `None` for the pins' radii where the row's kind or missing teeth leave them open.
-fn radii(row: &Row) -> Radii {
-    let i0 = row.stationary_ratio().get();
-    let size = i0.abs();
-    match row.spec().kind {
-        RowKind::Simple => Radii { wheels: [1.0, size], pins: vec![0.5 * (1.0 + size)] },
+fn radii(gearbox: &Gearbox, set: &DrawnSet) -> Radii {
+    let size = set.basic_ratio(gearbox).abs();
+    match set.kind {
+        SetKind::Simple => Radii { wheels: [1.0, size], pins: vec![0.5 * (1.0 + size)] },
         // One beside the other, of equal sizes: a quarter and three quarters of the way.
-        RowKind::DoublePlanet => {
+        SetKind::DoublePlanet => {
             let pins = [0.25, 0.75].map(|part| 1.0 + part * (size - 1.0));
             Radii { wheels: [1.0, size], pins: pins.to_vec() }
         }
-        kind if kind.is_stepped() => stepped(row).unwrap_or(Radii { wheels: [1.0, size], pins: vec![] }),
+        kind if kind.is_stepped() => {
+            stepped(gearbox, set).unwrap_or(Radii { wheels: [1.0, size], pins: vec![] })
+        }
         _ => Radii { wheels: [1.0, size], pins: vec![] },
     }
 }
 
 /// Radii of a stepped row: its pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
-fn stepped(row: &Row) -> Option<Radii> {
-    let Gearing::Teeth(first, second) = row.spec().gearing else { return None };
-    let (g, f) = (row.spec().planet?.as_f64(), row.spec().second_planet?.as_f64());
-    let [outside_first, outside_second] = match row.spec().kind {
-        RowKind::SteppedSunRing => [1.0, -1.0],
-        RowKind::SteppedSuns => [1.0, 1.0],
+fn stepped(gearbox: &Gearbox, set: &DrawnSet) -> Option<Radii> {
+    let [first, second] = set.teeth(gearbox)?;
+    let [g, f] = set.planet_teeth(gearbox);
+    let (g, f) = (g?.as_f64(), f?.as_f64());
+    let [outside_first, outside_second] = match set.kind {
+        SetKind::SteppedSunRing => [1.0, -1.0],
+        SetKind::SteppedSuns => [1.0, 1.0],
         _ => [-1.0, -1.0],
     };
     let pin = 1.0 + outside_first * g / first.as_f64();
@@ -69,13 +72,13 @@ impl Plan {
     /// The plan of a row in a gear all of whose speeds are known.
     pub(super) fn of(gearbox: &Gearbox, gear: &Analysis, row: usize) -> Self {
         let number = row + 1;
-        let members = gearbox.rows()[row].members();
+        let drawn = &gearbox.drawn_sets()[row];
+        let (members, kind) = (drawn.links, drawn.kind);
         let speeds = members.map(|link| gear.speed(link).unwrap_or(0.0));
-        let kind = gearbox.rows()[row].spec().kind;
         if kind.is_pair() {
             return Self::of_pair(gearbox, row, [speeds[0], speeds[1]]);
         }
-        let Radii { wheels: [first, second], pins } = radii(&gearbox.rows()[row]);
+        let Radii { wheels: [first, second], pins } = radii(gearbox, drawn);
         let carrier = pins.iter().copied().fold(0.0, f64::max);
         let carrier = if carrier > 0.0 { carrier } else { first.max(second) };
         let line = |member: usize, letter: &str, radius: f64| Line {
@@ -114,8 +117,8 @@ impl Plan {
             _ => {}
         }
         let wheels = match (kind, &pins[..]) {
-            (RowKind::Simple, _) => vec![[0.0, first], [first, second]],
-            (RowKind::DoublePlanet, _) => {
+            (SetKind::Simple, _) => vec![[0.0, first], [first, second]],
+            (SetKind::DoublePlanet, _) => {
                 let contact = f64::midpoint(first, second);
                 vec![[0.0, first], [first, contact], [contact, second]]
             }
@@ -129,9 +132,10 @@ impl Plan {
     /// A pair: wheel 1 about the axis, wheel 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
     fn of_pair(gearbox: &Gearbox, row: usize, speeds: [f64; 2]) -> Self {
         let number = row + 1;
-        let members = gearbox.rows()[row].members();
-        let size = gearbox.rows()[row].stationary_ratio().get().abs();
-        let outside = gearbox.rows()[row].spec().kind == RowKind::ExternalPair;
+        let drawn = &gearbox.drawn_sets()[row];
+        let members = drawn.links;
+        let size = drawn.basic_ratio(gearbox).abs();
+        let outside = drawn.kind == SetKind::ExternalPair;
         // Wheel 1 inside a ring stands above the ring's axis.
         let (first, second) =
             if outside { (0.0, 1.0 + size) } else { ((size - 1.0).max(0.0), (1.0 - size).max(0.0)) };
@@ -164,15 +168,15 @@ impl Plan {
 mod tests {
     use super::*;
     use epicyclic_gears::teeth::ToothCount;
-    use epicyclic_schemes::row::RowSpec;
+    use epicyclic_schemes::set::SetSpec;
 
     /// A row of a kind between D, T1 and B, T1 held.
-    fn gearbox(kind: RowKind, teeth: [u32; 4]) -> Gearbox {
+    fn gearbox(kind: SetKind, teeth: [u32; 4]) -> Gearbox {
         let [first, second, g, f] = teeth;
         let count = |z| ToothCount::new(z).unwrap();
-        let row = RowSpec::teeth("1", kind, ["D", "T1", "B"], first, second).unwrap();
+        let row = SetSpec::teeth("1", kind, ["D", "T1", "B"], first, second).unwrap();
         let row = row.planet_teeth(count(g), (f > 0).then(|| count(f)));
-        let builder = Gearbox::builder("one row").links(["D", "B", "T1"]).row(row).brake("K1", "T1");
+        let builder = Gearbox::builder("one row").links(["D", "B", "T1"]).set(row).brake("K1", "T1");
         builder.input("D").output("B").gear("1", ["K1"]).build().unwrap()
     }
 
@@ -180,10 +184,10 @@ mod tests {
     #[test]
     fn a_planets_slope_is_its_speed() {
         for (kind, teeth) in [
-            (RowKind::Simple, [20, 70, 25, 0]),
-            (RowKind::SteppedSunRing, [20, 80, 30, 18]),
-            (RowKind::SteppedSuns, [30, 24, 20, 26]),
-            (RowKind::SteppedRings, [90, 80, 25, 22]),
+            (SetKind::Simple, [20, 70, 25, 0]),
+            (SetKind::SteppedSunRing, [20, 80, 30, 18]),
+            (SetKind::SteppedSuns, [30, 24, 20, 26]),
+            (SetKind::SteppedRings, [90, 80, 25, 22]),
         ] {
             let gearbox = gearbox(kind, teeth);
             let gear = gearbox.analyze("1").unwrap();
@@ -191,7 +195,7 @@ mod tests {
             let planet = plan.lines.iter().find(|line| line.link.is_none()).unwrap();
             let [[r, v], [further, faster]] = [planet.from, planet.to];
             let slope = (faster - v) / (further - r);
-            let speed = gear.rows()[0].planets[0].absolute.unwrap();
+            let speed = gear.sets()[0].planets[0].unwrap().absolute.unwrap();
             assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
             let carrier = plan.lines.iter().find(|line| line.name == "H1").unwrap();
             let on_line = v + slope * (carrier.to[0] - r);
@@ -202,7 +206,7 @@ mod tests {
     /// Both planets of a pair in mesh have one velocity where they touch, and their pins lie on their lines.
     #[test]
     fn planets_in_mesh_agree_where_they_touch() {
-        let gearbox = gearbox(RowKind::DoublePlanet, [30, 72, 16, 18]);
+        let gearbox = gearbox(SetKind::DoublePlanet, [30, 72, 16, 18]);
         let gear = gearbox.analyze("1").unwrap();
         let plan = Plan::of(&gearbox, &gear, 0);
         let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
@@ -217,9 +221,9 @@ mod tests {
     /// Wheels of a pair have one velocity in contact, outside each other and one in the other.
     #[test]
     fn a_pair_meets_in_its_contact() {
-        for kind in [RowKind::ExternalPair, RowKind::InternalPair] {
-            let row = RowSpec::teeth("1", kind, ["D", "B", "ground"], 20, 50).unwrap();
-            let gearbox = Gearbox::builder("pair").links(["D", "B"]).row(row).input("D").output("B");
+        for kind in [SetKind::ExternalPair, SetKind::InternalPair] {
+            let row = SetSpec::teeth("1", kind, ["D", "B", "ground"], 20, 50).unwrap();
+            let gearbox = Gearbox::builder("pair").links(["D", "B"]).set(row).input("D").output("B");
             let gearbox = gearbox.gear("1", [""; 0]).build().unwrap();
             let plan = Plan::of(&gearbox, &gearbox.analyze("1").unwrap(), 0);
             let [one, other] = [plan.lines[0].to, plan.lines[1].to];

@@ -1,6 +1,12 @@
-//! A row in a gearbox: its kind, its stationary ratio, what its meshes lose, where its members go.
+//! A planet set with three members, in short: its kind, its basic ratio, what its meshes lose, where its
+//! members go.
+//!
+//! The short form says which of the usual arrangements a set has; [`PlanetSet`](crate::PlanetSet) is what it
+//! stands for, with every gear and mesh. What has more members, or shares planets, is described whole by
+//! [`CompoundSpec`](crate::compound::CompoundSpec).
 
 use crate::Error;
+use crate::tolerance::BASIC_RATIO;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::{Fraction, StationaryRatio};
 use epicyclic_gears::teeth::ToothCount;
@@ -23,7 +29,7 @@ use std::fmt;
 /// The first central wheel is called the sun and the second the ring throughout. The carrier of a
 /// pair is the housing. Of the steps of a planet `g` meshes with wheel 1 and `f` with wheel 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum RowKind {
+pub enum SetKind {
     /// Sun, ring, one planet in mesh with both.
     Simple,
     /// Sun, ring, two planets in mesh between them.
@@ -44,7 +50,7 @@ pub enum RowKind {
     InternalPair,
 }
 
-impl RowKind {
+impl SetKind {
     /// Sign of the stationary ratio.
     #[must_use]
     pub fn sign(self) -> f64 {
@@ -69,7 +75,7 @@ impl RowKind {
     }
 }
 
-impl fmt::Display for RowKind {
+impl fmt::Display for SetKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Simple => "simple",
@@ -130,22 +136,23 @@ impl MeshLoss {
     }
 }
 
-/// Description of one row, by name; [`GearboxBuilder`](crate::GearboxBuilder) turns it into a [`Row`].
+/// Description of one set, by name; [`GearboxBuilder`](crate::GearboxBuilder) turns it into a
+/// [`PlanetSet`](crate::PlanetSet).
 ///
 /// ```
-/// use epicyclic_schemes::row::{RowKind, RowSpec};
+/// use epicyclic_schemes::set::{SetKind, SetSpec};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
-/// let by_k = RowSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
-/// let by_teeth = RowSpec::teeth("P2", RowKind::DoublePlanet, ["s", "r", "c"], 30, 72)?;
+/// let by_k = SetSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
+/// let by_teeth = SetSpec::teeth("P2", SetKind::DoublePlanet, ["s", "r", "c"], 30, 72)?;
 /// # Ok(())
 /// # }
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct RowSpec {
+pub struct SetSpec {
     /// Name of the row.
     pub id: String,
     /// Kind.
-    pub kind: RowKind,
+    pub kind: SetKind,
     /// Links of sun (wheel 1), ring (wheel 2) and carrier. That of a pair's carrier is `ground`.
     pub members: [String; 3],
     /// Ratio or teeth.
@@ -160,10 +167,10 @@ pub struct RowSpec {
     pub planet_count: Option<u32>,
 }
 
-impl RowSpec {
+impl SetSpec {
     /// A row of any kind known by the size of its stationary ratio, `k = |i₀|`.
     #[must_use]
-    pub fn new(id: &str, kind: RowKind, members: [&str; 3], k: f64) -> Self {
+    pub fn new(id: &str, kind: SetKind, members: [&str; 3], k: f64) -> Self {
         Self {
             id: id.into(),
             kind,
@@ -179,7 +186,7 @@ impl RowSpec {
     /// A simple row known by `k = z_b/z_a`.
     #[must_use]
     pub fn simple(id: &str, members: [&str; 3], k: f64) -> Self {
-        Self::new(id, RowKind::Simple, members, k)
+        Self::new(id, SetKind::Simple, members, k)
     }
 
     /// A row of any kind known by the teeth of its central wheels. A stepped row also needs
@@ -189,7 +196,7 @@ impl RowSpec {
     /// [`epicyclic_gears::Error::NoTeeth`] for a tooth count of 0.
     pub fn teeth(
         id: &str,
-        kind: RowKind,
+        kind: SetKind,
         members: [&str; 3],
         first: u32,
         second: u32,
@@ -209,7 +216,7 @@ impl RowSpec {
         second: u32,
     ) -> Result<Self, epicyclic_gears::Error> {
         let [a, b] = wheels;
-        Self::teeth(id, RowKind::ExternalPair, [a, b, crate::GROUND], first, second)
+        Self::teeth(id, SetKind::ExternalPair, [a, b, crate::GROUND], first, second)
     }
 
     /// The same row with these losses.
@@ -232,11 +239,11 @@ impl RowSpec {
 
     /// Stationary ratio as a number, and as an exact fraction where the teeth are known.
     pub(crate) fn ratio(&self) -> Result<(StationaryRatio, Option<Fraction>), Error> {
-        let bad_parameter = |k| Error::RowParameter { row: self.id.clone(), kind: self.kind, k };
-        let simple_fits = |k: f64| self.kind != RowKind::Simple || k > 1.0;
+        let bad_parameter = |k| Error::RowParameter { set: self.id.clone(), kind: self.kind, k };
+        let simple_fits = |k: f64| self.kind != SetKind::Simple || k > 1.0;
         match self.gearing {
             Gearing::Parameter(k) => {
-                if !(k > 0.0 && k.is_finite() && simple_fits(k)) {
+                if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
                     return Err(bad_parameter(k));
                 }
                 let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_parameter(k))?;
@@ -247,97 +254,17 @@ impl RowSpec {
                 let mut size = Fraction::new(of(second), of(first));
                 if self.kind.is_stepped() {
                     let (Some(g), Some(f)) = (self.planet, self.second_planet) else {
-                        return Err(Error::StepsMissing { row: self.id.clone(), kind: self.kind });
+                        return Err(Error::StepsMissing { set: self.id.clone(), kind: self.kind });
                     };
                     size *= Fraction::new(of(g), of(f));
                 }
                 let k = *size.numer() as f64 / *size.denom() as f64;
-                if !simple_fits(k) {
+                if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
                     return Err(bad_parameter(k));
                 }
                 let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_parameter(k))?;
                 Ok((ratio, Some(if self.kind.sign() < 0.0 { -size } else { size })))
             }
         }
-    }
-}
-
-/// One planet, or step of a planet, of a row: what its speed relative to the carrier follows from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct PlanetRatio {
-    /// 0: rolls on wheel 1; 1: rolls on wheel 2.
-    pub(crate) wheel: usize,
-    /// `(ω_g − ω_H)/(ω_wheel − ω_H)`.
-    pub(crate) factor: f64,
-}
-
-/// A row of a built gearbox.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Row {
-    pub(crate) spec: RowSpec,
-    pub(crate) members: [crate::LinkId; 3],
-    pub(crate) ratio: StationaryRatio,
-    pub(crate) exact: Option<Fraction>,
-}
-
-impl Row {
-    /// Name of the row.
-    #[must_use]
-    pub fn id(&self) -> &str {
-        &self.spec.id
-    }
-
-    /// What it was built from.
-    #[must_use]
-    pub fn spec(&self) -> &RowSpec {
-        &self.spec
-    }
-
-    /// Links of sun (wheel 1), ring (wheel 2) and carrier.
-    #[must_use]
-    pub fn members(&self) -> [crate::LinkId; 3] {
-        self.members
-    }
-
-    /// Stationary ratio `i₀`.
-    #[must_use]
-    pub fn stationary_ratio(&self) -> StationaryRatio {
-        self.ratio
-    }
-
-    /// `i₀` as a fraction of tooth counts, where they are known.
-    #[must_use]
-    pub fn exact_ratio(&self) -> Option<Fraction> {
-        self.exact
-    }
-
-    /// How the planets turn relative to the carrier: one entry a planet on its own axis.
-    ///
-    /// A simple row known by `k` alone has `z_g/z_a = (k − 1)/2` by coaxiality; planets of the
-    /// other kinds are known by their teeth only.
-    pub(crate) fn planets(&self) -> Vec<PlanetRatio> {
-        let central = match self.spec.gearing {
-            Gearing::Teeth(first, second) => Some([first.as_f64(), second.as_f64()]),
-            Gearing::Parameter(_) => None,
-        };
-        let rolling = |wheel: usize, planet: Option<ToothCount>, sign: f64| {
-            let factor = sign * central?[wheel] / planet?.as_f64();
-            Some(PlanetRatio { wheel, factor })
-        };
-        let (g, f) = (self.spec.planet, self.spec.second_planet);
-        let found = match self.spec.kind {
-            RowKind::ExternalPair | RowKind::InternalPair => vec![],
-            RowKind::Simple if g.is_none() || central.is_none() => {
-                let k = -self.ratio.get();
-                vec![Some(PlanetRatio { wheel: 0, factor: -2.0 / (k - 1.0) })]
-            }
-            RowKind::Simple | RowKind::SteppedSunRing | RowKind::SteppedSuns | RowKind::Bevel => {
-                vec![rolling(0, g, -1.0)]
-            }
-            RowKind::SteppedRings => vec![rolling(0, g, 1.0)],
-            RowKind::DoublePlanet => vec![rolling(0, g, -1.0), rolling(1, f, 1.0)],
-            RowKind::MeshingSuns => vec![rolling(0, g, -1.0), rolling(1, f, -1.0)],
-        };
-        found.into_iter().flatten().collect()
     }
 }

@@ -1,0 +1,109 @@
+//! That no output is the input or another output: refused before anything is read or computed.
+//!
+//! The files of a call are found by what its arguments say of themselves, so that no command can forget the check: a positional
+//! argument that is a path is read, an option that is one is written.
+
+use crate::failure::Failure;
+use crate::writing::are_one_file;
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, ValueHint};
+use std::path::{Path, PathBuf};
+
+/// The files that a command line names.
+#[derive(Debug, Default)]
+pub(crate) struct Files {
+    read: Vec<PathBuf>,
+    /// With their options.
+    written: Vec<(String, PathBuf)>,
+}
+
+/// Whether an argument names a file.
+fn is_file(arg: &Arg) -> bool {
+    matches!(arg.get_value_hint(), ValueHint::AnyPath | ValueHint::FilePath)
+}
+
+impl Files {
+    /// Of a command line, with all commands below the program's.
+    pub(crate) fn of(command: &clap::Command, matches: &ArgMatches) -> Self {
+        let mut files = Self::default();
+        let mut level = Some((command, matches));
+        while let Some((command, matches)) = level {
+            for arg in command.get_arguments().filter(|arg| is_file(arg)) {
+                let id = arg.get_id().as_str();
+                if matches.value_source(id) != Some(ValueSource::CommandLine) {
+                    continue;
+                }
+                for value in matches.get_raw(id).into_iter().flatten() {
+                    match arg.get_long() {
+                        Some(option) => files.written.push((format!("--{option}"), value.into())),
+                        None => files.read.push(value.into()),
+                    }
+                }
+            }
+            level =
+                matches.subcommand().and_then(|(name, below)| Some((command.find_subcommand(name)?, below)));
+        }
+        files
+    }
+
+    /// Refuses two that are one.
+    pub(crate) fn are_apart(&self) -> Result<(), Failure> {
+        let named = |option: &str, file: &Path| format!("{option} {}", file.display());
+        for (place, (option, file)) in self.written.iter().enumerate() {
+            if let Some(input) = self.read.iter().find(|input| input.exists() && are_one_file(input, file)) {
+                return Err(Failure::OneFile {
+                    one: named(option, file),
+                    other: named("the input", input),
+                    remedy: "the input would be lost; name another file to write",
+                });
+            }
+            let before = &self.written[..place];
+            if let Some((first, other)) = before.iter().find(|(_, other)| are_one_file(other, file)) {
+                return Err(Failure::OneFile {
+                    one: named(first, other),
+                    other: named(option, file),
+                    remedy: "name a file for each",
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Cli;
+    use clap::CommandFactory as _;
+
+    fn collect(command: &clap::Command, found: &mut Vec<String>) {
+        for arg in command.get_arguments().filter(|arg| is_file(arg)) {
+            found.push(format!("{} {arg}", command.get_name()));
+        }
+        command.get_subcommands().for_each(|below| collect(below, found));
+    }
+
+    /// A new argument that is a path shows up here; where an option is read and not written, [`Files::of`] has to know.
+    #[test]
+    fn what_is_read_and_written_is_known_of_every_command() {
+        let mut found = vec![];
+        let mut program = Cli::command();
+        program.build();
+        collect(&program, &mut found);
+        let (mut read, mut options): (Vec<_>, Vec<_>) =
+            found.into_iter().partition(|arg| !arg.contains("--"));
+        read.sort();
+        assert_eq!(read, ["analyze <FILE>", "draw <GEARBOX>", "drive <FILE>", "report <FILE>"]);
+        options.retain(|arg| !arg.ends_with(" --output <FILE>"));
+        options.sort();
+        let drawings = [
+            "draw --dxf <FILE>",
+            "draw --svg <FILE>",
+            "motor --csv <FILE>",
+            "motor --dxf <FILE>",
+            "motor --svg <FILE>",
+        ];
+        let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
+        assert_eq!(options, [&drawings[..], &of_search].concat());
+    }
+}

@@ -1,0 +1,383 @@
+//! Files that are written: each whole, and of one call all or none.
+//!
+//! Every content goes into a temporary file beside its target, and when all of them are complete and on the disk, they take their
+//! names. A device or a pipe has no name to take; it is written just before. What can still fail then is a renaming within a folder.
+//!
+//! A temporary file is called `.epicyclic-` and sixteen hexadecimal digits, then `.tmp`, and is locked while its program lives. What
+//! a killed program left behind has no lock any more, and the next call that writes into the folder removes it.
+
+use crate::failure::Failure;
+use std::collections::VecDeque;
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::hash::{BuildHasher as _, RandomState};
+use std::io::{self, ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// A file that is to be written, and all of its content.
+pub(crate) type Content = (PathBuf, Vec<u8>);
+
+/// Writes files: all of them whole, or none.
+pub(crate) fn write_files(files: &[Content]) -> Result<(), Failure> {
+    hear_ctrl_c();
+    let mut prepared = Prepared::default();
+    let mut devices = vec![];
+    for (file, content) in files {
+        let target = Target::of(file).map_err(|error| failed(file, error))?;
+        match target {
+            Target::Device => devices.push((file, content)),
+            Target::File { place, permissions } => {
+                remove_stale(folder_of(&place));
+                prepared.add(file, place, permissions, content).map_err(|error| failed(file, error))?;
+            }
+        }
+    }
+    for (file, content) in devices {
+        write_device(file, content).map_err(|error| failed(file, error))?;
+    }
+    prepared.take_names()
+}
+
+fn failed(file: &Path, source: io::Error) -> Failure {
+    Failure::Write { file: file.to_owned(), source }
+}
+
+fn write_device(file: &Path, content: &[u8]) -> io::Result<()> {
+    OpenOptions::new().write(true).open(file)?.write_all(content)
+}
+
+/// Where a file goes.
+enum Target {
+    /// Has no content to keep.
+    Device,
+    File {
+        /// Behind any links, so that they stay links.
+        place: PathBuf,
+        /// Of the file that is there.
+        permissions: Option<Permissions>,
+    },
+}
+
+impl Target {
+    fn of(file: &Path) -> io::Result<Self> {
+        let permissions = match fs::metadata(file) {
+            Ok(metadata) if metadata.is_dir() => return Err(ErrorKind::IsADirectory.into()),
+            Ok(metadata) if !metadata.is_file() => return Ok(Self::Device),
+            Ok(metadata) => Some(metadata.permissions()),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        if permissions.as_ref().is_some_and(Permissions::readonly) {
+            return Err(ErrorKind::PermissionDenied.into());
+        }
+        let place = behind_links(file)?;
+        let folder = folder_of(&place);
+        if !folder.is_dir() {
+            let message = format!("there is no folder {}", folder.display());
+            return Err(io::Error::new(ErrorKind::NotFound, message));
+        }
+        Ok(Self::File { place, permissions })
+    }
+}
+
+fn folder_of(file: &Path) -> &Path {
+    match file.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// The place that a path means, also where nothing is there yet: links are followed to their end.
+fn behind_links(file: &Path) -> io::Result<PathBuf> {
+    /// As many as Linux follows.
+    const MOST_LINKS: usize = 40;
+    let mut place = file.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&place) {
+            // A path from the root takes the place of the folder.
+            Ok(next) => place = folder_of(&place).join(next),
+            Err(_) => return Ok(place),
+        }
+    }
+    Err(io::Error::other("too many links"))
+}
+
+/// Whether two paths mean one file, which may not be there yet. Devices and pipes are never one: nothing in them is replaced.
+pub(crate) fn are_one_file(one: &Path, other: &Path) -> bool {
+    match (fs::metadata(one), fs::metadata(other)) {
+        (Ok(one_is), Ok(other_is)) if one_is.is_file() && other_is.is_file() => {
+            #[cfg(unix)]
+            {
+                use std::os::unix::fs::MetadataExt as _;
+                if (one_is.dev(), one_is.ino()) == (other_is.dev(), other_is.ino()) {
+                    return true;
+                }
+            }
+            fs::canonicalize(one)
+                .ok()
+                .is_some_and(|one| fs::canonicalize(other).is_ok_and(|other| one == other))
+        }
+        (Err(_), Err(_)) => {
+            let (one, other) = (place_to_be(one), place_to_be(other));
+            one.is_some() && one == other
+        }
+        _ => false,
+    }
+}
+
+/// Where a file that is not there would be.
+fn place_to_be(file: &Path) -> Option<PathBuf> {
+    let place = behind_links(file).ok()?;
+    let folder = folder_of(&place);
+    let folder = fs::canonicalize(folder).or_else(|_| std::path::absolute(folder)).ok()?;
+    Some(folder.join(place.file_name()?))
+}
+
+const PREFIX: &str = ".epicyclic-";
+const SUFFIX: &str = ".tmp";
+const DIGITS: usize = 16;
+
+/// Whether a file is called as our temporary files are.
+fn is_ours(name: &str) -> bool {
+    let digits = name.strip_prefix(PREFIX).and_then(|name| name.strip_suffix(SUFFIX));
+    digits.is_some_and(|digits| {
+        digits.len() == DIGITS && digits.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f'))
+    })
+}
+
+/// Removes temporary files of programs that are no more. Whatever is in the way of that is no fault of this call.
+fn remove_stale(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if !is_file || !entry.file_name().to_str().is_some_and(is_ours) {
+            continue;
+        }
+        // A living program holds the lock, but for the moment between making the file and locking it. Ours is held until the file is
+        // gone, so that such a program waits, finds its file gone and makes another.
+        let Ok(file) = OpenOptions::new().read(true).write(true).open(entry.path()) else { continue };
+        if file.try_lock().is_ok() {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// Complete files that have not their names yet. Those that do not get them go with this.
+#[derive(Default)]
+struct Prepared(VecDeque<Temporary>);
+
+/// A temporary file, which is locked while it is open.
+struct Temporary {
+    path: PathBuf,
+    file: File,
+    /// The file as it was named.
+    named: PathBuf,
+    /// Where it is to stand.
+    place: PathBuf,
+}
+
+impl Prepared {
+    /// Errors name no file: the temporary one nobody asked for.
+    fn add(
+        &mut self,
+        named: &Path,
+        place: PathBuf,
+        permissions: Option<Permissions>,
+        content: &[u8],
+    ) -> io::Result<()> {
+        let (path, file) = create(folder_of(&place))?;
+        self.0.push_back(Temporary { path, file, named: named.to_owned(), place });
+        let Some(Temporary { file, .. }) = self.0.back_mut() else { return Ok(()) };
+        file.write_all(content)?;
+        if let Some(permissions) = permissions {
+            file.set_permissions(permissions)?;
+        }
+        file.sync_all()
+    }
+
+    /// From here Ctrl-C waits: all have their names then.
+    fn take_names(&mut self) -> Result<(), Failure> {
+        let mut pending = pending();
+        while let Some(next) = self.0.front() {
+            fs::rename(&next.path, &next.place).map_err(|error| failed(&next.named, error))?;
+            pending.retain(|path| *path != next.path);
+            self.0.pop_front();
+        }
+        Ok(())
+    }
+}
+
+/// A new temporary file, locked.
+fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
+    /// Another program may take the file for a stale one before it is locked; it hardly does so twice.
+    const MOST_TRIES: u32 = 16;
+    for attempt in 0..MOST_TRIES {
+        let number = RandomState::new().hash_one((std::process::id(), attempt));
+        let path = folder.join(format!("{PREFIX}{number:016x}{SUFFIX}"));
+        let file = {
+            // Held, so that Ctrl-C knows every one that there is.
+            let mut pending = pending();
+            let made = OpenOptions::new().read(true).write(true).create_new(true).open(&path);
+            match made {
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
+                made => {
+                    let file = made?;
+                    pending.push(path.clone());
+                    file
+                }
+            }
+        };
+        // Where a file system knows no locks, nobody gets one there, and nothing is taken for stale.
+        let _ = file.lock();
+        if path.try_exists()? {
+            return Ok((path, file));
+        }
+        pending().retain(|other| *other != path);
+    }
+    Err(ErrorKind::AlreadyExists.into())
+}
+
+impl Drop for Prepared {
+    fn drop(&mut self) {
+        let mut pending = pending();
+        for temporary in &self.0 {
+            let _ = fs::remove_file(&temporary.path);
+            pending.retain(|path| *path != temporary.path);
+        }
+    }
+}
+
+/// Temporary files of this program.
+static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
+    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The exit code of a program that Ctrl-C ends.
+const INTERRUPTED: i32 = 130;
+
+/// From here Ctrl-C and a request to end remove the temporary files first. What comes earlier finds none and ends the program at
+/// once.
+fn hear_ctrl_c() {
+    let remove_and_end = || {
+        for path in pending().iter() {
+            let _ = fs::remove_file(path);
+        }
+        std::process::exit(INTERRUPTED);
+    };
+    // Where no handler can be set, a temporary file may be left, for the next call to remove.
+    let _ = ctrlc::set_handler(remove_and_end);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn content(file: &Path) -> Content {
+        (file.to_owned(), b"new".to_vec())
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn of_several_files_all_are_written_or_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, second] = ["first", "second"].map(|name| folder.path().join(name));
+        fs::write(&first, "old").unwrap();
+        fs::create_dir(&second).unwrap();
+        let error = write_files(&[content(&first), content(&second)]).unwrap_err();
+        assert_eq!(error.to_string(), format!("{}: cannot be written: is a directory", second.display()));
+        assert_eq!(
+            (names(folder.path()), fs::read(&first).unwrap()),
+            (vec!["first".into(), "second".into()], b"old".to_vec())
+        );
+        fs::remove_dir(&second).unwrap();
+        write_files(&[content(&first), content(&second)]).unwrap();
+        assert_eq!(
+            (fs::read(&first).unwrap(), fs::read(&second).unwrap()),
+            (b"new".to_vec(), b"new".to_vec())
+        );
+        assert_eq!(names(folder.path()), ["first", "second"]);
+    }
+
+    #[test]
+    fn a_stale_temporary_file_goes_and_a_living_one_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let [stale, living] = [".epicyclic-0123456789abcdef.tmp", ".epicyclic-00112233445566ff.tmp"];
+        // Of others, however like ours.
+        let others = [
+            ".epicyclic-0123456789ABCDEF.tmp",
+            ".epicyclic-0123.tmp",
+            ".epicyclic-abcdefghijklmnop.tmp",
+            ".epicyclic-x",
+        ];
+        for name in others.iter().chain([&stale, &living]) {
+            fs::write(path(name), "part").unwrap();
+        }
+        let file = OpenOptions::new().write(true).open(path(living)).unwrap();
+        file.lock().unwrap();
+        write_files(&[content(&path("answer"))]).unwrap();
+        let found = names(folder.path());
+        assert!(!found.contains(&stale.to_owned()) && found.len() == others.len() + 2, "{found:?}");
+        assert!(found.contains(&living.to_owned()), "{found:?}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link_also_where_it_leads_to_nothing_yet() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("other")).unwrap();
+        symlink("other/second", path("first")).unwrap();
+        symlink(path("target"), path("other/second")).unwrap();
+        for _ in 0..2 {
+            write_files(&[content(&path("first"))]).unwrap();
+            assert!(path("first").is_symlink() && path("other/second").is_symlink());
+            assert_eq!(fs::read(path("target")).unwrap(), b"new");
+        }
+        symlink("nowhere/file", path("broken")).unwrap();
+        let error = write_files(&[content(&path("broken"))]).unwrap_err().to_string();
+        assert!(error.ends_with("/nowhere"), "{error}");
+        symlink("round", path("round")).unwrap();
+        assert!(write_files(&[content(&path("round"))]).is_err() && path("round").is_symlink());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn one_file_is_known_by_any_of_its_names() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("sub")).unwrap();
+        fs::write(path("file"), "x").unwrap();
+        fs::write(path("copy"), "x").unwrap();
+        symlink("../file", path("sub/link")).unwrap();
+        fs::hard_link(path("file"), path("hard")).unwrap();
+        symlink("new", path("to-new")).unwrap();
+        for (one, other, same) in [
+            ("file", "sub/../file", true),
+            ("file", "sub/link", true),
+            ("file", "hard", true),
+            ("file", "copy", false),
+            ("file", "new", false),
+            ("new", "sub/../new", true),
+            ("new", "to-new", true),
+            ("new", "newer", false),
+            ("no/new", "no/new", true),
+            ("sub", "sub", false),
+        ] {
+            assert_eq!(are_one_file(&path(one), &path(other)), same, "{one} {other}");
+            assert_eq!(are_one_file(&path(other), &path(one)), same, "{other} {one}");
+        }
+        assert!(!are_one_file(Path::new("/dev/null"), Path::new("/dev/null")));
+    }
+}

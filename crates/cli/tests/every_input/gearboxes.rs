@@ -1,0 +1,366 @@
+//! Every key of a gearbox's file and of a list of transmissions.
+
+use super::common::{examples, here, output, text};
+use super::{replaced, schema};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+/// A key with another value, and what shows it: the overview, or a gear at a speed and a torque.
+struct Key {
+    path: &'static str,
+    /// Changes that make the key matter.
+    first: &'static [(&'static str, &'static str)],
+    from: &'static str,
+    to: &'static str,
+    seen: &'static [&'static str],
+}
+
+const OVERVIEW: &[&str] = &[];
+/// First gear at a speed and a torque, for forces on planets and what their bearings bear.
+const FIRST: &[&str] = &["--gear", "1", "--speed", "2000 rpm", "--torque", "300 N·m"];
+/// A gear through the rolling disc and the set with two planets.
+const WINCH: &[&str] = &["--gear", "winch", "--speed", "2000 rpm", "--torque", "300 N·m"];
+const CURVE: &[&str] = &["--gear", "curve"];
+const WITH_WINCH: &[(&str, &str)] =
+    &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
+
+const fn key(path: &'static str, from: &'static str, to: &'static str, seen: &'static [&'static str]) -> Key {
+    Key { path, first: &[], from, to, seen }
+}
+
+const fn of_winch(path: &'static str, from: &'static str, to: &'static str) -> Key {
+    Key { path, first: WITH_WINCH, from, to, seen: WINCH }
+}
+
+const GEARBOX: &[Key] = &[
+    key("gearbox", "gearbox: every key once", "gearbox: another", OVERVIEW),
+    Key {
+        path: "input",
+        first: &[("links: [turbine]", "links: [turbine, engine]")],
+        from: "\ninput: engine",
+        to: "\ninput: shaft",
+        seen: OVERVIEW,
+    },
+    key("output", "\noutput: wheels", "\noutput: sun_3", OVERVIEW),
+    key("links", "links: [turbine]", "links: [turbine, spare]", FIRST),
+    key("compound_sets.id", "id: ravigneaux", "id: another", OVERVIEW),
+    Key {
+        path: "compound_sets.carrier",
+        first: &[("links: [turbine]", "links: [turbine, eccentric]")],
+        from: "carrier: eccentric",
+        to: "carrier: turbine",
+        seen: FIRST,
+    },
+    key("compound_sets.suns", "small_sun: 30", "small_sun: 24", OVERVIEW),
+    key("compound_sets.rings", "rings: { ring: 72 }", "rings: { ring: 78 }", OVERVIEW),
+    key("compound_sets.planet_shafts", "{ pto: disc }", "{ winch: disc }", FIRST),
+    key("compound_sets.planet_gears", "long: [18]", "long: [20]", FIRST),
+    of_winch("compound_sets.planet_gears", "{ disc: [40] }", "{ disc: [38] }"),
+    key("compound_sets.meshes.gears", "gears: [short, long]", "gears: [short, ring]", OVERVIEW),
+    key(
+        "compound_sets.meshes.efficiency",
+        "[small_sun, short], efficiency: 0.98",
+        "[small_sun, short], efficiency: 0.97",
+        OVERVIEW,
+    ),
+    key("compound_sets.meshes.efficiency", "efficiency: 98 %", "efficiency: 97 %", OVERVIEW),
+    key("compound_sets.meshes.behind", "behind: false", "behind: true", OVERVIEW),
+    key("compound_sets.meshes.module", "module: 4 mm }", "module: 5 mm }", OVERVIEW),
+    key("compound_sets.planets", "planets: 3 # how many of each", "planets: 4 # how many of each", OVERVIEW),
+    key("compound_sets.module", "module: 3 mm # of its", "module: 4 mm # of its", OVERVIEW),
+    key("compound_sets.planet_sizes.face_widths", "face_widths: [40 mm]", "face_widths: [41 mm]", FIRST),
+    key("compound_sets.planet_sizes.bore", "bore: 20 mm", "bore: 21 mm", FIRST),
+    key(
+        "compound_sets.planet_sizes.bearing_capacity",
+        "bearing_capacity: 25 kN",
+        "bearing_capacity: 26 kN",
+        FIRST,
+    ),
+    key(
+        "compound_sets.planet_sizes.bearing_rolling",
+        "bearing_capacity: 25 kN, bearing_rolling: rollers",
+        "bearing_capacity: 25 kN, bearing_rolling: balls",
+        FIRST,
+    ),
+    key("compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", FIRST),
+    key(
+        "compound_sets.planet_sizes.carrier_radius",
+        "carrier_radius: 72 mm",
+        "carrier_radius: 73 mm",
+        OVERVIEW,
+    ),
+    key("compound_sets.bevels_left", "{ left: 16 }", "{ left: 14 }", CURVE),
+    key("compound_sets.bevels_right", "{ right: 16 }", "{ right: 14 }", CURVE),
+    key("sets.id", "id: drop", "id: another", FIRST),
+    key("sets.kind", "kind: external_pair", "kind: internal_pair", OVERVIEW),
+    key("sets.sun", "sun: sun_3", "sun: turbine", OVERVIEW),
+    Key {
+        path: "sets.ring",
+        first: &[("links: [turbine]", "links: [turbine, drum]")],
+        from: "ring: drum",
+        to: "ring: engine",
+        seen: OVERVIEW,
+    },
+    of_winch("sets.carrier", "carrier: ground", "carrier: shaft"),
+    key("sets.teeth", "teeth: [40, 44]", "teeth: [40, 45]", OVERVIEW),
+    of_winch("sets.planet_teeth", "planet_teeth: [15, 18]", "planet_teeth: [15, 19]"),
+    key("sets.planets", "planets: 4", "planets: 5", OVERVIEW),
+    key("sets.module", "module: 3 mm # with teeth", "module: 4 mm # with teeth", OVERVIEW),
+    of_winch("sets.face_width", "face_width: 30 mm", "face_width: 31 mm"),
+    of_winch("sets.planet_bore", "planet_bore: 18 mm", "planet_bore: 17 mm"),
+    of_winch("sets.meshes", "meshes: [0.98, 0.98, 0.99]", "meshes: [0.98, 0.97, 0.99]"),
+    key("sets.efficiency", "efficiency: 0.985", "efficiency: 0.98", OVERVIEW),
+    key("sets.k", "k: 2.5", "k: 2.6", OVERVIEW),
+    key("sets.carrier_radius", "carrier_radius: 90 mm", "carrier_radius: 91 mm", OVERVIEW),
+    key("sets.planet_mass", "planet_mass: 2.4 kg", "planet_mass: 2.5 kg", FIRST),
+    key("sets.bearing_capacity", "bearing_capacity: 60 kN", "bearing_capacity: 61 kN", FIRST),
+    key("sets.bearing_rolling", "bearing_rolling: rollers # or", "bearing_rolling: balls # or", FIRST),
+    Key {
+        path: "brakes.id",
+        first: &[("{ id: B2, link: large_sun }", "{ id: B2, link: large_sun }\n  - { id: B3, link: ring }")],
+        from: "id: B3",
+        to: "id: B4",
+        seen: FIRST,
+    },
+    key("brakes.link", "{ id: LR, link: carrier }", "{ id: LR, link: ring }", OVERVIEW),
+    key("clutches.id", "id: PTO", "id: other", FIRST),
+    key("clutches.links", "links: [turbine, small_sun]", "links: [turbine, large_sun]", OVERVIEW),
+    key("clutches.one_way", "one_way: [carrier, ground]", "one_way: [ground, carrier]", &["--gear", "D1"]),
+    key("density", "density: 7850 kg/m3", "density: 7800 kg/m3", FIRST),
+    key("pressure_angle", "pressure_angle: 20 deg", "pressure_angle: 25 deg", OVERVIEW),
+    key("addendum", "addendum: 1 ", "addendum: 0.8 ", OVERVIEW),
+    key("grounds", "grounds: [drum]", "grounds: []", OVERVIEW),
+    key("ties", "ties: [[ring, shaft]]", "ties: []", OVERVIEW),
+    key("gears.name", "name: R,", "name: reverse,", OVERVIEW),
+    key("gears.engaged", "engaged: [LU, REV, LR]", "engaged: [LU, REV]", OVERVIEW),
+    key("gears.input", "input: shaft, output: wheels", "input: sun_3, output: wheels", OVERVIEW),
+    key("gears.output", "output: wheels }", "output: winch }", OVERVIEW),
+    key("gears.speeds", "left: 150 rpm", "left: 160 rpm", CURVE),
+    key("gears.torques", "engine: 300 N·m", "engine: 310 N·m", CURVE),
+];
+
+/// Remarks, which nothing reads.
+const NOTES: &[(&str, &str, &str)] = &[
+    ("note", "note: \"any remark\"", "note: { of: [any, form] }"),
+    ("compound_sets.note", "note: what nothing reads", "note: [1, 2]"),
+    ("sets.note", "kind: external_pair", "kind: external_pair\n    note: [one, two]"),
+];
+
+/// A list with every key, each kind of set, one-way clutches, and gears that keep freedoms.
+const LIST: &str = "\
+transmissions:
+- name: every key
+  source: a test
+  rows:
+  - {id: simple, planet: simple, sun: S, ring: R, carrier: C, z_s: 30, z_r: 78, z_p: 24, n_p: 4, efficiency: 0.97}
+  - {id: pair, planet: pair, gear_a: X, gear_b: Y, z_a: 54, z_b: 55, meshes: [0.985]}
+  - {id: double, planet: double, sun: S2, ring: R2, carrier: C2, z_s: 30, z_r: 72, z_pa: 15, z_pb: 18, n_p: 3, meshes: [0.98, 0.97, 0.99]}
+  compound_sets:
+  - id: wheels
+    carrier: W
+    suns: {S4: 30}
+    rings: {R4: 72}
+    planet_shafts: {P4: outer}
+    planet_gears: {inner: [18], outer: [20]}
+    meshes:
+    - {gears: [S4, inner], efficiency: 0.99}
+    - {gears: [inner, outer], behind: false, module: 3 mm}
+    - {gears: [outer, R4], module: 4 mm}
+    planets: 3
+    module: 3 mm
+    planet_sizes:
+      inner: {mass: 0.4 kg, bearing_capacity: 25 kN, bearing_rolling: rollers, carrier_radius: 72 mm}
+      outer: {face_widths: [20 mm], bore: 10 mm}
+    note: a remark
+  - id: bevels
+    carrier: n_bevel
+    bevels_left: {L5: 16}
+    bevels_right: {R5: 18}
+    planet_gears: {pinion: [10]}
+    meshes: [{gears: [L5, pinion]}, {gears: [R5, pinion]}]
+  nodes:
+    in: [S, S2, S4, L5]
+    ground: [R]
+    shaft: [C, X, C2]
+    out: [Y]
+    ring_2: [R2]
+    free: [R4]
+    wheel: [W]
+    disc: [P4]
+    n_bevel: [n_bevel]
+    side: [R5]
+  input: in
+  output: out
+  elements: {B: [ring_2, ground], W: [wheel, ground], F: [free, ground], N: [n_bevel, ground]}
+  one_way: {O: [free, ground]}
+  gears:
+  - {name: '1', engaged: [], published_ratio: -3.67, printed_decimals: 2, note: a remark}
+  - {name: '2', engaged: [W], input: in, output: free, published_ratio: 2.40, printed_decimals: 2}
+  - {name: '3', engaged: [N], output: side, published_ratio: -0.889, printed_decimals: 3, invert: true, unverified: true, rounding: truncated}
+  - {name: '4', engaged: [], output: free, published_ratio: 1, printed_decimals: 0, speeds: {in: 2000 rpm, wheel: 150 rpm, side: 0 rpm}, torques: {in: 300 N·m}}
+  note: a remark
+note: a remark
+";
+
+const LISTED: &[&str] = &["--gear", "2", "--speed", "2000 rpm", "--torque", "300 N·m"];
+const FOURTH: &[&str] = &["--gear", "4"];
+
+const TRANSMISSION: &[Key] = &[
+    key("transmissions.name", "name: every key", "name: another", OVERVIEW),
+    key("transmissions.source", "source: a test", "source: another", &["--format", "table"]),
+    key("transmissions.rows.id", "id: simple", "id: another", OVERVIEW),
+    key("transmissions.rows.planet", "planet: pair", "planet: internal_pair", OVERVIEW),
+    key("transmissions.rows.sun", "sun: S2", "sun: R4", OVERVIEW),
+    key("transmissions.rows.ring", "ring: R,", "ring: R4,", OVERVIEW),
+    key("transmissions.rows.carrier", "carrier: C,", "carrier: R4,", OVERVIEW),
+    key("transmissions.rows.z_s", "z_s: 30, z_r: 78", "z_s: 32, z_r: 78", OVERVIEW),
+    key("transmissions.rows.z_r", "z_r: 78", "z_r: 80", OVERVIEW),
+    key("transmissions.rows.z_p", "z_p: 24", "z_p: 23", OVERVIEW),
+    key("transmissions.rows.n_p", "z_p: 24, n_p: 4", "z_p: 24, n_p: 5", OVERVIEW),
+    key("transmissions.rows.z_pa", "z_pa: 15", "z_pa: 16", OVERVIEW),
+    key("transmissions.rows.z_pb", "z_pb: 18", "z_pb: 19", LISTED),
+    key("transmissions.rows.gear_a", "gear_a: X", "gear_a: R4", OVERVIEW),
+    key("transmissions.rows.gear_b", "gear_b: Y", "gear_b: R4", OVERVIEW),
+    key("transmissions.rows.z_a", "z_a: 54", "z_a: 53", OVERVIEW),
+    key("transmissions.rows.z_b", "z_b: 55", "z_b: 56", OVERVIEW),
+    key("transmissions.rows.efficiency", "efficiency: 0.97}", "efficiency: 0.96}", OVERVIEW),
+    key("transmissions.rows.meshes", "meshes: [0.985]", "meshes: [0.98]", OVERVIEW),
+    key("transmissions.compound_sets.id", "id: wheels", "id: another", LISTED),
+    key("transmissions.compound_sets.carrier", "carrier: W", "carrier: Y", OVERVIEW),
+    key("transmissions.compound_sets.suns", "S4: 30", "S4: 29", OVERVIEW),
+    key("transmissions.compound_sets.rings", "R4: 72", "R4: 71", OVERVIEW),
+    key("transmissions.compound_sets.planet_shafts", "P4: outer", "P4: inner", LISTED),
+    key("transmissions.compound_sets.planet_gears", "outer: [20]", "outer: [21]", LISTED),
+    key("transmissions.compound_sets.bevels_left", "L5: 16", "L5: 15", OVERVIEW),
+    key("transmissions.compound_sets.bevels_right", "R5: 18", "R5: 17", OVERVIEW),
+    key("transmissions.compound_sets.meshes.gears", "gears: [outer, R4]", "gears: [inner, R4]", OVERVIEW),
+    key(
+        "transmissions.compound_sets.meshes.efficiency",
+        "inner], efficiency: 0.99",
+        "inner], efficiency: 0.98",
+        OVERVIEW,
+    ),
+    key("transmissions.compound_sets.meshes.behind", "behind: false", "behind: true", LISTED),
+    key("transmissions.compound_sets.meshes.module", "R4], module: 4 mm", "R4], module: 5 mm", LISTED),
+    key("transmissions.compound_sets.planets", "planets: 3", "planets: 4", LISTED),
+    Key {
+        path: "transmissions.compound_sets.module",
+        first: &[
+            (", carrier_radius: 72 mm", ""),
+            ("behind: false, module: 3 mm", "behind: false"),
+            ("R4], module: 4 mm", "R4]"),
+        ],
+        from: "\n    module: 3 mm",
+        to: "\n    module: 5 mm",
+        seen: LISTED,
+    },
+    key("transmissions.compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", LISTED),
+    key(
+        "transmissions.compound_sets.planet_sizes.bearing_capacity",
+        "bearing_capacity: 25 kN",
+        "bearing_capacity: 26 kN",
+        LISTED,
+    ),
+    key(
+        "transmissions.compound_sets.planet_sizes.bearing_rolling",
+        "rolling: rollers",
+        "rolling: balls",
+        LISTED,
+    ),
+    key(
+        "transmissions.compound_sets.planet_sizes.carrier_radius",
+        "carrier_radius: 72 mm",
+        "carrier_radius: 73 mm",
+        LISTED,
+    ),
+    key("transmissions.compound_sets.planet_sizes.face_widths", "[20 mm]", "[21 mm]", LISTED),
+    key("transmissions.compound_sets.planet_sizes.bore", "bore: 10 mm", "bore: 11 mm", LISTED),
+    key("transmissions.nodes", "out: [Y]", "exit: [Y]\n    out: [n_bevel_2]", OVERVIEW),
+    key("transmissions.input", "\n  input: in", "\n  input: shaft", OVERVIEW),
+    key("transmissions.output", "\n  output: out", "\n  output: side", OVERVIEW),
+    key("transmissions.elements", "B: [ring_2, ground]", "B: [ring_2, wheel]", LISTED),
+    key("transmissions.one_way", "O: [free, ground]", "O: [ground, free]", LISTED),
+    key("transmissions.gears.name", "name: '1'", "name: low", OVERVIEW),
+    key("transmissions.gears.engaged", "engaged: [W]", "engaged: [F]", OVERVIEW),
+    key("transmissions.gears.input", "input: in, output: free", "input: wheel, output: free", OVERVIEW),
+    key("transmissions.gears.output", "output: side,", "output: shaft,", OVERVIEW),
+    key("transmissions.gears.speeds", "wheel: 150 rpm", "wheel: 160 rpm", FOURTH),
+    key("transmissions.gears.torques", "in: 300 N·m", "in: 310 N·m", FOURTH),
+    key("transmissions.gears.published_ratio", "-3.67", "-3.66", OVERVIEW),
+    key(
+        "transmissions.gears.printed_decimals",
+        "printed_decimals: 2, note",
+        "printed_decimals: 4, note",
+        OVERVIEW,
+    ),
+    key("transmissions.gears.rounding", ", rounding: truncated", "", OVERVIEW),
+    key("transmissions.gears.invert", ", invert: true", "", OVERVIEW),
+    key("transmissions.gears.unverified", ", unverified: true", "", OVERVIEW),
+];
+
+const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
+    ("note", "\nnote: a remark", "\nnote: [another]"),
+    ("transmissions.note", "\n  note: a remark", "\n  note: [another]"),
+    ("transmissions.rows.note", "{id: simple,", "{id: simple, note: [another],"),
+    ("transmissions.compound_sets.note", "\n    note: a remark", "\n    note: [another]"),
+    ("transmissions.gears.note", ", note: a remark", ", note: [another]"),
+];
+
+/// What is seen of a file, or why it is refused.
+fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
+    fs::write(folder.join("box.yaml"), file).unwrap();
+    let mut args = vec!["analyze", "box.yaml"];
+    if !more.contains(&"--format") {
+        args.extend(["--format", "json"]);
+    }
+    args.extend(more);
+    let output = output(folder, &args);
+    if output.status.success() { Ok(text(&output.stdout)) } else { Err(text(&output.stderr)) }
+}
+
+/// Each key changes what is seen of it, each remark changes nothing, and every path of the schema is among them.
+fn check(of: &str, file: &str, keys: &[Key], notes: &[(&str, &str, &str)]) {
+    let folder = here();
+    let mut before = BTreeMap::new();
+    let mut faults = vec![];
+    for key in keys {
+        let changed =
+            |file: &str| key.first.iter().fold(file.to_owned(), |file, (from, to)| replaced(&file, from, to));
+        let plain = changed(file);
+        let after = seen(folder.path(), &replaced(&plain, key.from, key.to), key.seen);
+        let before =
+            before.entry((plain.clone(), key.seen)).or_insert_with(|| seen(folder.path(), &plain, key.seen));
+        match (before, after) {
+            (Ok(before), Ok(after)) if *before != after => {}
+            (Ok(_), Ok(_)) => faults.push(format!("{} changes nothing: {} → {}", key.path, key.from, key.to)),
+            (Err(error), _) => faults.push(format!("{}: before {}: {error}", key.path, key.to)),
+            (_, Err(error)) => faults.push(format!("{}: {}: {error}", key.path, key.to)),
+        }
+    }
+    let gears: &[&[&str]] =
+        if of == "gearbox" { &[OVERVIEW, FIRST, CURVE] } else { &[OVERVIEW, LISTED, FOURTH] };
+    for (path, from, to) in notes {
+        for look in gears {
+            let after = seen(folder.path(), &replaced(file, from, to), look);
+            assert!(
+                after.is_ok() && seen(folder.path(), file, look) == after,
+                "the remark {path} changes something"
+            );
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let tried = keys.iter().map(|key| key.path).chain(notes.iter().map(|(path, ..)| *path));
+    assert_eq!(tried.map(str::to_owned).collect::<BTreeSet<_>>(), schema(of));
+}
+
+#[test]
+fn every_key_of_a_gearbox_changes_its_answer() {
+    let example = fs::read_to_string(examples().join("every-gearbox-key.yaml")).unwrap();
+    check("gearbox", &example, GEARBOX, NOTES);
+}
+
+#[test]
+fn every_key_of_a_list_of_transmissions_changes_its_answer() {
+    check("transmissions", LIST, TRANSMISSION, NOTES_OF_LISTS);
+}

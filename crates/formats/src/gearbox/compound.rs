@@ -1,0 +1,201 @@
+//! Compound sets in files, and remarks.
+
+use super::{DescriptionError, RollingEntry};
+use crate::Quantity;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::PlanetSet;
+use epicyclic_schemes::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
+use epicyclic_schemes::pins::{MeshSize, PlanetSize, SetSize};
+use epicyclic_schemes::planet_set::Planet;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use uom::si::f64::{Force, Length, Mass, Ratio};
+
+/// A set gear by gear: any central gears, any planets, any tree of meshes.
+///
+/// Central gears are named as their links; in a list of transmissions as members, which nodes join. A planet's gear
+/// is named as the planet, or `planet.1`, `planet.2`… where it has several.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CompoundEntry {
+    /// Its name.
+    pub id: String,
+    /// Link of the carrier.
+    pub carrier: String,
+    /// Suns: link and teeth.
+    #[serde(default)]
+    pub suns: BTreeMap<String, u32>,
+    /// Rings: link and teeth.
+    #[serde(default)]
+    pub rings: BTreeMap<String, u32>,
+    /// Bevel gears on the left of their planets: link and teeth.
+    #[serde(default)]
+    pub bevels_left: BTreeMap<String, u32>,
+    /// Bevel gears on the right.
+    #[serde(default)]
+    pub bevels_right: BTreeMap<String, u32>,
+    /// Links that turn as fast as a planet about its own axis (K-H-V, cycloidal drives): link and planet.
+    #[serde(default)]
+    pub planet_shafts: BTreeMap<String, String>,
+    /// Planets: name, and the teeth of each of its gears; an empty list of a planet with one gear whose teeth are not
+    /// known, which changes no ratio of the others.
+    pub planet_gears: BTreeMap<String, Vec<u32>>,
+    /// The meshes: a tree over all gears.
+    pub meshes: Vec<MeshEntry>,
+    /// How many of each planet stand around the axis.
+    #[serde(default)]
+    pub planets: Option<u32>,
+    /// Module of its meshes, for the forces on the bearings of planets.
+    #[serde(default)]
+    pub module: Option<Quantity<Length>>,
+    /// Sizes of single planets, by their names.
+    #[serde(default)]
+    pub planet_sizes: BTreeMap<String, PlanetSizeEntry>,
+    /// Remark, of any form.
+    #[serde(default)]
+    pub note: Option<Note>,
+}
+
+/// A mesh of a compound set.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshEntry {
+    /// The two gears.
+    pub gears: [String; 2],
+    /// Its efficiency, 0.99 or 99 %; 1 unless given.
+    #[serde(default)]
+    pub efficiency: Option<Quantity<Ratio>>,
+    /// Its module, if not that of the set.
+    #[serde(default)]
+    pub module: Option<Quantity<Length>>,
+    /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive direction
+    /// of rotation. The forces on their bearings depend on it.
+    #[serde(default)]
+    pub behind: bool,
+}
+
+/// The size of a planet of a compound set, for the forces on its bearing.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetSizeEntry {
+    /// Radius of its centre; goes before that of module and teeth.
+    #[serde(default)]
+    pub carrier_radius: Option<Quantity<Length>>,
+    /// Face width of each of its gears, for its mass.
+    #[serde(default)]
+    pub face_widths: Vec<Quantity<Length>>,
+    /// Its bore. Default: solid.
+    #[serde(default)]
+    pub bore: Option<Quantity<Length>>,
+    /// Its mass with what turns about its pin; goes before that of its shape.
+    #[serde(default)]
+    pub mass: Option<Quantity<Mass>>,
+    /// Basic dynamic load rating of its bearings together, for their life.
+    #[serde(default)]
+    pub bearing_capacity: Option<Quantity<Force>>,
+    /// What rolls in these bearings. Default balls.
+    #[serde(default)]
+    pub bearing_rolling: RollingEntry,
+}
+
+/// A remark of any form: a text, a list, keys with values. Nothing reads it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note;
+
+impl<'de> Deserialize<'de> for Note {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        serde::de::IgnoredAny::deserialize(deserializer).map(|_| Self)
+    }
+}
+
+impl JsonSchema for Note {
+    fn schema_name() -> Cow<'static, str> {
+        "Note".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "description": "A remark of any form; nothing reads it." })
+    }
+}
+
+impl CompoundEntry {
+    /// The set, with the link of each member by `link`.
+    pub(super) fn spec(
+        &self,
+        link: impl Fn(&str) -> Result<String, DescriptionError>,
+    ) -> Result<CompoundSpec, DescriptionError> {
+        let mut centrals = vec![];
+        for (kind, gears) in [
+            (CentralKind::Sun, &self.suns),
+            (CentralKind::Ring, &self.rings),
+            (CentralKind::BevelLeft, &self.bevels_left),
+            (CentralKind::BevelRight, &self.bevels_right),
+        ] {
+            for (name, &teeth) in gears {
+                let link = link(name)?;
+                centrals.push(CentralSpec { name: name.clone(), link, kind, teeth, planet: None });
+            }
+        }
+        for (name, planet) in &self.planet_shafts {
+            centrals.push(CentralSpec {
+                name: name.clone(),
+                link: link(name)?,
+                kind: CentralKind::PlanetShaft,
+                teeth: 0,
+                planet: Some(planet.clone()),
+            });
+        }
+        let mut meshes = vec![];
+        for mesh in &self.meshes {
+            let eta =
+                mesh.efficiency.map_or(Ok(MeshEfficiency::IDEAL), |eta| MeshEfficiency::new(eta.0.value));
+            let refuse = |source| DescriptionError::Set { set: self.id.clone(), source };
+            meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency: eta.map_err(refuse)? });
+        }
+        if let Some(name) = self.planet_sizes.keys().find(|name| !self.planet_gears.contains_key(*name)) {
+            return Err(DescriptionError::NoSuchPlanet { set: self.id.clone(), planet: name.clone() });
+        }
+        let planet =
+            |(name, teeth): (&String, &Vec<u32>)| PlanetSpec { name: name.clone(), teeth: teeth.clone() };
+        Ok(CompoundSpec {
+            id: self.id.clone(),
+            carrier: link(&self.carrier)?,
+            centrals,
+            planets: self.planet_gears.iter().map(planet).collect(),
+            meshes,
+            planet_count: self.planets,
+        })
+    }
+
+    /// What it says of its size; the rest as usual.
+    pub(super) fn size(&self, set: &PlanetSet, usual: &SetSize) -> SetSize {
+        let planet = |planet: &Planet| {
+            let Some(entry) = self.planet_sizes.get(&planet.name) else { return PlanetSize::default() };
+            PlanetSize {
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                face_widths: entry.face_widths.iter().map(|width| Some(width.0)).collect(),
+                bore: entry.bore.map(|bore| bore.0),
+                mass: entry.mass.map(|mass| mass.0),
+                bearing: entry.bearing_capacity.map(|capacity| (capacity.0, entry.bearing_rolling.into())),
+            }
+        };
+        let mesh = |mesh: &MeshEntry| MeshSize {
+            module: mesh.module.map(|module| module.0),
+            is_behind: mesh.behind,
+        };
+        SetSize {
+            module: self.module.map(|module| module.0),
+            planets: set.planets().iter().map(planet).collect(),
+            meshes: self.meshes.iter().map(mesh).collect(),
+            ..*usual
+        }
+    }
+
+    /// Names of its members, the carrier last.
+    pub(super) fn members(&self) -> impl Iterator<Item = &String> + Clone {
+        let gears = [&self.suns, &self.rings, &self.bevels_left, &self.bevels_right];
+        gears.into_iter().flat_map(BTreeMap::keys).chain(self.planet_shafts.keys()).chain([&self.carrier])
+    }
+}

@@ -1,0 +1,490 @@
+//! Gears with several inputs: power splits, summing gears, differentials.
+//!
+//! A gear whose state is [underdetermined](crate::State::Underdetermined) keeps `F` freedoms, more than one. As many
+//! speeds, given for independent links, settle all others. Torques act from outside at the *terminals*: input and
+//! output of the gear, and every link for which a speed or a torque is given; where the torques given would be too
+//! many for these, also the open ends, links with a single member of a single set. Of `τ` terminals the torques of
+//! `τ − F` settle the rest:
+//!
+//! ```text
+//! C·ω = 0                 N equations of the sets, N + F speeds, F given
+//! Ĉᵀ·t = Σ T              N + F balances of links, N + F unknowns: t of the sets and F of the τ torques
+//! ```
+//!
+//! Losses take the signs continuous with `η → 1`, as in a gear with one input.
+
+use crate::compiled::Run;
+use crate::elimination::{Echelon, Scalar};
+use crate::error::InputsFault;
+use crate::network::{Loads, Network};
+use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
+use crate::speeds::{SetMotion, set_motion};
+use crate::state::{Known, Torques};
+use crate::tolerance::LARGEST_LOAD;
+use crate::topology::{Topology, bounded, exact, fractions, node_equations, rationals};
+use crate::torques::{self, Members, demands, edge_torques};
+use crate::units::{angular_velocity, n_m, power, rad_per_s, torque};
+use crate::{Error, Gear, Gearbox, LinkId};
+use uom::si::f64::{AngularVelocity, Power, Torque};
+
+/// Torque and power that enter at a link from outside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Terminal {
+    /// The link.
+    pub link: LinkId,
+    /// Torque on it.
+    pub torque: Torque,
+    /// Power that enters there; negative where it leaves.
+    pub power: Power,
+}
+
+/// The state of a gear with several inputs, speeds in rad/s and torques in N·m where they stand as numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MultiState {
+    /// Freedoms of the gear, and so how many speeds were given.
+    pub freedoms: usize,
+    /// Speed of each link by [`LinkId::index`]; `None` where it does not follow.
+    pub speeds: Vec<Option<AngularVelocity>>,
+    /// Slip of each shift element.
+    pub slips: Vec<Option<AngularVelocity>>,
+    /// Motion of each set, in rad/s.
+    pub sets: Vec<SetMotion>,
+    /// Torques and powers, where torques were given.
+    pub load: Option<MultiLoad>,
+}
+
+/// Torques and powers of a gear with several inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MultiLoad {
+    /// What acts from outside, the gear's input first, its output second.
+    pub terminals: Vec<Terminal>,
+    /// What the housing takes.
+    pub housing: Torque,
+    /// Torques on the members of each set in N·m, in the order of
+    /// [`PlanetSet::members`](crate::PlanetSet::members).
+    pub members: Vec<Vec<f64>>,
+    /// Torque of each shift element on its first link; `None` where several share it.
+    pub controls: Vec<Option<Torque>>,
+    /// Powers in W.
+    pub power: PowerFlow,
+    /// What the meshes take.
+    pub loss: Power,
+    /// Power that leaves over power that enters; `None` where none enters.
+    pub efficiency: Option<f64>,
+    /// Of each segment of the gearbox.
+    signs: Vec<i8>,
+}
+
+impl MultiLoad {
+    /// Power through each mesh of a set of its gearbox in W, in the order of
+    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes); `None` where a speed does not follow.
+    #[must_use]
+    pub fn meshes(&self, gearbox: &Gearbox, set: usize) -> Option<Vec<MeshPower>> {
+        let power = self.power.sets.get(set)?.as_ref()?;
+        let from = gearbox.segments.partition_point(|segment| segment.set < set);
+        let to = gearbox.segments.partition_point(|segment| segment.set <= set);
+        Some(mesh_powers(gearbox.sets.get(set)?, power, self.signs.get(from..to), self.power.largest))
+    }
+}
+
+/// What the ranks tell of given links.
+struct Freedom {
+    equations: Vec<usize>,
+    free: Vec<usize>,
+    /// A given node that follows from the others.
+    dependent: Option<usize>,
+    parts: Vec<usize>,
+    /// Nodes whose speed follows from nodes at rest and given ones.
+    follows: Vec<bool>,
+    /// Free nodes that input or output depend on and that are not given.
+    missing: usize,
+}
+
+/// Which torques follow from those at the terminals.
+struct Settled {
+    /// Sets on the power path whose torques do not.
+    open_sets: Vec<usize>,
+    /// Sets that carry torque.
+    loaded_sets: Vec<usize>,
+    known: Known,
+}
+
+fn settled<S: Scalar>(
+    gearbox: &Gearbox,
+    topology: &Topology,
+    ratios: Option<Vec<S>>,
+    terminals: &[LinkId],
+) -> Option<Settled> {
+    let torques = Torques::new(gearbox, topology, &ratios?, terminals)?;
+    let known = torques.known(gearbox, topology);
+    let is_open = |set: &usize| {
+        gearbox
+            .equations_of(*set)
+            .any(|equation| !known.equation(equation) && torques.on_power_path(equation))
+    };
+    let is_loaded = |set: &usize| gearbox.equations_of(*set).any(|equation| torques.is_loaded(equation));
+    Some(Settled {
+        open_sets: (0..gearbox.sets.len()).filter(is_open).collect(),
+        loaded_sets: (0..gearbox.sets.len()).filter(is_loaded).collect(),
+        known,
+    })
+}
+
+fn freedom<S: Scalar>(topology: &Topology, ratios: Option<Vec<S>>, given: &[usize]) -> Option<Freedom> {
+    let equations = node_equations(topology, ratios?.iter().map(Some))?;
+    // Those given last depend on the others.
+    let late: Vec<usize> = given.iter().rev().copied().collect();
+    let echelon = Echelon::new(equations, topology.count, &late)?;
+    let dependent = given.iter().copied().find(|node| echelon.pivots.iter().any(|(_, pivot)| pivot == node));
+    let follows = (0..topology.count)
+        .map(|node| echelon.dependence(node).all(|(free, _)| given.contains(&free)))
+        .collect();
+    let missing = |free: &&usize| {
+        let terminals = [topology.input, topology.output].into_iter().flatten();
+        !given.contains(free)
+            && terminals.flat_map(|node| echelon.dependence(node)).any(|(other, _)| other == **free)
+    };
+    let missing = echelon.free.iter().filter(missing).count();
+    let mut active: Vec<usize> = echelon.pivots.iter().map(|(equation, _)| *equation).collect();
+    active.sort_unstable();
+    Some(Freedom {
+        equations: active,
+        parts: echelon.parts(),
+        free: echelon.free,
+        dependent,
+        follows,
+        missing,
+    })
+}
+
+impl Gearbox {
+    /// The state of a gear whose freedoms these speeds settle, under these torques; no torques for the speeds alone.
+    ///
+    /// ```
+    /// use epicyclic_schemes::{Gearbox, set::{SetKind, SetSpec}};
+    /// use uom::si::angular_velocity::revolution_per_minute;
+    /// use uom::si::f64::{AngularVelocity, Torque};
+    /// use uom::si::torque::newton_meter;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// // The power split of a hybrid car: 72 % of the engine's torque goes to the ring.
+    /// let gearbox = Gearbox::builder("split")
+    ///     .links(["engine", "mg1", "ring"])
+    ///     .set(SetSpec::teeth("PSD", SetKind::Simple, ["mg1", "ring", "engine"], 30, 78)?)
+    ///     .input("engine")
+    ///     .output("ring")
+    ///     .gear("split", [""; 0])
+    ///     .build()?;
+    /// let link = |name| gearbox.link(name).unwrap();
+    /// let rpm = AngularVelocity::new::<revolution_per_minute>;
+    /// let state = gearbox.with_inputs(
+    ///     gearbox.gear("split")?,
+    ///     &[(link("engine"), rpm(2000.0)), (link("mg1"), rpm(3000.0))],
+    ///     &[(link("engine"), Torque::new::<newton_meter>(108.0))],
+    /// )?;
+    /// let ring = state.speeds[link("ring").index()].unwrap();
+    /// assert!((ring.get::<revolution_per_minute>() - (108.0 * 2000.0 - 30.0 * 3000.0) / 78.0).abs() < 1e-9);
+    /// let load = state.load.unwrap();
+    /// assert!((load.terminals[1].torque.get::<newton_meter>() + 78.0).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Inputs`] where the speeds or torques are too few, too many or dependent, where sets share a torque
+    /// that nothing settles, and where the mesh losses hold the gear; [`Error::OperatingPoint`] for what is no number;
+    /// [`Error::ForeignGear`] for a gear of another gearbox.
+    pub fn with_inputs(
+        &self,
+        gear: &Gear,
+        speeds: &[(LinkId, AngularVelocity)],
+        torques: &[(LinkId, Torque)],
+    ) -> Result<MultiState, Error> {
+        self.check_gear(gear)?;
+        let values = speeds.iter().map(|(_, speed)| rad_per_s(*speed));
+        if !values
+            .chain(torques.iter().map(|(_, torque)| n_m(*torque)))
+            .all(|value| value.abs() <= LARGEST_LOAD)
+        {
+            return Err(Error::OperatingPoint { why: "speeds and torques are numbers up to 1e50 in size" });
+        }
+        let topology = Topology::new(self, gear);
+        let given = self.given_nodes(&topology, speeds.iter().map(|(link, _)| *link), true)?;
+        let nodes: Vec<usize> = given.iter().map(|(_, node)| *node).collect();
+        let freedom = freedom(&topology, Some(bounded::<true>(self)), &nodes)
+            .or_else(|| freedom(&topology, fractions(self), &nodes))
+            .or_else(|| freedom(&topology, rationals(self), &nodes))
+            .or_else(|| freedom(&topology, Some(bounded::<false>(self)), &nodes))
+            .or_else(|| freedom(&topology, exact(self), &nodes))
+            .unwrap_or_else(|| {
+                unreachable!("a number is a rational, and rationals of any size do not overflow")
+            });
+        self.check_speeds(&topology, &given, &freedom)?;
+
+        // Parts that nothing given moves carry no torque: their free speeds are held.
+        let mut slot: Vec<Option<usize>> = vec![None; topology.count];
+        let mut count = 0;
+        for (node, slot) in slot.iter_mut().enumerate() {
+            if nodes.contains(&node) || !freedom.free.contains(&node) {
+                *slot = Some(count);
+                count += 1;
+            }
+        }
+        let place = |node: Option<usize>| node.and_then(|node| slot[node]);
+        let network = Network {
+            nodes: freedom.equations.iter().map(|&one| topology.equations[one].map(place)).collect(),
+            ratios: freedom.equations.iter().map(|&one| self.equations[one].ratio).collect(),
+            runs: vec![],
+            etas: vec![],
+            count,
+            least_pivot: 0.0,
+        };
+        let values: Vec<f64> = speeds.iter().map(|(_, speed)| rad_per_s(*speed)).collect();
+        let at: Vec<(usize, f64)> =
+            nodes.iter().zip(&values).filter_map(|(&node, &speed)| Some((slot[node]?, speed))).collect();
+        let solved = network.speeds(&at).ok_or(InputsFault::DependentTorques { candidates: vec![] })?;
+        let of_node =
+            |node: usize| freedom.follows[node].then(|| slot[node].map(|slot| solved[slot])).flatten();
+        let omega: Vec<Option<f64>> =
+            topology.node.iter().map(|node| node.map_or(Some(0.0), of_node)).collect();
+        let slip = |(place, control): (usize, &crate::Control)| {
+            if gear.engaged.contains(&place) {
+                return Some(angular_velocity(0.0));
+            }
+            Some(angular_velocity(omega[control.links[0].0]? - omega[control.links[1].0]?))
+        };
+        let state = MultiState {
+            freedoms: nodes.len(),
+            speeds: omega.iter().map(|omega| omega.map(angular_velocity)).collect(),
+            slips: self.controls.iter().enumerate().map(slip).collect(),
+            sets: self.sets.iter().map(|set| set_motion(set, &omega)).collect(),
+            load: None,
+        };
+        if torques.is_empty() {
+            return Ok(state);
+        }
+        let load =
+            self.multi_load(&topology, gear, network, &freedom, (&solved, &slot), &omega, &given, torques)?;
+        Ok(MultiState { load: Some(load), ..state })
+    }
+
+    /// Links with their nodes; refuses the housing and two on one node.
+    fn given_nodes(
+        &self,
+        topology: &Topology,
+        links: impl Iterator<Item = LinkId>,
+        must_differ: bool,
+    ) -> Result<Vec<(LinkId, usize)>, Error> {
+        let mut found: Vec<(LinkId, usize)> = vec![];
+        for link in links {
+            let refuse =
+                |why| Error::Inputs(InputsFault::Link { link: self.link_name(link).to_owned(), why });
+            if link.0 >= self.links.len() {
+                return Err(Error::ForeignGear { gear: format!("link {}", link.0) });
+            }
+            let Some(node) = topology.node[link.0] else {
+                return Err(refuse("is held to the housing in this gear"));
+            };
+            if must_differ && found.iter().any(|(_, other)| *other == node) {
+                return Err(refuse("turns as one piece with another link whose speed is given"));
+            }
+            found.push((link, node));
+        }
+        Ok(found)
+    }
+
+    fn check_speeds(
+        &self,
+        topology: &Topology,
+        given: &[(LinkId, usize)],
+        freedom: &Freedom,
+    ) -> Result<(), Error> {
+        if let Some(dependent) = freedom.dependent {
+            let link = given.iter().find(|(_, node)| *node == dependent);
+            let link = link.map(|(link, _)| self.link_name(*link).to_owned()).unwrap_or_default();
+            return Err(InputsFault::DependentSpeed { link }.into());
+        }
+        let touched: Vec<usize> = [topology.input, topology.output]
+            .into_iter()
+            .flatten()
+            .chain(given.iter().map(|(_, node)| *node))
+            .map(|node| freedom.parts[node])
+            .collect();
+        if freedom.missing == 0 {
+            return Ok(());
+        }
+        let is_open = |node: usize| touched.contains(&freedom.parts[node]) && !freedom.follows[node];
+        let candidates = (1..self.links.len())
+            .filter(|&link| topology.node[link].is_some_and(is_open))
+            .map(|link| self.links[link].clone())
+            .collect();
+        let needed = given.len() + freedom.missing;
+        Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into())
+    }
+
+    /// Moving links with a single member of a single set, which nothing else joins: shafts that lead out.
+    fn open_ends(
+        &self,
+        topology: &Topology,
+        omega: &[Option<f64>],
+        terminals: &[(LinkId, usize, Option<f64>)],
+    ) -> Vec<(LinkId, usize, Option<f64>)> {
+        let mut members = vec![0_usize; topology.count];
+        for link in self.sets.iter().flat_map(crate::PlanetSet::members) {
+            if let Some(node) = topology.node[link.0] {
+                members[node] += 1;
+            }
+        }
+        let open = |link: usize| {
+            let node = topology.node[link]?;
+            let is_open = members[node] == 1
+                && omega[link].is_some()
+                && self.sets.iter().any(|set| set.members().contains(&LinkId(link)))
+                && !terminals.iter().any(|(_, other, _)| *other == node);
+            is_open.then_some((LinkId(link), node, None))
+        };
+        (1..self.links.len()).filter_map(open).collect()
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "one step of `with_inputs`, with what it has found")]
+    fn multi_load(
+        &self,
+        topology: &Topology,
+        gear: &Gear,
+        mut network: Network,
+        freedom: &Freedom,
+        (solved, slot): (&[f64], &[Option<usize>]),
+        omega: &[Option<f64>],
+        given: &[(LinkId, usize)],
+        given_torques: &[(LinkId, Torque)],
+    ) -> Result<MultiLoad, Error> {
+        let torque_nodes = self.given_nodes(topology, given_torques.iter().map(|(link, _)| *link), false)?;
+        // One terminal a node, the gear's own first; these are two even where a clutch makes them one node.
+        let mut terminals: Vec<(LinkId, usize, Option<f64>)> = vec![];
+        for link in [gear.input, gear.output] {
+            let Some(node) = topology.node[link.0] else { continue };
+            if !terminals.iter().any(|(other, ..)| *other == link) {
+                terminals.push((link, node, None));
+            }
+        }
+        for &(link, node) in given.iter().chain(&torque_nodes) {
+            if !terminals.iter().any(|(_, other, _)| *other == node) {
+                terminals.push((link, node, None));
+            }
+        }
+        for ((link, node), (_, given)) in torque_nodes.iter().zip(given_torques) {
+            let place = terminals.iter().position(|(other, ..)| other == link);
+            let place = place.or_else(|| terminals.iter().position(|(_, other, _)| other == node));
+            if let Some((.., torque)) = place.map(|place| &mut terminals[place]) {
+                *torque = Some(torque.unwrap_or(0.0) + n_m(*given));
+            }
+        }
+        let known = terminals.iter().filter(|(.., torque)| torque.is_some()).count();
+        // Torques that would be too many say that power passes at the open ends too.
+        let ends = self.open_ends(topology, omega, &terminals);
+        if known + given.len() == terminals.len() + ends.len() {
+            terminals.extend(ends);
+        }
+        let names =
+            || terminals.iter().map(|(link, ..)| self.link_name(*link).to_owned()).collect::<Vec<_>>();
+        let known = terminals.iter().filter(|(.., torque)| torque.is_some()).count();
+        let needed = terminals.len().saturating_sub(given.len());
+        if known != needed {
+            return Err(InputsFault::Torques { given: known, needed, candidates: names() }.into());
+        }
+        let links: Vec<LinkId> = terminals.iter().map(|(link, ..)| *link).collect();
+        let settled = settled(self, topology, Some(bounded::<true>(self)), &links)
+            .or_else(|| settled(self, topology, fractions(self), &links))
+            .or_else(|| settled(self, topology, rationals(self), &links))
+            .or_else(|| settled(self, topology, Some(bounded::<false>(self)), &links))
+            .or_else(|| settled(self, topology, exact(self), &links))
+            .unwrap_or_else(|| {
+                unreachable!("a number is a rational, and rationals of any size do not overflow")
+            });
+        if !settled.open_sets.is_empty() {
+            let sets = settled.open_sets.iter().map(|&set| self.sets[set].id().to_owned()).collect();
+            return Err(InputsFault::SharedTorques { sets }.into());
+        }
+        // What a loaded set loses does not follow while a member's speed does not.
+        let is_adrift = |link: &usize| {
+            let is_member = |set: &usize| self.sets[*set].members().iter().any(|member| member.0 == *link);
+            omega[*link].is_none() && settled.loaded_sets.iter().any(is_member)
+        };
+        let candidates: Vec<String> =
+            (1..self.links.len()).filter(is_adrift).map(|link| self.links[link].clone()).collect();
+        if !candidates.is_empty() {
+            let needed = given.len() + 1;
+            return Err(InputsFault::TooFewSpeeds { given: given.len(), needed, candidates }.into());
+        }
+        for segment in &self.segments {
+            let from = freedom.equations.partition_point(|&one| one < segment.behind.start);
+            let to = freedom.equations.partition_point(|&one| one < segment.behind.end);
+            // A segment without an active equation carries nothing; it keeps its place.
+            network.runs.push(Run { from, to });
+            network.etas.push(segment.efficiency);
+        }
+        let active: Vec<usize> = (0..network.runs.len())
+            .filter(|&place| network.runs[place].from < network.runs[place].to)
+            .collect();
+        network.runs = active.iter().map(|&place| network.runs[place]).collect();
+        network.etas = active.iter().map(|&place| network.etas[place]).collect();
+        let at: Vec<(usize, Option<f64>)> =
+            terminals.iter().filter_map(|(_, node, torque)| Some((slot[*node]?, *torque))).collect();
+        let loads = Loads { network: &network, speeds: solved, terminals: &at };
+        let ideal = loads
+            .balance(&network.ratios)
+            .ok_or_else(|| InputsFault::DependentTorques { candidates: names() })?;
+        let (found, _, active_signs) = loads.branch(&ideal);
+        let found = found.ok_or(InputsFault::Locked)?;
+        let Members { sets: members, signs } = torques::members(
+            self,
+            [&freedom.equations, &active],
+            [&found.root, &found.effective],
+            &active_signs,
+        );
+        let outside: Vec<(LinkId, f64)> =
+            terminals.iter().zip(&found.terminals).map(|((link, ..), torque)| (*link, *torque)).collect();
+        let mut demand = demands(self, &members);
+        for &(link, torque) in &outside {
+            demand[link.0] -= torque;
+        }
+        let edges = edge_torques(topology, &settled.known, demand);
+        let mut controls = vec![Some(torque(0.0)); self.controls.len()];
+        for (edge, own) in topology.edges.iter().zip(&edges) {
+            if let Some(control) = edge.control {
+                controls[control] = own.map(torque);
+            }
+        }
+        let known_members: Vec<Option<Vec<f64>>> = members.iter().cloned().map(Some).collect();
+        let flow = power_flow(&Flowing {
+            gearbox: self,
+            topology,
+            speeds: omega,
+            members: &known_members,
+            edges: &edges,
+            terminals: &outside,
+            least: 0.0,
+        });
+        let entering = |&(link, torque): &(LinkId, f64)| torque * omega[link.0].unwrap_or(0.0);
+        let powers: Vec<f64> = outside.iter().map(entering).collect();
+        let enters: f64 = powers.iter().filter(|power| **power > 0.0).sum();
+        let leaves: f64 = -powers.iter().filter(|power| **power < 0.0).sum::<f64>();
+        Ok(MultiLoad {
+            terminals: outside
+                .iter()
+                .zip(&powers)
+                .map(|(&(link, own), &entering)| Terminal {
+                    link,
+                    torque: torque(own),
+                    power: power(entering),
+                })
+                .collect(),
+            housing: torque(-outside.iter().map(|(_, torque)| torque).sum::<f64>()),
+            members,
+            controls,
+            loss: power(flow.sets.iter().flatten().map(|set| set.loss).sum()),
+            power: flow,
+            efficiency: (enters > 0.0).then(|| leaves / enters),
+            signs,
+        })
+    }
+}

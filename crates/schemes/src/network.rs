@@ -1,0 +1,260 @@
+//! The general solver: any number of equations, given speeds and terminals.
+//!
+//! ```text
+//! speeds     C·ω = 0    with ω of F nodes given                        N equations, N + F nodes
+//! torques    Ĉᵀ·t − Σ T = 0 at every node                              T at the terminals, all but F given
+//! ```
+//!
+//! It is what the kernel does, written for any size, and the way of gears with several inputs.
+
+use crate::branch::{self, Lossy};
+use crate::compiled::{CompiledGear, Direction, RESTING, Run, Solution};
+
+/// Equations on nodes, with their losses.
+pub(crate) struct Network {
+    pub(crate) nodes: Vec<[Option<usize>; 3]>,
+    pub(crate) ratios: Vec<f64>,
+    pub(crate) runs: Vec<Run>,
+    pub(crate) etas: Vec<f64>,
+    /// How many nodes there are.
+    pub(crate) count: usize,
+    /// A pivot up to this has vanished; 0 where the rank is proved.
+    pub(crate) least_pivot: f64,
+}
+
+/// Torques of a network.
+pub(crate) struct Balance {
+    /// `t_j` and `î_j` of each equation.
+    pub(crate) root: Vec<f64>,
+    pub(crate) effective: Vec<f64>,
+    /// Torque at each terminal, in their order.
+    pub(crate) terminals: Vec<f64>,
+    /// Rolling power of each segment, and the largest power.
+    power: Vec<f64>,
+    pub(crate) largest: f64,
+}
+
+/// A network at known speeds, with torques given at some of its terminals.
+pub(crate) struct Loads<'a> {
+    pub(crate) network: &'a Network,
+    pub(crate) speeds: &'a [f64],
+    /// Nodes where torque acts from outside, with the torque where it is given.
+    pub(crate) terminals: &'a [(usize, Option<f64>)],
+}
+
+impl Network {
+    /// That of a compiled gear.
+    pub(crate) fn of_gear(
+        gear: &CompiledGear,
+        i0: impl Fn(usize) -> f64,
+        eta: impl Fn(usize) -> f64,
+        least_pivot: f64,
+    ) -> Self {
+        let node = |node: u16| (node != RESTING).then_some(usize::from(node));
+        Self {
+            nodes: gear.nodes.iter().map(|nodes| nodes.map(node)).collect(),
+            ratios: gear.equations.iter().map(|&equation| i0(equation)).collect(),
+            runs: gear.runs.clone(),
+            etas: gear.segments.iter().map(|&segment| eta(segment)).collect(),
+            count: gear.equations.len() + 1,
+            least_pivot,
+        }
+    }
+
+    /// Factors of the equations at all nodes.
+    fn matrix(&self, ratios: &[f64]) -> Vec<Vec<f64>> {
+        let row = |(nodes, &i): (&[Option<usize>; 3], &f64)| {
+            let mut row = vec![0.0; self.count];
+            for (node, factor) in nodes.iter().zip([1.0, -i, i - 1.0]) {
+                if let Some(node) = node {
+                    row[*node] += factor;
+                }
+            }
+            row
+        };
+        self.nodes.iter().zip(ratios).map(row).collect()
+    }
+
+    /// Speeds of all nodes for these given ones; `None` where they do not follow.
+    pub(crate) fn speeds(&self, given: &[(usize, f64)]) -> Option<Vec<f64>> {
+        let mut equations = self.matrix(&self.ratios);
+        let mut right = vec![0.0; equations.len()];
+        for &(node, speed) in given {
+            let mut row = vec![0.0; self.count];
+            row[node] = 1.0;
+            equations.push(row);
+            right.push(speed);
+        }
+        gauss(equations, right, self.least_pivot)
+    }
+
+    /// Speeds of root, central gear and carrier of an equation.
+    pub(crate) fn member_speeds(&self, equation: usize, speeds: &[f64]) -> [f64; 3] {
+        self.nodes[equation].map(|node| node.map_or(0.0, |node| speeds[node]))
+    }
+
+    /// The gear of a compiled one: input at node 0.
+    pub(crate) fn solve_gear(&self, output: usize, direction: Direction, solution: &mut Solution) -> bool {
+        solution.resize(self.nodes.len(), self.runs.len());
+        let Some(speeds) = self.speeds(&[(0, 1.0)]) else { return false };
+        let output_speed = if output == usize::from(RESTING) { 0.0 } else { speeds[output] };
+        let given = match direction {
+            Direction::Drive => 1.0,
+            Direction::Overrun => 1.0 / output_speed,
+        };
+        if output_speed == 0.0 || !given.is_finite() {
+            return false;
+        }
+        solution.output_speed = output_speed;
+        let written = solution.written();
+        written.speeds.copy_from_slice(&speeds);
+        for (place, relative) in written.relative_speed.iter_mut().enumerate() {
+            let [a, _, h] = self.member_speeds(place, &speeds);
+            *relative = a - h;
+        }
+        let (known, other, other_speed) = match direction {
+            Direction::Drive => (0, output, output_speed),
+            Direction::Overrun => (output, 0, 1.0),
+        };
+        let terminals = [(known, Some(given)), (other, None)];
+        let terminals = if known == other { &terminals[..0] } else { &terminals[..] };
+        let loads = Loads { network: self, speeds: &speeds, terminals };
+        let Some(ideal) = loads.balance(&self.ratios) else { return false };
+        let (found, ideal_signs, signs) = loads.branch(&ideal);
+        let written = solution.written();
+        written.ideal_root.copy_from_slice(&ideal.root);
+        written.ideal_signs.copy_from_slice(&ideal_signs);
+        written.signs.copy_from_slice(&signs);
+        if let Some(found) = &found {
+            written.root.copy_from_slice(&found.root);
+            written.effective.copy_from_slice(&found.effective);
+        }
+        solution.ideal_other = ideal.terminals.get(1).copied().unwrap_or(-given);
+        solution.has_branch = found.is_some();
+        if let Some(found) = found {
+            solution.other = found.terminals.get(1).copied().unwrap_or(-given);
+            solution.efficiency = -solution.other * other_speed;
+        }
+        true
+    }
+}
+
+impl Loads<'_> {
+    /// Torques at these effective ratios; `None` where they do not follow.
+    pub(crate) fn balance(&self, effective: &[f64]) -> Option<Balance> {
+        let network = self.network;
+        let matrix = network.matrix(effective);
+        let unknown: Vec<usize> =
+            (0..self.terminals.len()).filter(|&place| self.terminals[place].1.is_none()).collect();
+        let equations = matrix.len();
+        let mut system = vec![vec![0.0; equations + unknown.len()]; network.count];
+        let mut right = vec![0.0; network.count];
+        for (j, row) in matrix.iter().enumerate() {
+            for (node, &factor) in row.iter().enumerate() {
+                system[node][j] = factor;
+            }
+        }
+        for (column, &place) in unknown.iter().enumerate() {
+            system[self.terminals[place].0][equations + column] = -1.0;
+        }
+        for (node, torque) in self.terminals {
+            right[*node] += torque.unwrap_or(0.0);
+        }
+        if self.terminals.is_empty() {
+            // Input and output are one: nothing passes through the sets, and one balance is idle.
+            system.remove(0);
+            right.remove(0);
+        }
+        let solved = gauss(system, right, network.least_pivot)?;
+        let mut found = solved[equations..].iter();
+        let terminals =
+            self.terminals.iter().map(|(_, torque)| torque.or_else(|| found.next().copied()).unwrap_or(0.0));
+        let terminals: Vec<f64> = terminals.collect();
+        let root = solved[..equations].to_vec();
+        let mut largest = 0.0_f64;
+        for ((node, _), torque) in self.terminals.iter().zip(&terminals) {
+            largest = largest.max((torque * self.speeds[*node]).abs());
+        }
+        for (j, (&t, &i)) in root.iter().zip(effective).enumerate() {
+            let [a, b, h] = network.member_speeds(j, self.speeds);
+            for power in [t * (a - h), t * a, i * t * b, (i - 1.0) * t * h] {
+                largest = largest.max(power.abs());
+            }
+        }
+        let of_run = |run: &Run| {
+            let [a, _, h] = network.member_speeds(run.from, self.speeds);
+            root[run.from..run.to].iter().sum::<f64>() * (a - h)
+        };
+        let power = network.runs.iter().map(of_run).collect();
+        Some(Balance { root, effective: effective.to_vec(), terminals, power, largest })
+    }
+
+    /// The branch that starts at the balance without losses, with the signs there and on the branch.
+    pub(crate) fn branch(&self, ideal: &Balance) -> (Option<Balance>, Vec<i8>, Vec<i8>) {
+        let mut signs = branch::signs(&ideal.power, ideal.largest, vec![0; ideal.power.len()]);
+        let first = signs.clone();
+        let found = branch::find(self, &mut signs);
+        (found, first, signs)
+    }
+}
+
+impl Lossy<Vec<i8>> for Loads<'_> {
+    type Found = Balance;
+
+    fn at(&self, signs: &Vec<i8>, share: f64) -> Option<Balance> {
+        let network = self.network;
+        let mut effective = network.ratios.clone();
+        for ((run, &eta), &sign) in network.runs.iter().zip(&network.etas).zip(signs) {
+            let part = branch::part(eta, sign, share);
+            effective[run.from..run.to].iter_mut().for_each(|i| *i *= part);
+        }
+        self.balance(&effective)
+    }
+
+    fn powers<'f>(&self, found: &'f Balance) -> (&'f [f64], f64) {
+        (&found.power, found.largest)
+    }
+
+    fn largest_torque(&self, found: &Balance) -> f64 {
+        found.root.iter().chain(&found.terminals).fold(0.0, |most, torque| most.max(torque.abs()))
+    }
+}
+
+/// Solves a square system by elimination with row pivoting, each equation scaled to its largest entry; `None`
+/// where it is not square or a pivot vanishes.
+fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>, least_pivot: f64) -> Option<Vec<f64>> {
+    let n = a.len();
+    if a.iter().any(|row| row.len() != n) {
+        return None;
+    }
+    for (row, b) in a.iter_mut().zip(&mut b) {
+        let scale = row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        if scale > 0.0 {
+            row.iter_mut().for_each(|x| *x /= scale);
+            *b /= scale;
+        }
+    }
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&r, &s| a[r][k].abs().total_cmp(&a[s][k].abs()))?;
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        if a[k][k].abs() <= least_pivot || a[k][k].is_nan() {
+            return None;
+        }
+        let (done, rest) = a.split_at_mut(k + 1);
+        for (row, at) in rest.iter_mut().zip(k + 1..) {
+            if row[k] != 0.0 {
+                let factor = row[k] / done[k][k];
+                for (x, p) in row[k..].iter_mut().zip(&done[k][k..]) {
+                    *x -= factor * p;
+                }
+                b[at] -= factor * b[k];
+            }
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = a[k][k + 1..].iter().zip(&b[k + 1..]).map(|(a, x)| a * x).sum();
+        b[k] = (b[k] - known) / a[k][k];
+    }
+    Some(b)
+}

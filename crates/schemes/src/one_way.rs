@@ -1,0 +1,124 @@
+//! One-way clutches: whether each holds or overruns, on drive and on coast.
+//!
+//! A one-way clutch between links `a` and `b` keeps `a` from turning slower than `b`. It holds with a torque on
+//! `a` that is positive, and overruns with a slip `ω_a − ω_b` that is positive. A gear that relies on it counts it
+//! as engaged; whether that is so follows from the torque, and whether the others stay free from the slip:
+//!
+//! | the gear | finds | then it |
+//! |---|---|---|
+//! | relies on it | torque > 0 | holds |
+//! | | torque = 0 | idles |
+//! | | torque < 0 | overruns: on coast there is no engine braking; on drive the gear contradicts itself |
+//! | does not | slip > 0 | overruns |
+//! | | slip = 0 | idles; what stands beside it takes the torque |
+//! | | slip < 0 | would hold: the gear contradicts itself |
+//!
+//! Speeds are those of an input that turns forwards.
+
+use crate::tolerance::{POWER, SPEED};
+use crate::{Analysis, LoadCase};
+
+/// What a one-way clutch does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Duty {
+    /// It carries torque.
+    Holds,
+    /// It slips in its free direction.
+    Overruns,
+    /// It neither slips nor carries torque, or what stands beside it takes the torque.
+    Idles,
+    /// The gear counts on it, and its torque would turn it free.
+    WouldOverrun,
+    /// The gear does not count on it, and its slip would make it hold.
+    WouldHold,
+    /// Neither torque nor slip follows.
+    Unknown,
+}
+
+impl Duty {
+    /// Whether the gear's engaged elements contradict what the clutch does.
+    #[must_use]
+    pub fn is_contradiction(self) -> bool {
+        matches!(self, Self::WouldOverrun | Self::WouldHold)
+    }
+}
+
+/// A one-way clutch in a gear.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OneWay {
+    /// Its place in [`Gearbox::controls`](crate::Gearbox::controls).
+    pub control: usize,
+    /// Whether the gear relies on it.
+    pub is_relied_on: bool,
+    /// What it does while the input drives.
+    pub drive: Duty,
+    /// What it does while the output drives the input.
+    pub coast: Duty,
+}
+
+impl Analysis<'_> {
+    /// The one-way clutches of the gearbox in this gear.
+    #[must_use]
+    pub fn one_way_clutches(&self) -> Vec<OneWay> {
+        let controls = self.gearbox.controls().iter().enumerate().filter(|(_, control)| control.is_one_way());
+        controls
+            .map(|(control, _)| {
+                let is_relied_on = self.gear.engaged().contains(&control);
+                let of = |case: Option<&LoadCase>| {
+                    if is_relied_on { relied_on(control, case) } else { self.free(control) }
+                };
+                let (drive, coast) = (of(self.driving()), of(self.overrun()));
+                // That it lets go on coast is what it is made for.
+                let coast = if coast == Duty::WouldOverrun { Duty::Overruns } else { coast };
+                OneWay { control, is_relied_on, drive, coast }
+            })
+            .collect()
+    }
+
+    /// Whether the output can drive the input: every one-way clutch that the gear relies on holds on coast too.
+    /// `None` without such clutches, or where one's torque does not follow.
+    #[must_use]
+    pub fn has_engine_braking(&self) -> Option<bool> {
+        let relied: Vec<Duty> =
+            self.one_way_clutches().iter().filter(|one| one.is_relied_on).map(|one| one.coast).collect();
+        if relied.is_empty() || relied.contains(&Duty::Unknown) {
+            return None;
+        }
+        Some(!relied.contains(&Duty::Overruns))
+    }
+
+    fn free(&self, control: usize) -> Duty {
+        let Some(slip) = self.slips()[control] else { return Duty::Unknown };
+        let [first, second] = self.gearbox.controls()[control].links();
+        let largest = [first, second]
+            .iter()
+            .filter_map(|link| self.speed(*link))
+            .fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        if slip.abs() <= SPEED * largest {
+            Duty::Idles
+        } else if slip > 0.0 {
+            Duty::Overruns
+        } else {
+            Duty::WouldHold
+        }
+    }
+}
+
+fn relied_on(control: usize, case: Option<&LoadCase>) -> Duty {
+    let Some(case) = case else { return Duty::Unknown };
+    let Some(torque) = case.controls[control] else { return Duty::Unknown };
+    let largest = case
+        .members
+        .iter()
+        .flatten()
+        .flatten()
+        .chain([&case.input, &case.output])
+        .fold(0.0_f64, |most, torque| most.max(torque.abs()));
+    if torque.abs() <= POWER * largest {
+        Duty::Idles
+    } else if torque > 0.0 {
+        Duty::Holds
+    } else {
+        Duty::WouldOverrun
+    }
+}

@@ -1,0 +1,228 @@
+//! Where the planets of a set stand: radii of their centres, and the distances and angles between those in mesh.
+//!
+//! ```text
+//! planet and sun     R = m·(z_c + z_p)/2        planet and ring    R = m·(z_c − z_p)/2
+//! planets p, q       a = m·(z_p + z_q)/2        cos ψ = (R_p² + R_q² − a²)/(2·R_p·R_q)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `R` | radius of a planet's centre from the main axis | that of `m` |
+//! | `a` | distance between the centres of two planets in mesh | that of `m` |
+//! | `ψ` | angle between them about the main axis | rad |
+//! | `m` | module of the mesh; meshes of one gear have one module | any |
+//!
+//! Gears without profile shift. A radius that is given goes before one of module and teeth, and gives the module of
+//! meshes for which none is given. Where meshes of one planet say different radii, one with a module of its own goes
+//! before one that has that of the set, and an earlier one before a later.
+
+use crate::planet_set::{GearOf, MeshKind, PlanetSet};
+use crate::set::SetKind;
+use epicyclic_gears::ToothCount;
+
+/// Rounding that the cosine of a flat triangle may have.
+const FLAT: f64 = 1e-9;
+
+/// What is given of the places.
+pub(crate) struct Given {
+    /// Module of each mesh.
+    pub(crate) modules: Vec<Option<f64>>,
+    /// Module of the meshes that have none of their own.
+    pub(crate) module: Option<f64>,
+    /// Radius of each planet's centre.
+    pub(crate) radii: Vec<Option<f64>>,
+    /// Of each mesh of two planets, whether the one described later stands behind the other.
+    pub(crate) is_behind: Vec<bool>,
+}
+
+impl Given {
+    /// Nothing given.
+    pub(crate) fn nothing(set: &PlanetSet) -> Self {
+        let (meshes, planets) = (set.meshes().len(), set.planets().len());
+        Self {
+            modules: vec![None; meshes],
+            module: None,
+            radii: vec![None; planets],
+            is_behind: vec![false; meshes],
+        }
+    }
+}
+
+/// Two planets in mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pair {
+    /// Distance of their centres.
+    pub(crate) distance: f64,
+    /// Angle from the planet described earlier to the other, about the main axis.
+    pub(crate) angle_rad: f64,
+}
+
+/// Why two planets in mesh have no places.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum NoPair {
+    /// It is no mesh of two planets.
+    OtherMesh,
+    /// Radius of the planet.
+    Radius(usize),
+    /// Module or teeth of the mesh.
+    Distance,
+    /// No triangle has these sides.
+    Triangle { radii: [f64; 2], distance: f64 },
+}
+
+/// Where the planets stand.
+pub(crate) struct Places {
+    /// Module of each mesh.
+    pub(crate) modules: Vec<Option<f64>>,
+    /// Radius of each planet's centre.
+    pub(crate) radii: Vec<Option<f64>>,
+    /// Of each mesh that of its two planets.
+    pub(crate) pairs: Vec<Result<Pair, NoPair>>,
+}
+
+/// Teeth of a gear; of the planet of a simple set also those that equal centre distances leave it, whole or not.
+pub(crate) fn teeth_of(set: &PlanetSet, gear: GearOf) -> Option<f64> {
+    let known = set.teeth(gear).map(ToothCount::as_f64);
+    known.or_else(|| {
+        let [sun, ring] = [set.centrals().first()?, set.centrals().get(1)?].map(|central| central.teeth);
+        let (sun, ring) = (sun?.as_f64(), ring?.as_f64());
+        (set.kind() == Some(SetKind::Simple) && gear == GearOf::Planet(0, 0)).then_some((ring - sun) / 2.0)
+    })
+}
+
+/// The planet of a gear, if it is a planet's.
+pub(crate) fn planet_of(gear: GearOf) -> Option<usize> {
+    match gear {
+        GearOf::Central(_) => None,
+        GearOf::Planet(planet, _) => Some(planet),
+    }
+}
+
+/// Of a mesh between a central gear and a planet on parallel axes: the two, the planet's gear last.
+pub(crate) fn central_mesh(set: &PlanetSet, mesh: usize) -> Option<(usize, GearOf)> {
+    let mesh = set.meshes()[mesh];
+    match (mesh.gears, mesh.kind) {
+        (_, MeshKind::BevelLeft | MeshKind::BevelRight) => None,
+        ([GearOf::Central(central), gear @ GearOf::Planet(..)], _)
+        | ([gear @ GearOf::Planet(..), GearOf::Central(central)], _) => Some((central, gear)),
+        _ => None,
+    }
+}
+
+/// Of a mesh of two planets: their gears, in the order of [`PlanetSet::planets`].
+pub(crate) fn planet_mesh(set: &PlanetSet, mesh: usize) -> Option<[GearOf; 2]> {
+    let [one, other] = set.meshes()[mesh].gears;
+    let (first, second) = (planet_of(one)?, planet_of(other)?);
+    Some(if first < second { [one, other] } else { [other, one] })
+}
+
+/// `2·R/m` of a mesh between a central gear and a planet: `z_c ± z_p`.
+pub(crate) fn apart(set: &PlanetSet, mesh: usize) -> Option<f64> {
+    let (central, gear) = central_mesh(set, mesh)?;
+    let (central, planet) = (teeth_of(set, GearOf::Central(central))?, teeth_of(set, gear)?);
+    let apart = match set.meshes()[mesh].kind {
+        MeshKind::Internal => central - planet,
+        _ => central + planet,
+    };
+    (apart > 0.0).then_some(apart)
+}
+
+/// Whether two meshes share a gear, and so their module.
+fn share_gear(set: &PlanetSet, one: usize, other: usize) -> bool {
+    set.meshes()[one].gears.iter().any(|gear| set.meshes()[other].gears.contains(gear))
+}
+
+/// Gives meshes that share a gear one module.
+fn spread(set: &PlanetSet, modules: &mut [Option<f64>]) {
+    for _ in 0..modules.len() {
+        for mesh in 0..modules.len() {
+            if modules[mesh].is_none() {
+                modules[mesh] = (0..modules.len())
+                    .filter(|&other| share_gear(set, mesh, other))
+                    .find_map(|other| modules[other]);
+            }
+        }
+    }
+}
+
+/// Radii that are not known yet, from the modules that are.
+fn find_radii(set: &PlanetSet, modules: &[Option<f64>], radii: &mut [Option<f64>]) {
+    for (mesh, module) in modules.iter().enumerate() {
+        if let (Some(module), Some((_, GearOf::Planet(planet, _)))) = (module, central_mesh(set, mesh))
+            && radii[planet].is_none()
+        {
+            radii[planet] = apart(set, mesh).map(|apart| module * (apart / 2.0));
+        }
+    }
+}
+
+/// Modules that are not known yet, from the radii that are.
+fn find_modules(set: &PlanetSet, radii: &[Option<f64>], modules: &mut [Option<f64>]) {
+    for (mesh, module) in modules.iter_mut().enumerate() {
+        if let (None, Some((_, GearOf::Planet(planet, _)))) = (&module, central_mesh(set, mesh)) {
+            *module = radii[planet].zip(apart(set, mesh)).map(|(radius, apart)| radius / (apart / 2.0));
+        }
+    }
+}
+
+/// The places that follow from what is given.
+pub(crate) fn places(set: &PlanetSet, given: &Given) -> Places {
+    let mut modules = given.modules.clone();
+    spread(set, &mut modules);
+    let mut radii = given.radii.clone();
+    find_radii(set, &modules, &mut radii);
+    for module in &mut modules {
+        *module = module.or(given.module);
+    }
+    // Every round settles a planet or is the last.
+    for _ in 0..=radii.len() {
+        find_radii(set, &modules, &mut radii);
+        find_modules(set, &radii, &mut modules);
+        spread(set, &mut modules);
+    }
+    let pairs = (0..modules.len()).map(|mesh| pair(set, mesh, modules[mesh], &radii, given)).collect();
+    Places { modules, radii, pairs }
+}
+
+fn pair(
+    set: &PlanetSet,
+    mesh: usize,
+    module: Option<f64>,
+    radii: &[Option<f64>],
+    given: &Given,
+) -> Result<Pair, NoPair> {
+    let gears = planet_mesh(set, mesh).ok_or(NoPair::OtherMesh)?;
+    let [first, second] = gears.map(|gear| planet_of(gear).unwrap_or_default());
+    let r1 = radii[first].ok_or(NoPair::Radius(first))?;
+    let r2 = radii[second].ok_or(NoPair::Radius(second))?;
+    let [z1, z2] = gears.map(|gear| teeth_of(set, gear));
+    let distance =
+        module.zip(z1.zip(z2)).map(|(module, (z1, z2))| module * (z1 + z2) / 2.0).ok_or(NoPair::Distance)?;
+    let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
+    if cosine.is_nan() || cosine.abs() > 1.0 + FLAT {
+        return Err(NoPair::Triangle { radii: [r1, r2], distance });
+    }
+    let ahead_rad = cosine.clamp(-1.0, 1.0).acos();
+    Ok(Pair { distance, angle_rad: if given.is_behind[mesh] { -ahead_rad } else { ahead_rad } })
+}
+
+impl Places {
+    /// Angles of the planets about the main axis, from the first of those that meshes of planets tie together; and
+    /// which is that first.
+    pub(crate) fn angles(&self, set: &PlanetSet) -> Vec<(usize, f64)> {
+        let mut angles: Vec<(usize, f64)> = (0..self.radii.len()).map(|planet| (planet, 0.0)).collect();
+        // Meshes form a tree: each joins two groups of planets.
+        for (mesh, pair) in self.pairs.iter().enumerate() {
+            let (Ok(pair), Some([Some(first), Some(second)])) =
+                (pair, planet_mesh(set, mesh).map(|gears| gears.map(planet_of)))
+            else {
+                continue;
+            };
+            let ((group, at), (joined, from)) = (angles[first], angles[second]);
+            for angle in angles.iter_mut().filter(|angle| angle.0 == joined) {
+                *angle = (group, angle.1 - from + at + pair.angle_rad);
+            }
+        }
+        angles
+    }
+}

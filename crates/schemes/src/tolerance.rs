@@ -1,0 +1,89 @@
+//! Every number below which something counts as nothing, and every limit of size, in one place.
+//!
+//! # What is nothing
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `ERROR_FACTOR` | a number in an elimination | its own error bound, which is carried along with it |
+//! | `POWER` | a power or torque, over the largest inside the gear | rounding leaves 1e-14 of it; a set that carries less is idle |
+//! | `SLOPE` | `∂ln i/∂ln i₀` of a set, over the largest | as `POWER`, but behind a second elimination |
+//! | `LOOP` | a flow in the graph of powers, over the largest | the differences of flows lose two more digits |
+//! | `PIVOT` | a pivot of a gear solved at other ratios than its own | at its own the rank is proved |
+//! | `SHARP` | the error bound of a speed, over it | a speed that is less certain is found again without rounding |
+//! | `POLE` | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
+//! | `ALIKE` | a difference of two efficiencies, over 1 and their size | two sign patterns with less are one |
+//! | `SPEED` | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
+//!
+//! # What is solved
+//! | constant | limits |
+//! |---|---|
+//! | [`MOST_SETS`] | planet sets and pairs of a gearbox |
+//! | [`MOST_LINKS`] | links |
+//! | [`MOST_ELEMENTS`] | shift elements |
+//! | [`MOST_GEARS`] | gears |
+//! | [`MOST_MEMBERS`] | central gears of one set |
+//! | [`MOST_PLANETS`] | planets of one set that differ |
+//! | [`MOST_ALIKE`] | how many of one planet stand around the axis |
+//! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
+//! | [`LARGEST_LOAD`] | a speed in rad/s or torque in N·m from outside |
+//! | [`SPREAD`] | what the basic ratios of a gearbox can multiply to |
+
+/// Least size of a number that is certainly not zero, in multiples of its error bound.
+pub(crate) const ERROR_FACTOR: f64 = 4.0;
+
+/// A power below this share of the largest internal power is none: no loss and no sign.
+pub(crate) const POWER: f64 = 1e-11;
+
+/// A derivative below this share of the largest is none.
+pub(crate) const SLOPE: f64 = 1e-9;
+
+/// A flow below this share of the largest power is none.
+pub(crate) const LOOP: f64 = 1e-12;
+
+/// A pivot below this has vanished.
+pub(crate) const PIVOT: f64 = 1e-14;
+
+/// A speed is certain where its error bound is below this share of it.
+pub(crate) const SHARP: f64 = 1e-11;
+
+/// A torque above this multiple of the largest without losses is on the way to infinity.
+pub(crate) const POLE: f64 = 1e8;
+
+/// Speeds that differ by less than this share of the larger are equal.
+pub(crate) const SPEED: f64 = 1e-10;
+
+/// Efficiencies that differ by less are alike.
+pub(crate) const ALIKE: f64 = 1e-12;
+
+/// How many planet sets and pairs a gearbox may have.
+pub const MOST_SETS: usize = 64;
+
+/// How many links a gearbox may have besides the housing.
+pub const MOST_LINKS: usize = 256;
+
+/// How many brakes, clutches and one-way clutches a gearbox may have.
+pub const MOST_ELEMENTS: usize = 128;
+
+/// How many gears a gearbox may have.
+pub const MOST_GEARS: usize = 1000;
+
+/// How many central gears and planet shafts a set may have.
+pub const MOST_MEMBERS: usize = 12;
+
+/// How many different planets a set may have.
+pub const MOST_PLANETS: usize = 12;
+
+/// How many of one planet may stand around the axis.
+pub const MOST_ALIKE: u32 = 1000;
+
+/// Largest size of a basic ratio; its inverse is the smallest.
+///
+/// Within it every quantity of a gear keeps its digits; beyond, a set is no set but a slip of the pen.
+pub const BASIC_RATIO: f64 = 1e9;
+
+/// Largest size of a speed in rad/s or of a torque in N·m from outside: what follows from it is a number too.
+pub const LARGEST_LOAD: f64 = 1e50;
+
+/// Largest product of `1 + |i|`, or `1 + 1/|i|` where that is larger, over the basic ratios of a gearbox.
+///
+/// No ratio of links in series is larger. Beyond, neither speeds nor torques can be told as numbers.
+pub const SPREAD: f64 = 1e200;
