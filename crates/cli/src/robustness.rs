@@ -432,7 +432,8 @@ fn whatever_a_file_says_nothing_panics() {
     if let Err(error) = done {
         panic!("{error}");
     }
-    assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
+    // About a quarter of the files still say something; half of that would be no accident.
+    assert!(answered.get() > cases / 10, "{} of {cases}", answered.get());
 }
 
 /// Whatever outputs are named, the input stays as it is, and either each output is a file of its own or none is written.
