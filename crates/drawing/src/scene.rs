@@ -160,13 +160,16 @@ pub(crate) fn sides(vertices: &[Vertex], closed: bool) -> impl Iterator<Item = (
     vertices.iter().zip(next).take(count).map(|(one, next)| (one.at, next.at, one.bulge))
 }
 
-/// Centre, radius, start and sweep of a bulged side.
+/// A bulge below it is a straight line: the arc is `b·c/2` high, and the centre would be too far to be exact.
+const STRAIGHT: f64 = 1e-10;
+
+/// Centre, radius, start and sweep of a bulged side; none of a straight one.
 ///
 /// With the chord `c` and the bulge `b = tan(sweep/4)` the radius is `c·(1 + b²)/(4·|b|)`.
 pub(crate) fn arc_of_side(from: Point, to: Point, bulge: f64) -> Option<(Point, f64, f64, f64)> {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let chord = dx.hypot(dy);
-    if bulge == 0.0 || chord == 0.0 {
+    if bulge.abs() < STRAIGHT || chord == 0.0 {
         return None;
     }
     let sweep = 4.0 * bulge.atan();
@@ -434,6 +437,14 @@ mod tests {
         let back = Shape::Arc { centre: Point::new(0.0, 0.0), radius: 2.0, start_rad: 2.5, sweep_rad: -2.0 };
         let back = back.bounds();
         assert!((back.top - bounds.top).abs() + (back.left - bounds.left).abs() < 1e-12);
+    }
+
+    #[test]
+    fn hardly_bulged_sides_are_straight() {
+        for bulge in [0.0, f64::MIN_POSITIVE, 1e-300, -1e-11] {
+            assert!(arc_of_side(Point::new(0.0, 0.0), Point::new(1e-111, 1.0), bulge).is_none(), "{bulge}");
+        }
+        assert!(arc_of_side(Point::new(0.0, 0.0), Point::new(1.0, 0.0), 1e-9).is_some());
     }
 
     #[test]
