@@ -415,7 +415,8 @@ fn whatever_a_file_says_nothing_panics() {
     let texts: Vec<String> =
         READ.iter().map(|(name, _)| std::fs::read_to_string(example(name)).unwrap()).collect();
     let answered = std::cell::Cell::new(0);
-    let cases = cases(150);
+    // 543 of 2000 changed files were still answered. Of 600 a fifth is four standard deviations below; of 150 it was two.
+    let cases = cases(600);
     let mut runner =
         TestRunner::new(ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() });
     let change = (any::<usize>(), any::<usize>(), 0..11_u8);
@@ -432,8 +433,7 @@ fn whatever_a_file_says_nothing_panics() {
     if let Err(error) = done {
         panic!("{error}");
     }
-    // About a quarter of the files still say something; half of that would be no accident.
-    assert!(answered.get() > cases / 10, "{} of {cases}", answered.get());
+    assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
 }
 
 /// Whatever outputs are named, the input stays as it is, and either each output is a file of its own or none is written.
