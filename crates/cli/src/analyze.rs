@@ -13,7 +13,7 @@ use crate::input;
 use crate::output::OutputArgs;
 use crate::report::Report;
 use epicyclic_formats::{Document, Quantity};
-use epicyclic_schemes::{Analysis, Error, Gearbox, InputLoad};
+use epicyclic_train::{Analysis, Error, Gearbox, InputLoad};
 pub(crate) use overview::fast_planets;
 use std::path::{Path, PathBuf};
 use subject::Content;
@@ -222,7 +222,7 @@ fn report(args: &Args, subject: &Subject, document: &Document) -> Result<Report,
 struct Worked<'g> {
     analysis: Analysis<'g>,
     /// `None` where no load is given, or where the gear cannot take it.
-    operation: Option<epicyclic_schemes::Operation>,
+    operation: Option<epicyclic_train::Operation>,
 }
 
 /// The analysis of a gear that `--gear` names.
@@ -230,7 +230,7 @@ pub(crate) fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<
     match gearbox.analyze(gear) {
         // With few short names, the nearest says less than all.
         Err(Error::Unknown { .. }) => {
-            let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_schemes::Gear::name).collect();
+            let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_train::Gear::name).collect();
             let message = format!("no gear is called `{gear}`: there are {}", all.join(", "));
             Err(Failure::Option { option: "--gear", message })
         }

@@ -59,13 +59,13 @@ pub(crate) enum Failure {
     Gear(#[from] epicyclic_gears::Error),
     /// A gearbox that cannot be analysed so.
     #[error(transparent)]
-    Gearbox(#[from] epicyclic_schemes::Error),
+    Gearbox(#[from] epicyclic_train::Error),
     /// A demand on the catalogue or of a machine that nothing meets.
     #[error(transparent)]
     Design(#[from] epicyclic_schemes::DesignError),
     /// A selection that cannot be made.
     #[error(transparent)]
-    Selection(epicyclic_schemes::selection::SelectionError),
+    Selection(epicyclic_selection::SelectionError),
     /// A gearbox that no drawing in the half-plane exists of.
     #[error(
         "{gearbox} crosses itself: {why}\n{witness}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder"

@@ -10,8 +10,9 @@ use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::RowParameter;
+use epicyclic_schemes::DesignError;
 use epicyclic_schemes::catalogue::{ParameterRange, Role, ThreeSpeed, TwoSpeed};
-use epicyclic_schemes::{DesignError, Gearbox};
+use epicyclic_train::Gearbox;
 use uom::si::f64::Ratio;
 
 /// The catalogue of two- and three-speed schemes of planetary gearboxes.

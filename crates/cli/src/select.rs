@@ -12,11 +12,11 @@ use crate::lists::{List, Numbers, Quantities};
 use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::selection::drawing::drawable_locks;
-use epicyclic_schemes::selection::{
+use epicyclic_schemes::structures::Structure;
+use epicyclic_selection::drawing::drawable_locks;
+use epicyclic_selection::{
     Demand, Limits, Objective, Order, Orders, Rating, RatioSeries, SelectionError, Signs, Space, select_with,
 };
-use epicyclic_schemes::structures::Structure;
 use uom::si::f64::{Length, Pressure, Ratio, Velocity};
 
 /// The planetary gearbox for two or three speeds: every scheme measured, judged and compared.

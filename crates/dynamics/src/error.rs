@@ -93,7 +93,7 @@ pub enum Error {
     },
     /// A gearbox that is none.
     #[error(transparent)]
-    Gearbox(#[from] epicyclic_schemes::Error),
+    Gearbox(#[from] epicyclic_train::Error),
     /// A gear set that is none.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),

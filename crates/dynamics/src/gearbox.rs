@@ -5,7 +5,7 @@
 
 use crate::Error;
 use crate::reduction::{Link, Orbit};
-use epicyclic_schemes::Gearbox;
+use epicyclic_train::Gearbox;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
 /// What moves in a gearbox.
@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::reduction::reduced_inertia;
     use crate::units::{inertia, kg_m2, length, mass};
-    use epicyclic_schemes::set::SetSpec;
+    use epicyclic_train::set::SetSpec;
 
     /// Scheme II-3 in its second gear, where both rows work.
     fn second_gear_of_ii_3() -> Gearbox {

@@ -53,8 +53,8 @@ use crate::units::{
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothSet;
 use epicyclic_gears::willis;
-use epicyclic_schemes::set::{SetKind, SetSpec};
-use epicyclic_schemes::{GROUND, Gearbox};
+use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::{GROUND, Gearbox};
 use uom::si::f64::{
     AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
 };

@@ -51,10 +51,10 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_schemes::pins::{Pin, SetSize};
-use epicyclic_schemes::set::{MeshLoss, SetKind, SetSpec};
-use epicyclic_schemes::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
+use epicyclic_train::pins::{Pin, SetSize};
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
+use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -151,7 +151,7 @@ pub enum DescriptionError {
     },
     /// What the solver refuses.
     #[error(transparent)]
-    Gearbox(#[from] epicyclic_schemes::Error),
+    Gearbox(#[from] epicyclic_train::Error),
 }
 
 /// A gearbox of any structure.
@@ -375,7 +375,7 @@ impl GearboxFile {
     ///
     /// # Errors
     /// [`DescriptionError`]; a shift element or gear that names a link which exists nowhere else is
-    /// [`epicyclic_schemes::Error::Unknown`], with the nearest name.
+    /// [`epicyclic_train::Error::Unknown`], with the nearest name.
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
         self.check_counts()?;
         let short = self.sets.iter().flat_map(|set| [Some(&set.sun), Some(&set.ring), set.carrier.as_ref()]);
@@ -431,9 +431,7 @@ impl GearboxFile {
             (Named::Link, self.links.len().max(self.ties.len()).max(self.grounds.len()), MOST_LINKS),
         ];
         match counts.into_iter().find(|(_, count, limit)| count > limit) {
-            Some((what, count, limit)) => {
-                Err(epicyclic_schemes::Error::TooMany { what, count, limit }.into())
-            }
+            Some((what, count, limit)) => Err(epicyclic_train::Error::TooMany { what, count, limit }.into()),
             None => Ok(()),
         }
     }

@@ -6,7 +6,7 @@
 use epicyclic_dynamics::drive::design;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile, located};
 use epicyclic_formats::{Document, Path, drive, motor};
-use epicyclic_schemes::{Gearbox, InputLoad};
+use epicyclic_train::{Gearbox, InputLoad};
 use proptest::prelude::*;
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Torque};

@@ -8,8 +8,8 @@ use common::{Picture, catalogue, check, in_service};
 use epicyclic_drawing::{Color, Shape};
 use epicyclic_pictures::gearbox::levers::{Lever, levers as levers_of};
 use epicyclic_pictures::gearbox::{Error, ladder, levers, speeds};
-use epicyclic_schemes::set::SetSpec;
-use epicyclic_schemes::{Analysis, Gearbox};
+use epicyclic_train::set::SetSpec;
+use epicyclic_train::{Analysis, Gearbox};
 
 fn all() -> impl Iterator<Item = Gearbox> {
     catalogue().into_iter().chain(in_service())

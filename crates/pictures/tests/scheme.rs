@@ -8,12 +8,13 @@ use common::{Picture, catalogue, check, in_service, layout, met};
 use epicyclic_drawing::{Color, Scene, Shape};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::teeth::ToothCount;
+use epicyclic_layout as drawability;
+use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::Error;
 use epicyclic_pictures::gearbox::scheme::{ALONG_MM, Options, Show, UP_MM, scene};
-use epicyclic_schemes::drawability::{self, Verdict};
-use epicyclic_schemes::set::{SetKind, SetSpec};
 use epicyclic_schemes::structures::{Role, Structure};
-use epicyclic_schemes::{Gearbox, LinkId};
+use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::{Gearbox, LinkId};
 
 const ENGAGED: Color = Color::new(214, 48, 32);
 const RESTING: Color = Color::new(165, 165, 165);

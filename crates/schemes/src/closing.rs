@@ -35,11 +35,12 @@
 //! # Source
 //! multispeed-gearboxes (2.36)–(2.38), section 2.4.
 
+use crate::DesignError;
 use crate::catalogue::row::{fraction, parameter};
 use crate::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, gearbox};
-use crate::{DesignError, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::{Member, Mode, RowParameter};
+use epicyclic_train::Gearbox;
 use std::fmt;
 
 /// The shaft that row 2 ties T₁ to.
@@ -100,8 +101,8 @@ pub fn second_ratio(shaft: Shaft, first: f64, closing: f64) -> Result<f64, Desig
 /// The closing ratio that a pair of ratios needs: (2.37) and (2.38).
 ///
 /// ```
-/// use epicyclic_schemes::closing::{Shaft, closing_ratio, second_ratio};
-/// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+/// use crate::closing::{Shaft, closing_ratio, second_ratio};
+/// # fn main() -> Result<(), crate::DesignError> {
 /// let closing = closing_ratio(Shaft::Driven, 1.465, 2.56)?;
 /// assert!((closing - -2.354_838_71).abs() < 1e-8); // −k₂ of II-3
 /// assert!((second_ratio(Shaft::Driven, 1.465, closing)? - 2.56).abs() < 1e-12);

@@ -1,6 +1,6 @@
 //! What the catalogue and the machine side refuse.
 //!
-//! Apart from [`crate::Error`], which is of gearboxes: these are demands that no scheme meets.
+//! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are demands that no scheme meets.
 
 /// A demand outside what it can be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -113,5 +113,5 @@ pub enum DesignError {
     Row(#[from] epicyclic_gears::Error),
     /// What the engine refuses.
     #[error(transparent)]
-    Gearbox(#[from] crate::Error),
+    Gearbox(#[from] epicyclic_train::Error),
 }

@@ -19,7 +19,7 @@
 //! multispeed-gearboxes, tables 1.1, 1.2, 2.1.
 
 use crate::DesignError;
-use crate::gearbox::nearest;
+use epicyclic_train::names::nearest;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -116,9 +116,9 @@ pub fn machines() -> &'static [Machine] {
 /// The machine of this name.
 ///
 /// ```
-/// let wheel = epicyclic_schemes::machines::machine("РЕ-1")?;
+/// let wheel = crate::machines::machine("РЕ-1")?;
 /// assert_eq!((wheel.steps, wheel.recommended().speeds), (Some(2), 3));
-/// # Ok::<(), epicyclic_schemes::DesignError>(())
+/// # Ok::<(), crate::DesignError>(())
 /// ```
 ///
 /// # Errors

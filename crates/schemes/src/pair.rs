@@ -28,9 +28,11 @@
 use crate::structures::{Role, RowRoles};
 
 /// Coefficients of a row by role.
-pub(crate) type Coefficients = [f64; 4];
+pub type Coefficients = [f64; 4];
 
-pub(crate) fn coefficients(row: RowRoles, k: f64) -> Coefficients {
+/// Coefficients of a row in the equation of its speeds.
+#[must_use]
+pub fn coefficients(row: RowRoles, k: f64) -> Coefficients {
     let mut found = [0.0; 4];
     for (role, value) in row.into_iter().zip([1.0, k, -(1.0 + k)]) {
         found[role.index()] = value;
@@ -43,21 +45,25 @@ const B: usize = Role::B.index();
 /// `X` of gears 1 and 2: the braked link that turns.
 const FREE: [usize; 2] = [Role::T2.index(), Role::T1.index()];
 
+/// `[xy]`, of the links in places `x` and `y`.
 #[inline]
-pub(crate) fn minor(first: &Coefficients, second: &Coefficients, x: usize, y: usize) -> f64 {
+#[must_use]
+pub fn minor(first: &Coefficients, second: &Coefficients, x: usize, y: usize) -> f64 {
     first[x] * second[y] - first[y] * second[x]
 }
 
 /// `[−[BX], [DX]]` of a gear, whose quotient is its ratio.
 #[inline]
-pub(crate) fn fraction(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 2] {
+#[must_use]
+pub fn fraction(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 2] {
     let x = FREE[gear];
     [-minor(first, second, B, x), minor(first, second, D, x)]
 }
 
 /// Ratios of both gears.
 #[inline]
-pub(crate) fn ratios(first: &Coefficients, second: &Coefficients) -> [f64; 2] {
+#[must_use]
+pub fn ratios(first: &Coefficients, second: &Coefficients) -> [f64; 2] {
     [0, 1].map(|gear| {
         let [n, d] = fraction(first, second, gear);
         n / d
@@ -66,7 +72,8 @@ pub(crate) fn ratios(first: &Coefficients, second: &Coefficients) -> [f64; 2] {
 
 /// Speeds of the links in a gear.
 #[inline]
-pub(crate) fn speeds(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 4] {
+#[must_use]
+pub fn speeds(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 4] {
     let x = FREE[gear];
     let over_b = 1.0 / minor(first, second, B, x);
     let mut found = [1.0, -minor(first, second, D, x) * over_b, 0.0, 0.0];
@@ -76,7 +83,8 @@ pub(crate) fn speeds(first: &Coefficients, second: &Coefficients, gear: usize) -
 
 /// Torques on both suns in a gear.
 #[inline]
-pub(crate) fn sun_torques(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 2] {
+#[must_use]
+pub fn sun_torques(first: &Coefficients, second: &Coefficients, gear: usize) -> [f64; 2] {
     let x = FREE[gear];
     let over_d = 1.0 / minor(first, second, D, x);
     [second[x] * over_d, -first[x] * over_d]
@@ -84,7 +92,8 @@ pub(crate) fn sun_torques(first: &Coefficients, second: &Coefficients, gear: usi
 
 /// `x_j` of both rows in a gear: 1 where the row's relative power runs from sun to ring, −1 the other
 /// way, 0 where the row is idle.
-pub(crate) fn exponents(rows: [RowRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2] {
+#[must_use]
+pub fn exponents(rows: [RowRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2] {
     let [first, second] = [0, 1].map(|row| coefficients(rows[row], k[row]));
     let speeds = speeds(&first, &second, gear);
     let torques = sun_torques(&first, &second, gear);
@@ -98,7 +107,8 @@ pub(crate) fn exponents(rows: [RowRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2
 
 /// `k·η₀^x`.
 #[inline]
-pub(crate) fn effective(k: f64, eta0: f64, exponent: i8) -> f64 {
+#[must_use]
+pub fn effective(k: f64, eta0: f64, exponent: i8) -> f64 {
     match exponent {
         1 => k * eta0,
         -1 => k / eta0,

@@ -51,10 +51,10 @@ impl RatioSeries {
     /// ```
     ///
     /// ```
-    /// use epicyclic_schemes::regimes::RatioSeries;
+    /// use crate::regimes::RatioSeries;
     /// use uom::si::f64::Velocity;
     /// use uom::si::velocity::meter_per_second;
-    /// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+    /// # fn main() -> Result<(), crate::DesignError> {
     /// let speeds = [0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>);
     /// let series = RatioSeries::of_speeds(&speeds, 1)?;
     /// assert!((series.ratios()[1] - 1.466).abs() < 1e-3 && (series.ratios()[2] - 2.566).abs() < 1e-3);

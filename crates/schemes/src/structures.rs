@@ -45,9 +45,9 @@
 
 pub use crate::catalogue::Role;
 
-use crate::set::{MeshLoss, SetSpec};
-use crate::{Error, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::{Error, Gearbox};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -55,7 +55,9 @@ impl Role {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::D, Self::B, Self::T1, Self::T2];
 
-    pub(crate) const fn index(self) -> usize {
+    /// Its place in [`Self::ALL`].
+    #[must_use]
+    pub const fn index(self) -> usize {
         self as usize
     }
 }
@@ -92,7 +94,7 @@ pub enum Family {
 /// A two-row structure, in its canonical labelling.
 ///
 /// ```
-/// use epicyclic_schemes::structures::{Family, Structure};
+/// use crate::structures::{Family, Structure};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let structures = Structure::all();
 /// assert_eq!(structures.len(), 111);
@@ -270,7 +272,8 @@ pub(crate) fn row_roles() -> Vec<RowRoles> {
 }
 
 /// `u`: speeds of D, B, T₁, T₂ in gear 1 as multiples of the output's, from the ratios of both gears.
-pub(crate) fn motion([first, second]: [f64; 2]) -> [f64; 4] {
+#[must_use]
+pub fn motion([first, second]: [f64; 2]) -> [f64; 4] {
     [first, 1.0, 0.0, (first - second) / (1.0 - second)]
 }
 

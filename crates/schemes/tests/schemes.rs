@@ -5,8 +5,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::set::{MeshLoss, SetSpec};
-use epicyclic_schemes::{Gearbox, State};
+use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::{Gearbox, State};
 use proptest::prelude::*;
 
 /// Closed form of `(k1, k2, η₀)`.

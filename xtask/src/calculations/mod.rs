@@ -111,8 +111,8 @@ impl From<epicyclic_gears::Error> for Refusal {
     }
 }
 
-impl From<epicyclic_schemes::Error> for Refusal {
-    fn from(error: epicyclic_schemes::Error) -> Self {
+impl From<epicyclic_train::Error> for Refusal {
+    fn from(error: epicyclic_train::Error) -> Self {
         Self::of(&error)
     }
 }

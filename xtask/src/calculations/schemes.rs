@@ -10,7 +10,8 @@ use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoS
 use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
 use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::regimes::{PrintedSeries, RatioSeries};
-use epicyclic_schemes::{DesignError, Gearbox, cutting, mobility, rotor};
+use epicyclic_schemes::{DesignError, cutting, rotor};
+use epicyclic_train::{Gearbox, mobility};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Force, Length, Velocity};

@@ -3,12 +3,13 @@
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::drawability::{self, Options, Verdict};
-use epicyclic_schemes::selection::{
-    Candidate, Demand, Mechanism, RatioSeries, Selection, SelectionError, Space, select,
-};
+use epicyclic_layout as drawability;
+use epicyclic_layout::{Options, Verdict};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
+use epicyclic_selection::{
+    Candidate, Demand, Mechanism, RatioSeries, Selection, SelectionError, Space, select,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;

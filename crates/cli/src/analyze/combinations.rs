@@ -5,7 +5,7 @@ use super::subject::Subject;
 use crate::failure::Failure;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_schemes::{Analysis, Gear, Gearbox};
+use epicyclic_train::{Analysis, Gear, Gearbox};
 
 /// The whole answer.
 pub(super) fn report(subject: &Subject) -> Result<Report, Failure> {

@@ -10,10 +10,8 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::Dimension;
-use epicyclic_schemes::planet_set::GearOf;
-use epicyclic_schemes::{
-    Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, State,
-};
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::{Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, State};
 
 const CASES: &[(&str, &str)] =
     &[("without_losses", "without losses"), ("with_losses", "with losses"), ("at_load", "at the load")];
@@ -343,7 +341,7 @@ impl Scene<'_> {
                 kreines.map_or(Figure::None, |kreines| {
                     Figure::Texts(kreines.exponents[place].iter().map(ToString::to_string).collect())
                 }),
-                multiple(power.filter(|_| is_short).map(epicyclic_schemes::power_flow::SetPower::relative)),
+                multiple(power.filter(|_| is_short).map(epicyclic_train::power_flow::SetPower::relative)),
                 multiple(power.map(|power| power.loss)),
             ]
         });

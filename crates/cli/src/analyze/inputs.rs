@@ -9,9 +9,9 @@ use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Dimension, Document, Physical, Problem, Quantity};
-use epicyclic_schemes::inputs::{MultiLoad, MultiState};
-use epicyclic_schemes::planet_set::GearOf;
-use epicyclic_schemes::{Error, Gear, Gearbox, LinkId};
+use epicyclic_train::inputs::{MultiLoad, MultiState};
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::{Error, Gear, Gearbox, LinkId};
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
@@ -197,7 +197,7 @@ impl Task<'_> {
         at: Origin,
         own_torques: bool,
     ) -> Result<MultiState, Failure> {
-        use epicyclic_schemes::InputsFault as Fault;
+        use epicyclic_train::InputsFault as Fault;
         self.gearbox.with_inputs(self.gear, speeds, torques).map_err(|error| match &error {
             Error::Inputs(Fault::Torques { .. } | Fault::DependentTorques { .. }) => {
                 let at = if own_torques { Origin::Option("--torques") } else { Origin::File("torques") };
@@ -348,7 +348,7 @@ impl Task<'_> {
         let rows = load.terminals.iter().map(|end| {
             vec![text(self.gearbox.link_name(end.link)), column(Some(end.torque)), column(Some(end.power))]
         });
-        let housing = vec![text(epicyclic_schemes::GROUND), column(Some(load.housing)), Figure::None];
+        let housing = vec![text(epicyclic_train::GROUND), column(Some(load.housing)), Figure::None];
         Records {
             name: "terminals",
             columns: vec![
@@ -426,7 +426,7 @@ impl Task<'_> {
 
     /// One-way clutches that would not let these speeds be.
     fn one_way(&self, state: &MultiState) -> Vec<(&'static str, String)> {
-        let of = |(place, control): (usize, &epicyclic_schemes::Control)| {
+        let of = |(place, control): (usize, &epicyclic_train::Control)| {
             let is_engaged = self.gear.engaged().contains(&place);
             let slip = state.slips[place].map(Physical::si)?;
             (control.is_one_way() && !is_engaged && slip < 0.0).then(|| {

@@ -9,8 +9,8 @@ use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::gearbox::PublishedGear;
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_schemes::one_way::Duty;
-use epicyclic_schemes::{Analysis, Gear, Gearbox, PlanetSet, State};
+use epicyclic_train::one_way::Duty;
+use epicyclic_train::{Analysis, Gear, Gearbox, PlanetSet, State};
 
 /// The whole answer.
 pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure> {
@@ -242,7 +242,7 @@ pub(super) fn in_words(state: &State) -> String {
 
 fn shift_table(gearbox: &Gearbox) -> String {
     let mut header = vec!["gear"];
-    header.extend(gearbox.controls().iter().map(epicyclic_schemes::Control::id));
+    header.extend(gearbox.controls().iter().map(epicyclic_train::Control::id));
     let rows = gearbox.gears().iter().map(|gear| {
         let mark = |place| if gear.engaged().contains(&place) { "x" } else { "." }.to_owned();
         let marks = (0..gearbox.controls().len()).map(mark);
@@ -273,7 +273,7 @@ pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'sta
 
 /// What the one-way clutches do in each gear; `None` without any.
 fn one_way_clutches(gearbox: &Gearbox, worked: &[Worked<'_>]) -> Option<Records> {
-    if !gearbox.controls().iter().any(epicyclic_schemes::Control::is_one_way) {
+    if !gearbox.controls().iter().any(epicyclic_train::Control::is_one_way) {
         return None;
     }
     let mut rows = vec![];
@@ -347,7 +347,7 @@ pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'s
 /// Remarks on the gearbox itself.
 pub(super) fn warnings(subject: &Subject) -> Vec<(&'static str, String)> {
     let gearbox = &subject.gearbox;
-    use epicyclic_schemes::Warning;
+    use epicyclic_train::Warning;
     let name = |warning: &Warning| match warning {
         Warning::Unreachable { .. } => "unreachable",
         Warning::NoGears => "no-gears",

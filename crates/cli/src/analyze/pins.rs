@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_formats::Dimension;
-use epicyclic_schemes::pins::{Lack, Pin};
-use epicyclic_schemes::{Direction, LoadCase, PlanetSet};
+use epicyclic_train::pins::{Lack, Pin};
+use epicyclic_train::{Direction, LoadCase, PlanetSet};
 use uom::si::time::hour;
 
 /// The planets of one gear, where it has any.

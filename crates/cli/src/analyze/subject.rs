@@ -10,10 +10,10 @@ use epicyclic_formats::gearbox::{
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_schemes::pins::Pin;
-use epicyclic_schemes::planet_set::Description;
-use epicyclic_schemes::set::MeshLoss;
-use epicyclic_schemes::{Gearbox, PlanetSet};
+use epicyclic_train::pins::Pin;
+use epicyclic_train::planet_set::Description;
+use epicyclic_train::set::MeshLoss;
+use epicyclic_train::{Gearbox, PlanetSet};
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Ratio, Torque};
 

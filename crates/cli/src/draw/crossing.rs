@@ -1,7 +1,7 @@
 //! Which link is shut in by which, where a gearbox crosses itself.
 
-use epicyclic_schemes::drawability::{Element, Witness};
-use epicyclic_schemes::{Gearbox, LinkId};
+use epicyclic_layout::{Element, Witness};
+use epicyclic_train::{Gearbox, LinkId};
 
 /// What cannot reach what.
 ///
@@ -10,7 +10,7 @@ use epicyclic_schemes::{Gearbox, LinkId};
 pub(super) fn words(gearbox: &Gearbox, witness: &Witness) -> String {
     let name = |link: LinkId| format!("`{}`", gearbox.link_name(link));
     let control = |place: usize| gearbox.controls().get(place);
-    let brakes = |place: &usize| control(*place).is_some_and(epicyclic_schemes::Control::is_brake);
+    let brakes = |place: &usize| control(*place).is_some_and(epicyclic_train::Control::is_brake);
     let is_brake = |element: &&Element| matches!(element, Element::Control(place) if brakes(place));
     let is_control = |element: &&Element| matches!(element, Element::Control(_));
     let is_shaft =
@@ -22,7 +22,7 @@ pub(super) fn words(gearbox: &Gearbox, witness: &Witness) -> String {
         .or_else(|| elements.iter().find(is_control))
         .or_else(|| elements.iter().find(is_shaft));
     let (inside, what) = match missed {
-        Some(&Element::Control(place)) => match control(place).map(epicyclic_schemes::Control::links) {
+        Some(&Element::Control(place)) => match control(place).map(epicyclic_train::Control::links) {
             Some([link, LinkId::GROUND]) => (vec![link], format!("{} cannot reach the housing", name(link))),
             Some([one, other]) => (vec![one, other], format!("{} cannot reach {}", name(one), name(other))),
             None => (vec![], "a lock cannot be reached".into()),

@@ -7,9 +7,10 @@ use crate::input;
 use crate::schemes::{Scheme, Sizes, dimensioned};
 use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::Gearbox;
-use epicyclic_schemes::drawability::{self, Verdict};
+use epicyclic_layout as drawability;
+use epicyclic_layout::Verdict;
 use epicyclic_schemes::structures::{Role, Structure};
+use epicyclic_train::Gearbox;
 use std::path::Path;
 
 /// A gearbox, and whether its rows have known sizes.

@@ -4,12 +4,13 @@ use super::sheet::{Block, Section, Sheet};
 use crate::analyze::{Choice, Everything, Load, everything};
 use crate::failure::Failure;
 use epicyclic_formats::Document;
+use epicyclic_layout as drawability;
+use epicyclic_layout::{Layout, Verdict};
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
-use epicyclic_schemes::drawability::{self, Layout, Verdict};
-use epicyclic_schemes::set::{Gearing, SetKind, SetSpec};
-use epicyclic_schemes::{Analysis, Gearbox};
+use epicyclic_train::set::{Gearing, SetKind, SetSpec};
+use epicyclic_train::{Analysis, Gearbox};
 
 /// Places in a range of `k`, at most and at least.
 const PLACES: [u32; 2] = [60, 12];
@@ -200,7 +201,7 @@ fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
     };
     let sample = |k: f64| -> Sample {
         let other = with_k(gearbox, row, k);
-        let of = |gear: &epicyclic_schemes::Gear| of_gear(other.as_ref()?, gear.name());
+        let of = |gear: &epicyclic_train::Gear| of_gear(other.as_ref()?, gear.name());
         gearbox.gears().iter().map(|gear| of(gear).unwrap_or_default()).collect()
     };
     let [most, fewest] = PLACES;
@@ -211,7 +212,7 @@ fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
         .map(|k| (k, sample(k)))
         .collect();
     let curves = |value: usize| {
-        let curve = |(place, gear): (usize, &epicyclic_schemes::Gear)| {
+        let curve = |(place, gear): (usize, &epicyclic_train::Gear)| {
             let at = |(k, gears): &(f64, Sample)| [*k, gears[place][value].unwrap_or(f64::NAN)];
             Curve::new(format!("gear {}", gear.name()), samples.iter().map(at).collect()).colored(place)
         };

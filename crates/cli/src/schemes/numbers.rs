@@ -7,8 +7,8 @@ use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::Analysis;
 use epicyclic_schemes::catalogue::ParameterRange;
+use epicyclic_train::Analysis;
 
 /// Parts of an answer, and what to watch.
 pub(super) struct Found {

@@ -8,7 +8,7 @@ use crate::output::Format;
 use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_schemes::locking::Lock;
-use epicyclic_schemes::selection::{
+use epicyclic_selection::{
     Candidate, Criterion, Demand, Mechanism, Objective, Order, Selection, Unreachable,
 };
 use std::fmt::Write as _;
@@ -215,7 +215,7 @@ fn candidates(demand: &Demand, ranked: &Ranked, shown: &[usize], views: Vec<View
 
 fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
     let one = ranked.all[place];
-    let of_gear = |gear: usize, of: fn(&epicyclic_schemes::selection::GearReport) -> Option<f64>| {
+    let of_gear = |gear: usize, of: fn(&epicyclic_selection::GearReport) -> Option<f64>| {
         multiple(one.gears.get(gear).and_then(of))
     };
     let value =

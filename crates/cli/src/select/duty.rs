@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, text};
 use crate::report::{Column, Part, Records, View};
 use epicyclic_formats::{Dimension, Physical, Quantity};
-use epicyclic_schemes::selection::Demand;
-use epicyclic_schemes::{Error, Gearbox, InputLoad, Operation};
+use epicyclic_selection::Demand;
+use epicyclic_train::{Error, Gearbox, InputLoad, Operation};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 use uom::si::torque::newton_meter;
@@ -110,7 +110,7 @@ fn control(gearbox: &Gearbox, operation: Option<&Operation>, id: &str) -> Figure
 }
 
 fn of_members(no: u32, gear: &str, gearbox: &Gearbox, at: &Operation) -> Vec<Vec<Figure>> {
-    let of_row = |(place, row): (usize, &epicyclic_schemes::PlanetSet)| {
+    let of_row = |(place, row): (usize, &epicyclic_train::PlanetSet)| {
         let torques = at.members[place].as_ref();
         let mut cells = vec![Figure::Count(no), text(gear), text(row.id())];
         cells.extend((0..3).map(|member| column(torques.map(|torques| torques[member]))));

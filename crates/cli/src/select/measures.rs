@@ -3,7 +3,7 @@
 use crate::figure::{Figure, column, multiple};
 use crate::report::Column;
 use epicyclic_formats::Dimension;
-use epicyclic_schemes::selection::{Demand, GearReport, Objectives};
+use epicyclic_selection::{Demand, GearReport, Objectives};
 
 /// The columns.
 pub(super) fn columns() -> Vec<Column> {

@@ -9,9 +9,9 @@ use crate::progress::Progress;
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
-use epicyclic_schemes::search::{Counts, Found, ToothDesign, ToothSearch};
-use epicyclic_schemes::selection::drawing::drawable_locks;
-use epicyclic_schemes::selection::{
+use epicyclic_selection::drawing::drawable_locks;
+use epicyclic_selection::search::{Counts, Found, ToothDesign, ToothSearch};
+use epicyclic_selection::{
     Candidate, Demand, Objectives, Order, Orders, RatioSeries, Signs, Space, select_with,
 };
 use std::ops::{ControlFlow, RangeInclusive};

@@ -2,7 +2,7 @@
 
 use super::candidates::{Ranked, item, name, value};
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_schemes::selection::{Candidate, Objective, Order, Selection, Unreachable};
+use epicyclic_selection::{Candidate, Objective, Order, Selection, Unreachable};
 
 /// Mechanisms out of reach that are told one by one.
 const MOST_TOLD: usize = 6;

@@ -3,10 +3,10 @@
 use super::{DescriptionError, RollingEntry};
 use crate::Quantity;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::PlanetSet;
-use epicyclic_schemes::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
-use epicyclic_schemes::pins::{MeshSize, PlanetSize, SetSize};
-use epicyclic_schemes::planet_set::Planet;
+use epicyclic_train::PlanetSet;
+use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
+use epicyclic_train::pins::{MeshSize, PlanetSize, SetSize};
+use epicyclic_train::planet_set::Planet;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;

@@ -4,7 +4,7 @@ use super::DescriptionError;
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
-use epicyclic_schemes::{CompoundFault, Error as Engine, Named};
+use epicyclic_train::{CompoundFault, Error as Engine, Named};
 
 /// The lists whose entries may bear the name of a shift element.
 const CONTROLS: [&str; 4] = ["brakes", "clutches", "elements", "one_way"];
@@ -68,7 +68,7 @@ impl File<'_> {
     fn of_engine(&self, error: &Engine) -> Path {
         match error {
             Engine::Unknown { name, place, .. } => self.text(self.named(place), name),
-            Engine::GroundedTerminal { place } => self.text(self.named(place), epicyclic_schemes::GROUND),
+            Engine::GroundedTerminal { place } => self.text(self.named(place), epicyclic_train::GROUND),
             Engine::Duplicate { what, name } => match what {
                 Named::Set => self.set(name),
                 Named::Control => self.entry(&CONTROLS, name),

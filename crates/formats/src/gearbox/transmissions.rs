@@ -4,10 +4,10 @@ use super::compound::{CompoundEntry, Note};
 use super::{DescriptionError, losses};
 use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_schemes::pins::{Pin, SetSize};
-use epicyclic_schemes::set::{SetKind, SetSpec};
-use epicyclic_schemes::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_schemes::{GROUND, GearSpec, Gearbox, Named};
+use epicyclic_train::pins::{Pin, SetSize};
+use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
+use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -240,7 +240,7 @@ impl Transmission {
             (Named::Link, self.nodes.len(), MOST_LINKS),
         ];
         if let Some((what, count, limit)) = counts.into_iter().find(|(_, count, limit)| count > limit) {
-            return Err(epicyclic_schemes::Error::TooMany { what, count, limit }.into());
+            return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
         }
         let mut node_of: BTreeMap<&str, &str> = BTreeMap::new();
         for (node, members) in &self.nodes {

@@ -7,7 +7,7 @@ use super::place::spread;
 use super::words::decimal;
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
 use epicyclic_drawing::{Align, Color, Dash, Scene, Shape, Style, Text};
-use epicyclic_schemes::{Analysis, Gearbox};
+use epicyclic_train::{Analysis, Gearbox};
 
 /// Height of the scale.
 const HEIGHT_MM: f64 = 100.0;

@@ -13,7 +13,7 @@ use super::scheme::{known, piece_of, title};
 use super::words::{self, decimal};
 use super::{COLORS, ENGAGED, Error, LETTERS_MM, RESTING, TITLE_MM};
 use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
-use epicyclic_schemes::{Analysis, Gearbox, LinkId};
+use epicyclic_train::{Analysis, Gearbox, LinkId};
 
 pub use merge::{Lever, levers};
 

@@ -11,7 +11,7 @@
 //! | dashes and dots | the axis |
 //! | circle at the end of a shaft | a machine or train beside the housing, where power enters or leaves in some gears |
 //!
-//! Wheels stand where the [layout](epicyclic_schemes::drawability::Layout) puts them; heights are no radii. Planets of a stepped row
+//! Wheels stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii. Planets of a stepped row
 //! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
 //! suns or rings, meshing suns and bevel rows are drawn as sun, planet and ring; the line of their row below the drawing names the kind.
 //!
@@ -25,9 +25,9 @@ mod signs;
 use super::words::{self, decimal};
 use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text};
-use epicyclic_schemes::drawability::Layout;
-use epicyclic_schemes::drawability::layout::Point as Place;
-use epicyclic_schemes::{Analysis, Gearbox, LinkId, LoadCase};
+use epicyclic_layout::Layout;
+use epicyclic_layout::layout::Point as Place;
+use epicyclic_train::{Analysis, Gearbox, LinkId, LoadCase};
 use flow::Piece;
 pub(super) use flow::piece_of;
 
@@ -78,7 +78,7 @@ impl Default for Options {
 ///
 /// ```
 /// use epicyclic_pictures::gearbox::scheme::{Options, Show, scene};
-/// use epicyclic_schemes::drawability::{self, Verdict};
+/// use epicyclic_layout::{self, Verdict};
 /// use epicyclic_schemes::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("I")

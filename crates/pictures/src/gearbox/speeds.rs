@@ -16,7 +16,7 @@ use super::scheme::{known, title};
 use super::words::{self, decimal};
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
 use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
-use epicyclic_schemes::{Analysis, Gearbox};
+use epicyclic_train::{Analysis, Gearbox};
 use radii::{Line, Plan};
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,7 +1,7 @@
 //! Numbers and sets in words.
 
-use epicyclic_schemes::Gearbox;
-use epicyclic_schemes::set::SetKind;
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::SetKind;
 
 /// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is 0.
 pub(super) fn decimal(value: f64) -> String {

@@ -9,10 +9,11 @@ use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::TransmissionsFile;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::RowParameter;
-use epicyclic_schemes::Gearbox;
+use epicyclic_layout as drawability;
+use epicyclic_layout::{Layout, Verdict};
 use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
-use epicyclic_schemes::drawability::{self, Layout, Verdict};
-use epicyclic_schemes::set::MeshLoss;
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::MeshLoss;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 

@@ -16,7 +16,7 @@
 //!
 //! ```
 //! use epicyclic_gears::{efficiency::MeshEfficiency, row::RowParameter};
-//! use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
+//! use crate::catalogue::{ThreeSpeed, TwoSpeed};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! // Section 3.3, first variation: II with k₁ = 2.15, then II-3 with k₂ = 2.354.
 //! let scheme: ThreeSpeed = "II-3".parse()?;
@@ -44,10 +44,10 @@ pub use range::{ParameterRange, Reach};
 pub use three_speed::ThreeSpeed;
 pub use two_speed::TwoSpeed;
 
-use crate::set::{MeshLoss, SetSpec};
-use crate::{Error, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::RowParameter;
+use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::{Error, Gearbox};
 use std::fmt;
 
 /// What a link is in a scheme.

@@ -29,7 +29,7 @@ pub(crate) fn fraction(mode: Mode, k: f64) -> [f64; 2] {
 ///
 /// ```
 /// use epicyclic_gears::row::{Member, Mode};
-/// use epicyclic_schemes::catalogue::{ParameterRange, row::ratio_range};
+/// use crate::catalogue::{ParameterRange, row::ratio_range};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// let [from, to] = ratio_range(Mode::new(Member::Ring, Member::Carrier)?, ParameterRange::USED);
 /// assert!((from - 2.7 / 1.7).abs() < 1e-15 && (to - 8.0 / 7.0).abs() < 1e-15); // printed 1.58 – 1.4

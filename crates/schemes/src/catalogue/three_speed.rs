@@ -25,10 +25,11 @@
 
 use super::range::{ParameterRange, Reach};
 use super::{Role, TwoSpeed, gearbox};
+use crate::DesignError;
 use crate::closing::{Candidate, Shaft};
-use crate::{DesignError, Gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::RowParameter;
+use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
 

@@ -14,9 +14,10 @@
 use super::range::ParameterRange;
 use super::row::{fraction, parameter, ratio_range};
 use super::{Role, gearbox};
-use crate::{DesignError, Gearbox};
+use crate::DesignError;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::row::{Member, Mode, RowParameter};
+use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
 

@@ -1,7 +1,7 @@
 //! Rows as levers, and levers with two links in common as one.
 
 use crate::gearbox::scheme::piece_of;
-use epicyclic_schemes::{Gearbox, LinkId};
+use epicyclic_train::{Gearbox, LinkId};
 
 /// A lever: links and where they stand along it.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,7 +82,7 @@ impl Lever {
 /// ```
 /// use epicyclic_pictures::gearbox::levers::levers;
 /// use epicyclic_schemes::{Gearbox, set::SetSpec};
-/// # fn main() -> Result<(), epicyclic_schemes::Error> {
+/// # fn main() -> Result<(), epicyclic_train::Error> {
 /// // Simpson: common suns, the first carrier with the second ring.
 /// let gearbox = Gearbox::builder("Simpson")
 ///     .links(["S", "R1", "out", "C2"])

@@ -3,9 +3,9 @@
 //! A link of a layout is a tree of straight pieces between the places where its wheels sit, its controls take hold and shafts leave.
 //! What passes a piece is therefore what enters the link on one side of it, `Σ T·ω`.
 
-use epicyclic_schemes::drawability::Layout;
-use epicyclic_schemes::drawability::layout::Point;
-use epicyclic_schemes::{Analysis, Gearbox, LinkId, LoadCase};
+use epicyclic_layout::Layout;
+use epicyclic_layout::layout::Point;
+use epicyclic_train::{Analysis, Gearbox, LinkId, LoadCase};
 
 /// A piece of a link between two places of interest.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,8 +3,8 @@
 use super::{Sheet, UP_MM, WEB_MM, at};
 use crate::gearbox::place::{Places, beside};
 use epicyclic_drawing::Point;
-use epicyclic_schemes::LinkId;
-use epicyclic_schemes::drawability::layout::{LinkShape, Point as Place, RowStack};
+use epicyclic_layout::layout::{LinkShape, Point as Place, RowStack};
+use epicyclic_train::LinkId;
 
 /// From a shaft to the middle of its name.
 const OFF_MM: f64 = 2.6;

@@ -3,9 +3,9 @@
 use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM, at};
 use crate::gearbox::{ENGAGED, RESTING};
 use epicyclic_drawing::{Color, Point, Shape, Style};
-use epicyclic_schemes::LinkId;
-use epicyclic_schemes::drawability::layout::{Point as Place, RowStack, Segment};
-use epicyclic_schemes::set::SetKind;
+use epicyclic_layout::layout::{Point as Place, RowStack, Segment};
+use epicyclic_train::LinkId;
+use epicyclic_train::set::SetKind;
 
 /// Half the length of a rim, and of a plate.
 const RIM_MM: f64 = 2.6;
@@ -283,7 +283,7 @@ impl Sheet<'_> {
 
     /// Arrows at input and output, circles where power enters or leaves in some gears only.
     pub(super) fn shaft_ends(&mut self) {
-        let gear = self.gear.map(epicyclic_schemes::Analysis::gear);
+        let gear = self.gear.map(epicyclic_train::Analysis::gear);
         let of = |link: LinkId| super::flow::piece_of(self.gearbox, link);
         let [input, output] = match gear {
             Some(gear) => [of(gear.input()), of(gear.output())],

@@ -1,8 +1,8 @@
 //! Radii of a row's wheels, and the lines of its links and planets over them.
 
-use epicyclic_schemes::drawn::DrawnSet;
-use epicyclic_schemes::set::SetKind;
-use epicyclic_schemes::{Analysis, Gearbox, LinkId};
+use epicyclic_train::drawn::DrawnSet;
+use epicyclic_train::set::SetKind;
+use epicyclic_train::{Analysis, Gearbox, LinkId};
 
 /// A line of the plan between two points `[radius, velocity]`.
 #[derive(Debug, Clone, PartialEq)]
@@ -168,7 +168,7 @@ impl Plan {
 mod tests {
     use super::*;
     use epicyclic_gears::teeth::ToothCount;
-    use epicyclic_schemes::set::SetSpec;
+    use epicyclic_train::set::SetSpec;
 
     /// A row of a kind between D, T1 and B, T1 held.
     fn gearbox(kind: SetKind, teeth: [u32; 4]) -> Gearbox {

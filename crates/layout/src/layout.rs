@@ -1,0 +1,345 @@
+//! A drawing in the half-plane: rows as stacks, links as straight lines, controls as short gaps.
+
+use super::grid::Grid;
+use super::map::Map;
+use super::order::{self, Dice};
+use super::planar::{AXIS, HOUSING, INPUT, OUTPUT};
+use super::scheme::{Kind, Scheme};
+use super::stacks::{Part, Upward};
+use epicyclic_train::{Gearbox, LinkId};
+
+/// Half the gap of a clutch, and the whole gap of a brake, in grid units.
+pub const GAP: f64 = 0.15;
+/// Half the height of a planet in grid units.
+pub const PLANET: f64 = 0.5;
+
+/// A point of the half-plane: `x` along the axis to the right, `y` away from it, in grid units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Along the axis.
+    pub x: f64,
+    /// Distance from the axis.
+    pub y: f64,
+}
+
+/// A straight line, along the axis or at right angles to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// Its left or lower end.
+    pub from: Point,
+    /// Its right or upper end.
+    pub to: Point,
+}
+
+/// Everything that turns as one piece with a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkShape {
+    /// The link; of links joined for ever the first. The housing's are what stands out of its wall.
+    pub link: LinkId,
+    /// Shafts, drums and webs. They meet at ends and in tees, never cross one another.
+    pub segments: Vec<Segment>,
+}
+
+/// A row in section above the axis: first wheel, planet, second wheel upwards at one place.
+///
+/// For rows with a sun and a ring this is the picture itself. The wheels of the other kinds are
+/// stacked in the same order, wheel 1, planet, wheel 2: see [what is idealised](super#idealised).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RowStack {
+    /// Place of the row in [`Gearbox::sets`].
+    pub row: usize,
+    /// Links of wheel 1, wheel 2 and carrier as they are drawn.
+    pub members: [LinkId; 3],
+    /// Place along the axis.
+    pub x: f64,
+    /// Shaft or web that carries wheel 1.
+    pub sun: f64,
+    /// Contact of wheel 1 and planet.
+    pub sun_mesh: f64,
+    /// Pin of the planet.
+    pub planet: f64,
+    /// Contact of planet and wheel 2.
+    pub ring_mesh: f64,
+    /// Drum or web that carries wheel 2.
+    pub ring: f64,
+}
+
+/// A clutch: a gap between two links that it closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClutchMark {
+    /// Place of the control in [`Gearbox::controls`]; further numbers are locks asked for.
+    pub control: usize,
+    /// Link and its end below the gap.
+    pub lower: (LinkId, Point),
+    /// Link and its end above the gap.
+    pub upper: (LinkId, Point),
+}
+
+/// A brake: a gap between a link and the housing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BrakeMark {
+    /// Place of the control in [`Gearbox::controls`].
+    pub control: usize,
+    /// The link it holds.
+    pub link: LinkId,
+    /// End of the link at the gap.
+    pub link_end: Point,
+    /// The housing, or what stands out of it, across the gap.
+    pub housing: Point,
+}
+
+/// Where power enters or leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShaftEnd {
+    /// The link.
+    pub link: LinkId,
+    /// Its outer end.
+    pub at: Point,
+}
+
+/// A drawing of a gearbox without a crossing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layout {
+    /// Rows, in their order in the gearbox.
+    pub rows: Vec<RowStack>,
+    /// Links that have anything to draw.
+    pub links: Vec<LinkShape>,
+    /// Clutches. One between links that are one piece anyway is not drawn.
+    pub clutches: Vec<ClutchMark>,
+    /// Brakes.
+    pub brakes: Vec<BrakeMark>,
+    /// Links where power enters or leaves in some gear only, led to the housing.
+    pub take_offs: Vec<ShaftEnd>,
+    /// Input end.
+    pub input: ShaftEnd,
+    /// Output end.
+    pub output: ShaftEnd,
+    /// The axis: `y = 0`, from the left end to the right.
+    pub axis: Segment,
+    /// Inner wall of the housing, parallel to the axis above everything.
+    pub housing: Segment,
+}
+
+/// A layout and what it costs to look at.
+struct Candidate {
+    cost: f64,
+    layout: Layout,
+}
+
+/// Embeddings that are tried.
+const VARIANTS: usize = 4;
+
+/// The most pleasing of some drawings; `None` where there is none at all.
+pub(super) fn draw(scheme: &Scheme<'_>, gearbox: &Gearbox, options: super::Options) -> Option<Layout> {
+    let graph = scheme.graph(&[]);
+    let maps = (0..VARIANTS).map(|variant| Map::new(&graph, variant)).collect::<Option<Vec<_>>>()?;
+    let candidates = (0..options.attempts.max(1)).zip(maps.iter().cycle());
+    let candidates = candidates.map(|(seed, map)| candidate(scheme, gearbox, map, seed, options.same_side));
+    candidates.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.layout)
+}
+
+fn candidate(scheme: &Scheme<'_>, gearbox: &Gearbox, map: &Map, seed: u32, same_side: bool) -> Candidate {
+    let ranks = order::ranks(map, &mut Dice::new(u64::from(seed)));
+    let [below, above] = order::sides(map, &ranks);
+    let upward = Upward::new(map, &ranks, below, above);
+    let grid = Grid::new(&upward, same_side);
+    let layout = Drawing { scheme, gearbox, map: &upward, grid: &grid }.layout(same_side);
+    let length: f64 = layout
+        .links
+        .iter()
+        .flat_map(|shape| &shape.segments)
+        .map(|s| 1.0 + 0.5 * ((s.to.x - s.from.x) + (s.to.y - s.from.y)))
+        .sum();
+    let area = (layout.axis.to.x - layout.axis.from.x) * layout.housing.from.y;
+    let (turns, detours) = (upward.turns as f64, upward.detours as f64);
+    Candidate { cost: length + 0.2 * area + 3.0 * turns + 10.0 * detours, layout }
+}
+
+struct Drawing<'a> {
+    scheme: &'a Scheme<'a>,
+    gearbox: &'a Gearbox,
+    map: &'a Upward,
+    grid: &'a Grid,
+}
+
+impl Drawing<'_> {
+    fn x(&self, edge: usize) -> f64 {
+        f64::from(self.grid.place[edge])
+    }
+
+    fn y(&self, vertex: usize) -> f64 {
+        f64::from(self.grid.height[vertex])
+    }
+
+    fn row_piece(&self, row: usize, member: usize) -> LinkId {
+        self.scheme.piece(self.gearbox.drawn_sets()[row].links[member])
+    }
+
+    /// The piece a vertex is drawn as part of.
+    fn piece(&self, vertex: usize) -> Option<LinkId> {
+        match self.map.parts[vertex] {
+            Part::Bar(INPUT) => Some(self.scheme.piece(self.gearbox.input())),
+            Part::Bar(OUTPUT) => Some(self.scheme.piece(self.gearbox.output())),
+            Part::Bar(owner) => self.scheme.piece_at(owner),
+            Part::Sun(row) => Some(self.row_piece(row, 0)),
+            Part::Ring(row) => Some(self.row_piece(row, 1)),
+            Part::Planet(row) => Some(self.row_piece(row, 2)),
+        }
+    }
+
+    fn layout(&self, same_side: bool) -> Layout {
+        let map = self.map;
+        let seen: Vec<usize> = map.above.iter().flatten().copied().filter(|&edge| map.seen(edge)).collect();
+        let border = |low: usize, high: usize| {
+            map.above[low].iter().find(|&&e| map.ends[e] == [low, high]).map_or(0.0, |&e| self.x(e))
+        };
+        let left = border(AXIS, INPUT);
+        let right = map.above.iter().flatten().map(|&edge| self.x(edge)).fold(left, f64::max);
+        let wall = self.y(HOUSING);
+
+        let mut pieces: Vec<(LinkId, Segment)> = vec![];
+        let line = |x0: f64, y0: f64, x1: f64, y1: f64| Segment {
+            from: Point { x: x0.min(x1), y: y0.min(y1) },
+            to: Point { x: x0.max(x1), y: y0.max(y1) },
+        };
+        let (mut clutches, mut brakes, mut take_offs) = (vec![], vec![], vec![]);
+
+        // Bars.
+        for vertex in (0..map.parts.len()).filter(|&vertex| vertex != HOUSING && vertex != AXIS) {
+            let Some(piece) = self.piece(vertex) else { continue };
+            let at = map.below[vertex].iter().chain(&map.above[vertex]);
+            let mut xs: Vec<f64> = at.filter(|&&edge| map.seen(edge)).map(|&edge| self.x(edge)).collect();
+            match map.parts[vertex] {
+                Part::Bar(INPUT) if !xs.is_empty() => xs.push(left),
+                Part::Bar(OUTPUT) if !xs.is_empty() => xs.push(right),
+                _ => {}
+            }
+            let low = xs.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = xs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            if low < high {
+                pieces.push((piece, line(low, self.y(vertex), high, self.y(vertex))));
+            }
+        }
+        // Lines between them.
+        for edge in seen.into_iter().filter(|&edge| !map.mesh[edge]) {
+            let [low, high] = map.ends[edge];
+            let (x, y0, y1) = (self.x(edge), self.y(low), self.y(high));
+            let ends = [self.piece(low), self.piece(high)];
+            let [Some(lower), Some(upper)] = ends else { continue };
+            let grounded = ends.map(|piece| piece == Some(LinkId::GROUND));
+            let point = |y| Point { x, y };
+            match map.kinds[edge] {
+                Kind::Control(control) if grounded == [false; 2] => {
+                    let middle = f64::midpoint(y0, y1);
+                    pieces.push((lower, line(x, y0, x, middle - GAP)));
+                    pieces.push((upper, line(x, middle + GAP, x, y1)));
+                    clutches.push(ClutchMark {
+                        control,
+                        lower: (lower, point(middle - GAP)),
+                        upper: (upper, point(middle + GAP)),
+                    });
+                }
+                kind @ (Kind::Control(_) | Kind::TakeOff(_)) => {
+                    let (link, from, to, wall) =
+                        if grounded[1] { (lower, y0, y1 - GAP, y1) } else { (upper, y1, y0 + GAP, y0) };
+                    pieces.push((link, line(x, from, x, to)));
+                    match kind {
+                        Kind::Control(control) => brakes.push(BrakeMark {
+                            control,
+                            link,
+                            link_end: point(to),
+                            housing: point(wall),
+                        }),
+                        _ => take_offs.push(ShaftEnd { link, at: point(to) }),
+                    }
+                }
+                _ if y0 < y1 => pieces.push((upper, line(x, y0, x, y1))),
+                _ => {}
+            }
+        }
+        // Input and output: along the border down to the axis.
+        let input = self.scheme.piece(self.gearbox.input());
+        let output = self.scheme.piece(self.gearbox.output());
+        let outer = left - 1.0;
+        let input_y = if same_side { self.y(INPUT) } else { 0.0 };
+        pieces.push((output, line(right, 0.0, right, self.y(OUTPUT))));
+        if same_side {
+            pieces.push((output, line(outer, 0.0, right, 0.0)));
+        } else {
+            pieces.push((input, line(left, 0.0, left, self.y(INPUT))));
+            pieces.push((output, line(right, 0.0, right + 1.0, 0.0)));
+        }
+        pieces.push((input, line(outer, input_y, left, input_y)));
+        let output_x = if same_side { outer } else { right + 1.0 };
+
+        clutches.sort_by_key(|mark| mark.control);
+        brakes.sort_by_key(|mark| mark.control);
+        Layout {
+            rows: self.stacks(),
+            links: shapes(pieces.into_iter().filter(|(_, s)| s.from != s.to).collect()),
+            clutches,
+            brakes,
+            take_offs,
+            input: ShaftEnd { link: input, at: Point { x: outer, y: input_y } },
+            output: ShaftEnd { link: output, at: Point { x: output_x, y: 0.0 } },
+            axis: line(outer, 0.0, right + 1.0, 0.0),
+            housing: line(outer, wall, right + 1.0, wall),
+        }
+    }
+
+    fn stacks(&self) -> Vec<RowStack> {
+        let map = self.map;
+        let mut rows: Vec<RowStack> = vec![];
+        for (vertex, part) in map.parts.iter().enumerate() {
+            let &Part::Planet(row) = part else { continue };
+            let wheel = |wanted: Part| map.parts.iter().position(|&part| part == wanted).unwrap_or(vertex);
+            let mesh = map.above[vertex].iter().find(|&&edge| map.mesh[edge]);
+            let planet = self.y(vertex);
+            rows.push(RowStack {
+                row,
+                members: [0, 1, 2].map(|member| self.row_piece(row, member)),
+                x: mesh.map_or(0.0, |&edge| self.x(edge)),
+                sun: self.y(wheel(Part::Sun(row))),
+                sun_mesh: planet - PLANET,
+                planet,
+                ring_mesh: planet + PLANET,
+                ring: self.y(wheel(Part::Ring(row))),
+            });
+        }
+        rows.sort_by_key(|stack| stack.row);
+        rows
+    }
+}
+
+/// Segments by link, those on one line that touch made one.
+fn shapes(mut pieces: Vec<(LinkId, Segment)>) -> Vec<LinkShape> {
+    let level = |s: &Segment| s.from.y == s.to.y;
+    let key = |s: &Segment| if level(s) { [0.0, s.from.y, s.from.x] } else { [1.0, s.from.x, s.from.y] };
+    pieces.sort_by(|(a, s), (b, t)| {
+        let by = key(s).iter().zip(key(t)).map(|(p, q)| p.total_cmp(&q)).find(|o| o.is_ne());
+        a.cmp(b).then(by.unwrap_or(std::cmp::Ordering::Equal))
+    });
+    let mut shapes: Vec<LinkShape> = vec![];
+    for (link, segment) in pieces {
+        if shapes.last().is_none_or(|shape| shape.link != link) {
+            shapes.push(LinkShape { link, segments: vec![] });
+        }
+        let Some(shape) = shapes.last_mut() else { continue };
+        if let Some(last) = shape.segments.last_mut()
+            && level(last) == level(&segment)
+        {
+            let (same_line, touches) = if level(last) {
+                (last.from.y == segment.from.y, segment.from.x <= last.to.x)
+            } else {
+                (last.from.x == segment.from.x, segment.from.y <= last.to.y)
+            };
+            if same_line && touches {
+                last.to.x = last.to.x.max(segment.to.x);
+                last.to.y = last.to.y.max(segment.to.y);
+                continue;
+            }
+        }
+        shape.segments.push(segment);
+    }
+    shapes
+}

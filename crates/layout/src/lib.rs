@@ -1,0 +1,295 @@
+//! Whether a gearbox can be drawn in the half-plane without a link crossing another, and the drawing.
+//!
+//! A kinematic scheme is the section of a gearbox by a half-plane through its axis. Links are bodies
+//! of revolution, so where two of them would cross in the section they would meet in space, and a
+//! braked link that others shut off from the housing has nothing to hold on to. Such a scheme is
+//! *self-crossing* and cannot be built.
+//!
+//! ```
+//! use epicyclic_layout::{Options, Verdict, draw};
+//! use epicyclic_train::{Gearbox, set::SetSpec};
+//! # fn main() -> Result<(), epicyclic_train::Error> {
+//! let box_of = |second: [&str; 3]| {
+//!     Gearbox::builder("two rows")
+//!         .links(["D", "B", "T1", "T2"])
+//!         .set(SetSpec::simple("1", ["D", "B", "T1"], 2.5))
+//!         .set(SetSpec::simple("2", second, 2.5))
+//!         .brake("K1", "T1")
+//!         .brake("K2", "T2")
+//!         .input("D")
+//!         .output("B")
+//!         .build()
+//! };
+//! // III-1: both carriers, the first also the second's ring, reach the housing on the left.
+//! let Verdict::Drawable(layout) = draw(&box_of(["D", "T1", "T2"])?, Options::default()) else {
+//!     unreachable!("III-1 can be drawn");
+//! };
+//! assert!(layout.crossings().is_empty());
+//! // Two rows side by side between the same shafts: the second carrier is shut in.
+//! let shut_in = box_of(["D", "B", "T2"])?;
+//! let Verdict::SelfCrossing(witness) = draw(&shut_in, Options::default()) else {
+//!     unreachable!("the output shuts it in");
+//! };
+//! assert!(witness.describe(&shut_in).contains("brake `K2`"));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # The graph that is tested
+//!
+//! *Vertices*: every link (links joined for ever are one), the planet of every row, and four on the
+//! border: input end, housing, output end, axis. *Edges*: the border as a cycle in this order, outside
+//! of which nothing lies; input link to input end, output link to output end; a brake from its link to
+//! the housing, a clutch between its links; of a row, planet to sun's link, planet to ring's link,
+//! and planet to its carrier's link, up to twice, on either side of the two meshes.
+//!
+//! The scheme can be drawn if and only if this graph has a planar embedding inside the border, for
+//! some choice of how the carriers' webs meet their planets:
+//!
+//! - *Necessary.* In a drawing each link is a connected region, the planet's pin a part of its carrier's.
+//!   Regions of different links are disjoint. Shrinking each web of each link to a point leaves an
+//!   embedding of the graph: a wheel touches its planet in one place, so a sun or ring is a point on
+//!   the edge from planet to link and needs no vertex. The carrier needs more: its region contains
+//!   the planet, with the sun below and the ring above it, and goes on to the left and to the right.
+//!   Around the carrier the two meshes of a row are therefore the ends of a chord, and the chords of
+//!   several rows on one carrier do not cross: each planet cuts the carrier in two, and every other
+//!   row lies wholly on one side.
+//! - *Sufficient.* From an embedding a drawing is made, always: bars at the heights of a numbering from
+//!   axis to housing, joined by lines at right angles to the axis, each row opened into a vertical
+//!   stack. That sun is below and ring above restricts nothing, since a sun's shaft may be led out
+//!   along the axis and up, and a ring's drum down, around everything else of the row.
+//!   [`Layout::crossings`] checks the result line by line and knows nothing of graphs.
+//!
+//! A planet with one carrier to itself is thus one vertex with its carrier's link; with several rows
+//! on one carrier the chords decide, by exhaustion where the first embedding found leaves them
+//! crossing. The axis has no edge but those of the border: a shaft may run along the axis inside all
+//! others, so a link passes freely under a sun, but nothing passes *through* the axis. For the same
+//! reason input and output on one side change no verdict, only the drawing: the border's cyclic order of
+//! input, housing and output is the same, and the inner shaft goes back under everything.
+//!
+//! # Idealised
+//!
+//! - Bearings, seals, oil and the actuators of controls take no room, and a drum or hollow shaft may be
+//!   nested as deep as need be. A drawable scheme can be built in principle, not always well.
+//! - All controls are there at once. Of a lock for direct drive only the pair given counts;
+//!   [`locks`] lists all pairs that can be drawn.
+//! - Rows of every kind are a chain of wheel 1, planet and wheel 2. Stepped planets, two planets in
+//!   mesh and bevel planets have the same two sides free for the carrier, though not the same shape.
+//! - A Ravigneaux set is two rows with common ring and carrier. Its long planet has three meshes and
+//!   three gaps between them, where the two rows have four gaps; the fourth lies between ring and
+//!   ring, and what stands in it can be moved beside it. The verdict is the same.
+//! - A pair on fixed axes is a row whose carrier is the housing: its wheels need to reach bearings
+//!   there. What turns about another axis is drawn as if it turned about this one.
+//! - Where power enters or leaves in some gear only, a motor stands in the housing or a pair leads
+//!   away: that link has to reach the housing, as if braked.
+//!
+//! # Source
+//! multispeed-gearboxes, section 3.1, names the criterion: links between rows may cut off braked links
+//! from the housing. It gives no test; the graph is ours.
+
+mod carriers;
+pub mod crossings;
+mod grid;
+pub mod layout;
+mod map;
+mod order;
+mod planar;
+mod scheme;
+mod stacks;
+
+pub use crossings::{Crossing, Line};
+pub use layout::Layout;
+
+use epicyclic_train::{Gearbox, LinkId};
+use scheme::Scheme;
+
+/// How to draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// Input and output both leave on the left, the input's shaft around the output's.
+    pub same_side: bool,
+    /// How many drawings are compared for the one with the shortest lines and fewest corners, about
+    /// 10 µs each; at least one is made. The verdict does not depend on it.
+    pub attempts: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { same_side: false, attempts: 120 }
+    }
+}
+
+/// Something without which a scheme may be drawable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Element {
+    /// A row, by its place in [`Gearbox::sets`].
+    Row(usize),
+    /// A brake or clutch, by its place in [`Gearbox::controls`]; a lock asked for has the number after
+    /// the last.
+    Control(usize),
+    /// A link; without it its members and connections stand alone.
+    Link(LinkId),
+    /// The input's shaft to the outside.
+    Input,
+    /// The output's shaft to the outside.
+    Output,
+    /// The way to the housing of a link where power enters or leaves in some gear only.
+    TakeOff(LinkId),
+}
+
+/// Why a scheme cannot be drawn: elements that cannot be drawn together, though they can as soon as any
+/// one of them is left out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Witness {
+    /// The elements.
+    pub elements: Vec<Element>,
+}
+
+impl Witness {
+    /// The elements by name.
+    #[must_use]
+    pub fn describe(&self, gearbox: &Gearbox) -> String {
+        let name = |link: LinkId| gearbox.link_name(link);
+        let words = self.elements.iter().map(|element| match *element {
+            Element::Row(row) => format!("set `{}`", gearbox.sets()[gearbox.drawn_sets()[row].set].id()),
+            Element::Control(control) => match gearbox.controls().get(control) {
+                Some(control) if control.is_brake() => format!("brake `{}`", control.id()),
+                Some(control) => format!("clutch `{}`", control.id()),
+                None => "the lock".into(),
+            },
+            Element::Link(link) => format!("link `{}`", name(link)),
+            Element::Input => format!("the input at `{}`", name(gearbox.input())),
+            Element::Output => format!("the output at `{}`", name(gearbox.output())),
+            Element::TakeOff(link) => format!("the way out of `{}`", name(link)),
+        });
+        format!("cannot be drawn together: {}", words.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// Whether a scheme can be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// It can, so.
+    Drawable(Box<Layout>),
+    /// It cannot.
+    SelfCrossing(Witness),
+}
+
+/// Draws a gearbox in the half-plane, or says what cannot be drawn together.
+///
+/// The same gearbox and options always give the same drawing.
+#[must_use]
+pub fn draw(gearbox: &Gearbox, options: Options) -> Verdict {
+    judge(gearbox, &[], options)
+}
+
+/// The same with a further clutch that locks two links.
+///
+/// # Panics
+/// With a link of another, larger gearbox.
+#[must_use]
+pub fn draw_locked(gearbox: &Gearbox, lock: [LinkId; 2], options: Options) -> Verdict {
+    judge(gearbox, &[lock], options)
+}
+
+/// Whether a gearbox can be drawn, without the drawing: the same verdict in a few microseconds.
+#[must_use]
+pub fn is_drawable(gearbox: &Gearbox) -> bool {
+    fits(&Scheme::new(gearbox, &[]), &[])
+}
+
+/// Pairs of links between which a further clutch can be drawn: the choices for a locking clutch.
+///
+/// Not every lock is a direct drive: two links of rows that are not otherwise tied together leave the
+/// rest free.
+#[must_use]
+pub fn locks(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
+    let moving = gearbox.link_ids().skip(1);
+    let pairs = moving.clone().flat_map(|a| moving.clone().filter(move |b| *b > a).map(move |b| [a, b]));
+    pairs
+        .filter(|pair| {
+            let pair = [*pair];
+            let scheme = Scheme::new(gearbox, &pair);
+            let [a, b] = pair[0].map(|link| scheme.piece(link));
+            a != b && a != LinkId::GROUND && b != LinkId::GROUND && fits(&scheme, &[])
+        })
+        .collect()
+}
+
+fn judge(gearbox: &Gearbox, locks: &[[LinkId; 2]], options: Options) -> Verdict {
+    let scheme = Scheme::new(gearbox, locks);
+    match layout::draw(&scheme, gearbox, options) {
+        Some(layout) => Verdict::Drawable(Box::new(layout)),
+        None => Verdict::SelfCrossing(witness(&scheme)),
+    }
+}
+
+fn fits(scheme: &Scheme<'_>, without: &[Element]) -> bool {
+    carriers::arrange(&scheme.graph(without), 0).is_some()
+}
+
+/// What is left when everything has been taken out that leaves the rest self-crossing. Taking out never
+/// makes a drawable rest self-crossing, so one round is enough.
+fn witness(scheme: &Scheme<'_>) -> Witness {
+    let elements = scheme.elements();
+    let mut without: Vec<Element> = vec![];
+    for &element in &elements {
+        without.push(element);
+        if fits(scheme, &without) {
+            without.pop();
+        }
+    }
+    Witness { elements: elements.into_iter().filter(|element| !without.contains(element)).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_train::set::SetSpec;
+
+    #[test]
+    fn a_witness_holds_nothing_that_could_be_left_out() {
+        let gearbox = Gearbox::builder("three rows")
+            .links(["D", "B", "T1", "T2", "T3"])
+            .set(SetSpec::simple("1", ["D", "B", "T1"], 2.5))
+            .set(SetSpec::simple("2", ["D", "B", "T2"], 2.5))
+            .set(SetSpec::simple("3", ["D", "T3", "B"], 2.5))
+            .brake("K1", "T1")
+            .brake("K2", "T2")
+            .brake("K3", "T3")
+            .clutch("direct", "D", "B")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let scheme = Scheme::new(&gearbox, &[]);
+        let witness = witness(&scheme);
+        assert!(!witness.elements.contains(&Element::Row(2)));
+        let others: Vec<Element> =
+            scheme.elements().into_iter().filter(|element| !witness.elements.contains(element)).collect();
+        assert!(!fits(&scheme, &others));
+        for &element in &witness.elements {
+            assert!(fits(&scheme, &[others.clone(), vec![element]].concat()), "{element:?}");
+        }
+    }
+
+    #[test]
+    fn locks_of_scheme_one_are_all_pairs() {
+        let gearbox = Gearbox::builder("I")
+            .links(["D", "B", "T1"])
+            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
+            .brake("K1", "T1")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let link = |name| gearbox.link(name).unwrap();
+        let [d, b, t] = ["D", "B", "T1"].map(link);
+        assert_eq!(locks(&gearbox), [[d, b], [d, t], [b, t]]);
+        let Verdict::Drawable(layout) = draw_locked(&gearbox, [d, b], Options::default()) else {
+            panic!("every lock of scheme I can be drawn");
+        };
+        assert_eq!(layout.clutches.len(), 1);
+        assert!(layout.crossings().is_empty());
+    }
+}

@@ -1,0 +1,191 @@
+//! The graph of a scheme: border, links, rows, controls; and the same with some of it left out.
+
+use super::Element;
+use super::planar::{AXIS, BORDER, HOUSING, INPUT, OUTPUT};
+use epicyclic_train::groups::Groups;
+use epicyclic_train::{Gearbox, LinkId};
+
+/// What an edge stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Border,
+    /// Drawn nowhere: it only keeps the graph connected.
+    Helper,
+    Input,
+    Output,
+    TakeOff(LinkId),
+    Control(usize),
+    /// Mesh of the planet of this row with its first wheel.
+    Sun(usize),
+    /// Mesh with the second wheel.
+    Ring(usize),
+    /// From the planet of this row to a web of its carrier.
+    Arm(usize),
+}
+
+/// A row whose planet is one vertex with the link that carries it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Planet {
+    pub(super) row: usize,
+    pub(super) carrier: usize,
+    pub(super) sun: usize,
+    pub(super) ring: usize,
+}
+
+/// The graph that is tested; see the [module](super).
+#[derive(Debug, Clone)]
+pub(super) struct Graph {
+    pub(super) vertices: usize,
+    pub(super) ends: Vec<[usize; 2]>,
+    pub(super) kinds: Vec<Kind>,
+    pub(super) planets: Vec<Planet>,
+}
+
+impl Graph {
+    pub(super) fn join(&mut self, ends: [usize; 2], kind: Kind) -> usize {
+        self.ends.push(ends);
+        self.kinds.push(kind);
+        self.ends.len() - 1
+    }
+
+    /// Hangs what touches nothing of the rest to the housing. A bridge changes no verdict.
+    fn connect(&mut self) {
+        let mut parts = Groups::new(self.vertices);
+        for &[a, b] in &self.ends {
+            parts.join(a, b);
+        }
+        for vertex in 0..self.vertices {
+            if parts.join(AXIS, vertex) {
+                self.join([HOUSING, vertex], Kind::Helper);
+            }
+        }
+    }
+}
+
+/// A gearbox as the drawing sees it: pieces that are one for ever are one vertex.
+pub(super) struct Scheme<'a> {
+    gearbox: &'a Gearbox,
+    /// The gearbox's links by their place.
+    links: Vec<LinkId>,
+    /// The first link of the piece each link belongs to.
+    piece: Vec<usize>,
+    /// Vertex of each piece, by its first link.
+    vertex: Vec<usize>,
+    count: usize,
+    /// Further clutches, numbered after those of the gearbox.
+    locks: &'a [[LinkId; 2]],
+}
+
+impl<'a> Scheme<'a> {
+    pub(super) fn new(gearbox: &'a Gearbox, locks: &'a [[LinkId; 2]]) -> Self {
+        let links = gearbox.links().len();
+        let mut groups = Groups::new(links);
+        for [a, b] in gearbox.permanent() {
+            groups.join(a.index(), b.index());
+        }
+        let piece: Vec<usize> = (0..links).map(|link| groups.root(link)).collect();
+        let mut count = BORDER.len();
+        let mut vertex = vec![HOUSING; links];
+        for link in 1..links {
+            if piece[link] == link {
+                vertex[link] = count;
+                count += 1;
+            }
+        }
+        Self { gearbox, links: gearbox.link_ids().collect(), piece, vertex, count, locks }
+    }
+
+    /// The first link of the piece that a link belongs to.
+    pub(super) fn piece(&self, link: LinkId) -> LinkId {
+        self.links[self.piece[link.index()]]
+    }
+
+    /// The piece drawn at a vertex of the graph; the vertices of the border other than the housing
+    /// have none.
+    pub(super) fn piece_at(&self, vertex: usize) -> Option<LinkId> {
+        match vertex {
+            HOUSING => Some(LinkId::GROUND),
+            AXIS | INPUT | OUTPUT => None,
+            _ => (1..self.piece.len())
+                .find(|&link| self.piece[link] == link && self.vertex[link] == vertex)
+                .map(|link| self.links[link]),
+        }
+    }
+
+    /// Links where power enters or leaves in some gear only, each once.
+    fn take_offs(&self) -> Vec<LinkId> {
+        let main = [self.gearbox.input(), self.gearbox.output()].map(|link| self.piece(link));
+        let mut found = vec![];
+        for gear in self.gearbox.gears() {
+            for link in [gear.input(), gear.output()].map(|link| self.piece(link)) {
+                if link != LinkId::GROUND && !main.contains(&link) && !found.contains(&link) {
+                    found.push(link);
+                }
+            }
+        }
+        found
+    }
+
+    /// Everything a witness may name, in the order in which it is tried to do without.
+    pub(super) fn elements(&self) -> Vec<Element> {
+        let rows = (0..self.gearbox.drawn_sets().len()).map(Element::Row);
+        let controls = (0..self.gearbox.controls().len() + self.locks.len()).map(Element::Control);
+        let take_offs = self.take_offs().into_iter().map(Element::TakeOff);
+        let links = (1..self.piece.len())
+            .filter(|&link| self.piece[link] == link)
+            .map(|link| Element::Link(self.links[link]));
+        rows.chain(controls).chain(take_offs).chain([Element::Input, Element::Output]).chain(links).collect()
+    }
+
+    /// The graph without some elements. A link left out falls to pieces: each of its members and
+    /// connections stands alone.
+    pub(super) fn graph(&self, without: &[Element]) -> Graph {
+        let mut graph = Graph {
+            vertices: self.count,
+            ends: BORDER.to_vec(),
+            kinds: vec![Kind::Border; 4],
+            planets: Vec::with_capacity(self.gearbox.drawn_sets().len()),
+        };
+        let keeps = |element: Element| !without.contains(&element);
+        let end = |graph: &mut Graph, link: LinkId| {
+            let piece = self.piece(link);
+            if piece == LinkId::GROUND || keeps(Element::Link(piece)) {
+                return self.vertex[piece.index()];
+            }
+            graph.vertices += 1;
+            graph.vertices - 1
+        };
+        if keeps(Element::Input) {
+            let link = end(&mut graph, self.gearbox.input());
+            graph.join([INPUT, link], Kind::Input);
+        }
+        if keeps(Element::Output) {
+            let link = end(&mut graph, self.gearbox.output());
+            graph.join([OUTPUT, link], Kind::Output);
+        }
+        for link in self.take_offs() {
+            if keeps(Element::TakeOff(link)) {
+                let vertex = end(&mut graph, link);
+                graph.join([vertex, HOUSING], Kind::TakeOff(link));
+            }
+        }
+        for (row, members) in self.gearbox.drawn_sets().iter().map(|drawn| drawn.links).enumerate() {
+            if keeps(Element::Row(row)) {
+                let [sun, ring, carrier] = members.map(|link| end(&mut graph, link));
+                let sun = graph.join([carrier, sun], Kind::Sun(row));
+                let ring = graph.join([carrier, ring], Kind::Ring(row));
+                graph.planets.push(Planet { row, carrier, sun, ring });
+            }
+        }
+        let controls = self.gearbox.controls().iter().map(epicyclic_train::Control::links);
+        for (control, links) in controls.chain(self.locks.iter().copied()).enumerate() {
+            // What joins a piece with itself needs no room.
+            if keeps(Element::Control(control)) && self.piece(links[0]) != self.piece(links[1]) {
+                let ends = links.map(|link| end(&mut graph, link));
+                graph.join(ends, Kind::Control(control));
+            }
+        }
+        graph.connect();
+        graph
+    }
+}

@@ -1,0 +1,38 @@
+//! Which mechanisms, and which of their locking clutches, can be drawn without self-crossing.
+//!
+//! Brakes, input and output are drawn always; of the ways to lock only the one chosen is built, so a
+//! mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
+
+use super::mechanism::Mechanism;
+use epicyclic_layout::{Options, Verdict, draw, is_drawable, locks};
+use epicyclic_schemes::structures::Role;
+
+/// The pairs of links between which a locking clutch can be drawn; where there are none, what cannot be
+/// drawn together.
+pub fn drawable_locks(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, String> {
+    // Whether a scheme can be drawn does not depend on k.
+    let gearbox = mechanism.without_lock(3.0).map_err(|error| error.to_string())?;
+    if !is_drawable(&gearbox) {
+        return match draw(&gearbox, Options { attempts: 1, ..Options::default() }) {
+            Verdict::SelfCrossing(witness) => Err(witness.describe(&gearbox)),
+            Verdict::Drawable(_) => unreachable!("both verdicts are one"),
+        };
+    }
+    let role = |link| Role::ALL.into_iter().find(|role| gearbox.link(role.symbol()) == Some(link));
+    let pairs = locks(&gearbox).into_iter();
+    let pairs: Vec<[Role; 2]> = pairs.filter_map(|[x, y]| Some([role(x)?, role(y)?])).collect();
+    if pairs.is_empty() { Err("no locking clutch can be drawn with the rest".into()) } else { Ok(pairs) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_schemes::structures::Structure;
+
+    #[test]
+    fn every_scheme_of_the_catalogue_can_be_drawn_and_locked() {
+        for structure in Structure::catalogue() {
+            assert!(drawable_locks(Mechanism::Rows(structure)).is_ok(), "{structure}");
+        }
+    }
+}

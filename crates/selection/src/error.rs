@@ -1,0 +1,206 @@
+//! What selection and search refuse.
+
+use super::objectives::Objective;
+
+/// A demand that is none.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SelectionError {
+    /// Too few or too many speeds.
+    #[error("{}: gearboxes of one row have 2, of two rows 3", counted(*count, "speed"))]
+    SpeedCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// Speeds that do not rise, or not all above 0.
+    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are finite, above 0, and rise")]
+    SpeedsOutOfOrder {
+        /// Its place from 1.
+        place: usize,
+        /// The speed, m/s.
+        speed: f64,
+        /// The one before, or 0, m/s.
+        before: f64,
+    },
+    /// A range of speeds that leaves nothing to shift.
+    #[error("d = {d}: the range of speeds, fastest over slowest, is finite and above 1")]
+    SpeedRange {
+        /// Fastest over slowest.
+        d: f64,
+    },
+    /// A middle speed outside the range.
+    #[error("q = {q} with d = {d}: fastest over middle speed lies above 1 and below d")]
+    MiddleSpeed {
+        /// Fastest over middle.
+        q: f64,
+        /// Fastest over slowest.
+        d: f64,
+    },
+    /// Too few or too many ratios.
+    #[error("{}: beside direct drive one row gives 1, two rows give 2", counted(*count, "ratio"))]
+    RatioCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// A ratio that no braked gear has.
+    #[error("ratio {ratio}: finite and not 0, and not 1, which is direct drive")]
+    Ratio {
+        /// The ratio given.
+        ratio: f64,
+    },
+    /// Two gears of one ratio.
+    #[error("two gears of ratio {ratio}: three speeds have three ratios")]
+    EqualRatios {
+        /// Their ratio.
+        ratio: f64,
+    },
+    /// A tolerance that is none.
+    #[error("tolerance {tolerance}: at least 0 and below 1; 0.1 means ten per cent")]
+    Tolerance {
+        /// The value given.
+        tolerance: f64,
+    },
+    /// A range of row parameters that is none.
+    #[error("{what} row parameters from {from} to {to}: above 1, finite, the smaller first")]
+    ParameterRange {
+        /// Allowed or preferred.
+        what: &'static str,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+    },
+    /// A limit that is none.
+    #[error("limit of {what} {value}: a number, not below 0")]
+    Limit {
+        /// Of what.
+        what: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A datum of the size that is none.
+    #[error("{what} {value}{}{unit}: finite and above 0", if unit.is_empty() { "" } else { " " })]
+    Rating {
+        /// Which.
+        what: &'static str,
+        /// The value given.
+        value: f64,
+        /// Its unit; empty of a plain number.
+        unit: &'static str,
+    },
+    /// A number of planets whose load sharing is not stated.
+    #[error("{}: from 2 to {most}", counted(*planets as usize, "planet"))]
+    PlanetNumber {
+        /// The number given.
+        planets: u32,
+        /// The greatest allowed.
+        most: u32,
+    },
+    /// An objective named twice in an order.
+    #[error("the order names `{objective}` twice")]
+    RepeatedObjective {
+        /// Which.
+        objective: Objective,
+    },
+    /// A name that no objective bears.
+    #[error("no objective `{name}`: there are {known}")]
+    UnknownObjective {
+        /// The name given.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// Limits in millimetres without what settles millimetres.
+    #[error("limits of module or ring diameter need an input torque and a load factor K")]
+    SizeWithoutTorque,
+    /// More tooth sets than a search takes.
+    #[error(
+        "{tooth_sets} tooth sets a row, {} pairs of them a structure: a search takes at most {most} a row; narrow the \
+         ranges of teeth or of the row parameter",
+        pairs_of(*tooth_sets)
+    )]
+    TooManyToothSets {
+        /// Tooth sets of a row within the bounds.
+        tooth_sets: u64,
+        /// The most that a search takes.
+        most: u64,
+    },
+    /// More structures and row parameters than a search goes through.
+    #[error(
+        "{tooth_sets} tooth sets a row of {parameters} row parameters, in {structures} structures with their ratios: \
+         parameters times structures are at most {most}; narrow the ranges of teeth or of the row parameter, or \
+         search fewer structures"
+    )]
+    TooManyWindows {
+        /// Tooth sets of a row within the bounds.
+        tooth_sets: u64,
+        /// Distinct row parameters among them.
+        parameters: usize,
+        /// Structures with an assignment of ratios.
+        structures: usize,
+        /// The most that a search takes.
+        most: u64,
+    },
+    /// More pairs of row parameters within the windows than are tried.
+    #[error(
+        "{tooth_sets} tooth sets a row of {parameters} row parameters: {pairs} pairs of these come near the ratios; a \
+         search tries at most {most}; narrow the ranges of teeth, of the row parameter, or the tolerance"
+    )]
+    TooManyPairs {
+        /// Tooth sets of a row within the bounds.
+        tooth_sets: u64,
+        /// Distinct row parameters among them.
+        parameters: usize,
+        /// Pairs to be tried.
+        pairs: u64,
+        /// The most that a search tries.
+        most: u64,
+    },
+    /// A front that memory does not hold.
+    #[error(
+        "a front of {designs} designs: at most {most} are held; narrow the ranges of teeth or the tolerance"
+    )]
+    FrontTooLarge {
+        /// Designs on the front, or asked for.
+        designs: usize,
+        /// The most held, or found among what is held.
+        most: usize,
+    },
+    /// Stopped by the caller.
+    #[error("the search was cancelled")]
+    Cancelled,
+    /// What a row refuses.
+    #[error(transparent)]
+    Row(#[from] epicyclic_gears::Error),
+    /// What the engine refuses.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+}
+
+/// `6.4e7`: pairs of so many.
+fn pairs_of(count: u64) -> String {
+    let count = count as f64;
+    format!("{:.1e}", count * count)
+}
+
+/// `1 speed`, `4 speeds`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_count_and_measure() {
+        let message = |error: SelectionError| error.to_string();
+        assert!(message(SelectionError::SpeedCount { count: 1 }).starts_with("1 speed: "));
+        assert!(message(SelectionError::RatioCount { count: 3 }).starts_with("3 ratios: "));
+        assert_eq!(message(SelectionError::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
+        let rating = SelectionError::Rating { what: "input torque", value: -1.0, unit: "N·m" };
+        assert_eq!(message(rating), "input torque -1 N·m: finite and above 0");
+        let rating = SelectionError::Rating { what: "face-width ratio", value: 0.0, unit: "" };
+        assert_eq!(message(rating), "face-width ratio 0: finite and above 0");
+    }
+}

@@ -1,0 +1,146 @@
+//! Choice of a gearbox for given speeds, by the criteria of section 3.1 and the method of 3.2.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`demand`] | what is wanted: ratios, tolerance, limits |
+//! | [`mechanism`] | what is chosen among, and which row parameters give the ratios |
+//! | [`candidate`] | a mechanism measured and judged, criterion by criterion |
+//! | [`objectives`] | the five objectives, and the order that picks the best |
+//! | [`drawing`] | whether it, and which way to lock, can be drawn without self-crossing |
+//! | [`size`] | how large a row is for its load |
+//! | [`front`] | which designs nothing dominates |
+//! | [`search`] | the same over all tooth numbers of both sets: exact front, nothing missed |
+//!
+//! Row parameters follow from the ratios, one pair from one pair: [`structures`](epicyclic_schemes::structures). Where
+//! they lie outside the range allowed, the point of the range is taken that comes nearest to the ratios,
+//! and the tolerance says whether that is near enough. [`search`](crate::search) goes on from here to teeth.
+//!
+//! ```
+//! use epicyclic_selection::{Demand, RatioSeries, Space, select};
+//! use uom::si::{f64::Velocity, velocity::meter_per_second};
+//! # fn main() -> Result<(), epicyclic_selection::SelectionError> {
+//! // The conveyor of section 3.3: scheme I wins over III.
+//! let speeds = [0.8, 3.15].map(Velocity::new::<meter_per_second>);
+//! let found = select(&Demand::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
+//! let best = &found.accepted[found.best[0]];
+//! assert_eq!(best.mechanism.scheme(), Some("I"));
+//! assert!((best.k[0] - 2.9375).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Source
+//! multispeed-gearboxes, sections 3.1 to 3.3.
+
+pub mod candidate;
+pub mod demand;
+pub mod drawing;
+mod error;
+pub mod front;
+pub mod mechanism;
+pub mod objectives;
+pub mod search;
+pub mod size;
+mod units;
+
+pub use candidate::{Candidate, Criterion, GearReport, Shift, Verdict};
+pub use demand::{Demand, Limits, Orders, RatioSeries, Signs};
+pub use error::SelectionError;
+pub use mechanism::{Mechanism, Space};
+pub use objectives::{Objective, Objectives, Order};
+pub use size::Rating;
+
+use epicyclic_schemes::structures::Role;
+use front::Entry;
+
+/// Between which links a mechanism's locking clutch can be drawn; if there are none, or the mechanism
+/// itself cannot be drawn without self-crossing, the witness in words. As [`drawing::drawable_locks`].
+pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, String> + Sync + 'a;
+
+/// A mechanism that has no row parameters for the ratios, so that there is nothing to judge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unreachable {
+    /// Which mechanism.
+    pub mechanism: Mechanism,
+    /// Ratios wanted of its gears.
+    pub wanted: Vec<f64>,
+    /// Row parameters that the ratios would need, where they need finite ones.
+    pub needed: Option<Vec<f64>>,
+    /// Why these are out of reach.
+    pub reason: String,
+}
+
+/// What a selection found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Selection {
+    /// Candidates that meet every required criterion, in the order of the mechanisms.
+    pub accepted: Vec<Candidate>,
+    /// Candidates that do not; their verdicts say why.
+    pub rejected: Vec<Candidate>,
+    /// Mechanisms that cannot give the ratios.
+    pub unreachable: Vec<Unreachable>,
+    /// The Pareto front over the accepted, best first by the order; members are places in `accepted`.
+    pub front: Vec<Entry>,
+    /// Places in `accepted`, best first by the order.
+    pub best: Vec<usize>,
+}
+
+/// Selects with the default order of objectives, drawing examined.
+///
+/// # Errors
+/// As [`select_with`].
+pub fn select(demand: &Demand, space: &Space) -> Result<Selection, SelectionError> {
+    select_with(demand, space, Order::default(), Some(&drawing::drawable_locks))
+}
+
+/// Every mechanism of a space for every assignment of the ratios: measured, judged, compared.
+///
+/// # Errors
+/// Those [`SelectionError`]s that speak of tolerance, limits and rating.
+pub fn select_with(
+    demand: &Demand,
+    space: &Space,
+    order: Order,
+    drawing: Option<&Drawing>,
+) -> Result<Selection, SelectionError> {
+    demand.check()?;
+    let targets = demand.targets();
+    let mut found =
+        Selection { accepted: vec![], rejected: vec![], unreachable: vec![], front: vec![], best: vec![] };
+    for mechanism in space.mechanisms(demand.series.ratios().len()) {
+        for (place, wanted) in targets.iter().enumerate() {
+            // Of a symmetric structure the other order is the same design.
+            let mirrored: Vec<f64> = wanted.iter().rev().copied().collect();
+            if mechanism.is_symmetric() && targets[..place].contains(&mirrored) {
+                continue;
+            }
+            let range = &demand.limits.parameter;
+            let nearest = mechanism.nearest(wanted, range);
+            let in_tolerance =
+                |k: &Vec<f64>| mechanism::largest_error(&mechanism.ratios(k), wanted) <= demand.tolerance;
+            let exact = mechanism.parameters(wanted);
+            // Beyond the tolerance the exact parameters tell more, if a simple row can have them.
+            let simple = exact.clone().filter(|k| k.iter().all(|k| *k > 1.0));
+            let Some(k) = nearest.filter(in_tolerance).or(simple) else {
+                let reason = reason(exact.as_deref());
+                let wanted = wanted.clone();
+                found.unreachable.push(Unreachable { mechanism, wanted, needed: exact, reason });
+                continue;
+            };
+            let candidate = Candidate::new(mechanism, k, wanted, demand, drawing)?;
+            if candidate.is_accepted() { &mut found.accepted } else { &mut found.rejected }.push(candidate);
+        }
+    }
+    let costs: Vec<_> = found.accepted.iter().map(|candidate| candidate.objectives.costs()).collect();
+    found.front = front::front(&costs, order);
+    found.best = (0..costs.len()).collect();
+    found.best.sort_by(|&a, &b| order.compare(&costs[a], &costs[b]).then(a.cmp(&b)));
+    Ok(found)
+}
+
+fn reason(needed: Option<&[f64]>) -> String {
+    let Some(needed) = needed else { return "a row would need an infinite k".into() };
+    let bad = |(row, k): (usize, &f64)| (*k <= 1.0).then(|| format!("k{} = {k:.3}", row + 1));
+    let bad: Vec<String> = needed.iter().enumerate().filter_map(bad).collect();
+    format!("{} needed, and k of a simple row is above 1", bad.join(" and "))
+}

@@ -1,0 +1,233 @@
+//! What selection chooses among: one row of two speeds, or two rows of three.
+
+use super::SelectionError;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::locking::{Lock, locks, locks_of_row};
+use epicyclic_schemes::pair::{coefficients, ratios};
+use epicyclic_schemes::structures::{Role, RowRoles, Structure};
+use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::{Error, Gearbox};
+use std::fmt;
+use std::ops::RangeInclusive;
+
+/// A mechanism whose row parameters are to be found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Mechanism {
+    /// One row of D, B and T₁: two speeds.
+    Row(RowRoles),
+    /// Two rows: three speeds.
+    Rows(Structure),
+}
+
+/// From what to select.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Space {
+    /// Schemes I, II, III for two speeds, I-1…III-3 for three.
+    Catalogue,
+    /// All six ways to use one row, all 111 two-row structures.
+    All,
+    /// These structures, for three speeds.
+    Structures(Vec<Structure>),
+}
+
+impl Space {
+    /// The mechanisms of so many braked gears.
+    pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
+        use Role::{B, D, T1};
+        let rows = [[D, T1, B], [T1, D, B], [D, B, T1], [B, T1, D], [T1, B, D], [B, D, T1]];
+        let structures = |structures: Vec<Structure>| structures.into_iter().map(Mechanism::Rows).collect();
+        match (self, gears) {
+            (Self::Catalogue, 1) => rows[..3].iter().copied().map(Mechanism::Row).collect(),
+            (Self::All, 1) => rows.into_iter().map(Mechanism::Row).collect(),
+            (Self::Structures(_), 1) => vec![],
+            (Self::Catalogue, _) => structures(Structure::catalogue()),
+            (Self::All, _) => structures(Structure::all()),
+            (Self::Structures(chosen), _) => structures(chosen.clone()),
+        }
+    }
+}
+
+impl Mechanism {
+    /// The document's name, if it has one.
+    #[must_use]
+    pub fn scheme(self) -> Option<&'static str> {
+        use Role::{B, D, T1};
+        match self {
+            Self::Row([D, T1, B]) => Some("I"),
+            Self::Row([T1, D, B]) => Some("II"),
+            Self::Row([D, B, T1]) => Some("III"),
+            Self::Row(_) => None,
+            Self::Rows(structure) => structure.scheme(),
+        }
+    }
+
+    /// Roles of sun, ring and carrier of each row.
+    #[must_use]
+    pub fn rows(self) -> Vec<RowRoles> {
+        match self {
+            Self::Row(row) => vec![row],
+            Self::Rows(structure) => structure.rows().to_vec(),
+        }
+    }
+
+    /// Whether both orders of the ratios are one design.
+    pub(crate) fn is_symmetric(self) -> bool {
+        matches!(self, Self::Rows(structure) if structure.is_symmetric())
+    }
+
+    /// Row parameters that give these ratios exactly; they may be none of a simple row.
+    #[must_use]
+    pub fn parameters(self, wanted: &[f64]) -> Option<Vec<f64>> {
+        match (self, wanted) {
+            (Self::Row(row), &[i]) => {
+                let u = |role: Role| match role {
+                    Role::D => i,
+                    Role::B => 1.0,
+                    _ => 0.0,
+                };
+                let [a, b, h] = row.map(u);
+                let k = -(a - h) / (b - h);
+                k.is_finite().then(|| vec![k])
+            }
+            (Self::Rows(structure), &[first, second]) => {
+                structure.parameters([first, second]).map(|k| k.to_vec())
+            }
+            _ => None,
+        }
+    }
+
+    /// Ratios of the braked gears at these row parameters.
+    pub(crate) fn ratios(self, k: &[f64]) -> Vec<f64> {
+        match (self, k) {
+            (Self::Row(row), &[k]) => {
+                let c = coefficients(row, k);
+                vec![-c[Role::B.index()] / c[Role::D.index()]]
+            }
+            (Self::Rows(structure), &[first, second]) => {
+                let [one, two] = structure.rows();
+                ratios(&coefficients(one, first), &coefficients(two, second)).to_vec()
+            }
+            _ => vec![],
+        }
+    }
+
+    /// Row parameters within a range that come nearest to the ratios: the least largest relative error.
+    ///
+    /// Exact where the exact ones lie within the range. Otherwise on the edge of the range: ratios and
+    /// parameters correspond one to one, so from an inner point a step straight towards the wanted ratios
+    /// lessens both errors. Along an edge each ratio is monotonous, hence the largest error falls and then
+    /// rises, and a section search finds its least. `None` where no point of the range gives ratios of the
+    /// wanted signs.
+    pub(crate) fn nearest(self, wanted: &[f64], range: &RangeInclusive<f64>) -> Option<Vec<f64>> {
+        let exact = self.parameters(wanted);
+        if let Some(exact) = exact.filter(|k| k.iter().all(|k| range.contains(k))) {
+            return Some(exact);
+        }
+        let ends = [*range.start(), *range.end()];
+        let error = |k: &[f64]| largest_error(&self.ratios(k), wanted);
+        let mut found: Option<(f64, Vec<f64>)> = None;
+        let mut consider = |k: Vec<f64>| {
+            let error = error(&k);
+            if error < 1.0 && found.as_ref().is_none_or(|(least, _)| error < *least) {
+                found = Some((error, k));
+            }
+        };
+        for end in ends {
+            match self {
+                Self::Row(_) => consider(vec![end]),
+                Self::Rows(_) => {
+                    consider(section(ends, |k| error(&[end, k])).map_or(vec![end, end], |k| vec![end, k]));
+                    consider(section(ends, |k| error(&[k, end])).map_or(vec![end, end], |k| vec![k, end]));
+                }
+            }
+        }
+        found.map(|(_, k)| k)
+    }
+
+    /// Every way to lock, the least torque first.
+    pub(crate) fn locks(self, ratios: &[f64]) -> Vec<Lock> {
+        match (self, ratios) {
+            (Self::Row(_), &[i]) => locks_of_row(i),
+            (_, &[first, second]) => locks([first, second]),
+            _ => vec![],
+        }
+    }
+
+    /// The mechanism with its brakes and without a locking clutch, rows without losses at this `k`.
+    pub(crate) fn without_lock(self, k: f64) -> Result<Gearbox, Error> {
+        let mut builder = Gearbox::builder(&self.to_string()).input("D").output("B").brake("K1", "T1");
+        builder = match self {
+            Self::Row(_) => builder.links(["D", "B", "T1"]),
+            Self::Rows(_) => builder.links(["D", "B", "T1", "T2"]).brake("K2", "T2"),
+        };
+        for (name, row) in ["1", "2"].iter().zip(self.rows()) {
+            builder = builder.set(SetSpec::simple(name, row.map(Role::symbol), k));
+        }
+        builder.build()
+    }
+
+    /// The mechanism as a gearbox with gears `1`, `2` (of two rows) and `direct`, the locking clutch `L`
+    /// between these links.
+    ///
+    /// # Errors
+    /// As [`Structure::gearbox`].
+    pub fn gearbox(
+        self,
+        k: &[f64],
+        eta0: MeshEfficiency,
+        lock: [Role; 2],
+    ) -> Result<Gearbox, SelectionError> {
+        match (self, k) {
+            (Self::Rows(structure), &[first, second]) => {
+                Ok(structure.gearbox([first, second], eta0, lock)?)
+            }
+            (Self::Row(row), &[k]) => Ok(Gearbox::builder(&self.to_string())
+                .links(["D", "B", "T1"])
+                .set(SetSpec::simple("1", row.map(Role::symbol), k).with_loss(MeshLoss::Row(eta0)))
+                .brake("K1", "T1")
+                .clutch("L", lock[0].symbol(), lock[1].symbol())
+                .input("D")
+                .output("B")
+                .gear("1", ["K1"])
+                .gear("direct", ["L"])
+                .build()?),
+            _ => Err(Error::ValueCount {
+                what: "ring-to-sun ratios",
+                given: k.len(),
+                expected: self.rows().len(),
+            }
+            .into()),
+        }
+    }
+}
+
+impl fmt::Display for Mechanism {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Row([a, b, h]) => f.pad(&format!("{a}.{b}.{h}")),
+            Self::Rows(structure) => structure.fmt(f),
+        }
+    }
+}
+
+/// The largest relative error; infinite where one is not a number.
+pub(crate) fn largest_error(ratios: &[f64], wanted: &[f64]) -> f64 {
+    let error = |(i, w): (&f64, &f64)| (i / w - 1.0).abs();
+    ratios.iter().zip(wanted).map(error).fold(0.0, |m, e| if e.is_nan() { f64::INFINITY } else { m.max(e) })
+}
+
+/// Where a function that falls and then rises is least, by golden sections; its part at or above 1 may
+/// be flat or broken (a ratio passes a pole there) and is left by halving towards what is below.
+fn section(ends: [f64; 2], of: impl Fn(f64) -> f64) -> Option<f64> {
+    const STEPS: usize = 64;
+    // The part below 1 may be narrow: first a ladder, then sections around its best rung.
+    let rung = |step: usize| ends[0] + (ends[1] - ends[0]) * step as f64 / STEPS as f64;
+    let best = (0..=STEPS).min_by(|one, other| of(rung(*one)).total_cmp(&of(rung(*other))))?;
+    let (mut low, mut high) = (rung(best.saturating_sub(1)), rung((best + 1).min(STEPS)));
+    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
+    for _ in 0..80 {
+        let (left, right) = (high - golden * (high - low), low + golden * (high - low));
+        if of(left) <= of(right) { high = right } else { low = left }
+    }
+    [rung(best), f64::midpoint(low, high)].into_iter().min_by(|a, b| of(*a).total_cmp(&of(*b)))
+}

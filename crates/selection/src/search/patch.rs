@@ -1,0 +1,244 @@
+//! One structure with one assignment of the ratios: all its pairs of row parameters, measured.
+
+use super::levels::Level;
+use super::window::{Wanted, window};
+use crate::Mechanism;
+use crate::demand::{Demand, Limits};
+use crate::drawing::drawable_locks;
+use crate::objectives::{Costs, on_grid};
+use epicyclic_schemes::locking::{LOCKING_PAIRS, link_speeds};
+use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
+use epicyclic_schemes::structures::{Role, RowRoles, Structure};
+
+/// A structure with an assignment of the ratios.
+#[derive(Debug, Clone)]
+pub(crate) struct Patch {
+    pub(crate) structure: Structure,
+    pub(crate) wanted: [f64; 2],
+    rows: [RowRoles; 2],
+    /// Ways to lock, drawn ones unless that does not matter.
+    locks: Vec<[Role; 2]>,
+    /// Senses of the relative powers, by gear and row.
+    exponents: [[i8; 2]; 2],
+    eta0: f64,
+    /// Windows of `k₂` as places of levels: place of `k₁`, first, end.
+    pub(crate) strips: Vec<[u32; 3]>,
+}
+
+/// A row at one level: coefficients without losses, and with those of gears 1 and 2.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Side {
+    ideal: Coefficients,
+    loaded: [Coefficients; 2],
+}
+
+/// A pair of levels measured, before sizes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Measured {
+    pub(crate) efficiency: f64,
+    pub(crate) speed: f64,
+    pub(crate) ratio_error: f64,
+    /// Largest torque on the suns over the gears.
+    pub(crate) sun_torques: [f64; 2],
+}
+
+/// What a trial allows for rounding, relative: a value at its limit is within.
+const SLACK: f64 = 1e-9;
+
+fn allowed(limit: f64) -> f64 {
+    limit + SLACK * (1.0 + limit)
+}
+
+/// Limits as the trial takes them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Allowed {
+    ratio_error: f64,
+    link_speed: f64,
+    planet_speed: f64,
+    clutch_slip: f64,
+    efficiency: f64,
+}
+
+impl Allowed {
+    pub(crate) fn new(demand: &Demand) -> Self {
+        let limits = &demand.limits;
+        Self {
+            ratio_error: allowed(demand.tolerance),
+            link_speed: allowed(limits.link_speed),
+            planet_speed: allowed(limits.planet_speed),
+            clutch_slip: allowed(limits.clutch_slip),
+            efficiency: limits.efficiency - SLACK * (1.0 + limits.efficiency),
+        }
+    }
+}
+
+impl Patch {
+    /// The patch with its windows; `None` where no pair of levels comes into question.
+    pub(crate) fn new(
+        structure: Structure,
+        ratio: [f64; 2],
+        demand: &Demand,
+        levels: &[Level],
+    ) -> Option<Self> {
+        let rows = structure.rows();
+        let limits: &Limits = &demand.limits;
+        let (first, last) = (levels.first()?, levels.last()?);
+        let wanted = Wanted { ratios: ratio, tolerance: demand.tolerance };
+        if !in_reach(structure, wanted, [first.k, last.k]) {
+            return None;
+        }
+        let locks = if limits.drawable {
+            drawable_locks(Mechanism::Rows(structure)).ok()?
+        } else {
+            LOCKING_PAIRS.to_vec()
+        };
+        let mut strips = vec![];
+        for (place, level) in levels.iter().enumerate() {
+            let first_row = coefficients(rows[0], level.k);
+            let range = [first.k, last.k];
+            let Some([from, to]) = window(rows, &first_row, level.k, wanted, limits, range) else { continue };
+            let from = levels.partition_point(|level| level.k < from);
+            let to = levels.partition_point(|level| level.k <= to);
+            if from < to {
+                strips.push([place as u32, from as u32, to as u32]);
+            }
+        }
+        // Signs of relative powers are those of any pair whose ratios have the wanted signs.
+        let witness = strips.iter().find_map(|&[one, from, to]| {
+            let signs_fit = |&two: &u32| {
+                let k = [levels[one as usize].k, levels[two as usize].k];
+                let found = ratios(&coefficients(rows[0], k[0]), &coefficients(rows[1], k[1]));
+                found[0] * ratio[0] > 0.0 && found[1] * ratio[1] > 0.0
+            };
+            (from..to).find(signs_fit).map(|two| [levels[one as usize].k, levels[two as usize].k])
+        })?;
+        let exponents = [0, 1].map(|gear| exponents(rows, witness, gear));
+        let eta0 = demand.eta0.get();
+        Some(Self { structure, wanted: ratio, rows, locks, exponents, eta0, strips })
+    }
+
+    /// A row at a level.
+    pub(crate) fn side(&self, row: usize, level: &Level) -> Side {
+        let loaded = |gear: usize| {
+            let k = effective(level.k, self.eta0, self.exponents[gear][row]);
+            coefficients(self.rows[row], k)
+        };
+        Side { ideal: coefficients(self.rows[row], level.k), loaded: [0, 1].map(loaded) }
+    }
+
+    /// Row 1 at each level, and row 2. They take more memory than all else of a patch, so they are kept while it is
+    /// tried and no longer.
+    pub(crate) fn sides(&self, levels: &[Level]) -> [Vec<Side>; 2] {
+        [0, 1].map(|row| levels.iter().map(|level| self.side(row, level)).collect())
+    }
+
+    /// Pairs of levels within the windows of some strips.
+    pub(crate) fn pairs(strips: &[[u32; 3]]) -> u64 {
+        strips.iter().map(|[_, from, to]| u64::from(to - from)).sum()
+    }
+
+    /// Measures a pair of levels; `None` where a criterion is not met.
+    #[inline]
+    pub(crate) fn measure(
+        &self,
+        levels: &[Level],
+        pair: [usize; 2],
+        [one, two]: [&Side; 2],
+        allowed: &Allowed,
+    ) -> Option<Measured> {
+        const D: usize = Role::D.index();
+        const B: usize = Role::B.index();
+        let fractions = [0, 1].map(|gear| fraction(&one.ideal, &two.ideal, gear));
+        let ratio = fractions.map(|[n, d]| n / d);
+        let error = |gear: usize| (ratio[gear] / self.wanted[gear] - 1.0).abs();
+        let ratio_error = error(0).max(error(1));
+        if ratio_error.is_nan() || ratio_error > allowed.ratio_error {
+            return None;
+        }
+        // Link speeds: D at 1, the braked link at rest, B and the free link.
+        let d_b = minor(&one.ideal, &two.ideal, D, B);
+        let mut speeds = [[1.0, 0.0, 0.0, 0.0]; 2];
+        let free = [Role::T2.index(), Role::T1.index()];
+        let mut links = 1.0_f64;
+        for gear in 0..2 {
+            let [n, d] = fractions[gear];
+            let over = 1.0 / n;
+            speeds[gear][B] = d * over;
+            speeds[gear][free[gear]] = -d_b * over;
+            links = links.max(speeds[gear][B].abs()).max(speeds[gear][free[gear]].abs());
+        }
+        let mut planets = 0.0_f64;
+        for (row, [a, _, h]) in self.rows.iter().enumerate() {
+            let relative = |gear: usize| (speeds[gear][a.index()] - speeds[gear][h.index()]).abs();
+            planets = planets.max(relative(0).max(relative(1)) * levels[pair[row]].planet);
+        }
+        if links > allowed.link_speed || planets > allowed.planet_speed {
+            return None;
+        }
+        let [x, y] = self.locks[0].map(Role::index);
+        let slip =
+            |x: usize, y: usize| (speeds[0][x] - speeds[0][y]).abs().max((speeds[1][x] - speeds[1][y]).abs());
+        if slip(x, y) > allowed.clutch_slip && !self.locks_otherwise(ratio, allowed) {
+            return None;
+        }
+        let mut efficiency = f64::INFINITY;
+        let mut sun_torques = [0.0_f64; 2];
+        for gear in 0..2 {
+            let (one, two) = (&one.loaded[gear], &two.loaded[gear]);
+            let [n, d] = fraction(one, two, gear);
+            let over = 1.0 / d;
+            efficiency = efficiency.min(n * over / ratio[gear]);
+            let x = free[gear];
+            sun_torques[0] = sun_torques[0].max((two[x] * over).abs());
+            sun_torques[1] = sun_torques[1].max((one[x] * over).abs());
+        }
+        if efficiency < allowed.efficiency {
+            return None;
+        }
+        Some(Measured { efficiency, speed: links.max(planets), ratio_error, sun_torques })
+    }
+
+    #[cold]
+    fn locks_otherwise(&self, ratio: [f64; 2], allowed: &Allowed) -> bool {
+        let speeds = link_speeds(ratio);
+        let u = epicyclic_schemes::structures::motion(ratio);
+        self.locks.iter().any(|pair| {
+            let [x, y] = pair.map(Role::index);
+            let slip = speeds.iter().fold(0.0_f64, |m, speed| m.max((speed[x] - speed[y]).abs()));
+            ((u[0] - u[1]) / (u[x] - u[y])).is_finite() && slip <= allowed.clutch_slip
+        })
+    }
+}
+
+impl Measured {
+    /// Costs of a pair of levels with the shares `γ/N` of its rows.
+    #[inline]
+    pub(crate) fn costs(&self, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
+        let cube = |row: usize| levels[row].cube * self.sun_torques[row] * shares[row];
+        let distance = levels[0].distance + levels[1].distance;
+        [-self.efficiency, self.speed, distance, self.ratio_error, cube(0).max(cube(1))].map(on_grid)
+    }
+
+    /// Cube of the relative ring diameter of a row.
+    #[inline]
+    pub(crate) fn cube(&self, row: usize, level: &Level, share: f64) -> f64 {
+        level.cube * self.sun_torques[row] * share
+    }
+}
+
+/// Whether the ratios can come within tolerance at all: both within what the corners say.
+fn in_reach(structure: Structure, wanted: Wanted, [low, high]: [f64; 2]) -> bool {
+    use epicyclic_schemes::standing::{RatioReach, reach};
+    reach(structure, &(low..=high)).into_iter().zip(wanted.ratios).all(|(reach, ratio)| {
+        let parts = [1.0 - wanted.tolerance - SLACK, 1.0 + wanted.tolerance + SLACK];
+        let ends = parts.map(|part| part * ratio);
+        let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let hair = SLACK * to.abs().max(from.abs());
+        match reach {
+            RatioReach::Between { least, greatest } | RatioReach::ThroughZero { least, greatest } => {
+                to >= least - hair && from <= greatest + hair
+            }
+            RatioReach::ThroughInfinity { below, above } => from <= below + hair || to >= above - hair,
+        }
+    })
+}

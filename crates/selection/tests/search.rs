@@ -1,0 +1,252 @@
+//! The search over teeth finds exactly what brute force finds, whatever the number of threads.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use epicyclic_gears::synthesis::{Bounds, ToothSet};
+use epicyclic_schemes::structures::Structure;
+use epicyclic_selection::search::{Found, MOST_PAIRS, MOST_TOOTH_SETS, ToothSearch};
+use epicyclic_selection::{Demand, Objective, Order, RatioSeries, SelectionError, Signs};
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use uom::si::f64::{Length, Pressure, Torque};
+use uom::si::length::millimeter;
+use uom::si::pressure::megapascal;
+use uom::si::torque::newton_meter;
+
+#[path = "brute.rs"]
+mod brute;
+
+fn excavator() -> Demand {
+    Demand::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
+}
+
+type Key = (Structure, [ToothSet; 2], bool);
+
+fn members(found: &Found) -> BTreeMap<Key, [f64; 5]> {
+    let mut all = BTreeMap::new();
+    for entry in found.entries() {
+        let o = entry.objectives;
+        for design in found.designs(entry) {
+            for teeth in design.pairs {
+                let costs = [-o.efficiency, o.speed, o.parameter, o.ratio_error, o.size];
+                all.insert((design.structure, teeth, design.wanted[0] > design.wanted[1]), costs);
+            }
+        }
+    }
+    all
+}
+
+fn equals_brute_force(search: &ToothSearch) -> Result<usize, TestCaseError> {
+    let (designs, _) = brute::designs(&search.demand, &search.structures, &search.bounds);
+    let exact: BTreeMap<Key, [f64; 5]> = brute::front(&designs)
+        .into_iter()
+        .map(|d| ((d.structure, d.teeth, d.wanted[0] > d.wanted[1]), d.costs))
+        .collect();
+    let found = search.front().unwrap();
+    let ours = members(&found);
+    prop_assert_eq!(ours.keys().collect::<Vec<_>>(), exact.keys().collect::<Vec<_>>());
+    for (key, costs) in &ours {
+        for (one, other) in costs.iter().zip(exact[key]) {
+            prop_assert!((one - other).abs() < 1e-9, "{:?} {:?} {:?}", key, costs, exact[key]);
+        }
+    }
+    let best = search.best(5).unwrap();
+    let objectives =
+        |found: &Found| -> Vec<_> { found.entries().iter().take(5).map(|e| e.objectives).collect() };
+    prop_assert_eq!(objectives(&best), objectives(&found));
+    for (one, other) in best.entries().iter().zip(found.entries()) {
+        prop_assert_eq!(best.designs(one), found.designs(other));
+    }
+    Ok(ours.len())
+}
+
+#[test]
+fn the_excavator_wheel_over_small_rings() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { ring: 12..=48, ..Bounds::default() };
+    assert!(equals_brute_force(&search).unwrap() > 10);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+    #[test]
+    fn search_equals_brute_force(
+        q in 1.05..2.5_f64,
+        step in 1.05..3.0_f64,
+        sun in 8..20_u32,
+        least_planets in 2..4_u32,
+        tolerance in 0.005..0.2_f64,
+        limits in (0.85..0.97_f64, 1.0..4.0_f64, 1.0..6.0_f64, 0.8..3.0_f64),
+        switches in (any::<bool>(), any::<bool>(), any::<bool>()),
+        objective in 0..5_usize,
+        some in proptest::collection::vec(0..111_usize, 12),
+    ) {
+        let mut demand = Demand::new(RatioSeries::new(&[q, q * step]).unwrap());
+        demand.tolerance = tolerance;
+        (demand.limits.efficiency, demand.limits.link_speed) = (limits.0, limits.1);
+        (demand.limits.planet_speed, demand.limits.clutch_slip) = (limits.2, limits.3);
+        demand.limits.drawable = switches.0;
+        demand.signs = if switches.1 { Signs::Any } else { Signs::Alike };
+        if switches.2 {
+            demand.rating.load_sharing = [1.0, 1.0, 1.3, 1.9, 2.2, 2.4, 2.5];
+        }
+        let mut search = ToothSearch::new(demand);
+        let all = Structure::all();
+        search.structures = some.into_iter().map(|place| all[place]).collect();
+        search.structures.sort();
+        search.structures.dedup();
+        search.order = Order::new(&[Objective::ALL[objective]]).unwrap();
+        search.bounds = Bounds {
+            sun: sun..=sun + 9, planet: 10..=25, ring: 24..=60, planets: least_planets..=5, ..Bounds::default()
+        };
+        equals_brute_force(&search)?;
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { ring: 12..=80, ..Bounds::default() };
+    let run = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let found = pool.install(|| search.front()).unwrap();
+        let best = pool.install(|| search.best(7)).unwrap();
+        assert_eq!(best.entries()[6].objectives, found.entries()[6].objectives);
+        (found.entries().to_vec(), found.counts(), best.entries().to_vec())
+    };
+    let alone = run(1);
+    assert!(alone == run(2) && alone == run(5));
+}
+
+/// However little is held, the first designs are the same, or the search says that it cannot tell.
+#[test]
+fn what_is_held_changes_nothing_or_is_refused() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds.ring = 12..=80;
+    let (best, whole) = (search.best(20).unwrap(), search.front().unwrap());
+    assert_eq!(best.entries().len(), 20);
+    for entry in best.entries() {
+        let (all, (first, count)) = (best.designs(entry), best.first_design(entry).unwrap());
+        assert_eq!(count, all.iter().map(|design| design.pairs.len() as u64).sum::<u64>());
+        assert_eq!((first.structure, first.k, first.pairs[0]), (all[0].structure, all[0].k, all[0].pairs[0]));
+    }
+    let (mut told, mut refused) = (0, 0);
+    for most_held in [4, 200, 2000, 6000, 10_000, 15_000, 20_000, 200_000] {
+        let little = ToothSearch { most_held, ..search.clone() };
+        match little.best(20) {
+            Ok(found) => {
+                let objectives = |found: &Found| -> Vec<_> {
+                    found.entries().iter().map(|entry| (entry.objectives, found.designs(entry))).collect()
+                };
+                assert_eq!(objectives(&found), objectives(&best), "{most_held}");
+                assert_eq!(found.counts(), best.counts());
+                told += 1;
+            }
+            Err(SelectionError::FrontTooLarge { .. }) => refused += 1,
+            Err(other) => panic!("{other}"),
+        }
+        match little.front() {
+            Ok(found) => assert_eq!(members(&found), members(&whole), "{most_held}"),
+            Err(SelectionError::FrontTooLarge { .. }) => refused += 1,
+            Err(other) => panic!("{other}"),
+        }
+    }
+    assert!(told >= 4 && refused >= 3, "{told} told, {refused} refused");
+}
+
+#[test]
+fn a_space_beyond_all_memory_is_refused_with_its_size() {
+    let mut search = ToothSearch::new(excavator());
+    let every = 1..=10_000;
+    (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (every.clone(), every.clone(), every);
+    match search.best(1) {
+        Err(SelectionError::TooManyToothSets { tooth_sets, most: MOST_TOOTH_SETS }) => {
+            assert_eq!(tooth_sets, search.bounds.count().unwrap());
+        }
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("it was tried"),
+    }
+    let range = 1..=600;
+    (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (range.clone(), range.clone(), range);
+    search.demand.tolerance = 0.5;
+    match search.best(1) {
+        Err(SelectionError::TooManyPairs { tooth_sets: 80_313, pairs, most: MOST_PAIRS, .. }) => {
+            assert!(pairs > MOST_PAIRS);
+        }
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("it was tried"),
+    }
+}
+
+#[test]
+fn what_the_document_missed_wins_over_all_teeth() {
+    let found = ToothSearch::new(excavator()).best(1).unwrap();
+    let counts = found.counts();
+    assert_eq!((counts.tooth_sets, counts.levels), (8016, 2696));
+    let best = &found.entries()[0];
+    assert!((best.objectives.efficiency - 0.98158).abs() < 1e-5 && best.objectives.speed <= 2.0);
+    assert!(found.designs(best).iter().all(|design| design.structure.to_string() == "D.T1.B+T2.B.T1"));
+}
+
+#[test]
+fn a_search_can_be_watched_and_cancelled() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { ring: 12..=90, ..Bounds::default() };
+    let seen = std::sync::atomic::AtomicUsize::new(0);
+    let all = search.front_watched(&|progress| {
+        assert!(progress.done <= progress.of);
+        seen.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        ControlFlow::Continue(())
+    });
+    assert!(all.is_ok() && seen.into_inner() > 1);
+    assert!(matches!(search.front_watched(&|_| ControlFlow::Break(())), Err(SelectionError::Cancelled)));
+    assert!(matches!(search.best_watched(3, &|_| ControlFlow::Break(())), Err(SelectionError::Cancelled)));
+}
+
+#[test]
+fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { ring: 12..=72, ..Bounds::default() };
+    let mm = Length::new::<millimeter>;
+    search.ring_diameter = Some(mm(300.0));
+    assert!(matches!(search.front(), Err(SelectionError::SizeWithoutTorque)));
+    search.demand.rating.load = Some((Torque::new::<newton_meter>(800.0), Pressure::new::<megapascal>(2.0)));
+    let unit = search.demand.rating.unit().unwrap();
+    let free = ToothSearch { ring_diameter: None, ..search.clone() }.front().unwrap();
+    let limit = free.entries().iter().map(|e| e.objectives.size).fold(0.0, f64::max) * 0.7;
+    search.ring_diameter = Some(unit * limit);
+    search.module = Some(mm(3.0)..=mm(5.0));
+    let found = search.front().unwrap();
+    assert!(found.counts().feasible < free.counts().feasible && !found.entries().is_empty());
+    for entry in found.entries() {
+        assert!(entry.objectives.size <= limit);
+        let designs = found.designs(entry);
+        assert!(designs.iter().all(|design| !design.pairs.is_empty()));
+        // The larger ring is the entry's size; its module is within limits.
+        for pair in designs.iter().flat_map(|design| &design.pairs) {
+            let modules = pair.map(|set| unit * entry.objectives.size / set.ring.as_f64());
+            assert!(modules.iter().any(|m| *m >= mm(3.0 - 1e-9) && *m <= mm(5.0 + 1e-9)), "{modules:?}");
+        }
+    }
+}
+
+#[test]
+fn bad_demands_are_refused() {
+    let one = ToothSearch::new(Demand::new(RatioSeries::new(&[2.0]).unwrap()));
+    assert_eq!(one.front().unwrap_err(), SelectionError::RatioCount { count: 1 });
+    let mut empty = ToothSearch::new(excavator());
+    #[allow(clippy::reversed_empty_ranges, reason = "the bad input")]
+    {
+        empty.bounds.ring = 60..=50;
+    }
+    assert!(matches!(empty.front().unwrap_err(), SelectionError::Row(_)));
+    let mut odd = ToothSearch::new(excavator());
+    odd.demand.tolerance = f64::NAN;
+    assert!(matches!(odd.best(1).unwrap_err(), SelectionError::Tolerance { .. }));
+    assert!(odd.demand.tolerance.is_nan());
+    let mut none = ToothSearch::new(excavator());
+    none.bounds = Bounds { sun: 12..=12, planet: 12..=12, ring: 36..=36, ..Bounds::default() };
+    none.demand.tolerance = 1e-3;
+    assert!(none.front().unwrap().entries().is_empty());
+}

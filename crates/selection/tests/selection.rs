@@ -1,0 +1,183 @@
+//! Selection for the examples of section 3.3: what the document found, what it missed, what it got wrong.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::catalogue::ThreeSpeed;
+use epicyclic_schemes::standing::Standing;
+use epicyclic_schemes::structures::{Family, Role, Structure};
+use epicyclic_selection::{
+    Candidate, Criterion, Demand, Mechanism, Objective, Order, RatioSeries, Selection, Space, select,
+    select_with,
+};
+use uom::si::f64::Velocity;
+use uom::si::velocity::meter_per_second;
+
+fn demand(speeds: &[f64]) -> Demand {
+    let speeds: Vec<Velocity> = speeds.iter().map(|v| Velocity::new::<meter_per_second>(*v)).collect();
+    Demand::new(RatioSeries::of_speeds(&speeds).unwrap())
+}
+
+fn excavator() -> Demand {
+    demand(&[0.76, 1.33, 1.95])
+}
+
+fn all(found: &Selection) -> impl Iterator<Item = &Candidate> {
+    found.accepted.iter().chain(&found.rejected)
+}
+
+fn scheme<'a>(found: &'a Selection, name: &str) -> Vec<&'a Candidate> {
+    all(found).filter(|candidate| candidate.mechanism.scheme() == Some(name)).collect()
+}
+
+fn objections(candidate: &Candidate) -> Vec<Criterion> {
+    candidate.objections().map(|verdict| verdict.criterion).collect()
+}
+
+#[test]
+fn the_conveyor_takes_scheme_i() {
+    let found = select(&demand(&[0.8, 3.15]), &Space::Catalogue).unwrap();
+    let names: Vec<_> = found.best.iter().map(|&place| found.accepted[place].mechanism.scheme()).collect();
+    assert_eq!(names, [Some("I"), Some("III")]);
+    let best = &found.accepted[found.best[0]];
+    assert!((best.objectives.efficiency - (1.0 + 2.9375 * 0.9702) / 3.9375).abs() < 1e-12);
+    // Scheme II reaches 2 at most: unreachable, and it says which k it would need.
+    let refused = found.unreachable.iter().find(|u| u.mechanism.scheme() == Some("II")).unwrap();
+    assert!((refused.needed.as_ref().unwrap()[0] - 1.0 / 2.9375).abs() < 1e-12, "{refused:?}");
+}
+
+#[test]
+fn the_excavator_wheel_has_the_documents_two_and_the_objections_to_both() {
+    let found = select(&excavator(), &Space::Catalogue).unwrap();
+    let [ii_3] = scheme(&found, "II-3")[..] else { unreachable!("one order of ratios fits II-3") };
+    assert!((ii_3.k[0] - 2.145).abs() < 1e-3 && (ii_3.k[1] - 2.359).abs() < 2e-3, "{:?}", ii_3.k);
+    assert_eq!(objections(ii_3), [Criterion::PlanetSpeed]);
+    let planets = ii_3.objections().next().unwrap();
+    assert!((planets.value - 2.28).abs() < 0.01, "{planets}");
+    assert!(found.rejected.contains(ii_3));
+
+    let iii_1 = scheme(&found, "III-1")[0];
+    assert!((iii_1.k[0] - 2.566).abs() < 1e-3 && (iii_1.k[1] - 4.754).abs() < 1e-3, "{:?}", iii_1.k);
+    assert_eq!(objections(iii_1), [Criterion::OneSense]);
+    assert!(iii_1.mixes_senses() && found.accepted.contains(iii_1));
+    assert!(iii_1.objectives.speed < 1.56 && (iii_1.objectives.efficiency - 0.9666).abs() < 1e-4);
+
+    let mut strict = excavator();
+    strict.limits.one_sense = true;
+    let found = select(&strict, &Space::Catalogue).unwrap();
+    assert!(scheme(&found, "III-1")[0].objections().all(|verdict| verdict.required));
+    assert!(found.accepted.is_empty());
+}
+
+#[test]
+fn the_document_rounds_its_ratios_and_gets_k_of_2_15_2_35_and_4_76() {
+    let mut rounded = Demand::new(RatioSeries::new(&[1.465, 2.56]).unwrap());
+    rounded.eta0 = MeshEfficiency::new(0.97).unwrap();
+    let found = select(&rounded, &Space::Catalogue).unwrap();
+    let [ii_3] = scheme(&found, "II-3")[..] else { unreachable!("one order of ratios fits II-3") };
+    assert!((ii_3.k[0] - 2.15).abs() < 1e-3 && (ii_3.k[1] - 2.3548).abs() < 1e-3);
+    assert!((ii_3.gears[1].efficiency.unwrap() - 0.969).abs() < 5e-4);
+    let iii_1 = scheme(&found, "III-1")[0];
+    assert!((iii_1.k[1] - 4.76).abs() < 5e-3);
+    assert!((iii_1.gears[1].efficiency.unwrap() - 0.9664).abs() < 1e-4);
+}
+
+#[test]
+fn the_document_missed_a_structure_of_both_rows_with_positive_ratios_and_more_than_98_per_cent() {
+    use Role::{B, D, T1, T2};
+    let found = select(&excavator(), &Space::All).unwrap();
+    let missed: Vec<&Candidate> = all(&found)
+        .filter(|candidate| {
+            let Mechanism::Rows(structure) = candidate.mechanism else { return false };
+            structure.scheme().is_none()
+                && structure.family() != Family::Parallel
+                && candidate.gears.iter().all(|gear| gear.ratio > 0.0 && gear.efficiency.unwrap() > 0.98)
+                && candidate.k.iter().all(|k| (1.3..=10.0).contains(k))
+        })
+        .collect();
+    let [best] = missed[..] else { unreachable!("one: {missed:?}") };
+    let structure = Structure::new([[D, T1, B], [T2, B, T1]]).unwrap();
+    assert_eq!(best.mechanism, Mechanism::Rows(structure));
+    assert!(matches!(Standing::of(structure, &(1.3..=10.0)), Standing::Missed { .. }));
+    // Scheme I in gear 1, k₁ = d − 1; gear 2 by (2.37) with i_c = k₂/(1 + k₂).
+    assert!((best.k[0] - (1.95 / 0.76 - 1.0)).abs() < 1e-12 && (best.k[1] - 2.359).abs() < 1e-3);
+    let etas: Vec<f64> = best.gears.iter().map(|gear| gear.efficiency.unwrap()).collect();
+    assert!((etas[0] - 0.98181).abs() < 1e-5 && etas[1] > 0.98, "{etas:?}");
+    // Its planets turn at 2.16 times the input's speed at the exact ratios; within the tolerance there
+    // are teeth that keep to 2: see the search.
+    assert_eq!(objections(best), [Criterion::PlanetSpeed]);
+    assert!((best.objectives.speed - 2.157).abs() < 1e-3);
+}
+
+#[test]
+fn the_document_left_iii_3_unexamined() {
+    let found = select(&excavator(), &Space::Catalogue).unwrap();
+    let iii_3 = scheme(&found, "III-3")[0];
+    assert!((iii_3.k[0] - 1.466).abs() < 1e-3 && (iii_3.k[1] - 2.243).abs() < 1e-3, "{:?}", iii_3.k);
+    assert!(objections(iii_3).contains(&Criterion::PlanetSpeed));
+}
+
+#[test]
+fn brake_torques_are_those_of_the_ratio_and_the_least_lock_is_named() {
+    let found = select(&excavator(), &Space::All).unwrap();
+    for candidate in all(&found) {
+        for gear in &candidate.gears {
+            let eta = gear.efficiency.unwrap();
+            let torque = gear.brake_torque.unwrap();
+            assert!((torque - (gear.ratio * eta - 1.0)).abs() < 1e-9, "{}: {torque}", candidate.mechanism);
+        }
+        let gearbox = candidate.gearbox(&excavator()).unwrap();
+        let direct = gearbox.analyze("direct").unwrap();
+        assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-12);
+        let lock = &candidate.locks[candidate.lock];
+        let torque = direct.ideal().unwrap().controls[2].unwrap();
+        assert!((torque - lock.torque).abs() < 1e-9, "{}: {torque} {lock:?}", candidate.mechanism);
+        assert!(candidate.locks[0].torque.abs() <= lock.torque.abs() + 1e-12);
+        let table = candidate.shift_table();
+        assert_eq!(table.last().unwrap().engaged, "L");
+        assert_eq!(table.iter().any(|shift| shift.reverses), candidate.mixes_senses());
+    }
+}
+
+#[test]
+fn parameters_are_the_catalogues() {
+    let found = select(&excavator(), &Space::Catalogue).unwrap();
+    for candidate in all(&found) {
+        let exact = candidate.objectives.ratio_error < 1e-9;
+        let scheme: ThreeSpeed = candidate.mechanism.scheme().unwrap().parse().unwrap();
+        let [first, second] = [0, 1].map(|gear: usize| candidate.gears[gear].ratio);
+        let k1 = scheme.first_stage().parameter(first).unwrap();
+        let k2 = scheme.second_parameter(k1, second).unwrap();
+        assert!((k1.get() - candidate.k[0]).abs() < 1e-9 && (k2.get() - candidate.k[1]).abs() < 1e-9);
+        assert!(exact || candidate.k.iter().any(|k| *k == 1.3 || *k == 10.0), "{:?}", candidate.k);
+    }
+}
+
+#[test]
+fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
+    let first = |objective| {
+        let order = Order::new(&[objective]).unwrap();
+        let found = select_with(&excavator(), &Space::All, order, None).unwrap();
+        for entry in &found.front {
+            let dominated =
+                found.accepted.iter().any(|candidate| candidate.objectives.dominates(&entry.objectives));
+            assert!(!dominated);
+        }
+        found.accepted[found.best[0]].mechanism.to_string()
+    };
+    assert_eq!(first(Objective::Efficiency), "D.B.T1+D.T1.T2");
+    assert_eq!(first(Objective::Speed), "D.T1.T2+B.T2.T1");
+    assert_eq!(first(Objective::Size), "D.B.T1+B.T2.T1");
+}
+
+#[test]
+fn drawing_is_a_criterion_that_can_be_lifted() {
+    let no = |_: Mechanism| Err("nothing can".to_owned());
+    let mut demand = excavator();
+    let found = select_with(&demand, &Space::All, Order::default(), Some(&no)).unwrap();
+    assert!(found.accepted.is_empty());
+    demand.limits.drawable = false;
+    let found = select_with(&demand, &Space::All, Order::default(), Some(&no)).unwrap();
+    let objection = found.accepted[0].objections().find(|v| v.criterion == Criterion::Drawable).unwrap();
+    assert_eq!(objection.place, "nothing can");
+}

@@ -1,0 +1,526 @@
+//! Describing a gearbox by names, and checking that the description is one.
+
+use crate::compound::{CentralKind, CompoundSpec};
+use crate::error::CompoundFault;
+use crate::gearbox::{Control, Gear, ascending};
+use crate::groups::Groups;
+use crate::names::nearest;
+use crate::planet_set::{
+    Central, Description, GearOf, Mesh, MeshKind, Parts, Planet, PlanetSet, parts_of_short,
+};
+use crate::set::SetSpec;
+use crate::tolerance::{
+    MOST_ALIKE, MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS, SPREAD,
+};
+use crate::{Error, GROUND, Gearbox, LinkId, Named, Warning};
+use epicyclic_gears::teeth::ToothCount;
+
+/// A gearbox being described; see [`Gearbox::builder`].
+///
+/// Nothing is checked before [`build`](Self::build), so the order of the calls is free.
+#[derive(Debug, Clone, Default)]
+pub struct GearboxBuilder {
+    name: String,
+    links: Vec<String>,
+    sets: Vec<Description>,
+    controls: Vec<(String, [String; 2], bool)>,
+    permanent: Vec<[String; 2]>,
+    gears: Vec<GearSpec>,
+    input: Option<String>,
+    output: Option<String>,
+}
+
+/// Description of a gear by names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GearSpec {
+    /// Name of the gear.
+    pub name: String,
+    /// Engaged controls.
+    pub engaged: Vec<String>,
+    /// Where power enters, if not at the gearbox's input.
+    pub input: Option<String>,
+    /// Where power leaves, if not at the gearbox's output.
+    pub output: Option<String>,
+}
+
+impl Gearbox {
+    /// Its description, to be changed and built again; unchanged it builds an equal gearbox.
+    #[must_use]
+    pub fn to_builder(&self) -> GearboxBuilder {
+        let name = |link: LinkId| self.link_name(link).to_owned();
+        let gear = |gear: &Gear| GearSpec {
+            name: gear.name().to_owned(),
+            engaged: gear.engaged.iter().map(|&place| self.controls[place].id.clone()).collect(),
+            input: Some(name(gear.input)),
+            output: Some(name(gear.output)),
+        };
+        GearboxBuilder {
+            name: self.name.clone(),
+            links: self.links[1..].to_vec(),
+            sets: self.sets.iter().map(|set| set.description().clone()).collect(),
+            controls: self.controls.iter().map(|c| (c.id.clone(), c.links.map(name), c.one_way)).collect(),
+            permanent: self.permanent.iter().map(|pair| pair.map(name)).collect(),
+            gears: self.gears.iter().map(gear).collect(),
+            input: Some(name(self.input)),
+            output: Some(name(self.output)),
+        }
+    }
+}
+
+impl GearboxBuilder {
+    pub(crate) fn new(name: &str) -> Self {
+        Self { name: name.into(), ..Self::default() }
+    }
+
+    /// Adds links. The housing, [`GROUND`], is there from the start.
+    #[must_use]
+    pub fn links<S: Into<String>>(mut self, names: impl IntoIterator<Item = S>) -> Self {
+        self.links.extend(names.into_iter().map(Into::into));
+        self
+    }
+
+    /// Adds a set with three members, in short.
+    #[must_use]
+    pub fn set(mut self, set: SetSpec) -> Self {
+        self.sets.push(set.into());
+        self
+    }
+
+    /// Adds a set of any form, gear by gear.
+    #[must_use]
+    pub fn compound_set(mut self, set: CompoundSpec) -> Self {
+        self.sets.push(set.into());
+        self
+    }
+
+    /// Adds a shift element that holds a link to the housing.
+    #[must_use]
+    pub fn brake(self, id: &str, link: &str) -> Self {
+        self.clutch(id, link, GROUND)
+    }
+
+    /// Adds a shift element that joins two links.
+    #[must_use]
+    pub fn clutch(mut self, id: &str, first: &str, second: &str) -> Self {
+        self.controls.push((id.into(), [first.into(), second.into()], false));
+        self
+    }
+
+    /// Adds a one-way clutch: it keeps the first link from turning slower than the second, `ω_1 < ω_2`, and lets
+    /// it turn faster. A gear that relies on it names it among what is engaged.
+    #[must_use]
+    pub fn one_way_clutch(mut self, id: &str, first: &str, second: &str) -> Self {
+        self.controls.push((id.into(), [first.into(), second.into()], true));
+        self
+    }
+
+    /// Holds a link to the housing for ever.
+    #[must_use]
+    pub fn ground(self, link: &str) -> Self {
+        self.tie(link, GROUND)
+    }
+
+    /// Joins two links for ever.
+    #[must_use]
+    pub fn tie(mut self, first: &str, second: &str) -> Self {
+        self.permanent.push([first.into(), second.into()]);
+        self
+    }
+
+    /// Names the link where power enters.
+    #[must_use]
+    pub fn input(mut self, link: &str) -> Self {
+        self.input = Some(link.into());
+        self
+    }
+
+    /// Names the link where power leaves.
+    #[must_use]
+    pub fn output(mut self, link: &str) -> Self {
+        self.output = Some(link.into());
+        self
+    }
+
+    /// Adds a gear between the gearbox's input and output.
+    #[must_use]
+    pub fn gear<S: Into<String>>(self, name: &str, engaged: impl IntoIterator<Item = S>) -> Self {
+        let engaged = engaged.into_iter().map(Into::into).collect();
+        self.gear_spec(GearSpec { name: name.into(), engaged, input: None, output: None })
+    }
+
+    /// Adds a gear with its own input or output.
+    #[must_use]
+    pub fn gear_spec(mut self, gear: GearSpec) -> Self {
+        self.gears.push(gear);
+        self
+    }
+
+    /// Changes the sets described in short so far: other `k`, teeth or losses between the same links.
+    ///
+    /// ```
+    /// use epicyclic_schemes::{Gearbox, set::{Gearing, SetSpec}};
+    /// # fn main() -> Result<(), crate::Error> {
+    /// let gearbox = Gearbox::builder("I")
+    ///     .links(["D", "B", "T1"])
+    ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
+    ///     .brake("K1", "T1")
+    ///     .input("D")
+    ///     .output("B")
+    ///     .gear("slow", ["K1"])
+    ///     .build()?;
+    /// let other = gearbox.to_builder().map_sets(|row| SetSpec { gearing: Gearing::Parameter(4.0), ..row }).build()?;
+    /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn map_sets(self, mut change: impl FnMut(SetSpec) -> SetSpec) -> Self {
+        self.map_descriptions(|description| match description {
+            Description::Short(spec) => Description::Short(change(spec)),
+            whole @ Description::Compound(_) => whole,
+        })
+    }
+
+    /// Changes all sets described so far.
+    #[must_use]
+    pub fn map_descriptions(mut self, change: impl FnMut(Description) -> Description) -> Self {
+        self.sets = self.sets.into_iter().map(change).collect();
+        self
+    }
+
+    /// Checks the description and returns the gearbox.
+    ///
+    /// # Errors
+    /// Every variant of [`Error`] that speaks of a description: unknown and repeated names, members of a set that
+    /// are one piece, `k ≤ 1` of a simple set, missing steps, meshes that make no tree, shift elements that join a
+    /// link with itself, permanent connections in a loop, terminals at the housing, more than is solved. What teeth
+    /// do not fit is asked of [`Gearbox::tooth_checks`].
+    pub fn build(self) -> Result<Gearbox, Error> {
+        for (what, count, limit) in [
+            (Named::Set, self.sets.len(), MOST_SETS),
+            (Named::Link, self.links.len(), MOST_LINKS),
+            (Named::Control, self.controls.len(), MOST_ELEMENTS),
+            (Named::Gear, self.gears.len(), MOST_GEARS),
+        ] {
+            if count > limit {
+                return Err(Error::TooMany { what, count, limit });
+            }
+        }
+        let mut links = vec![GROUND.to_owned()];
+        links.extend(self.links.iter().cloned());
+        unique(Named::Link, links.iter().map(String::as_str))?;
+        unique(Named::Set, self.sets.iter().map(Description::id))?;
+        unique(Named::Control, self.controls.iter().map(|(id, ..)| id.as_str()))?;
+        unique(Named::Gear, self.gears.iter().map(|gear| gear.name.as_str()))?;
+        if self.sets.is_empty() {
+            return Err(Error::NoSets);
+        }
+        let mut gearbox = Gearbox {
+            name: self.name,
+            links,
+            sets: vec![],
+            equations: vec![],
+            segments: vec![],
+            drawn: vec![],
+            controls: vec![],
+            permanent: vec![],
+            gears: vec![],
+            input: LinkId::GROUND,
+            output: LinkId::GROUND,
+            warnings: vec![],
+        };
+        gearbox.input = terminal(&gearbox, self.input.as_deref(), "input")?;
+        gearbox.output = terminal(&gearbox, self.output.as_deref(), "output")?;
+        let mut groups = Groups::new(gearbox.links.len());
+        for [first, second] in &self.permanent {
+            let place = || "a permanent connection".to_owned();
+            let pair = [link(&gearbox, first, place)?, link(&gearbox, second, place)?];
+            if !groups.join(pair[0].0, pair[1].0) {
+                return Err(Error::CyclicGrounds { first: first.clone(), second: second.clone() });
+            }
+            gearbox.permanent.push(pair);
+        }
+        for description in self.sets {
+            let set = build_set(&gearbox, description, &groups)?;
+            gearbox.push_set(set);
+        }
+        let exponent: f64 = gearbox
+            .equations
+            .iter()
+            .map(|one| (1.0 + one.ratio.abs().max(1.0 / one.ratio.abs())).log10())
+            .sum();
+        if exponent > SPREAD.log10() {
+            return Err(Error::Spread { exponent });
+        }
+        for (id, [first, second], one_way) in self.controls {
+            let place = || format!("shift element `{id}`");
+            let mut pair = [link(&gearbox, &first, place)?, link(&gearbox, &second, place)?];
+            if pair[0] == pair[1] {
+                return Err(Error::ControlJoinsItself { control: id, link: first });
+            }
+            // The order of a one-way clutch is its sense.
+            if pair[0] == LinkId::GROUND && !one_way {
+                pair.swap(0, 1);
+            }
+            gearbox.controls.push(Control { id, links: pair, one_way });
+        }
+        for spec in self.gears {
+            let gear = build_gear(&gearbox, spec)?;
+            gearbox.gears.push(gear);
+        }
+        let terminals = [gearbox.input, gearbox.output];
+        let unreachable: Vec<_> =
+            terminals.into_iter().filter(|terminal| !touched(&gearbox, *terminal)).collect();
+        for terminal in unreachable {
+            gearbox.warnings.push(Warning::Unreachable { link: gearbox.link_name(terminal).into() });
+        }
+        if gearbox.gears.is_empty() {
+            gearbox.warnings.push(Warning::NoGears);
+        }
+        for gear in gearbox.gears.iter().filter(|gear| gear.input == gear.output) {
+            gearbox.warnings.push(Warning::SameTerminals {
+                gear: gear.name().to_owned(),
+                link: gearbox.link_name(gear.input).into(),
+            });
+        }
+        gearbox.warnings.extend(sharing(&gearbox));
+        Ok(gearbox)
+    }
+}
+
+fn unique<'a>(what: Named, names: impl Iterator<Item = &'a str>) -> Result<(), Error> {
+    let mut seen = std::collections::BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(Error::Duplicate { what, name: name.to_owned() });
+        }
+    }
+    Ok(())
+}
+
+fn link(gearbox: &Gearbox, name: &str, place: impl Fn() -> String) -> Result<LinkId, Error> {
+    gearbox.link(name).ok_or_else(|| gearbox.unknown_link(name, place()))
+}
+
+fn terminal(gearbox: &Gearbox, name: Option<&str>, which: &'static str) -> Result<LinkId, Error> {
+    let name = name.ok_or(Error::NoTerminal { terminal: which })?;
+    let found = link(gearbox, name, || which.to_owned())?;
+    if found == LinkId::GROUND {
+        return Err(Error::GroundedTerminal { place: which.to_owned() });
+    }
+    Ok(found)
+}
+
+fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Result<PlanetSet, Error> {
+    let id = description.id().to_owned();
+    let place = || format!("set `{id}`");
+    let (carrier, parts) = match &description {
+        Description::Short(spec) => {
+            let [a, b, h] = &spec.members;
+            let links = [link(gearbox, a, place)?, link(gearbox, b, place)?];
+            let carrier = link(gearbox, h, place)?;
+            (if spec.kind.is_pair() { LinkId::GROUND } else { carrier }, parts_of_short(spec, links)?)
+        }
+        Description::Compound(spec) => {
+            (link(gearbox, &spec.carrier, place)?, parts_of_compound(gearbox, spec)?)
+        }
+    };
+    let set = PlanetSet::new(description, carrier, parts)?;
+    if let Some(given) = set.planet_count().filter(|count| !(1..=MOST_ALIKE).contains(count)) {
+        return Err(Error::PlanetCount { set: id, given });
+    }
+    // Members joined for ever make the set one block whatever is engaged. Where the two are the
+    // housing the set is locked, which is the same mistake. Joined by a *shift element* they are the
+    // ordinary direct drive.
+    let members = set.members();
+    for i in 0..members.len() {
+        for j in i + 1..members.len() {
+            if groups.root(members[i].0) == groups.root(members[j].0) {
+                return Err(Error::CoincidentMembers {
+                    set: id,
+                    first: set.member_name(i),
+                    second: set.member_name(j),
+                    link: gearbox.link_name(members[i]).into(),
+                });
+            }
+        }
+    }
+    Ok(set)
+}
+
+/// The parts that a compound description names.
+fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Error> {
+    let fault = |fault| Error::Compound { set: spec.id.clone(), fault };
+    for (what, count, limit) in [
+        (Named::Member, spec.centrals.len(), MOST_MEMBERS),
+        (Named::Planet, spec.planets.len(), MOST_PLANETS),
+        (Named::Mesh, spec.meshes.len(), MOST_MEMBERS + MOST_PLANETS),
+    ] {
+        if count > limit {
+            return Err(Error::TooMany { what, count, limit });
+        }
+    }
+    if spec.centrals.len() < 2 {
+        return Err(fault(CompoundFault::TooFewMembers { given: spec.centrals.len() }));
+    }
+    let teeth = |gear: &str, count: u32| {
+        ToothCount::new(count).map_err(|_| fault(CompoundFault::NoTeeth { gear: gear.to_owned() }))
+    };
+    let mut gears: Vec<(String, GearOf)> = vec![];
+    let mut planets = vec![];
+    for (place, planet) in spec.planets.iter().enumerate() {
+        if planet.teeth.len() > MOST_PLANETS {
+            return Err(fault(CompoundFault::PlanetGears {
+                planet: planet.name.clone(),
+                given: planet.teeth.len(),
+                most: MOST_PLANETS,
+            }));
+        }
+        let mut counts = vec![];
+        if planet.teeth.is_empty() {
+            counts.push(None);
+            gears.push((planet.name.clone(), GearOf::Planet(place, 0)));
+        }
+        for (step, &count) in planet.teeth.iter().enumerate() {
+            let name = match planet.teeth.len() {
+                1 => planet.name.clone(),
+                _ => format!("{}.{}", planet.name, step + 1),
+            };
+            counts.push(Some(teeth(&name, count)?));
+            gears.push((name, GearOf::Planet(place, step)));
+        }
+        planets.push(Planet { name: planet.name.clone(), gears: counts });
+    }
+    let mut centrals = vec![];
+    for (place, central) in spec.centrals.iter().enumerate() {
+        let link = link(gearbox, &central.link, || format!("set `{}`", spec.id))?;
+        let (teeth, body) = match (&central.planet, central.kind) {
+            (Some(name), CentralKind::PlanetShaft) => {
+                let planet = spec.planets.iter().position(|planet| planet.name == *name);
+                let unknown = || CompoundFault::UnknownGear {
+                    name: name.clone(),
+                    suggestion: nearest(name, spec.planets.iter().map(|planet| planet.name.as_str())),
+                };
+                (None, spec.centrals.len() + planet.ok_or_else(|| fault(unknown()))?)
+            }
+            _ => (Some(teeth(&central.name, central.teeth)?), place),
+        };
+        if centrals.iter().any(|other: &Central| other.body == body) {
+            let planet = central.planet.clone().unwrap_or_default();
+            return Err(fault(CompoundFault::TwoShafts { name: central.name.clone(), planet }));
+        }
+        gears.push((central.name.clone(), GearOf::Central(place)));
+        centrals.push(Central { link, kind: central.kind, teeth, body });
+    }
+    let mut names = std::collections::BTreeSet::new();
+    let bodies = spec
+        .planets
+        .iter()
+        .map(|planet| &planet.name)
+        .filter(|name| !gears.iter().any(|(gear, _)| gear == *name));
+    if let Some(twice) = gears.iter().map(|(name, _)| name).chain(bodies).find(|name| !names.insert(*name)) {
+        return Err(fault(CompoundFault::NameTwice { name: twice.clone() }));
+    }
+    let gear = |name: &str| {
+        let known = gears.iter().find(|(gear, _)| gear == name);
+        known.map(|(_, gear)| *gear).ok_or_else(|| {
+            fault(CompoundFault::UnknownGear {
+                name: name.to_owned(),
+                suggestion: nearest(name, gears.iter().map(|(gear, _)| gear.as_str())),
+            })
+        })
+    };
+    let mut meshes = vec![];
+    for mesh in &spec.meshes {
+        let [first, second] = &mesh.between;
+        let pair = [gear(first)?, gear(second)?];
+        let wrong = |why| fault(CompoundFault::Mesh { first: first.clone(), second: second.clone(), why });
+        let kind = match pair {
+            [GearOf::Central(_), GearOf::Central(_)] => {
+                return Err(wrong("both are central gears, and turn about one axis"));
+            }
+            [GearOf::Planet(one, _), GearOf::Planet(other, _)] if one == other => {
+                return Err(wrong("they are gears of one planet, and turn as one piece"));
+            }
+            [GearOf::Planet(..), GearOf::Planet(..)] => MeshKind::External,
+            [GearOf::Central(central), GearOf::Planet(planet, step)]
+            | [GearOf::Planet(planet, step), GearOf::Central(central)] => match centrals[central].kind {
+                CentralKind::Sun => MeshKind::External,
+                CentralKind::Ring
+                    if planets[planet].gears[step]
+                        .is_some_and(|teeth| centrals[central].teeth <= Some(teeth)) =>
+                {
+                    return Err(wrong("a ring has more teeth than the planet in it"));
+                }
+                CentralKind::Ring => MeshKind::Internal,
+                CentralKind::BevelLeft => MeshKind::BevelLeft,
+                CentralKind::BevelRight => MeshKind::BevelRight,
+                CentralKind::PlanetShaft => return Err(wrong("a planet shaft has no teeth")),
+            },
+        };
+        meshes.push(Mesh { gears: pair, kind, efficiency: mesh.efficiency });
+    }
+    let bodies = centrals.len() + planets.len();
+    Ok(Parts {
+        centrals,
+        planets,
+        meshes,
+        factors: vec![None; bodies],
+        exact: vec![None; bodies],
+        rational: None,
+        loss: None,
+    })
+}
+
+/// Sets that may share planets: one carrier, and a central gear of the same kind and teeth on one link.
+fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
+    let mut found = vec![];
+    let sets = gearbox.sets();
+    for (place, second) in sets.iter().enumerate() {
+        for first in &sets[..place] {
+            let same = |one: &Central, other: &Central| {
+                one.link == other.link
+                    && one.kind == other.kind
+                    && one.teeth == other.teeth
+                    && one.teeth.is_some()
+            };
+            let shared = first.centrals().iter().find(|one| {
+                one.link != LinkId::GROUND && second.centrals().iter().any(|other| same(one, other))
+            });
+            if first.carrier() == second.carrier()
+                && first.carrier() != LinkId::GROUND
+                && let Some(shared) = shared
+            {
+                found.push(Warning::SharedPlanets {
+                    first: first.id().to_owned(),
+                    second: second.id().to_owned(),
+                    member: shared.kind.name(),
+                });
+            }
+        }
+    }
+    found
+}
+
+fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
+    let place = format!("gear `{}`", spec.name);
+    let engaged =
+        spec.engaged.iter().map(|id| gearbox.control(id, place.clone())).collect::<Result<Vec<_>, _>>()?;
+    let own = |name: Option<&str>, default: LinkId, which: &str| {
+        let Some(name) = name else { return Ok(default) };
+        let place = || format!("{which} of gear `{}`", spec.name);
+        match link(gearbox, name, place)? {
+            LinkId::GROUND => Err(Error::GroundedTerminal { place: place() }),
+            link => Ok(link),
+        }
+    };
+    let input = own(spec.input.as_deref(), gearbox.input, "input")?;
+    let output = own(spec.output.as_deref(), gearbox.output, "output")?;
+    Ok(Gear { name: spec.name.into(), engaged: ascending(engaged).into(), input, output })
+}
+
+fn touched(gearbox: &Gearbox, link: LinkId) -> bool {
+    gearbox.sets.iter().any(|set| set.members().contains(&link))
+        || gearbox.controls.iter().any(|control| control.links.contains(&link))
+        || gearbox.permanent.iter().any(|pair| pair.contains(&link))
+}

@@ -1,0 +1,192 @@
+//! Description of a compound planet set: any central gears, any planets, any tree of meshes.
+//!
+//! Ravigneaux, Wolfrom, stepped planets beside idlers, ring to ring through meshing planets, planets whose own
+//! rotation is taken out: what shares planets is one set, since each of its meshes exists once.
+//!
+//! ```
+//! use epicyclic_gears::efficiency::MeshEfficiency;
+//! use crate::compound::CompoundSpec;
+//! use crate::Gearbox;
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // A Wolfrom drive: sun 32, planets with steps 34 and 30, ring 100 held, ring 96 driven.
+//! let eta = MeshEfficiency::new(0.99)?;
+//! let wolfrom = CompoundSpec::new("wolfrom", "arm")
+//!     .sun("S", 32)
+//!     .ring("ground", 100)
+//!     .ring("out", 96)
+//!     .planet("p", &[34, 30])
+//!     .mesh("S", "p.1", eta)
+//!     .mesh("p.1", "ground", eta)
+//!     .mesh("p.2", "out", eta)
+//!     .planet_count(3);
+//! let gearbox = Gearbox::builder("51 to 1")
+//!     .links(["S", "arm", "out"])
+//!     .compound_set(wolfrom)
+//!     .input("S")
+//!     .output("out")
+//!     .gear("only", [""; 0])
+//!     .build()?;
+//! let only = gearbox.analyze("only")?;
+//! assert_eq!(only.exact_ratio().unwrap().to_string(), "51");
+//! assert!((only.efficiency().unwrap() - 0.8033).abs() < 1e-4);
+//! # Ok(())
+//! # }
+//! ```
+
+use epicyclic_gears::efficiency::MeshEfficiency;
+
+/// What a member of a set is, beside the carrier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CentralKind {
+    /// A gear with external teeth about the main axis.
+    Sun,
+    /// A gear with internal teeth about the main axis.
+    Ring,
+    /// A bevel gear on the one side of its planets.
+    BevelLeft,
+    /// A bevel gear on the other side.
+    BevelRight,
+    /// A shaft about the main axis that turns as fast as a planet about its own: the output of pins in the
+    /// disc of a K-H-V or cycloidal drive, or of a universal joint.
+    PlanetShaft,
+}
+
+impl CentralKind {
+    /// The member's name in a table.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sun => "sun",
+            Self::Ring => "ring",
+            Self::BevelLeft | Self::BevelRight => "bevel gear",
+            Self::PlanetShaft => "planet shaft",
+        }
+    }
+}
+
+/// A member of a compound set.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CentralSpec {
+    /// Its name within the set, by which meshes know it.
+    pub name: String,
+    /// The link it belongs to.
+    pub link: String,
+    /// What it is.
+    pub kind: CentralKind,
+    /// Its teeth; none of a planet shaft.
+    pub teeth: u32,
+    /// The planet that a planet shaft turns with.
+    pub planet: Option<String>,
+}
+
+/// A planet of a compound set: one rigid body with one gear or several.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlanetSpec {
+    /// Its name; its gears are `name`, or `name.1`, `name.2`… where it has several.
+    pub name: String,
+    /// Teeth of its gears; empty of a planet with one gear whose teeth are not known: an idler changes no ratio of
+    /// the others.
+    pub teeth: Vec<u32>,
+}
+
+/// A mesh of a compound set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshSpec {
+    /// Names of the two gears.
+    pub between: [String; 2],
+    /// Its efficiency.
+    pub efficiency: MeshEfficiency,
+}
+
+/// Description of a compound set, by names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CompoundSpec {
+    /// Name of the set.
+    pub id: String,
+    /// Link of the carrier.
+    pub carrier: String,
+    /// The central gears and planet shafts, two or more.
+    pub centrals: Vec<CentralSpec>,
+    /// The planets that differ.
+    pub planets: Vec<PlanetSpec>,
+    /// The meshes: a tree over central gears and planets.
+    pub meshes: Vec<MeshSpec>,
+    /// How many of each planet stand around the axis.
+    pub planet_count: Option<u32>,
+}
+
+impl CompoundSpec {
+    /// A set with nothing but its carrier.
+    #[must_use]
+    pub fn new(id: &str, carrier: &str) -> Self {
+        Self {
+            id: id.into(),
+            carrier: carrier.into(),
+            centrals: vec![],
+            planets: vec![],
+            meshes: vec![],
+            planet_count: None,
+        }
+    }
+
+    /// Adds a sun, named as its link.
+    #[must_use]
+    pub fn sun(self, link: &str, teeth: u32) -> Self {
+        self.central(CentralKind::Sun, link, teeth)
+    }
+
+    /// Adds a ring, named as its link.
+    #[must_use]
+    pub fn ring(self, link: &str, teeth: u32) -> Self {
+        self.central(CentralKind::Ring, link, teeth)
+    }
+
+    /// Adds a central gear of any kind, named as its link.
+    #[must_use]
+    pub fn central(mut self, kind: CentralKind, link: &str, teeth: u32) -> Self {
+        let (name, link) = (link.to_owned(), link.to_owned());
+        self.centrals.push(CentralSpec { name, link, kind, teeth, planet: None });
+        self
+    }
+
+    /// Adds a shaft that turns with a planet, named as its link.
+    #[must_use]
+    pub fn planet_shaft(mut self, link: &str, planet: &str) -> Self {
+        self.centrals.push(CentralSpec {
+            name: link.into(),
+            link: link.into(),
+            kind: CentralKind::PlanetShaft,
+            teeth: 0,
+            planet: Some(planet.into()),
+        });
+        self
+    }
+
+    /// Adds a planet with the teeth of its gears.
+    #[must_use]
+    pub fn planet(mut self, name: &str, teeth: &[u32]) -> Self {
+        self.planets.push(PlanetSpec { name: name.into(), teeth: teeth.to_vec() });
+        self
+    }
+
+    /// Adds a mesh between two gears: a central gear by its name, a planet's gear by `planet`, or by `planet.1`,
+    /// `planet.2`… where the planet has several.
+    #[must_use]
+    pub fn mesh(mut self, first: &str, second: &str, efficiency: MeshEfficiency) -> Self {
+        self.meshes.push(MeshSpec { between: [first.into(), second.into()], efficiency });
+        self
+    }
+
+    /// The same set with this many of each planet.
+    #[must_use]
+    pub fn planet_count(self, count: u32) -> Self {
+        Self { planet_count: Some(count), ..self }
+    }
+
+    /// The same set with this efficiency of every mesh.
+    #[must_use]
+    pub fn with_mesh_efficiency(mut self, efficiency: MeshEfficiency) -> Self {
+        self.meshes.iter_mut().for_each(|mesh| mesh.efficiency = efficiency);
+        self
+    }
+}

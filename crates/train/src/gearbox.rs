@@ -1,0 +1,346 @@
+//! A gearbox: planet sets, the links that tie them, the shift elements that join links, and its gears.
+
+use crate::drawn::DrawnSet;
+use crate::names::nearest;
+use crate::{Error, GearboxBuilder, Named, PlanetSet, Warning};
+use epicyclic_gears::row::Fraction;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Name of the housing wherever a link is named.
+pub const GROUND: &str = "ground";
+
+/// A link of one gearbox: members that turn as one piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct LinkId(pub(crate) usize);
+
+impl LinkId {
+    /// The housing, at rest.
+    pub const GROUND: Self = Self(0);
+
+    /// Place of the link in tables of results: 0 is the housing, the others follow in the order in
+    /// which they were named.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// A shift element: a brake, a clutch, or a one-way clutch.
+///
+/// A brake is one of whose links is the housing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Control {
+    pub(crate) id: String,
+    pub(crate) links: [LinkId; 2],
+    pub(crate) one_way: bool,
+}
+
+impl Control {
+    /// Name of the shift element.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// The links it joins when engaged. Its torque acts so on the first and opposite on the second; the housing,
+    /// if it is one of them, is the second, unless the element is a one-way clutch.
+    #[must_use]
+    pub fn links(&self) -> [LinkId; 2] {
+        self.links
+    }
+
+    /// Whether it holds a link to the housing.
+    #[must_use]
+    pub fn is_brake(&self) -> bool {
+        self.links.contains(&LinkId::GROUND)
+    }
+
+    /// Whether it is a one-way clutch: it keeps its first link from turning slower than its second, and lets it
+    /// turn faster.
+    #[must_use]
+    pub fn is_one_way(&self) -> bool {
+        self.one_way
+    }
+}
+
+/// A named set of engaged controls, with the links where power enters and leaves.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gear {
+    pub(crate) name: Arc<str>,
+    pub(crate) engaged: Arc<[usize]>,
+    pub(crate) input: LinkId,
+    pub(crate) output: LinkId,
+}
+
+impl Gear {
+    /// Name of the gear.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Places of the engaged controls in [`Gearbox::controls`], ascending.
+    #[must_use]
+    pub fn engaged(&self) -> &[usize] {
+        &self.engaged
+    }
+
+    /// Where power enters.
+    #[must_use]
+    pub fn input(&self) -> LinkId {
+        self.input
+    }
+
+    /// Where power leaves.
+    #[must_use]
+    pub fn output(&self) -> LinkId {
+        self.output
+    }
+}
+
+/// An equation of a set, as the solver takes it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Equation {
+    /// Place of the set.
+    pub(crate) set: usize,
+    /// Place of the central gear in its set.
+    pub(crate) central: usize,
+    /// Links of root, central gear and carrier.
+    pub(crate) links: [LinkId; 3],
+    /// `i_c`.
+    pub(crate) ratio: f64,
+    pub(crate) rational: Option<Fraction>,
+    pub(crate) exact: Option<Fraction>,
+}
+
+/// Meshes of a set that carry power in one sense together.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Segment {
+    pub(crate) set: usize,
+    /// Equations of the gearbox behind it.
+    pub(crate) behind: Range<usize>,
+    pub(crate) efficiency: f64,
+}
+
+/// A planetary gearbox of any structure.
+///
+/// Built and checked once by [`Gearbox::builder`]; everything else only reads it.
+///
+/// ```
+/// use epicyclic_schemes::{Gearbox, set::SetSpec};
+/// # fn main() -> Result<(), crate::Error> {
+/// let gearbox = Gearbox::builder("conveyor")
+///     .links(["D", "B", "T1"])
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .brake("K1", "T1")
+///     .clutch("K2", "D", "B")
+///     .input("D")
+///     .output("B")
+///     .gear("slow", ["K1"])
+///     .gear("direct", ["K2"])
+///     .build()?;
+/// let slow = gearbox.analyze("slow")?;
+/// assert!((slow.ratio().unwrap() - 3.94).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gearbox {
+    pub(crate) name: String,
+    pub(crate) links: Vec<String>,
+    pub(crate) sets: Vec<PlanetSet>,
+    pub(crate) equations: Vec<Equation>,
+    pub(crate) segments: Vec<Segment>,
+    pub(crate) drawn: Vec<DrawnSet>,
+    pub(crate) controls: Vec<Control>,
+    pub(crate) permanent: Vec<[LinkId; 2]>,
+    pub(crate) gears: Vec<Gear>,
+    pub(crate) input: LinkId,
+    pub(crate) output: LinkId,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+impl Gearbox {
+    /// A gearbox to be described.
+    #[must_use]
+    pub fn builder(name: &str) -> GearboxBuilder {
+        GearboxBuilder::new(name)
+    }
+
+    /// Name of the gearbox.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The links by [`LinkId::index`], the housing first.
+    pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + Clone + use<> {
+        (0..self.links.len()).map(LinkId)
+    }
+
+    /// Names of the links by [`LinkId::index`]; the first is [`GROUND`].
+    #[must_use]
+    pub fn links(&self) -> &[String] {
+        &self.links
+    }
+
+    /// Name of a link.
+    ///
+    /// # Panics
+    /// With a link of another, larger gearbox.
+    #[must_use]
+    pub fn link_name(&self, link: LinkId) -> &str {
+        &self.links[link.0]
+    }
+
+    /// The link of this name.
+    #[must_use]
+    pub fn link(&self, name: &str) -> Option<LinkId> {
+        self.links.iter().position(|link| link == name).map(LinkId)
+    }
+
+    /// The planet sets, and the pairs on fixed axes.
+    #[must_use]
+    pub fn sets(&self) -> &[PlanetSet] {
+        &self.sets
+    }
+
+    /// The brakes, clutches and one-way clutches.
+    #[must_use]
+    pub fn controls(&self) -> &[Control] {
+        &self.controls
+    }
+
+    /// Pairs of links that are joined for ever; a permanent ground is a pair with the housing.
+    #[must_use]
+    pub fn permanent(&self) -> &[[LinkId; 2]] {
+        &self.permanent
+    }
+
+    /// The gears.
+    #[must_use]
+    pub fn gears(&self) -> &[Gear] {
+        &self.gears
+    }
+
+    /// Where power enters, unless a gear says otherwise.
+    #[must_use]
+    pub fn input(&self) -> LinkId {
+        self.input
+    }
+
+    /// Where power leaves, unless a gear says otherwise.
+    #[must_use]
+    pub fn output(&self) -> LinkId {
+        self.output
+    }
+
+    /// Remarks made when it was built.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// The gear of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn gear(&self, name: &str) -> Result<&Gear, Error> {
+        self.gears.iter().find(|gear| gear.name() == name).ok_or_else(|| Error::Unknown {
+            what: Named::Gear,
+            name: name.into(),
+            place: format!("gearbox `{}`", self.name),
+            suggestion: nearest(name, self.gears.iter().map(Gear::name)),
+        })
+    }
+
+    /// A gear that need not be among the named ones: these controls, input and output.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a control or link that does not exist, [`Error::GroundedTerminal`]
+    /// where power would enter or leave at the housing.
+    pub fn gear_of(&self, engaged: &[&str], input: &str, output: &str) -> Result<Gear, Error> {
+        let place = || "a gear".to_owned();
+        let controls = engaged.iter().map(|id| self.control(id, place())).collect::<Result<Vec<_>, _>>()?;
+        let terminal = |name: &str, which: &str| match self.link(name) {
+            Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: which.into() }),
+            Some(link) => Ok(link),
+            None => Err(self.unknown_link(name, which.into())),
+        };
+        Ok(Gear {
+            name: engaged.join("+").into(),
+            engaged: ascending(controls).into(),
+            input: terminal(input, "input")?,
+            output: terminal(output, "output")?,
+        })
+    }
+
+    pub(crate) fn control(&self, id: &str, place: String) -> Result<usize, Error> {
+        self.controls.iter().position(|control| control.id == id).ok_or_else(|| Error::Unknown {
+            what: Named::Control,
+            name: id.into(),
+            place,
+            suggestion: nearest(id, self.controls.iter().map(|control| control.id.as_str())),
+        })
+    }
+
+    pub(crate) fn unknown_link(&self, name: &str, place: String) -> Error {
+        Error::Unknown {
+            what: Named::Link,
+            name: name.into(),
+            place,
+            suggestion: nearest(name, self.links.iter().map(String::as_str)),
+        }
+    }
+
+    /// The equations of a set.
+    pub(crate) fn equations_of(&self, set: usize) -> Range<usize> {
+        let from = self.equations.partition_point(|one| one.set < set);
+        from..from + self.equations[from..].partition_point(|one| one.set == set)
+    }
+
+    /// Adds a set with its equations and segments.
+    pub(crate) fn push_set(&mut self, set: PlanetSet) {
+        let (place, from) = (self.sets.len(), self.equations.len());
+        let tree = &set.tree;
+        for (at, &central) in tree.order.iter().enumerate() {
+            self.equations.push(Equation {
+                set: place,
+                central,
+                links: [set.members()[tree.root], set.members()[central], set.carrier()],
+                ratio: tree.ratios[at],
+                rational: tree.rationals[at],
+                exact: tree.exact[at],
+            });
+        }
+        for segment in &tree.segments {
+            let behind = from + segment.behind.start..from + segment.behind.end;
+            self.segments.push(Segment { set: place, behind, efficiency: segment.efficiency });
+        }
+        self.sets.push(set);
+        for equation in from..self.equations.len() {
+            self.drawn.push(DrawnSet::of(self, equation));
+        }
+    }
+
+    /// Whether a gear is one of this gearbox, or could be.
+    pub(crate) fn check_gear(&self, gear: &Gear) -> Result<(), Error> {
+        let fits = gear.engaged.iter().all(|&control| control < self.controls.len())
+            && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
+        if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }
+    }
+
+    /// Whether any set is an ordinary pair, whose gears need not share the axis of the others.
+    #[must_use]
+    pub fn has_pairs(&self) -> bool {
+        self.sets.iter().any(PlanetSet::is_pair)
+    }
+}
+
+/// Each once, in order: what is engaged twice is engaged.
+pub(crate) fn ascending(mut places: Vec<usize>) -> Vec<usize> {
+    places.sort_unstable();
+    places.dedup();
+    places
+}

@@ -1,0 +1,129 @@
+//! A gear at work: its speeds, torques and powers as quantities.
+
+use crate::compiled::Direction;
+use crate::tolerance::LARGEST_LOAD;
+use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
+use crate::{Analysis, Error, State};
+use uom::si::f64::{AngularVelocity, Power, Torque};
+
+/// What is known of the load at the input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum InputLoad {
+    /// Torque on the input from outside.
+    Torque(Torque),
+    /// Power that enters at the input; negative where the machine overruns and power leaves there.
+    Power(Power),
+}
+
+/// Speeds, torques and powers of a gear at an operating point.
+///
+/// Torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace. A control's
+/// torque acts on its first link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Operation {
+    /// Which way power runs, from the sign of the input's.
+    pub direction: Direction,
+    /// Speed of each link by [`LinkId::index`](crate::LinkId::index); `None` where it does not follow.
+    pub speeds: Vec<Option<AngularVelocity>>,
+    /// Slip of each shift element.
+    pub slips: Vec<Option<AngularVelocity>>,
+    /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members).
+    pub members: Vec<Option<Vec<Torque>>>,
+    /// Torque of each shift element.
+    pub controls: Vec<Option<Torque>>,
+    /// Torque on the input.
+    pub input: Torque,
+    /// Torque on the output.
+    pub output: Torque,
+    /// Power through each link.
+    pub links: Vec<Option<Power>>,
+    /// Power that the meshes take.
+    pub loss: Power,
+    /// Power that enters and leaves again: at the input when driving, at the output when overrun.
+    pub entering: Power,
+}
+
+impl Analysis<'_> {
+    /// The gear at this input speed and load, with losses.
+    ///
+    /// Power that enters at the input takes [`driving`](Analysis::driving); power that leaves there
+    /// takes [`overrun`](Analysis::overrun), scaled to the input's load.
+    ///
+    /// ```
+    /// use epicyclic_schemes::{Gearbox, InputLoad, set::SetSpec};
+    /// use uom::si::angular_velocity::revolution_per_minute;
+    /// use uom::si::f64::{AngularVelocity, Torque};
+    /// use uom::si::torque::newton_meter;
+    /// # fn main() -> Result<(), crate::Error> {
+    /// let gearbox = Gearbox::builder("conveyor")
+    ///     .links(["D", "B", "T1"])
+    ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
+    ///     .brake("K1", "T1")
+    ///     .input("D")
+    ///     .output("B")
+    ///     .gear("slow", ["K1"])
+    ///     .build()?;
+    /// let rpm = AngularVelocity::new::<revolution_per_minute>;
+    /// let load = InputLoad::Torque(Torque::new::<newton_meter>(500.0));
+    /// let work = gearbox.analyze("slow")?.at(rpm(1480.0), load)?;
+    /// // The brake holds what input and output leave: −T_in − T_out = 1500 N·m.
+    /// assert!((work.controls[0].unwrap().get::<newton_meter>() - 1500.0).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotDriven`] in any other state or where no torque moves the gear;
+    /// [`Error::OperatingPoint`] for a speed or load that is not finite, for power at rest, and for
+    /// power out of the input of a gear that locks itself.
+    pub fn at(&self, input_speed: AngularVelocity, load: InputLoad) -> Result<Operation, Error> {
+        let refuse = |why| Error::OperatingPoint { why };
+        let not_driven = || Error::NotDriven { state: self.state().to_string() };
+        let speed_rad_s = rad_per_s(input_speed);
+        let torque_n_m = match load {
+            InputLoad::Torque(torque) => n_m(torque),
+            InputLoad::Power(_) if speed_rad_s == 0.0 => {
+                return Err(refuse("an input at rest takes no power"));
+            }
+            InputLoad::Power(power) => watts(power) / speed_rad_s,
+        };
+        if ![speed_rad_s, torque_n_m].iter().all(|value| value.abs() <= LARGEST_LOAD) {
+            return Err(refuse("speed and load are numbers up to 1e50 in size"));
+        }
+        if self.ideal().is_none()
+            || matches!(self.state(), State::SelfLocking { .. }) && torque_n_m * speed_rad_s >= 0.0
+        {
+            return Err(not_driven());
+        }
+        let direction = if torque_n_m * speed_rad_s >= 0.0 { Direction::Drive } else { Direction::Overrun };
+        let (case, scale) = match direction {
+            Direction::Drive => (self.driving(), torque_n_m),
+            Direction::Overrun => {
+                let case = self.overrun().filter(|case| case.efficiency > 0.0);
+                let locked = refuse("power cannot leave at the input: the gear locks itself when overrun");
+                let case = case.ok_or(locked)?;
+                (Some(case), torque_n_m / case.input)
+            }
+        };
+        let case = case.ok_or_else(not_driven)?;
+        let of_speed = |x: &Option<f64>| x.map(|x| angular_velocity(x * speed_rad_s));
+        let of_torque = |x: f64| torque(x * scale);
+        let of_power = |x: f64| power(x * (scale * speed_rad_s).abs());
+        Ok(Operation {
+            direction,
+            speeds: self.speeds().iter().map(of_speed).collect(),
+            slips: self.slips().iter().map(of_speed).collect(),
+            members: case
+                .members
+                .iter()
+                .map(|m| m.as_ref().map(|m| m.iter().copied().map(of_torque).collect()))
+                .collect(),
+            controls: case.controls.iter().map(|c| c.map(of_torque)).collect(),
+            input: of_torque(case.input),
+            output: of_torque(case.output),
+            links: case.power.links.iter().map(|p| p.map(of_power)).collect(),
+            loss: of_power(1.0 - case.efficiency),
+            entering: of_power(1.0),
+        })
+    }
+}

@@ -1,0 +1,117 @@
+//! Circulating power against the smallest cut: what circulates through an arc of the power graph is, by the theorem
+//! of Ford and Fulkerson, the least that any set of vertices between its ends lets through.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
+mod common;
+
+use common::oracle::{BoxPlan, Dice};
+use epicyclic_train::{Gearbox, LinkId, LoadCase, State};
+
+/// An arc: from, to, power, and what the solver says circulates through it.
+type Arc = (usize, usize, f64, f64);
+
+/// Members and shift elements as arcs between links and sets.
+fn arcs(gearbox: &Gearbox, case: &LoadCase, speeds: &[Option<f64>]) -> Vec<Arc> {
+    let links = gearbox.links().len();
+    let mut found = vec![];
+    let mut add = |from: usize, to: usize, power: f64, round: f64| {
+        let arc = if power > 0.0 { (from, to, power, round) } else { (to, from, -power, -round) };
+        found.push(arc);
+    };
+    for (place, (set, power)) in gearbox.sets().iter().zip(&case.power.sets).enumerate() {
+        for (member, link) in set.members().iter().enumerate() {
+            let power = power.as_ref().unwrap().members[member];
+            add(link.index(), links + place, power, case.power.circulating_member(place, member));
+        }
+    }
+    for (place, control) in gearbox.controls().iter().enumerate() {
+        let [first, second] = control.links().map(LinkId::index);
+        let power = case.controls[place].unwrap() * speeds[first].unwrap_or(0.0);
+        // Its torque acts on the first link: the power comes from the second.
+        add(second, first, power, case.power.circulating_control(place));
+    }
+    found
+}
+
+/// The least cut between the ends of an arc, over all sets of vertices.
+fn least_cut(arcs: &[Arc], through: usize, vertices: usize) -> f64 {
+    let (end, start) = (arcs[through].0, arcs[through].1);
+    let mut least = f64::INFINITY;
+    for set in 0..1_u32 << vertices {
+        let has = |vertex: usize| set >> vertex & 1 == 1;
+        if !has(start) || has(end) {
+            continue;
+        }
+        let cut = arcs
+            .iter()
+            .enumerate()
+            .filter(|(place, arc)| *place != through && has(arc.0) && !has(arc.1))
+            .map(|(_, arc)| arc.2)
+            .sum();
+        least = least.min(cut);
+    }
+    least.min(arcs[through].2)
+}
+
+/// Whether any directed loop is left when vertices that only give or only take are taken away.
+fn has_loop(arcs: &[Arc], nothing: f64, vertices: usize) -> bool {
+    let mut reach = vec![vec![false; vertices]; vertices];
+    arcs.iter().filter(|arc| arc.2 > nothing).for_each(|arc| reach[arc.0][arc.1] = true);
+    for middle in 0..vertices {
+        for from in 0..vertices {
+            for to in 0..vertices {
+                reach[from][to] |= reach[from][middle] && reach[middle][to];
+            }
+        }
+    }
+    (0..vertices).any(|vertex| reach[vertex][vertex])
+}
+
+#[test]
+fn what_circulates_is_the_least_cut() {
+    let mut dice = Dice(0xf10);
+    let (mut compared, mut round, mut without, mut entwined) = (0, 0, 0, 0);
+    for _ in 0..6000 {
+        let mut plan = BoxPlan::random(4, 30, &mut dice);
+        plan.ties.clear();
+        let Ok(gearbox) = plan.build(None) else { continue };
+        let vertices = gearbox.links().len() + gearbox.sets().len();
+        if vertices > 12 {
+            continue;
+        }
+        let found = gearbox.analyze("g").unwrap();
+        if *found.kinematic_state() != State::Driven {
+            continue;
+        }
+        for case in [found.ideal(), found.driving(), found.overrun()].into_iter().flatten() {
+            if case.members.iter().chain([&None; 0]).any(Option::is_none)
+                || case.controls.iter().any(Option::is_none)
+                || case.power.largest > 1e3
+            {
+                continue;
+            }
+            let arcs = arcs(&gearbox, case, found.speeds());
+            let scale = case.power.largest;
+            let mut most = 0.0_f64;
+            for place in 0..arcs.len() {
+                let expected = least_cut(&arcs, place, vertices);
+                assert!((arcs[place].3 - expected).abs() < 1e-10 * scale, "{:?} {expected}", arcs[place]);
+                most = most.max(expected);
+            }
+            assert!((case.power.circulating - most).abs() < 1e-10 * scale);
+            if !has_loop(&arcs, 1e-12 * scale, vertices) {
+                assert_eq!(case.power.circulating, 0.0);
+                without += 1;
+            }
+            compared += 1;
+            round += usize::from(most > 1e-6);
+            let parts = arcs.iter().filter(|arc| arc.3 > 1e-6 && arc.3 < most - 1e-6).count();
+            entwined += usize::from(parts > 0);
+        }
+    }
+    println!(
+        "{compared} cases, {round} circulate, {without} without a loop, {entwined} in loops that share arcs"
+    );
+    assert!(compared > 1000 && round > 200 && without > 500 && entwined > 50);
+}

@@ -1,0 +1,363 @@
+//! Bad descriptions, one fault each, and the answer each gets.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::teeth::ToothCount;
+use epicyclic_train::compound::CompoundSpec;
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_train::tolerance::MOST_SETS;
+use epicyclic_train::{
+    CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Solution, Values,
+    Warning,
+};
+use uom::si::angular_velocity::radian_per_second;
+use uom::si::f64::{AngularVelocity, Power, Torque};
+use uom::si::power::watt;
+use uom::si::torque::newton_meter;
+
+fn sound() -> GearboxBuilder {
+    Gearbox::builder("box")
+        .links(["drive", "ring", "driven"])
+        .set(SetSpec::simple("1", ["drive", "ring", "driven"], 3.0))
+        .brake("K1", "ring")
+        .input("drive")
+        .output("driven")
+        .gear("1", ["K1"])
+}
+
+fn fault(builder: GearboxBuilder) -> Error {
+    builder.build().unwrap_err()
+}
+
+#[test]
+fn the_sound_description_is_accepted() {
+    assert!(sound().build().is_ok());
+}
+
+#[test]
+fn an_unknown_link_is_named_with_its_nearest() {
+    let found = fault(sound().brake("K2", "rign"));
+    assert_eq!(
+        found.to_string(),
+        "shift element `K2` names the link `rign`, which does not exist; did you mean `ring`?"
+    );
+    assert!(matches!(found, Error::Unknown { what: Named::Link, .. }));
+    let far = fault(sound().set(SetSpec::simple("2", ["drive", "wheelhouse", "driven"], 2.0)));
+    assert_eq!(far.to_string(), "set `2` names the link `wheelhouse`, which does not exist");
+}
+
+#[test]
+fn an_unknown_control_of_a_gear_is_named() {
+    let found = fault(sound().gear("2", ["K2"]));
+    assert_eq!(
+        found.to_string(),
+        "gear `2` names the shift element `K2`, which does not exist; did you mean `K1`?"
+    );
+    let gearbox = sound().build().unwrap();
+    assert!(matches!(gearbox.analyze("3"), Err(Error::Unknown { what: Named::Gear, .. })));
+    assert!(matches!(gearbox.gear_of(&["K9"], "drive", "driven"), Err(Error::Unknown { .. })));
+}
+
+#[test]
+fn members_on_one_link_are_refused() {
+    let on_one = fault(sound().set(SetSpec::simple("2", ["drive", "drive", "driven"], 2.0)));
+    let expected =
+        Error::CoincidentMembers { set: "2".into(), first: "sun", second: "ring", link: "drive".into() };
+    assert_eq!(on_one, expected);
+    // The same by a permanent connection, and by two permanent grounds.
+    assert!(matches!(fault(sound().tie("drive", "ring")), Error::CoincidentMembers { .. }));
+    assert!(matches!(fault(sound().ground("drive").ground("ring")), Error::CoincidentMembers { .. }));
+}
+
+#[test]
+fn a_row_parameter_of_one_is_refused_of_a_simple_row_only() {
+    for k in [1.0, 0.5, 0.0, -2.0, f64::NAN, f64::INFINITY] {
+        let row = SetSpec::simple("2", ["drive", "ring", "driven"], k);
+        assert!(matches!(fault(sound().set(row)), Error::RowParameter { kind: SetKind::Simple, .. }), "{k}");
+    }
+    let teeth = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 60, 60).unwrap();
+    assert!(matches!(fault(sound().set(teeth)), Error::RowParameter { .. }));
+    for kind in [SetKind::Bevel, SetKind::MeshingSuns, SetKind::DoublePlanet, SetKind::SteppedSuns] {
+        assert!(sound().set(SetSpec::new("2", kind, ["drive", "ring", "driven"], 0.8)).build().is_ok());
+        let none = SetSpec::new("2", kind, ["drive", "ring", "driven"], 0.0);
+        assert!(matches!(fault(sound().set(none)), Error::RowParameter { .. }));
+    }
+}
+
+#[test]
+fn a_stepped_row_needs_its_steps() {
+    let row = SetSpec::teeth("2", SetKind::SteppedRings, ["drive", "ring", "driven"], 60, 63).unwrap();
+    assert!(matches!(fault(sound().set(row.clone())), Error::StepsMissing { .. }));
+    let teeth = |n| ToothCount::new(n).unwrap();
+    let gearbox = sound().set(row.planet_teeth(teeth(20), Some(teeth(21)))).build().unwrap();
+    assert!((gearbox.sets()[1].basic_ratio().get() - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn names_are_unique() {
+    assert_eq!(fault(sound().links(["ring"])), Error::Duplicate { what: Named::Link, name: "ring".into() });
+    assert!(matches!(fault(sound().links(["ground"])), Error::Duplicate { what: Named::Link, .. }));
+    assert!(matches!(fault(sound().brake("K1", "driven")), Error::Duplicate { what: Named::Control, .. }));
+    assert!(matches!(fault(sound().gear("1", ["K1"])), Error::Duplicate { what: Named::Gear, .. }));
+    let row = SetSpec::simple("1", ["drive", "ring", "driven"], 2.0);
+    assert!(matches!(fault(sound().set(row)), Error::Duplicate { what: Named::Set, .. }));
+}
+
+#[test]
+fn a_control_joins_two_links() {
+    let found = fault(sound().clutch("K2", "ring", "ring"));
+    assert_eq!(found, Error::ControlJoinsItself { control: "K2".into(), link: "ring".into() });
+    assert!(matches!(fault(sound().brake("K2", "ground")), Error::ControlJoinsItself { .. }));
+}
+
+#[test]
+fn permanent_connections_close_no_loop() {
+    let loops = sound().links(["x", "y"]).ground("x").tie("x", "y").ground("y");
+    assert_eq!(fault(loops), Error::CyclicGrounds { first: "y".into(), second: "ground".into() });
+    assert!(matches!(fault(sound().ground("ground")), Error::CyclicGrounds { .. }));
+}
+
+#[test]
+fn power_does_not_enter_at_the_housing() {
+    assert_eq!(fault(sound().input("ground")), Error::GroundedTerminal { place: "input".into() });
+    let gear = GearSpec { name: "2".into(), engaged: vec![], input: None, output: Some("ground".into()) };
+    assert_eq!(
+        fault(sound().gear_spec(gear)),
+        Error::GroundedTerminal { place: "output of gear `2`".into() }
+    );
+    let unfinished = Gearbox::builder("box").set(SetSpec::simple("1", ["a", "b", "c"], 2.0));
+    assert_eq!(fault(unfinished), Error::NoTerminal { terminal: "input" });
+    assert_eq!(fault(Gearbox::builder("nothing")), Error::NoSets);
+}
+
+#[test]
+fn shifted_profiles_are_a_matter_of_tooth_checks() {
+    let row = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 22, 58).unwrap();
+    let gearbox = sound().set(row.planet_teeth(ToothCount::new(17).unwrap(), None)).build().unwrap();
+    assert_eq!(gearbox.warnings(), []);
+    let found = gearbox.tooth_checks(&BasicRack::default());
+    assert_eq!(
+        found.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        [
+            "set `2`: planet (17 teeth) is 19.5 modules from the axis by the sun (22 teeth) and 20.5 by the ring (58 \
+          teeth): equal centre distances need shifted profiles"
+        ]
+    );
+}
+
+#[test]
+fn a_set_has_a_planet_or_says_nothing_of_their_number() {
+    let set = |count| SetSpec::simple("2", ["drive", "ring", "driven"], 3.0).planet_count(count);
+    for given in [0, 1001] {
+        let error = fault(sound().set(set(given)));
+        assert_eq!(error, Error::PlanetCount { set: "2".into(), given });
+    }
+    assert_eq!(
+        fault(sound().set(set(0))).to_string(),
+        "set `2` has 0 planets: 1 to 1000 of each are allowed; leave the number out where it is unknown"
+    );
+    assert!(sound().set(set(1)).build().is_ok());
+    let fault = sound().links(["small"]).compound_set(compound().planet_count(0)).build().unwrap_err();
+    assert_eq!(fault, Error::PlanetCount { set: "R".into(), given: 0 });
+}
+
+#[test]
+fn a_terminal_that_nothing_reaches_is_a_warning() {
+    let gearbox = sound().links(["pto"]).output("pto").build().unwrap();
+    assert_eq!(gearbox.warnings(), [Warning::Unreachable { link: "pto".into() }]);
+}
+
+/// A Ravigneaux set, whose faults are those of any compound set.
+fn compound() -> CompoundSpec {
+    let eta = MeshEfficiency::new(0.99).unwrap();
+    CompoundSpec::new("R", "driven")
+        .sun("small", 30)
+        .sun("drive", 36)
+        .ring("ring", 72)
+        .planet("short", &[18])
+        .planet("long", &[18])
+        .mesh("small", "short", eta)
+        .mesh("short", "long", eta)
+        .mesh("drive", "long", eta)
+        .mesh("long", "ring", eta)
+}
+
+#[test]
+fn the_faults_of_a_compound_set_are_named() {
+    let eta = MeshEfficiency::new(0.99).unwrap();
+    let fault =
+        |spec: CompoundSpec| sound().links(["small"]).compound_set(spec).build().unwrap_err().to_string();
+    assert!(sound().links(["small"]).compound_set(compound()).build().is_ok());
+    let change = |mesh: usize, between: [&str; 2]| {
+        let mut spec = compound();
+        spec.meshes[mesh].between = between.map(Into::into);
+        spec
+    };
+    let without = |mesh: usize| {
+        let mut spec = compound();
+        spec.meshes.remove(mesh);
+        spec
+    };
+    let mut one_member = compound();
+    one_member.centrals.truncate(1);
+    let mut twice = compound();
+    twice.planets[1].name = "short".into();
+    let mut toothless = compound();
+    toothless.planets[0].teeth = vec![0];
+    let mut long = compound();
+    long.planets[0].teeth = vec![18; 13];
+    let mut small_ring = compound();
+    small_ring.centrals[2].teeth = 17;
+    let two_shafts = compound().planet_shaft("small", "long").planet_shaft("drive", "long");
+    let shaft_of_nothing = compound().planet_shaft("small", "wide");
+    holds_for(
+        &[
+            (one_member, "set `R`: 1 central gears: at least two members besides the carrier are due"),
+            (
+                twice,
+                "set `R`: `short` is named twice: central gears and planets of a set have names of their own",
+            ),
+            (
+                two_shafts,
+                "set `R`: `drive` is a second shaft of planet `long`: one is enough, with its link for all \
+             that it joins",
+            ),
+            (toothless, "set `R`: gear `short` has 0 teeth: at least 1 is due"),
+            (long, "set `R`: planet `short` has 13 gears: 12 at most are allowed"),
+            (
+                change(0, ["smal", "short"]),
+                "set `R`: no gear is called `smal`; did you mean `small`?; a gear of a planet with several is \
+             `planet.1`, `planet.2`…",
+            ),
+            (
+                change(0, ["small", "drive"]),
+                "set `R`: `small` and `drive` do not mesh: both are central gears, and turn about one axis",
+            ),
+            (
+                change(1, ["long", "long"]),
+                "set `R`: `long` and `long` do not mesh: they are gears of one planet, and turn as one piece",
+            ),
+            (
+                small_ring,
+                "set `R`: `long` and `ring` do not mesh: a ring has more teeth than the planet in it",
+            ),
+            (
+                compound().mesh("short", "ring", eta),
+                "set `R`: the mesh of `short` and `ring` closes a loop: other meshes tie them already; leave it out",
+            ),
+            (without(2), "set `R`: `drive` meshes with none of the others: add a mesh"),
+            (
+                shaft_of_nothing,
+                "set `R`: no gear is called `wide`; a gear of a planet with several is `planet.1`, `planet.2`…",
+            ),
+        ],
+        fault,
+    );
+    // On one link twice.
+    let mut same = compound();
+    same.centrals[0].link = "ring".into();
+    assert_eq!(
+        fault(same),
+        "sun and ring of set `R` are both `ring`: such a set turns as a block; give them two links and join these \
+         by a clutch or brake"
+    );
+}
+
+fn holds_for(cases: &[(CompoundSpec, &str)], fault: impl Fn(CompoundSpec) -> String) {
+    for (spec, expected) in cases {
+        assert_eq!(fault(spec.clone()), *expected);
+    }
+}
+
+#[test]
+fn more_than_is_solved_is_refused_with_its_number() {
+    let chain = |count: usize| {
+        let links: Vec<String> = (0..=count).map(|l| format!("w{l}")).collect();
+        let mut train = Gearbox::builder("train").links(&links).input("w0").output(&links[count]);
+        for (place, pair) in links.windows(2).enumerate() {
+            train = train.set(SetSpec::pair(&place.to_string(), [&pair[0], &pair[1]], 20, 21).unwrap());
+        }
+        train.gear("1", [""; 0])
+    };
+    // As many as are allowed are solved, with their losses.
+    let most =
+        chain(MOST_SETS).map_sets(|set| set.with_loss(MeshLoss::Row(MeshEfficiency::new(0.99).unwrap())));
+    let most = most.build().unwrap();
+    let found = most.analyze("1").unwrap();
+    assert!((found.ratio().unwrap() - 1.05_f64.powi(64)).abs() < 1e-12 * 1.05_f64.powi(64));
+    assert!((found.efficiency().unwrap() - 0.99_f64.powi(64)).abs() < 1e-13);
+    let fault = chain(1000).build().unwrap_err();
+    assert_eq!(fault, Error::TooMany { what: Named::Set, count: 1000, limit: MOST_SETS });
+    assert_eq!(fault.to_string(), "1000 planet sets: at most 64 are allowed");
+    let many = (0..17).fold(sound(), |builder, c| builder.brake(&format!("B{c}"), "ring")).build().unwrap();
+    assert!(matches!(many.combinations(0..=1), Err(Error::TooMany { what: Named::Control, .. })));
+}
+
+#[test]
+fn a_gear_of_another_gearbox_is_refused() {
+    let large = sound().brake("K2", "drive").gear("2", ["K2"]).build().unwrap();
+    let small = sound().build().unwrap();
+    let gear = large.gear("2").unwrap();
+    assert!(matches!(small.analyze_gear(gear), Err(Error::ForeignGear { .. })));
+    assert!(matches!(CompiledGear::new(&small, gear), Err(Error::ForeignGear { .. })));
+}
+
+#[test]
+fn a_basic_ratio_beyond_the_limits_is_refused() {
+    for k in [1e9, 1.0 + 1e-9] {
+        assert!(sound().set(SetSpec::simple("2", ["drive", "ring", "driven"], k)).build().is_ok());
+    }
+    let fault = fault(sound().set(SetSpec::simple("2", ["drive", "ring", "driven"], 1e11)));
+    assert_eq!(
+        fault.to_string(),
+        "k = 100000000000 of set `2` (simple): the ring of a simple set is larger than its sun, so k = z_b/z_a is \
+         above 1, and 1e9 at most"
+    );
+}
+
+#[test]
+fn a_compiled_gear_takes_one_entry_a_row() {
+    let gearbox = sound().gear("0", [""; 0]).build().unwrap();
+    let compiled = CompiledGear::new(&gearbox, gearbox.gear("1").unwrap()).unwrap();
+    let none = Values { ratios: vec![], ..gearbox.values() };
+    let found = compiled.solve(&none, Direction::Drive, &mut Solution::default());
+    assert_eq!(found, Err(Error::ValueCount { what: "basic ratios", given: 0, expected: 1 }));
+    let open = CompiledGear::new(&gearbox, gearbox.gear("0").unwrap()).unwrap_err();
+    assert_eq!(open.to_string(), "the gear is not driven: underdetermined (ring, driven)");
+}
+
+#[test]
+fn an_operating_point_is_finite_and_moves() {
+    let gearbox = sound().build().unwrap();
+    let found = gearbox.analyze("1").unwrap();
+    let rad = AngularVelocity::new::<radian_per_second>;
+    let nm = |t| InputLoad::Torque(Torque::new::<newton_meter>(t));
+    let w = |p| InputLoad::Power(Power::new::<watt>(p));
+    assert!(matches!(found.at(rad(0.0), w(10.0)), Err(Error::OperatingPoint { .. })));
+    assert!(matches!(found.at(rad(f64::NAN), nm(1.0)), Err(Error::OperatingPoint { .. })));
+    assert!(matches!(found.at(rad(1.0), nm(f64::INFINITY)), Err(Error::OperatingPoint { .. })));
+    let work = found.at(rad(100.0), w(5000.0)).unwrap();
+    assert!((work.input.get::<newton_meter>() - 50.0).abs() < 1e-12);
+    assert!((work.output.get::<newton_meter>() - -200.0).abs() < 1e-12);
+    let gearbox = sound().gear("0", [""; 0]).build().unwrap();
+    let free = gearbox.analyze("0").unwrap();
+    assert!(matches!(free.at(rad(1.0), nm(1.0)), Err(Error::NotDriven { .. })));
+}
+
+#[test]
+fn a_description_of_a_thousand_sets_is_refused_at_once() {
+    let builder = (0..1000).fold(Gearbox::builder("many"), |builder, place| {
+        let [a, b, h] = [0, 1, 2].map(|member| format!("n{}", 3 * place + member));
+        builder.links([a.clone(), b.clone(), h.clone()]).set(SetSpec::simple(
+            &place.to_string(),
+            [&a, &b, &h],
+            3.0,
+        ))
+    });
+    let start = std::time::Instant::now();
+    let refused = builder.input("n0").output("n1").build().unwrap_err();
+    assert_eq!(refused, Error::TooMany { what: Named::Set, count: 1000, limit: 64 });
+    assert!(start.elapsed().as_millis() < 20, "{:?}", start.elapsed());
+}
