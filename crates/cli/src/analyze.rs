@@ -4,7 +4,7 @@ mod combinations;
 mod gear;
 mod inputs;
 mod overview;
-mod pins;
+mod planet_bearings;
 mod shared;
 mod subject;
 

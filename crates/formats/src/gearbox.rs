@@ -51,7 +51,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::pins::{Pin, SetSize};
+use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
@@ -426,7 +426,7 @@ impl GearboxFile {
     fn check_counts(&self) -> Result<(), DescriptionError> {
         let counts = [
             (Named::Set, self.sets.len() + self.compound_sets.len(), MOST_SETS),
-            (Named::Control, self.brakes.len() + self.clutches.len(), MOST_ELEMENTS),
+            (Named::ShiftElement, self.brakes.len() + self.clutches.len(), MOST_ELEMENTS),
             (Named::Gear, self.gears.len(), MOST_GEARS),
             (Named::Link, self.links.len().max(self.ties.len()).max(self.grounds.len()), MOST_LINKS),
         ];
@@ -438,12 +438,12 @@ impl GearboxFile {
 }
 
 impl GearboxFile {
-    /// The planets of each set that has any on their pins, as far as their size is known.
+    /// The planet bearings of each set that has any, as far as their size is known.
     ///
     /// # Errors
     /// [`DescriptionError::Set`] for an invalid size.
-    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
-        pins(gearbox, |set| self.size(set))
+    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
+        planet_bearings(gearbox, |set| self.size(set))
     }
 
     /// The basic rack that the teeth are checked by.
@@ -520,12 +520,15 @@ impl SetEntry {
 }
 
 /// The planets of each set that has any, with what is known of its size.
-fn pins(gearbox: &Gearbox, size: impl Fn(&PlanetSet) -> SetSize) -> Result<Vec<Pin>, DescriptionError> {
+fn planet_bearings(
+    gearbox: &Gearbox,
+    size: impl Fn(&PlanetSet) -> SetSize,
+) -> Result<Vec<PlanetBearing>, DescriptionError> {
     let mut all = vec![];
     for (place, set) in gearbox.sets().iter().enumerate() {
-        if let Some(pins) = gearbox.pins(place, &size(set)) {
+        if let Some(bearings) = gearbox.planet_bearings(place, &size(set)) {
             let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
-            all.extend(pins.map_err(refuse)?);
+            all.extend(bearings.map_err(refuse)?);
         }
     }
     Ok(all)
@@ -549,8 +552,8 @@ fn losses(
     };
     match (efficiency, meshes) {
         (None, None) => Ok(MeshLoss::IDEAL),
-        (Some(whole), None) => Ok(MeshLoss::Row(eta(whole)?)),
-        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Row(eta(*only)?)),
+        (Some(whole), None) => Ok(MeshLoss::Set(eta(whole)?)),
+        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Set(eta(*only)?)),
         (None, Some([first, second])) if expected == 2 => {
             Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
         }
@@ -591,7 +594,7 @@ mod tests {
             read(&format!("{SCHEME}k: 3, {text} }}\n")).map(|g| g.sets()[0].short().unwrap().loss)
         };
         let eta = |value| MeshEfficiency::new(value).unwrap();
-        assert_eq!(loss("efficiency: 0.97"), Ok(MeshLoss::Row(eta(0.97))));
+        assert_eq!(loss("efficiency: 0.97"), Ok(MeshLoss::Set(eta(0.97))));
         assert_eq!(loss("meshes: [0.98, 0.99]"), Ok(MeshLoss::sun_and_ring(eta(0.98), eta(0.99))));
         assert!(loss("meshes: [0.98]").unwrap_err().contains("with 2 efficiencies"));
         assert!(loss("efficiency: 1.2").unwrap_err().starts_with("set `P`"));

@@ -44,10 +44,10 @@ fn closed_planetary_gears_have_the_ratios_of_their_comments() {
 #[test]
 fn a_sized_gearbox_lacks_nothing_for_the_forces_on_its_planets() {
     let file: GearboxFile = example("sized-gearbox.yaml");
-    let pins = file.pins(&file.gearbox().unwrap()).unwrap();
-    assert_eq!(pins.len(), 2);
-    assert!(pins.iter().all(|pin| pin.lacks.is_empty()), "{pins:?}");
+    let bearings = file.planet_bearings(&file.gearbox().unwrap()).unwrap();
+    assert_eq!(bearings.len(), 2);
+    assert!(bearings.iter().all(|bearing| bearing.lacks.is_empty()), "{bearings:?}");
     let unsized_: GearboxFile = example("scheme-ii-3.yaml");
-    let pins = unsized_.pins(&unsized_.gearbox().unwrap()).unwrap();
-    assert!(pins.iter().all(|pin| pin.lacks.len() == 3), "{pins:?}");
+    let bearings = unsized_.planet_bearings(&unsized_.gearbox().unwrap()).unwrap();
+    assert!(bearings.iter().all(|bearing| bearing.lacks.len() == 3), "{bearings:?}");
 }

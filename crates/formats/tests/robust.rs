@@ -136,15 +136,15 @@ fn work_through(gearbox: &Gearbox) {
     let speed = AngularVelocity::new::<radian_per_second>(150.0);
     for gear in gearbox.gears() {
         let Ok(analysis) = gearbox.analyze(gear.name()) else { continue };
-        let numbers = [analysis.ratio(), analysis.efficiency(), analysis.overrun_efficiency()];
+        let numbers = [analysis.ratio(), analysis.efficiency(), analysis.back_driving_efficiency()];
         assert!(numbers.iter().flatten().all(|number| !number.is_nan()), "{gearbox:?} {numbers:?}");
         assert!(analysis.speeds().iter().flatten().all(|speed| !speed.is_nan()), "{gearbox:?}");
         for torque_n_m in [500.0, -1e300] {
             let _ = analysis.at(speed, InputLoad::Torque(Torque::new::<newton_meter>(torque_n_m)));
         }
     }
-    if gearbox.controls().len() <= 6 {
-        let _ = gearbox.combinations(0..=gearbox.controls().len());
+    if gearbox.shift_elements().len() <= 6 {
+        let _ = gearbox.combinations(0..=gearbox.shift_elements().len());
     }
 }
 
@@ -169,8 +169,8 @@ fn gearbox(text: &str) -> Result<(), String> {
             assert!(state.speeds.iter().flatten().all(|speed| !speed.value.is_nan()), "{text}");
         }
     }
-    for pin in file.pins(&gearbox).map_err(at)? {
-        let _ = pin.forces(Some(&torques), Some(speed));
+    for bearing in file.planet_bearings(&gearbox).map_err(at)? {
+        let _ = bearing.forces(Some(&torques), Some(speed));
     }
     Ok(())
 }

@@ -10,25 +10,25 @@ use std::hint::black_box;
 #[path = "../../train/tests/common/machines.rs"]
 mod machines;
 
-fn two_row(rows: [[&str; 3]; 2]) -> Gearbox {
-    Gearbox::builder("two rows")
+fn two_sets(sets: [[&str; 3]; 2]) -> Gearbox {
+    Gearbox::builder("two sets")
         .links(["D", "B", "T1", "T2"])
-        .set(SetSpec::simple("1", rows[0], 2.15))
-        .set(SetSpec::simple("2", rows[1], 2.354))
+        .set(SetSpec::simple("1", sets[0], 2.15))
+        .set(SetSpec::simple("2", sets[1], 2.354))
         .brake("K1", "T1")
         .brake("K2", "T2")
         .clutch("direct", "D", "B")
         .input("D")
         .output("B")
         .build()
-        .expect("two rows are a gearbox")
+        .expect("two sets are a gearbox")
 }
 
 fn drawability(criterion: &mut Criterion) {
     let cases = [
-        ("two_row", two_row([["T1", "D", "B"], ["T1", "B", "T2"]]), true),
-        ("two_row_crossing", two_row([["D", "B", "T1"], ["D", "B", "T2"]]), false),
-        ("four_row", machines::eight_speed().gearbox, true),
+        ("two_sets", two_sets([["T1", "D", "B"], ["T1", "B", "T2"]]), true),
+        ("two_sets_crossing", two_sets([["D", "B", "T1"], ["D", "B", "T2"]]), false),
+        ("four_sets", machines::eight_speed().gearbox, true),
     ];
     let mut group = criterion.benchmark_group("drawability");
     for (name, gearbox, drawable) in &cases {

@@ -1,10 +1,10 @@
 //! Carriers with several planets: which embeddings of the graph a carrier can be drawn for.
 //!
-//! The planet of a row is one vertex with its carrier, so around that vertex the two meshes of a row
+//! The planet of a set is one vertex with its carrier, so around that vertex the two meshes of a set
 //! are the ends of a chord through the carrier: sun below, ring above. A carrier reaches both sides
 //! of its planet, so one chord may cut the vertex anywhere. Two chords must not cross: beyond its own
-//! chord a planet sees the whole of every other row of its carrier on one side. Where the embedding
-//! found has crossing chords, one of the rows is settled by trying on which side of it everything
+//! chord a planet sees the whole of every other set of its carrier on one side. Where the embedding
+//! found has crossing chords, one of the sets is settled by trying on which side of it everything
 //! else of the carrier lies; each trial is again a question of planarity, and a trial that is not
 //! planar with all other chords free is cut off.
 //!
@@ -126,7 +126,7 @@ fn units(graph: &Graph, planet: usize) -> Vec<Vec<usize>> {
 /// The same graph with one planet a vertex of its own between two webs of its carrier.
 fn split<'a>(graph: &Graph, planet: usize, beyond: impl Iterator<Item = &'a usize>) -> Graph {
     let mut split = graph.clone();
-    let Planet { row, carrier, sun, ring } = split.planets.remove(planet);
+    let Planet { set, carrier, sun, ring } = split.planets.remove(planet);
     let (vertex, web) = (graph.vertices, graph.vertices + 1);
     split.vertices += 2;
     for (edges, to) in [(vec![sun, ring], vertex), (beyond.copied().collect(), web)] {
@@ -143,8 +143,8 @@ fn split<'a>(graph: &Graph, planet: usize, beyond: impl Iterator<Item = &'a usiz
             }
         }
     }
-    split.join([carrier, vertex], Kind::Arm(row));
-    split.join([vertex, web], Kind::Arm(row));
+    split.join([carrier, vertex], Kind::Arm(set));
+    split.join([vertex, web], Kind::Arm(set));
     split
 }
 

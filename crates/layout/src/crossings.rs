@@ -8,10 +8,10 @@ use epicyclic_train::LinkId;
 pub enum Line {
     /// A shaft, drum or web of a link.
     Link(LinkId),
-    /// Wheel 1 (0), wheel 2 (1) or planet (2) of a row.
-    Wheel {
-        /// Place of the row in the gearbox.
-        row: usize,
+    /// Central gear 1 (0), central gear 2 (1) or planet (2) of a set.
+    Gear {
+        /// Place of the set in the gearbox.
+        set: usize,
         /// Which of its members.
         member: usize,
     },
@@ -34,8 +34,8 @@ impl Layout {
     /// Lines of different links that meet, however little; empty for every layout returned by
     /// [`draw`](super::draw).
     ///
-    /// Compared are all pairs of shafts, drums, webs, wheels and planets; wheels meet planets of
-    /// their own row in the contact alone. Nothing may lie below the axis or reach beyond the
+    /// Compared are all pairs of shafts, drums, webs, central gears and planets; central gears meet planets of
+    /// their own set in the contact alone. Nothing may lie below the axis or reach beyond the
     /// housing, and only the links of input and output may touch the axis.
     #[must_use]
     pub fn crossings(&self) -> Vec<Crossing> {
@@ -66,7 +66,7 @@ impl Layout {
         let links = self.links.iter().flat_map(|shape| {
             shape.segments.iter().map(|segment| (Line::Link(shape.link), shape.link, *segment))
         });
-        let wheels = self.rows.iter().flat_map(|stack| {
+        let gears = self.sets.iter().flat_map(|stack| {
             let spans = [
                 (stack.sun, stack.sun_mesh),
                 (stack.ring_mesh, stack.ring),
@@ -75,20 +75,20 @@ impl Layout {
             [0, 1, 2].map(|member| {
                 let (from, to) = spans[member];
                 let at = |y| Point { x: stack.x, y };
-                let line = Line::Wheel { row: stack.row, member };
+                let line = Line::Gear { set: stack.set, member };
                 (line, stack.members[member], Segment { from: at(from), to: at(to) })
             })
         });
-        links.chain(wheels).collect()
+        links.chain(gears).collect()
     }
 
-    /// Whether two lines are wheels in contact where they should be.
+    /// Whether two lines are gears in contact where they should be.
     fn mesh(&self, first: Line, second: Line, at: Point) -> bool {
-        let (Line::Wheel { row, member: a }, Line::Wheel { row: other, member: b }) = (first, second) else {
+        let (Line::Gear { set, member: a }, Line::Gear { set: other, member: b }) = (first, second) else {
             return false;
         };
-        let Some(stack) = self.rows.iter().find(|stack| stack.row == row) else { return false };
-        row == other
+        let Some(stack) = self.sets.iter().find(|stack| stack.set == set) else { return false };
+        set == other
             && match (a.min(b), a.max(b)) {
                 (0, 2) => at.y == stack.sun_mesh,
                 (1, 2) => at.y == stack.ring_mesh,

@@ -44,11 +44,11 @@ impl Grid {
         // Nodes: faces by their root, then one for each edge or stack.
         let mut first_of: Vec<Option<usize>> = vec![];
         let column = |edge: usize, first_of: &mut Vec<Option<usize>>| {
-            let Some(row) = map.in_stack(edge) else { return edge };
-            if first_of.len() <= row {
-                first_of.resize(row + 1, None);
+            let Some(set) = map.in_stack(edge) else { return edge };
+            if first_of.len() <= set {
+                first_of.resize(set + 1, None);
             }
-            *first_of[row].get_or_insert(edge)
+            *first_of[set].get_or_insert(edge)
         };
         let base = 2 * map.ends.len();
         let mut steps = vec![];

@@ -1,4 +1,4 @@
-//! A drawing in the half-plane: rows as stacks, links as straight lines, controls as short gaps.
+//! A drawing in the half-plane: sets as stacks, links as straight lines, shift elements as short gaps.
 
 use super::grid::Grid;
 use super::map::Map;
@@ -40,35 +40,35 @@ pub struct LinkShape {
     pub segments: Vec<Segment>,
 }
 
-/// A row in section above the axis: first wheel, planet, second wheel upwards at one place.
+/// A set in section above the axis: first central gear, planet, second central gear upwards at one place.
 ///
-/// For rows with a sun and a ring this is the picture itself. The wheels of the other kinds are
-/// stacked in the same order, wheel 1, planet, wheel 2: see [what is idealised](super#idealised).
+/// For sets with a sun and a ring this is the picture itself. The central gears of the other kinds are
+/// stacked in the same order, central gear 1, planet, central gear 2: see [what is idealised](super#idealised).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RowStack {
-    /// Place of the row in [`Gearbox::sets`].
-    pub row: usize,
-    /// Links of wheel 1, wheel 2 and carrier as they are drawn.
+pub struct SetStack {
+    /// Place of the set in [`Gearbox::drawn_sets`].
+    pub set: usize,
+    /// Links of central gear 1, central gear 2 and carrier as they are drawn.
     pub members: [LinkId; 3],
     /// Place along the axis.
     pub x: f64,
-    /// Shaft or web that carries wheel 1.
+    /// Shaft or web that carries central gear 1.
     pub sun: f64,
-    /// Contact of wheel 1 and planet.
+    /// Contact of central gear 1 and planet.
     pub sun_mesh: f64,
-    /// Pin of the planet.
+    /// The planet pin.
     pub planet: f64,
-    /// Contact of planet and wheel 2.
+    /// Contact of planet and central gear 2.
     pub ring_mesh: f64,
-    /// Drum or web that carries wheel 2.
+    /// Drum or web that carries central gear 2.
     pub ring: f64,
 }
 
 /// A clutch: a gap between two links that it closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClutchMark {
-    /// Place of the control in [`Gearbox::controls`]; further numbers are locks asked for.
-    pub control: usize,
+    /// Place of the shift element in [`Gearbox::shift_elements`]; further numbers are direct-drive clutches asked for.
+    pub shift_element: usize,
     /// Link and its end below the gap.
     pub lower: (LinkId, Point),
     /// Link and its end above the gap.
@@ -78,8 +78,8 @@ pub struct ClutchMark {
 /// A brake: a gap between a link and the housing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BrakeMark {
-    /// Place of the control in [`Gearbox::controls`].
-    pub control: usize,
+    /// Place of the shift element in [`Gearbox::shift_elements`].
+    pub shift_element: usize,
     /// The link it holds.
     pub link: LinkId,
     /// End of the link at the gap.
@@ -100,8 +100,8 @@ pub struct ShaftEnd {
 /// A drawing of a gearbox without a crossing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
-    /// Rows, in their order in the gearbox.
-    pub rows: Vec<RowStack>,
+    /// Sets, in their order in the gearbox.
+    pub sets: Vec<SetStack>,
     /// Links that have anything to draw.
     pub links: Vec<LinkShape>,
     /// Clutches. One between links that are one piece anyway is not drawn.
@@ -171,8 +171,8 @@ impl Drawing<'_> {
         f64::from(self.grid.height[vertex])
     }
 
-    fn row_piece(&self, row: usize, member: usize) -> LinkId {
-        self.scheme.piece(self.gearbox.drawn_sets()[row].links[member])
+    fn set_piece(&self, set: usize, member: usize) -> LinkId {
+        self.scheme.piece(self.gearbox.drawn_sets()[set].links[member])
     }
 
     /// The piece a vertex is drawn as part of.
@@ -181,9 +181,9 @@ impl Drawing<'_> {
             Part::Bar(INPUT) => Some(self.scheme.piece(self.gearbox.input())),
             Part::Bar(OUTPUT) => Some(self.scheme.piece(self.gearbox.output())),
             Part::Bar(owner) => self.scheme.piece_at(owner),
-            Part::Sun(row) => Some(self.row_piece(row, 0)),
-            Part::Ring(row) => Some(self.row_piece(row, 1)),
-            Part::Planet(row) => Some(self.row_piece(row, 2)),
+            Part::Sun(set) => Some(self.set_piece(set, 0)),
+            Part::Ring(set) => Some(self.set_piece(set, 1)),
+            Part::Planet(set) => Some(self.set_piece(set, 2)),
         }
     }
 
@@ -229,23 +229,23 @@ impl Drawing<'_> {
             let grounded = ends.map(|piece| piece == Some(LinkId::GROUND));
             let point = |y| Point { x, y };
             match map.kinds[edge] {
-                Kind::Control(control) if grounded == [false; 2] => {
+                Kind::ShiftElement(shift_element) if grounded == [false; 2] => {
                     let middle = f64::midpoint(y0, y1);
                     pieces.push((lower, line(x, y0, x, middle - GAP)));
                     pieces.push((upper, line(x, middle + GAP, x, y1)));
                     clutches.push(ClutchMark {
-                        control,
+                        shift_element,
                         lower: (lower, point(middle - GAP)),
                         upper: (upper, point(middle + GAP)),
                     });
                 }
-                kind @ (Kind::Control(_) | Kind::TakeOff(_)) => {
+                kind @ (Kind::ShiftElement(_) | Kind::TakeOff(_)) => {
                     let (link, from, to, wall) =
                         if grounded[1] { (lower, y0, y1 - GAP, y1) } else { (upper, y1, y0 + GAP, y0) };
                     pieces.push((link, line(x, from, x, to)));
                     match kind {
-                        Kind::Control(control) => brakes.push(BrakeMark {
-                            control,
+                        Kind::ShiftElement(shift_element) => brakes.push(BrakeMark {
+                            shift_element,
                             link,
                             link_end: point(to),
                             housing: point(wall),
@@ -272,10 +272,10 @@ impl Drawing<'_> {
         pieces.push((input, line(outer, input_y, left, input_y)));
         let output_x = if same_side { outer } else { right + 1.0 };
 
-        clutches.sort_by_key(|mark| mark.control);
-        brakes.sort_by_key(|mark| mark.control);
+        clutches.sort_by_key(|mark| mark.shift_element);
+        brakes.sort_by_key(|mark| mark.shift_element);
         Layout {
-            rows: self.stacks(),
+            sets: self.stacks(),
             links: shapes(pieces.into_iter().filter(|(_, s)| s.from != s.to).collect()),
             clutches,
             brakes,
@@ -287,27 +287,27 @@ impl Drawing<'_> {
         }
     }
 
-    fn stacks(&self) -> Vec<RowStack> {
+    fn stacks(&self) -> Vec<SetStack> {
         let map = self.map;
-        let mut rows: Vec<RowStack> = vec![];
+        let mut sets: Vec<SetStack> = vec![];
         for (vertex, part) in map.parts.iter().enumerate() {
-            let &Part::Planet(row) = part else { continue };
-            let wheel = |wanted: Part| map.parts.iter().position(|&part| part == wanted).unwrap_or(vertex);
+            let &Part::Planet(set) = part else { continue };
+            let gear = |wanted: Part| map.parts.iter().position(|&part| part == wanted).unwrap_or(vertex);
             let mesh = map.above[vertex].iter().find(|&&edge| map.mesh[edge]);
             let planet = self.y(vertex);
-            rows.push(RowStack {
-                row,
-                members: [0, 1, 2].map(|member| self.row_piece(row, member)),
+            sets.push(SetStack {
+                set,
+                members: [0, 1, 2].map(|member| self.set_piece(set, member)),
                 x: mesh.map_or(0.0, |&edge| self.x(edge)),
-                sun: self.y(wheel(Part::Sun(row))),
+                sun: self.y(gear(Part::Sun(set))),
                 sun_mesh: planet - PLANET,
                 planet,
                 ring_mesh: planet + PLANET,
-                ring: self.y(wheel(Part::Ring(row))),
+                ring: self.y(gear(Part::Ring(set))),
             });
         }
-        rows.sort_by_key(|stack| stack.row);
-        rows
+        sets.sort_by_key(|stack| stack.set);
+        sets
     }
 }
 

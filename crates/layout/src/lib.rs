@@ -10,7 +10,7 @@
 //! use epicyclic_train::{Gearbox, set::SetSpec};
 //! # fn main() -> Result<(), epicyclic_train::Error> {
 //! let box_of = |second: [&str; 3]| {
-//!     Gearbox::builder("two rows")
+//!     Gearbox::builder("two sets")
 //!         .links(["D", "B", "T1", "T2"])
 //!         .set(SetSpec::simple("1", ["D", "B", "T1"], 2.5))
 //!         .set(SetSpec::simple("2", second, 2.5))
@@ -25,7 +25,7 @@
 //!     unreachable!("III-1 can be drawn");
 //! };
 //! assert!(layout.crossings().is_empty());
-//! // Two rows side by side between the same shafts: the second carrier is shut in.
+//! // Two sets side by side between the same shafts: the second carrier is shut in.
 //! let shut_in = box_of(["D", "B", "T2"])?;
 //! let Verdict::SelfCrossing(witness) = draw(&shut_in, Options::default()) else {
 //!     unreachable!("the output shuts it in");
@@ -37,30 +37,30 @@
 //!
 //! # The graph that is tested
 //!
-//! *Vertices*: every link (links joined for ever are one), the planet of every row, and four on the
+//! *Vertices*: every link (links joined for ever are one), the planet of every set, and four on the
 //! border: input end, housing, output end, axis. *Edges*: the border as a cycle in this order, outside
 //! of which nothing lies; input link to input end, output link to output end; a brake from its link to
-//! the housing, a clutch between its links; of a row, planet to sun's link, planet to ring's link,
+//! the housing, a clutch between its links; of a set, planet to sun's link, planet to ring's link,
 //! and planet to its carrier's link, up to twice, on either side of the two meshes.
 //!
 //! The scheme can be drawn if and only if this graph has a planar embedding inside the border, for
 //! some choice of how the carriers' webs meet their planets:
 //!
-//! - *Necessary.* In a drawing each link is a connected region, the planet's pin a part of its carrier's.
+//! - *Necessary.* In a drawing each link is a connected region, the planet pin a part of its carrier's.
 //!   Regions of different links are disjoint. Shrinking each web of each link to a point leaves an
-//!   embedding of the graph: a wheel touches its planet in one place, so a sun or ring is a point on
+//!   embedding of the graph: a central gear touches its planet in one place, so a sun or ring is a point on
 //!   the edge from planet to link and needs no vertex. The carrier needs more: its region contains
 //!   the planet, with the sun below and the ring above it, and goes on to the left and to the right.
-//!   Around the carrier the two meshes of a row are therefore the ends of a chord, and the chords of
-//!   several rows on one carrier do not cross: each planet cuts the carrier in two, and every other
-//!   row lies wholly on one side.
+//!   Around the carrier the two meshes of a set are therefore the ends of a chord, and the chords of
+//!   several sets on one carrier do not cross: each planet cuts the carrier in two, and every other
+//!   set lies wholly on one side.
 //! - *Sufficient.* From an embedding a drawing is made, always: bars at the heights of a numbering from
-//!   axis to housing, joined by lines at right angles to the axis, each row opened into a vertical
+//!   axis to housing, joined by lines at right angles to the axis, each set opened into a vertical
 //!   stack. That sun is below and ring above restricts nothing, since a sun's shaft may be led out
-//!   along the axis and up, and a ring's drum down, around everything else of the row.
+//!   along the axis and up, and a ring's drum down, around everything else of the set.
 //!   [`Layout::crossings`] checks the result line by line and knows nothing of graphs.
 //!
-//! A planet with one carrier to itself is thus one vertex with its carrier's link; with several rows
+//! A planet with one carrier to itself is thus one vertex with its carrier's link; with several sets
 //! on one carrier the chords decide, by exhaustion where the first embedding found leaves them
 //! crossing. The axis has no edge but those of the border: a shaft may run along the axis inside all
 //! others, so a link passes freely under a sun, but nothing passes *through* the axis. For the same
@@ -69,22 +69,22 @@
 //!
 //! # Idealised
 //!
-//! - Bearings, seals, oil and the actuators of controls take no room, and a drum or hollow shaft may be
+//! - Bearings, seals, oil and the actuators of shift elements take no room, and a drum or hollow shaft may be
 //!   nested as deep as need be. A drawable scheme can be built in principle, not always well.
-//! - All controls are there at once. Of a lock for direct drive only the pair given counts;
-//!   [`locks`] lists all pairs that can be drawn.
-//! - Rows of every kind are a chain of wheel 1, planet and wheel 2. Stepped planets, two planets in
+//! - All shift elements are there at once. Of a direct-drive clutch only the pair given counts;
+//!   [`direct_clutch_options`] lists all pairs that can be drawn.
+//! - Sets of every kind are a chain of central gear 1, planet and central gear 2. Stepped planets, two planets in
 //!   mesh and bevel planets have the same two sides free for the carrier, though not the same shape.
-//! - A Ravigneaux set is two rows with common ring and carrier. Its long planet has three meshes and
-//!   three gaps between them, where the two rows have four gaps; the fourth lies between ring and
+//! - A Ravigneaux set is two sets with common ring and carrier. Its long planet has three meshes and
+//!   three gaps between them, where the two sets have four gaps; the fourth lies between ring and
 //!   ring, and what stands in it can be moved beside it. The verdict is the same.
-//! - A pair on fixed axes is a row whose carrier is the housing: its wheels need to reach bearings
+//! - A pair on fixed axes is a set whose carrier is the housing: its gears need to reach bearings
 //!   there. What turns about another axis is drawn as if it turned about this one.
 //! - Where power enters or leaves in some gear only, a motor stands in the housing or a pair leads
 //!   away: that link has to reach the housing, as if braked.
 //!
 //! # Source
-//! multispeed-gearboxes, section 3.1, names the criterion: links between rows may cut off braked links
+//! multispeed-gearboxes, section 3.1, names the criterion: links between sets may cut off braked links
 //! from the housing. It gives no test; the graph is ours.
 
 mod carriers;
@@ -122,11 +122,11 @@ impl Default for Options {
 /// Something without which a scheme may be drawable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Element {
-    /// A row, by its place in [`Gearbox::sets`].
-    Row(usize),
-    /// A brake or clutch, by its place in [`Gearbox::controls`]; a lock asked for has the number after
+    /// A set, by its place in [`Gearbox::drawn_sets`].
+    Set(usize),
+    /// A brake or clutch, by its place in [`Gearbox::shift_elements`]; a direct-drive clutch asked for has the number after
     /// the last.
-    Control(usize),
+    ShiftElement(usize),
     /// A link; without it its members and connections stand alone.
     Link(LinkId),
     /// The input's shaft to the outside.
@@ -151,11 +151,11 @@ impl Witness {
     pub fn describe(&self, gearbox: &Gearbox) -> String {
         let name = |link: LinkId| gearbox.link_name(link);
         let words = self.elements.iter().map(|element| match *element {
-            Element::Row(row) => format!("set `{}`", gearbox.sets()[gearbox.drawn_sets()[row].set].id()),
-            Element::Control(control) => match gearbox.controls().get(control) {
-                Some(control) if control.is_brake() => format!("brake `{}`", control.id()),
-                Some(control) => format!("clutch `{}`", control.id()),
-                None => "the lock".into(),
+            Element::Set(set) => format!("set `{}`", gearbox.sets()[gearbox.drawn_sets()[set].set].id()),
+            Element::ShiftElement(shift_element) => match gearbox.shift_elements().get(shift_element) {
+                Some(shift_element) if shift_element.is_brake() => format!("brake `{}`", shift_element.id()),
+                Some(shift_element) => format!("clutch `{}`", shift_element.id()),
+                None => "the direct-drive clutch".into(),
             },
             Element::Link(link) => format!("link `{}`", name(link)),
             Element::Input => format!("the input at `{}`", name(gearbox.input())),
@@ -183,13 +183,13 @@ pub fn draw(gearbox: &Gearbox, options: Options) -> Verdict {
     judge(gearbox, &[], options)
 }
 
-/// The same with a further clutch that locks two links.
+/// The same with a direct-drive clutch between two links.
 ///
 /// # Panics
 /// With a link of another, larger gearbox.
 #[must_use]
-pub fn draw_locked(gearbox: &Gearbox, lock: [LinkId; 2], options: Options) -> Verdict {
-    judge(gearbox, &[lock], options)
+pub fn draw_with_direct_clutch(gearbox: &Gearbox, direct_clutch: [LinkId; 2], options: Options) -> Verdict {
+    judge(gearbox, &[direct_clutch], options)
 }
 
 /// Whether a gearbox can be drawn, without the drawing: the same verdict in a few microseconds.
@@ -198,12 +198,12 @@ pub fn is_drawable(gearbox: &Gearbox) -> bool {
     fits(&Scheme::new(gearbox, &[]), &[])
 }
 
-/// Pairs of links between which a further clutch can be drawn: the choices for a locking clutch.
+/// Pairs of links between which a further clutch can be drawn: the options for a direct-drive clutch.
 ///
-/// Not every lock is a direct drive: two links of rows that are not otherwise tied together leave the
+/// Not every such clutch gives a direct drive: two links of sets that are not otherwise tied together leave the
 /// rest free.
 #[must_use]
-pub fn locks(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
+pub fn direct_clutch_options(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
     let moving = gearbox.link_ids().skip(1);
     let pairs = moving.clone().flat_map(|a| moving.clone().filter(move |b| *b > a).map(move |b| [a, b]));
     pairs
@@ -216,8 +216,8 @@ pub fn locks(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
         .collect()
 }
 
-fn judge(gearbox: &Gearbox, locks: &[[LinkId; 2]], options: Options) -> Verdict {
-    let scheme = Scheme::new(gearbox, locks);
+fn judge(gearbox: &Gearbox, direct_clutches: &[[LinkId; 2]], options: Options) -> Verdict {
+    let scheme = Scheme::new(gearbox, direct_clutches);
     match layout::draw(&scheme, gearbox, options) {
         Some(layout) => Verdict::Drawable(Box::new(layout)),
         None => Verdict::SelfCrossing(witness(&scheme)),
@@ -249,7 +249,7 @@ mod tests {
 
     #[test]
     fn a_witness_holds_nothing_that_could_be_left_out() {
-        let gearbox = Gearbox::builder("three rows")
+        let gearbox = Gearbox::builder("three sets")
             .links(["D", "B", "T1", "T2", "T3"])
             .set(SetSpec::simple("1", ["D", "B", "T1"], 2.5))
             .set(SetSpec::simple("2", ["D", "B", "T2"], 2.5))
@@ -264,7 +264,7 @@ mod tests {
             .unwrap();
         let scheme = Scheme::new(&gearbox, &[]);
         let witness = witness(&scheme);
-        assert!(!witness.elements.contains(&Element::Row(2)));
+        assert!(!witness.elements.contains(&Element::Set(2)));
         let others: Vec<Element> =
             scheme.elements().into_iter().filter(|element| !witness.elements.contains(element)).collect();
         assert!(!fits(&scheme, &others));
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn locks_of_scheme_one_are_all_pairs() {
+    fn direct_clutch_options_of_scheme_one_are_all_pairs() {
         let gearbox = Gearbox::builder("I")
             .links(["D", "B", "T1"])
             .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
@@ -285,9 +285,9 @@ mod tests {
             .unwrap();
         let link = |name| gearbox.link(name).unwrap();
         let [d, b, t] = ["D", "B", "T1"].map(link);
-        assert_eq!(locks(&gearbox), [[d, b], [d, t], [b, t]]);
-        let Verdict::Drawable(layout) = draw_locked(&gearbox, [d, b], Options::default()) else {
-            panic!("every lock of scheme I can be drawn");
+        assert_eq!(direct_clutch_options(&gearbox), [[d, b], [d, t], [b, t]]);
+        let Verdict::Drawable(layout) = draw_with_direct_clutch(&gearbox, [d, b], Options::default()) else {
+            panic!("every direct-drive clutch of scheme I can be drawn");
         };
         assert_eq!(layout.clutches.len(), 1);
         assert!(layout.crossings().is_empty());

@@ -1,4 +1,4 @@
-//! The embedding with planets, carriers' webs and the two sides of every row told apart.
+//! The embedding with planets, carriers' webs and the two sides of every set told apart.
 
 use super::carriers;
 use super::planar::{HOUSING, OUTPUT, far};
@@ -16,7 +16,7 @@ pub(super) struct Map {
     pub(super) around: Vec<Vec<usize>>,
     /// The vertex of the graph that each vertex is part of.
     pub(super) owner: Vec<usize>,
-    /// The row whose planet a vertex is.
+    /// The set whose planet a vertex is.
     pub(super) planet: Vec<Option<usize>>,
 }
 
@@ -68,18 +68,18 @@ impl Map {
                 webs[web].1.push(edge);
                 continue;
             };
-            if let Some(&(hub, outer)) = open.last().filter(|(hub, _)| self.planet[*hub] == Some(planet.row))
+            if let Some(&(hub, outer)) = open.last().filter(|(hub, _)| self.planet[*hub] == Some(planet.set))
             {
                 open.pop();
                 self.attach(edge, vertex, hub);
-                let inner = self.arm(planet.row, hub, webs[web].0);
+                let inner = self.arm(planet.set, hub, webs[web].0);
                 webs[web].1.push(inner);
                 let arm = self.around[hub][0];
                 self.around[hub] = vec![arm, self.around[hub][1], inner, edge];
                 web = outer;
             } else {
-                let hub = self.vertex(vertex, Some(planet.row));
-                let arm = self.arm(planet.row, hub, webs[web].0);
+                let hub = self.vertex(vertex, Some(planet.set));
+                let arm = self.arm(planet.set, hub, webs[web].0);
                 self.attach(edge, vertex, hub);
                 self.around[hub] = vec![arm, edge];
                 webs[web].1.push(arm);
@@ -109,9 +109,9 @@ impl Map {
         }
     }
 
-    fn arm(&mut self, row: usize, hub: usize, web: usize) -> usize {
+    fn arm(&mut self, set: usize, hub: usize, web: usize) -> usize {
         self.ends.push([hub, web]);
-        self.kinds.push(Kind::Arm(row));
+        self.kinds.push(Kind::Arm(set));
         self.ends.len() - 1
     }
 

@@ -1,4 +1,4 @@
-//! The graph of a scheme: border, links, rows, controls; and the same with some of it left out.
+//! The graph of a scheme: border, links, sets, shift elements; and the same with some of it left out.
 
 use super::Element;
 use super::planar::{AXIS, BORDER, HOUSING, INPUT, OUTPUT};
@@ -14,19 +14,19 @@ pub(super) enum Kind {
     Input,
     Output,
     TakeOff(LinkId),
-    Control(usize),
-    /// Mesh of the planet of this row with its first wheel.
+    ShiftElement(usize),
+    /// Mesh of the planet of this set with its first central gear.
     Sun(usize),
-    /// Mesh with the second wheel.
+    /// Mesh with the second central gear.
     Ring(usize),
-    /// From the planet of this row to a web of its carrier.
+    /// From the planet of this set to a web of its carrier.
     Arm(usize),
 }
 
-/// A row whose planet is one vertex with the link that carries it.
+/// A set whose planet is one vertex with the link that carries it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Planet {
-    pub(super) row: usize,
+    pub(super) set: usize,
     pub(super) carrier: usize,
     pub(super) sun: usize,
     pub(super) ring: usize,
@@ -73,11 +73,11 @@ pub(super) struct Scheme<'a> {
     vertex: Vec<usize>,
     count: usize,
     /// Further clutches, numbered after those of the gearbox.
-    locks: &'a [[LinkId; 2]],
+    direct_clutches: &'a [[LinkId; 2]],
 }
 
 impl<'a> Scheme<'a> {
-    pub(super) fn new(gearbox: &'a Gearbox, locks: &'a [[LinkId; 2]]) -> Self {
+    pub(super) fn new(gearbox: &'a Gearbox, direct_clutches: &'a [[LinkId; 2]]) -> Self {
         let links = gearbox.links().len();
         let mut groups = Groups::new(links);
         for [a, b] in gearbox.permanent() {
@@ -92,7 +92,7 @@ impl<'a> Scheme<'a> {
                 count += 1;
             }
         }
-        Self { gearbox, links: gearbox.link_ids().collect(), piece, vertex, count, locks }
+        Self { gearbox, links: gearbox.link_ids().collect(), piece, vertex, count, direct_clutches }
     }
 
     /// The first link of the piece that a link belongs to.
@@ -128,13 +128,18 @@ impl<'a> Scheme<'a> {
 
     /// Everything a witness may name, in the order in which it is tried to do without.
     pub(super) fn elements(&self) -> Vec<Element> {
-        let rows = (0..self.gearbox.drawn_sets().len()).map(Element::Row);
-        let controls = (0..self.gearbox.controls().len() + self.locks.len()).map(Element::Control);
+        let sets = (0..self.gearbox.drawn_sets().len()).map(Element::Set);
+        let shift_elements =
+            (0..self.gearbox.shift_elements().len() + self.direct_clutches.len()).map(Element::ShiftElement);
         let take_offs = self.take_offs().into_iter().map(Element::TakeOff);
         let links = (1..self.piece.len())
             .filter(|&link| self.piece[link] == link)
             .map(|link| Element::Link(self.links[link]));
-        rows.chain(controls).chain(take_offs).chain([Element::Input, Element::Output]).chain(links).collect()
+        sets.chain(shift_elements)
+            .chain(take_offs)
+            .chain([Element::Input, Element::Output])
+            .chain(links)
+            .collect()
     }
 
     /// The graph without some elements. A link left out falls to pieces: each of its members and
@@ -169,20 +174,20 @@ impl<'a> Scheme<'a> {
                 graph.join([vertex, HOUSING], Kind::TakeOff(link));
             }
         }
-        for (row, members) in self.gearbox.drawn_sets().iter().map(|drawn| drawn.links).enumerate() {
-            if keeps(Element::Row(row)) {
+        for (set, members) in self.gearbox.drawn_sets().iter().map(|drawn| drawn.links).enumerate() {
+            if keeps(Element::Set(set)) {
                 let [sun, ring, carrier] = members.map(|link| end(&mut graph, link));
-                let sun = graph.join([carrier, sun], Kind::Sun(row));
-                let ring = graph.join([carrier, ring], Kind::Ring(row));
-                graph.planets.push(Planet { row, carrier, sun, ring });
+                let sun = graph.join([carrier, sun], Kind::Sun(set));
+                let ring = graph.join([carrier, ring], Kind::Ring(set));
+                graph.planets.push(Planet { set, carrier, sun, ring });
             }
         }
-        let controls = self.gearbox.controls().iter().map(epicyclic_train::Control::links);
-        for (control, links) in controls.chain(self.locks.iter().copied()).enumerate() {
+        let shift_elements = self.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::links);
+        for (shift_element, links) in shift_elements.chain(self.direct_clutches.iter().copied()).enumerate() {
             // What joins a piece with itself needs no room.
-            if keeps(Element::Control(control)) && self.piece(links[0]) != self.piece(links[1]) {
+            if keeps(Element::ShiftElement(shift_element)) && self.piece(links[0]) != self.piece(links[1]) {
                 let ends = links.map(|link| end(&mut graph, link));
-                graph.join(ends, Kind::Control(control));
+                graph.join(ends, Kind::ShiftElement(shift_element));
             }
         }
         graph.connect();

@@ -1,9 +1,9 @@
-//! Each planet opened into a vertical stack: first wheel, planet, second wheel.
+//! Each planet opened into a vertical stack: first central gear, planet, second central gear.
 //!
-//! The planet's vertex has edges below and above it, from left to right; between its first wheel
+//! The planet's vertex has edges below and above it, from left to right; between its first central gear
 //! and its second lie the arms of its right side, counter-clockwise, and beyond those of its left.
-//! With the first wheel reached from below and the second from above nothing is to be done. A first
-//! wheel reached from above has its shaft led out sideways and up, a second wheel reached from below
+//! With the first central gear reached from below and the second from above nothing is to be done. A first
+//! central gear reached from above has its shaft led out sideways and up, a second central gear reached from below
 //! is a drum led down; an arm on the wrong side of such a shaft or drum is led around under or over
 //! it. So every order of edges can be drawn.
 
@@ -16,11 +16,11 @@ use super::scheme::Kind;
 pub(super) enum Part {
     /// A shaft, drum or web of the piece at this vertex of the graph.
     Bar(usize),
-    /// First wheel of a row.
+    /// First central gear of a set.
     Sun(usize),
-    /// Planet of a row, with its pin.
+    /// Planet of a set, with its planet pin.
     Planet(usize),
-    /// Second wheel of a row.
+    /// Second central gear of a set.
     Ring(usize),
 }
 
@@ -30,7 +30,7 @@ pub(super) struct Upward {
     /// Lower and upper end.
     pub(super) ends: Vec<[usize; 2]>,
     pub(super) kinds: Vec<Kind>,
-    /// Whether an edge is the contact of two wheels.
+    /// Whether an edge is the contact of two gears.
     pub(super) mesh: Vec<bool>,
     pub(super) parts: Vec<Part>,
     /// Edges below and above each vertex, from left to right.
@@ -55,10 +55,10 @@ struct Plan {
     right_down: Vec<usize>,
     left_up: Vec<usize>,
     right_up: Vec<usize>,
-    /// Side on which the shaft of the first wheel goes up, and the arms led under it, inner first.
+    /// Side on which the shaft of the first central gear goes up, and the arms led under it, inner first.
     sun_up: Option<Side>,
     under: Vec<usize>,
-    /// Side on which the drum of the second wheel goes down, and the arms led over it, inner first.
+    /// Side on which the drum of the second central gear goes down, and the arms led over it, inner first.
     ring_down: Option<Side>,
     over: Vec<usize>,
 }
@@ -76,8 +76,8 @@ impl Upward {
             detours: 0,
         };
         for (vertex, planet) in map.planet.iter().enumerate() {
-            if let &Some(row) = planet {
-                upward.open(vertex, row, map.owner[vertex]);
+            if let &Some(set) = planet {
+                upward.open(vertex, set, map.owner[vertex]);
             }
         }
         upward
@@ -97,20 +97,20 @@ impl Upward {
         self.ends.len() - 1
     }
 
-    fn open(&mut self, planet: usize, row: usize, owner: usize) {
+    fn open(&mut self, planet: usize, set: usize, owner: usize) {
         let below = std::mem::take(&mut self.below[planet]);
         let above = std::mem::take(&mut self.above[planet]);
         let place = |kind: Kind| {
             let at = |edges: &[usize]| edges.iter().position(|&edge| self.kinds[edge] == kind);
             (at(&below), at(&above))
         };
-        let plan = self.plan(&below, &above, place(Kind::Sun(row)), place(Kind::Ring(row)));
-        self.parts[planet] = Part::Planet(row);
-        let (sun, ring) = (self.vertex(Part::Sun(row)), self.vertex(Part::Ring(row)));
-        let sun_mesh = self.edge(sun, planet, Kind::Sun(row), true);
-        let ring_mesh = self.edge(planet, ring, Kind::Ring(row), true);
+        let plan = self.plan(&below, &above, place(Kind::Sun(set)), place(Kind::Ring(set)));
+        self.parts[planet] = Part::Planet(set);
+        let (sun, ring) = (self.vertex(Part::Sun(set)), self.vertex(Part::Ring(set)));
+        let sun_mesh = self.edge(sun, planet, Kind::Sun(set), true);
+        let ring_mesh = self.edge(planet, ring, Kind::Ring(set), true);
         let find = |edges: &[usize], kind: Kind| edges.iter().copied().find(|&edge| self.kinds[edge] == kind);
-        let [sun_edge, ring_edge] = [Kind::Sun(row), Kind::Ring(row)]
+        let [sun_edge, ring_edge] = [Kind::Sun(set), Kind::Ring(set)]
             .map(|kind| find(&below, kind).or_else(|| find(&above, kind)).unwrap_or(0));
 
         let mut down = plan.left_down;
@@ -209,7 +209,7 @@ impl Upward {
         self.above[planet] = up;
     }
 
-    /// Sides for the edges of a planet; places of the two wheels' edges `(below, above)`.
+    /// Sides for the edges of a planet; places of the two central gears' edges `(below, above)`.
     fn plan(
         &self,
         below: &[usize],
@@ -297,7 +297,7 @@ impl Upward {
 
     /// Least height of an edge.
     ///
-    /// A wheel may sit on its shaft or in its drum itself, and the input's and output's shafts may lie
+    /// A central gear may sit on its shaft or in its drum itself, and the input's and output's shafts may lie
     /// on the axis; of two on one side the input's lies around the output's.
     pub(super) fn rise(&self, edge: usize, same_side: bool) -> u32 {
         let [low, high] = self.ends[edge];
@@ -310,13 +310,13 @@ impl Upward {
         u32::from(!none)
     }
 
-    /// The row in whose stack an edge stands: the two contacts, and the connections of its wheels
+    /// The set in whose stack an edge stands: the two contacts, and the connections of its central gears
     /// where they go straight on.
     pub(super) fn in_stack(&self, edge: usize) -> Option<usize> {
         let [low, high] = self.ends[edge];
         match self.kinds[edge] {
-            Kind::Sun(row) if self.mesh[edge] || self.parts[high] == Part::Sun(row) => Some(row),
-            Kind::Ring(row) if self.mesh[edge] || self.parts[low] == Part::Ring(row) => Some(row),
+            Kind::Sun(set) if self.mesh[edge] || self.parts[high] == Part::Sun(set) => Some(set),
+            Kind::Ring(set) if self.mesh[edge] || self.parts[low] == Part::Ring(set) => Some(set),
             _ => None,
         }
     }

@@ -28,7 +28,7 @@ fn touch(a: &Segment, b: &Segment) -> bool {
     a.from.x <= b.to.x && b.from.x <= a.to.x && a.from.y <= b.to.y && b.from.y <= a.to.y
 }
 
-/// Every link is one connected thing that has all its wheels, ends and controls; nothing crosses.
+/// Every link is one connected thing that has all its central gears, ends and shift elements; nothing crosses.
 fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
     let name = gearbox.name();
     assert_eq!(layout.crossings(), [], "{name}");
@@ -39,40 +39,42 @@ fn whole(gearbox: &Gearbox, layout: &Layout, same_side: bool) {
     }
     let drawn = lines.len();
     // What must hang together with the lines.
-    assert_eq!(layout.rows.len(), gearbox.drawn_sets().len(), "{name}");
-    for (place, (stack, row)) in layout.rows.iter().zip(gearbox.drawn_sets()).enumerate() {
-        assert_eq!(stack.row, place, "{name}");
-        assert_eq!(stack.members, row.links.map(|link| piece(gearbox, link)), "{name}");
+    assert_eq!(layout.sets.len(), gearbox.drawn_sets().len(), "{name}");
+    for (place, (stack, set)) in layout.sets.iter().zip(gearbox.drawn_sets()).enumerate() {
+        assert_eq!(stack.set, place, "{name}");
+        assert_eq!(stack.members, set.links.map(|link| piece(gearbox, link)), "{name}");
         let ys = [stack.sun, stack.sun_mesh, stack.planet, stack.ring_mesh, stack.ring];
         assert!(ys.windows(2).all(|pair| pair[0] < pair[1]), "{name} {ys:?}");
-        let wheel = |low: f64, high: f64| Segment {
+        let gear = |low: f64, high: f64| Segment {
             from: Point { x: stack.x, y: low },
             to: Point { x: stack.x, y: high },
         };
         let [a, b, h] = stack.members;
-        lines.push((a, wheel(stack.sun, stack.sun_mesh)));
-        lines.push((b, wheel(stack.ring_mesh, stack.ring)));
-        lines.push((h, wheel(stack.planet, stack.planet)));
+        lines.push((a, gear(stack.sun, stack.sun_mesh)));
+        lines.push((b, gear(stack.ring_mesh, stack.ring)));
+        lines.push((h, gear(stack.planet, stack.planet)));
     }
     let mut seen = vec![];
     for mark in &layout.clutches {
-        seen.push((mark.control, [mark.lower.0, mark.upper.0]));
+        seen.push((mark.shift_element, [mark.lower.0, mark.upper.0]));
         lines.extend([mark.lower, mark.upper].map(|(link, p)| (link, at(p))));
         assert!(mark.lower.1.x == mark.upper.1.x && mark.lower.1.y < mark.upper.1.y, "{name}");
     }
     for mark in &layout.brakes {
-        seen.push((mark.control, [mark.link, LinkId::GROUND]));
+        seen.push((mark.shift_element, [mark.link, LinkId::GROUND]));
         lines.extend([(mark.link, at(mark.link_end)), (LinkId::GROUND, at(mark.housing))]);
     }
-    for (control, links) in gearbox.controls().iter().map(epicyclic_train::Control::links).enumerate() {
+    for (shift_element, links) in
+        gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::links).enumerate()
+    {
         let mut links = links.map(|link| piece(gearbox, link));
         links.sort();
         let found = seen.iter().filter(|(other, found)| {
             let mut found = *found;
             found.sort();
-            *other == control && found == links
+            *other == shift_element && found == links
         });
-        assert_eq!(found.count(), usize::from(links[0] != links[1]), "{name} {control}");
+        assert_eq!(found.count(), usize::from(links[0] != links[1]), "{name} {shift_element}");
     }
     for end in [layout.input, layout.output].iter().chain(&layout.take_offs) {
         lines.push((end.link, at(end.at)));
@@ -120,7 +122,7 @@ fn check(gearbox: &Gearbox) -> bool {
             }
             Verdict::SelfCrossing(witness) => {
                 assert!(!verdict);
-                // Clutches alone may cross; without rows they are no gearbox.
+                // Clutches alone may cross; without sets they are no gearbox.
                 if let Some(rest) = only(gearbox, &witness.elements) {
                     assert!(!drawability::is_drawable(&rest), "{witness:?}");
                 }
@@ -130,17 +132,17 @@ fn check(gearbox: &Gearbox) -> bool {
     verdict
 }
 
-/// The gearbox with the rows and controls of a witness alone.
+/// The gearbox with the sets and shift elements of a witness alone.
 fn only(gearbox: &Gearbox, elements: &[Element]) -> Option<Gearbox> {
     let name = |link: LinkId| gearbox.link_name(link);
     let mut builder = Gearbox::builder("witness").links(gearbox.links()[1..].iter().cloned());
     for element in elements {
         match *element {
-            Element::Row(row) => builder = builder.set(gearbox.sets()[row].short()?.clone()),
-            Element::Control(control) => {
-                let control = &gearbox.controls()[control];
-                let [a, b] = control.links().map(name);
-                builder = builder.clutch(control.id(), a, b);
+            Element::Set(set) => builder = builder.set(gearbox.sets()[set].short()?.clone()),
+            Element::ShiftElement(shift_element) => {
+                let shift_element = &gearbox.shift_elements()[shift_element];
+                let [a, b] = shift_element.links().map(name);
+                builder = builder.clutch(shift_element.id(), a, b);
             }
             _ => {}
         }
@@ -151,16 +153,16 @@ fn only(gearbox: &Gearbox, elements: &[Element]) -> Option<Gearbox> {
     builder.input(name(gearbox.input())).output(name(gearbox.output())).build().ok()
 }
 
-fn scheme(rows: &[&str], lock: Option<[&str; 2]>) -> Gearbox {
-    let mut builder = Gearbox::builder(&rows.join(" + ")).links(["D", "B", "T1", "T2"]).brake("K1", "T1");
-    for (place, row) in rows.iter().enumerate() {
-        let members: Vec<&str> = row.split_whitespace().collect();
+fn scheme(sets: &[&str], direct_clutch: Option<[&str; 2]>) -> Gearbox {
+    let mut builder = Gearbox::builder(&sets.join(" + ")).links(["D", "B", "T1", "T2"]).brake("K1", "T1");
+    for (place, set) in sets.iter().enumerate() {
+        let members: Vec<&str> = set.split_whitespace().collect();
         builder = builder.set(SetSpec::simple(&place.to_string(), members.try_into().unwrap(), 2.5));
     }
-    if rows.len() > 1 {
+    if sets.len() > 1 {
         builder = builder.brake("K2", "T2");
     }
-    if let Some([a, b]) = lock {
+    if let Some([a, b]) = direct_clutch {
         builder = builder.clutch("direct", a, b);
     }
     builder.input("D").output("B").build().unwrap()
@@ -168,23 +170,23 @@ fn scheme(rows: &[&str], lock: Option<[&str; 2]>) -> Gearbox {
 
 #[test]
 fn the_fourteen_schemes_are_drawn_with_and_without_direct_drive() {
-    for row in ["D T1 B", "T1 D B", "D B T1"] {
-        assert!(check(&scheme(&[row], None)));
-        assert!(check(&scheme(&[row], Some(["D", "B"]))));
+    for set in ["D T1 B", "T1 D B", "D B T1"] {
+        assert!(check(&scheme(&[set], None)));
+        assert!(check(&scheme(&[set], Some(["D", "B"]))));
     }
     for structure in Structure::catalogue() {
-        let rows = structure.rows().map(|row| row.map(Role::symbol).join(" "));
-        let rows = [rows[0].as_str(), rows[1].as_str()];
-        assert!(check(&scheme(&rows, None)));
-        assert!(check(&scheme(&rows, Some(["D", "B"]))), "{structure}");
+        let sets = structure.rows().map(|set| set.map(Role::symbol).join(" "));
+        let sets = [sets[0].as_str(), sets[1].as_str()];
+        assert!(check(&scheme(&sets, None)));
+        assert!(check(&scheme(&sets, Some(["D", "B"]))), "{structure}");
     }
 }
 
 #[test]
-fn all_two_row_structures_are_drawn_or_refused() {
+fn all_two_set_structures_are_drawn_or_refused() {
     let drawn = Structure::all().into_iter().filter(|structure| {
-        let rows = structure.rows().map(|row| row.map(Role::symbol).join(" "));
-        check(&scheme(&[&rows[0], &rows[1]], None))
+        let sets = structure.rows().map(|set| set.map(Role::symbol).join(" "));
+        check(&scheme(&[&sets[0], &sets[1]], None))
     });
     assert_eq!(drawn.count(), 106);
 }
@@ -212,14 +214,14 @@ fn a_second_carrier_between_the_same_shafts_is_shut_in() {
     assert!(check(&scheme(&["D B T1"], None)));
 }
 
-/// Three links each tied to three others by rows whose carriers they are.
+/// Three links each tied to three others by sets whose carriers they are.
 #[test]
-fn rows_that_tie_three_links_to_three_others_cross() {
+fn sets_that_tie_three_links_to_three_others_cross() {
     let links = ["a", "b", "c", "x", "y", "z"];
-    let build = |rows: &[[&str; 3]], clutches: &[[&str; 2]]| {
+    let build = |sets: &[[&str; 3]], clutches: &[[&str; 2]]| {
         let mut builder = Gearbox::builder("K33").links(links).input("a").output("x");
-        for (place, row) in rows.iter().enumerate() {
-            builder = builder.set(SetSpec::simple(&place.to_string(), *row, 2.0));
+        for (place, set) in sets.iter().enumerate() {
+            builder = builder.set(SetSpec::simple(&place.to_string(), *set, 2.0));
         }
         for (place, [p, q]) in clutches.iter().enumerate() {
             builder = builder.clutch(&format!("C{place}"), p, q);
@@ -235,9 +237,9 @@ fn rows_that_tie_three_links_to_three_others_cross() {
     assert!(!check(&build(&four, &[["c", "z"]])));
 }
 
-/// Carrier `h` carries both planets; the links of the wheels alternate around it if they must.
+/// Carrier `h` carries both planets; the links of the central gears alternate around it if they must.
 #[test]
-fn rows_on_one_carrier_do_not_interleave() {
+fn sets_on_one_carrier_do_not_interleave() {
     let build = |clutches: &[[&str; 2]]| {
         let mut builder = Gearbox::builder("common carrier")
             .links(["a1", "b1", "a2", "b2", "h", "in", "out"])
@@ -250,7 +252,7 @@ fn rows_on_one_carrier_do_not_interleave() {
         }
         builder.build().unwrap()
     };
-    // A ring of clutches puts the four wheels around the carrier in its order: sun, sun, ring, ring and
+    // A ring of clutches puts the four central gears around the carrier in its order: sun, sun, ring, ring and
     // sun, ring, ring, sun can be; sun 1, sun 2, ring 1, ring 2 cannot.
     assert!(check(&build(&[["a1", "a2"], ["a2", "b2"], ["b2", "b1"], ["b1", "a1"]])));
     assert!(check(&build(&[["a1", "b1"], ["b1", "a2"], ["a2", "b2"], ["b2", "a1"]])));
@@ -261,10 +263,10 @@ fn rows_on_one_carrier_do_not_interleave() {
 fn a_gearbox_of_pairs_on_a_layshaft_is_drawn() {
     let mut builder = Gearbox::builder("layshaft").links(["in", "lay", "out", "w1", "w2", "w3", "w4"]);
     builder = builder.set(SetSpec::new("0", SetKind::ExternalPair, ["in", "lay", "ground"], 1.5));
-    for wheel in ["w1", "w2", "w3", "w4"] {
+    for gear in ["w1", "w2", "w3", "w4"] {
         builder = builder
-            .set(SetSpec::new(wheel, SetKind::ExternalPair, ["lay", wheel, "ground"], 1.2))
-            .clutch(&format!("C{wheel}"), wheel, "out");
+            .set(SetSpec::new(gear, SetKind::ExternalPair, ["lay", gear, "ground"], 1.2))
+            .clutch(&format!("C{gear}"), gear, "out");
     }
     assert!(check(&builder.input("in").output("out").build().unwrap()));
 }
@@ -273,16 +275,16 @@ fn a_gearbox_of_pairs_on_a_layshaft_is_drawn() {
 #[derive(Debug, Clone)]
 struct Plan {
     links: usize,
-    rows: Vec<[usize; 3]>,
+    sets: Vec<[usize; 3]>,
     permanent: Vec<[usize; 2]>,
-    controls: Vec<[usize; 2]>,
+    shift_elements: Vec<[usize; 2]>,
     terminals: [usize; 2],
 }
 
 fn plans(
     links: std::ops::Range<usize>,
-    rows: std::ops::RangeInclusive<usize>,
-    controls: std::ops::RangeInclusive<usize>,
+    sets: std::ops::RangeInclusive<usize>,
+    shift_elements: std::ops::RangeInclusive<usize>,
 ) -> impl Strategy<Value = Plan> {
     links.prop_flat_map(move |links| {
         let link = move || 0..=links;
@@ -290,19 +292,19 @@ fn plans(
             Just((0..=links).collect::<Vec<_>>()).prop_shuffle().prop_map(|all| [all[0], all[1], all[2]]);
         (
             Just(links),
-            prop::collection::vec(members, rows.clone()),
+            prop::collection::vec(members, sets.clone()),
             prop::collection::vec([link(), link()], 0..2),
-            prop::collection::vec([link(), link()], controls.clone()),
+            prop::collection::vec([link(), link()], shift_elements.clone()),
             [1..=links, 1..=links],
             any::<bool>(),
         )
-            .prop_map(|(links, mut rows, permanent, controls, terminals, common)| {
+            .prop_map(|(links, mut sets, permanent, shift_elements, terminals, common)| {
                 // Half of them with as many planets on one carrier as may be.
-                let carrier = rows[0][2];
-                for row in rows.iter_mut().filter(|row| common && !row.contains(&carrier)) {
-                    row[2] = carrier;
+                let carrier = sets[0][2];
+                for set in sets.iter_mut().filter(|set| common && !set.contains(&carrier)) {
+                    set[2] = carrier;
                 }
-                Plan { links, rows, permanent, controls, terminals }
+                Plan { links, sets, permanent, shift_elements, terminals }
             })
     })
 }
@@ -312,13 +314,13 @@ fn build(plan: &Plan, order: &[usize], mirrored: bool) -> Option<Gearbox> {
     let name = |link: usize| if link == 0 { "ground".to_owned() } else { format!("n{link}") };
     let mut builder = Gearbox::builder("random").links(order.iter().map(|&link| name(link)));
     let turn = |count: usize| (0..count).map(move |place| if mirrored { count - 1 - place } else { place });
-    for place in turn(plan.rows.len()) {
-        let members = plan.rows[place].map(name);
+    for place in turn(plan.sets.len()) {
+        let members = plan.sets[place].map(name);
         let members = [0, 1, 2].map(|member| members[member].as_str());
         builder = builder.set(SetSpec::simple(&place.to_string(), members, 2.5));
     }
-    for place in turn(plan.controls.len()) {
-        let [a, b] = plan.controls[place];
+    for place in turn(plan.shift_elements.len()) {
+        let [a, b] = plan.shift_elements[place];
         if a != b {
             builder = builder.clutch(&format!("c{place}"), &name(a), &name(b));
         }
@@ -342,13 +344,13 @@ fn by_exhaustion(gearbox: &Gearbox) -> Option<bool> {
     edges.push([input, vertex(gearbox.input())]);
     edges.push([output, vertex(gearbox.output())]);
     let mut chords: Vec<(usize, [usize; 2])> = vec![];
-    for row in gearbox.drawn_sets() {
-        let [a, b, h] = row.links.map(vertex);
+    for set in gearbox.drawn_sets() {
+        let [a, b, h] = set.links.map(vertex);
         chords.push((h, [edges.len(), edges.len() + 1]));
         edges.extend([[h, a], [h, b]]);
     }
-    for control in gearbox.controls() {
-        let [a, b] = control.links().map(vertex);
+    for shift_element in gearbox.shift_elements() {
+        let [a, b] = shift_element.links().map(vertex);
         if a != b {
             edges.push([a, b]);
         }
@@ -457,7 +459,7 @@ proptest! {
         let order: Vec<usize> = (1..=plan.links).collect();
         if let Some(gearbox) = build(&plan, &order, false) {
             check(&gearbox);
-            prop_assert!(drawability::is_drawable(&gearbox) || drawability::locks(&gearbox).is_empty());
+            prop_assert!(drawability::is_drawable(&gearbox) || drawability::direct_clutch_options(&gearbox).is_empty());
         }
     }
 

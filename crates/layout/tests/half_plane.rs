@@ -1,7 +1,7 @@
 //! The verdict against drawings on squared paper: every way to colour a grid, by exhaustion.
 //!
 //! An oracle that shares nothing with the test of the graph. The half-plane is a grid of cells; two
-//! rows stand in it as columns of three cells, sun below planet below ring; input and output are the
+//! sets stand in it as columns of three cells, sun below planet below ring; input and output are the
 //! lower corners; what touches the upper or a side edge (but for these corners) touches the housing.
 //! Every cell is coloured with a link: a drawing leaves gaps, but a gap can be given to a neighbour.
 //! The scheme can be drawn on this paper if each colour is one connected region with the right cells in
@@ -61,10 +61,10 @@ impl<const H: usize> Front<H> {
     }
 }
 
-/// Whether these rows (sun, ring, carrier; left row first) can be drawn on the paper.
-fn fits<const H: usize>(paper: &Paper, rows: [[usize; 3]; 2], clutch: Option<[usize; 2]>) -> bool {
+/// Whether these sets (sun, ring, carrier; left set first) can be drawn on the paper.
+fn fits<const H: usize>(paper: &Paper, sets: [[usize; 3]; 2], clutch: Option<[usize; 2]>) -> bool {
     let fixed = |x: usize, y: usize| {
-        let stack = paper.suns.iter().zip(rows).find(|([column, _], _)| *column == x);
+        let stack = paper.suns.iter().zip(sets).find(|([column, _], _)| *column == x);
         let member = stack.and_then(|([_, sun], [a, b, h])| [a, h, b].get(y.wrapping_sub(*sun)).copied());
         match (x, y) {
             (0, 0) => Some(Role::D as usize),
@@ -167,24 +167,24 @@ fn step<const H: usize>(
 
 /// Six cells high is enough for nearly all that fits at all; a larger paper is slow.
 fn on_paper(structure: Structure, clutch: Option<[usize; 2]>, also_large: bool) -> bool {
-    let [first, second] = structure.rows().map(|row| row.map(|role| role as usize));
+    let [first, second] = structure.rows().map(|set| set.map(|role| role as usize));
     let both = [[first, second], [second, first]];
-    both.iter().any(|rows| fits::<6>(&SMALL, *rows, clutch))
-        || also_large && both.iter().any(|rows| fits::<7>(&LARGE, *rows, clutch))
+    both.iter().any(|sets| fits::<6>(&SMALL, *sets, clutch))
+        || also_large && both.iter().any(|sets| fits::<7>(&LARGE, *sets, clutch))
 }
 
 const NAMES: [&str; LINKS] = ["D", "B", "T1", "T2"];
 
 fn gearbox(structure: Structure) -> Gearbox {
-    let mut builder = Gearbox::builder("two rows").links(NAMES).brake("K1", "T1").brake("K2", "T2");
-    for (place, row) in structure.rows().iter().enumerate() {
-        builder = builder.set(SetSpec::simple(&place.to_string(), row.map(|role| NAMES[role as usize]), 2.5));
+    let mut builder = Gearbox::builder("two sets").links(NAMES).brake("K1", "T1").brake("K2", "T2");
+    for (place, set) in structure.rows().iter().enumerate() {
+        builder = builder.set(SetSpec::simple(&place.to_string(), set.map(|role| NAMES[role as usize]), 2.5));
     }
     builder.input("D").output("B").build().unwrap()
 }
 
 #[test]
-fn every_two_row_structure_is_judged_as_on_paper() {
+fn every_two_set_structure_is_judged_as_on_paper() {
     let (mut drawable, mut crossing) = (0, vec![]);
     for structure in Structure::all() {
         let ours = drawability::is_drawable(&gearbox(structure));
@@ -207,11 +207,15 @@ fn every_two_row_structure_is_judged_as_on_paper() {
 #[test]
 fn every_lock_of_the_catalogue_is_judged_as_on_paper() {
     for structure in Structure::catalogue() {
-        let locks = drawability::locks(&gearbox(structure));
+        let direct_clutches = drawability::direct_clutch_options(&gearbox(structure));
         for a in 0..LINKS {
             for b in a + 1..LINKS {
-                let ours = locks.contains(&[a, b].map(|link| link_of(structure, link)));
-                assert_eq!(ours, on_paper(structure, Some([a, b]), ours), "{structure} locked by {a}, {b}");
+                let ours = direct_clutches.contains(&[a, b].map(|link| link_of(structure, link)));
+                assert_eq!(
+                    ours,
+                    on_paper(structure, Some([a, b]), ours),
+                    "{structure} with a clutch between {a} and {b}"
+                );
             }
         }
     }

@@ -6,7 +6,7 @@ use uom::si::angle::radian;
 use uom::si::f64::{Angle, Length};
 use uom::si::length::millimeter;
 
-/// Sun, planets and ring of a simple row.
+/// Sun, planets and ring of a simple set.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearSet<'a> {
     /// The sun.
@@ -25,14 +25,14 @@ impl GearSet<'_> {
     /// The scene: 1 mm of it is 1 mm of the gear set.
     ///
     /// # Errors
-    /// As [`Scene::check`]: for wheels larger than 100 m.
+    /// As [`Scene::check`]: for gears larger than 100 m.
     pub fn scene(&self) -> Result<Scene, Error> {
         let mm = |length: Length| length.get::<millimeter>();
-        let radius = |wheel: &Wheel| 0.5 * mm(wheel.tip_diameter());
+        let radius = |gear: &Wheel| 0.5 * mm(gear.tip_diameter());
         // Lines and letters keep their proportion to the set, whatever its size.
         let outside = 0.5 * mm(self.ring.root_diameter());
         let unit = outside / 60.0;
-        let teeth = |wheel: &Wheel| wheel.teeth().get();
+        let teeth = |gear: &Wheel| gear.teeth().get();
         let mut scene = Scene::new("The gear set along its axis");
         let axes = scene.layer("axes", Style::centre_line().width(0.15 * unit))?;
         let body = Style::line(0.35 * unit);
@@ -47,22 +47,18 @@ impl GearSet<'_> {
         let thin = Style::line(0.15 * unit);
         scene.add_styled(ring, thin, circle(centre, self.ring.root_diameter()));
         let orbit = Shape::Circle { centre, radius: mm(self.centre_distance) };
-        let mut wheel = |layer, centre: Point, wheel: &Wheel| {
-            scene.add(layer, circle(centre, wheel.tip_diameter()));
-            scene.add_styled(layer, thin, circle(centre, wheel.root_diameter()));
-            scene.add(axes, circle(centre, wheel.pitch_diameter()));
-            let arm = radius(wheel) + 1.5 * unit;
+        let mut gear = |layer, centre: Point, gear: &Wheel| {
+            scene.add(layer, circle(centre, gear.tip_diameter()));
+            scene.add_styled(layer, thin, circle(centre, gear.root_diameter()));
+            scene.add(axes, circle(centre, gear.pitch_diameter()));
+            let arm = radius(gear) + 1.5 * unit;
             let hair = 0.25 * arm;
             scene.add(axes, Shape::line([centre.x - hair, centre.y], [centre.x + hair, centre.y]));
             scene.add(axes, Shape::line([centre.x, centre.y - hair], [centre.x, centre.y + hair]));
         };
-        wheel(sun, centre, self.sun);
+        gear(sun, centre, self.sun);
         for angle in self.angles {
-            wheel(
-                planets,
-                Point::polar(centre, mm(self.centre_distance), angle.get::<radian>()),
-                self.planet,
-            );
+            gear(planets, Point::polar(centre, mm(self.centre_distance), angle.get::<radian>()), self.planet);
         }
         scene.add(axes, circle(centre, self.ring.pitch_diameter()));
         scene.add(axes, orbit);
@@ -103,11 +99,11 @@ mod tests {
     #[test]
     fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {
         let module = Length::new::<millimeter>(8.0);
-        let wheel = |toothing, teeth| {
+        let gear = |toothing, teeth| {
             Wheel::new(toothing, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
         };
-        let [sun, planet] = [18, 36].map(|teeth| wheel(Toothing::External, teeth));
-        let ring = wheel(Toothing::Internal, 90);
+        let [sun, planet] = [18, 36].map(|teeth| gear(Toothing::External, teeth));
+        let ring = gear(Toothing::Internal, 90);
         let angles = [0.0, 2.0, 4.0].map(Angle::new::<radian>);
         let centre_distance = Length::new::<millimeter>(216.0);
         let set = GearSet { sun: &sun, planet: &planet, ring: &ring, centre_distance, angles: &angles };

@@ -2,7 +2,7 @@
 //!
 //! | module | draws |
 //! |---|---|
-//! | [`gearbox`] | kinematic schemes, speed plans, lever diagrams, ratio ladders |
+//! | [`gearbox`] | kinematic schemes, speed diagrams, lever diagrams, ratio ladders |
 //! | [`gear_set`] | a gear set along its axis |
 //! | [`motor`] | centrodes, teeth, chambers, a motor at an angle |
 //! | [`plot`] | curves over an axis |

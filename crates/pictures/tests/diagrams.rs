@@ -1,4 +1,4 @@
-//! Speed plans, levers and ladders of the catalogue and of gearboxes in service: no label meets anything.
+//! Speed diagrams, levers and ladders of the catalogue and of gearboxes in service: no label meets anything.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -54,8 +54,8 @@ fn speeds_are_linear_along_each_lever() {
     let mut joined = 0;
     for gearbox in all() {
         for gear in gears(&gearbox) {
-            for Lever { nodes, rows } in levers_of(&gearbox) {
-                joined += usize::from(rows.len() > 1);
+            for Lever { nodes, sets } in levers_of(&gearbox) {
+                joined += usize::from(sets.len() > 1);
                 let [(one, at), (other, further), ..] = nodes[..] else { continue };
                 let speed = |link| gear.speed(link).unwrap();
                 let slope = (speed(other) - speed(one)) / (further - at);
@@ -69,11 +69,11 @@ fn speeds_are_linear_along_each_lever() {
     assert!(joined > 20, "{joined}");
 }
 
-/// A simple row: sun and ring on both sides of the carrier, at k and 1.
+/// A simple set: sun and ring on both sides of the carrier, at k and 1.
 #[test]
-fn a_simple_row_divides_its_lever_as_one_to_k() {
+fn a_simple_set_divides_its_lever_as_one_to_k() {
     let gearbox = &catalogue()[0];
-    let [lever] = &levers_of(gearbox)[..] else { unreachable!("one row, one lever") };
+    let [lever] = &levers_of(gearbox)[..] else { unreachable!("one set, one lever") };
     let places: Vec<(&str, f64)> =
         lever.nodes.iter().map(|&(link, at)| (gearbox.link_name(link), at)).collect();
     assert_eq!(places, [("D", 2.6), ("T1", -1.0), ("B", 0.0)]);
@@ -101,7 +101,7 @@ fn the_plan_of_scheme_one_is_to_scale() {
     };
     assert!((ring.1 / sun.1 - 2.6).abs() < 1e-9);
     assert!(ring.0.abs() < 1e-9 && sun.0 > 1.0);
-    // The pin at (1 + k)/2, its velocity the mean of both contacts'.
+    // The planet pin at (1 + k)/2, its velocity the mean of both contacts'.
     assert!((carrier.1 / sun.1 - 1.8).abs() < 1e-9 && (carrier.0 / sun.0 - 0.5).abs() < 1e-9);
     // Each line has a parallel ray.
     for line in [sun, carrier, planet] {

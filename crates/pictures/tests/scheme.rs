@@ -55,9 +55,9 @@ fn no_label_of_a_gear_meets_anything() {
     }
 }
 
-/// The same for all structures of two rows that can be drawn, with input and output on one side or two.
+/// The same for all structures of two sets that can be drawn, with input and output on one side or two.
 #[test]
-fn no_label_of_any_two_row_structure_meets_anything() {
+fn no_label_of_any_two_set_structure_meets_anything() {
     let eta = MeshEfficiency::new(0.97).unwrap();
     let mut drawn = 0;
     for structure in Structure::all() {
@@ -92,7 +92,8 @@ fn engaged_brakes_are_filled_and_open_ones_are_not() {
                 // Between the plates, beside the link's own line.
                 let x = ALONG_MM * mark.link_end.x + 1.5;
                 let y = UP_MM * f64::midpoint(mark.link_end.y, mark.housing.y);
-                let expected = if gear.engaged().contains(&mark.control) { ENGAGED } else { Color::WHITE };
+                let expected =
+                    if gear.engaged().contains(&mark.shift_element) { ENGAGED } else { Color::WHITE };
                 assert_eq!(picture.at(x, y), expected, "{} {}", gearbox.name(), gear.name());
             }
         }
@@ -186,12 +187,12 @@ fn the_whole_scheme_is_its_own_mirror_image() {
     }
 }
 
-/// A gearbox of one row of a kind, all of whose members reach out.
+/// A gearbox of one set of a kind, all of whose members reach out.
 fn one(kind: SetKind) -> Gearbox {
     let count = |z| ToothCount::new(z).unwrap();
     let members = if kind.is_pair() { ["D", "B", "ground"] } else { ["D", "T1", "B"] };
-    let row = SetSpec::teeth("1", kind, members, 24, 72).unwrap().planet_teeth(count(20), Some(count(26)));
-    let builder = Gearbox::builder(&kind.to_string()).links(["D", "B"]).set(row).input("D").output("B");
+    let set = SetSpec::teeth("1", kind, members, 24, 72).unwrap().planet_teeth(count(20), Some(count(26)));
+    let builder = Gearbox::builder(&kind.to_string()).links(["D", "B"]).set(set).input("D").output("B");
     if kind.is_pair() {
         return builder.gear("1", [""; 0]).build().unwrap();
     }
@@ -199,7 +200,7 @@ fn one(kind: SetKind) -> Gearbox {
 }
 
 #[test]
-fn every_kind_of_row_has_a_sign() {
+fn every_kind_of_set_has_a_sign() {
     use SetKind::{
         Bevel, DoublePlanet, ExternalPair, InternalPair, MeshingSuns, Simple, SteppedRings, SteppedSunRing,
         SteppedSuns,
@@ -215,18 +216,18 @@ fn every_kind_of_row_has_a_sign() {
         ExternalPair,
         InternalPair,
     ];
-    let mut wheels = vec![];
+    let mut gears = vec![];
     for kind in kinds {
         let gearbox = one(kind);
         check(&in_gear(&gearbox, "1", false));
         check(&in_gear(&gearbox, "1", true));
         let structure = scene(&gearbox, &layout(&gearbox), Show::Structure, &Options::default()).unwrap();
-        wheels.push(widths(&structure, "wheels", Color::BLACK).iter().filter(|width| **width == 0.7).count());
+        gears.push(widths(&structure, "wheels", Color::BLACK).iter().filter(|width| **width == 0.7).count());
     }
     // Rims, and the fork of two planets: 4 of a single planet, 6 of two and 3 lines of its fork on each side, 6 of a stepped one.
-    assert_eq!(wheels[0], 4);
-    assert!(wheels[1] > wheels[0] && wheels[2] == 6, "{wheels:?}");
-    assert_eq!(wheels[7..], [2, 2]);
+    assert_eq!(gears[0], 4);
+    assert!(gears[1] > gears[0] && gears[2] == 6, "{gears:?}");
+    assert_eq!(gears[7..], [2, 2]);
 }
 
 #[test]

@@ -233,7 +233,7 @@ impl Structure {
     /// links.
     ///
     /// # Errors
-    /// [`Error::RowParameter`] for `k ≤ 1`, [`Error::ControlJoinsItself`] for a clutch between a link and
+    /// [`Error::RingToSunRatio`] for `k ≤ 1`, [`Error::ShiftElementJoinsItself`] for a clutch between a link and
     /// itself.
     pub fn gearbox(self, k: [f64; 2], eta0: MeshEfficiency, lock: [Role; 2]) -> Result<Gearbox, Error> {
         let mut builder = Gearbox::builder(&self.to_string())
@@ -245,7 +245,7 @@ impl Structure {
             .output("B");
         for (name, (members, k)) in ["1", "2"].iter().zip(self.rows.iter().zip(k)) {
             let row = SetSpec::simple(name, members.map(Role::symbol), k);
-            builder = builder.set(row.with_loss(MeshLoss::Row(eta0)));
+            builder = builder.set(row.with_loss(MeshLoss::Set(eta0)));
         }
         builder.gear("1", ["K1"]).gear("2", ["K2"]).gear("direct", ["L"]).build()
     }

@@ -118,7 +118,7 @@ const DOUBLE: [Scheme; 11] = [
 ];
 
 fn build(scheme: &Scheme, k: [f64; 2], eta: f64) -> Gearbox {
-    let loss = MeshLoss::Row(MeshEfficiency::new(eta).unwrap());
+    let loss = MeshLoss::Set(MeshEfficiency::new(eta).unwrap());
     let mut builder = Gearbox::builder(scheme.name)
         .links(["D", "B", "T1", "T2"])
         .brake("K1", "T1")

@@ -285,7 +285,7 @@ fn gear_report(gearbox: &Gearbox, name: &'static str, wanted: f64) -> Result<Gea
         efficiency: found.efficiency(),
         links: Role::ALL.into_iter().filter_map(link).collect(),
         planets: found.sets().iter().flat_map(|set| set.planets.iter().copied().flatten()).collect(),
-        brake_torque: loaded.and_then(|case| case.controls[brake]),
+        brake_torque: loaded.and_then(|case| case.shift_elements[brake]),
         ideal_brake_torque: ratio - 1.0,
         sun_torques: (0..gearbox.sets().len())
             .map(|set| loaded.and_then(|case| case.members[set].as_ref()).map_or(0.0, |torques| torques[0]))

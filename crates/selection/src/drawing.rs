@@ -4,7 +4,7 @@
 //! mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
 
 use super::mechanism::Mechanism;
-use epicyclic_layout::{Options, Verdict, draw, is_drawable, locks};
+use epicyclic_layout::{Options, Verdict, direct_clutch_options, draw, is_drawable};
 use epicyclic_schemes::structures::Role;
 
 /// The pairs of links between which a locking clutch can be drawn; where there are none, what cannot be
@@ -19,7 +19,7 @@ pub fn drawable_locks(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, String> {
         };
     }
     let role = |link| Role::ALL.into_iter().find(|role| gearbox.link(role.symbol()) == Some(link));
-    let pairs = locks(&gearbox).into_iter();
+    let pairs = direct_clutch_options(&gearbox).into_iter();
     let pairs: Vec<[Role; 2]> = pairs.filter_map(|[x, y]| Some([role(x)?, role(y)?])).collect();
     if pairs.is_empty() { Err("no locking clutch can be drawn with the rest".into()) } else { Ok(pairs) }
 }

@@ -183,7 +183,7 @@ impl Mechanism {
             }
             (Self::Row(row), &[k]) => Ok(Gearbox::builder(&self.to_string())
                 .links(["D", "B", "T1"])
-                .set(SetSpec::simple("1", row.map(Role::symbol), k).with_loss(MeshLoss::Row(eta0)))
+                .set(SetSpec::simple("1", row.map(Role::symbol), k).with_loss(MeshLoss::Set(eta0)))
                 .brake("K1", "T1")
                 .clutch("L", lock[0].symbol(), lock[1].symbol())
                 .input("D")

@@ -130,7 +130,7 @@ fn brake_torques_are_those_of_the_ratio_and_the_least_lock_is_named() {
         let direct = gearbox.analyze("direct").unwrap();
         assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-12);
         let lock = &candidate.locks[candidate.lock];
-        let torque = direct.ideal().unwrap().controls[2].unwrap();
+        let torque = direct.ideal().unwrap().shift_elements[2].unwrap();
         assert!((torque - lock.torque).abs() < 1e-9, "{}: {torque} {lock:?}", candidate.mechanism);
         assert!(candidate.locks[0].torque.abs() <= lock.torque.abs() + 1e-12);
         let table = candidate.shift_table();

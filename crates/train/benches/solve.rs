@@ -15,8 +15,8 @@ use common::oracle::{self, BoxPlan, CentralPlan, SetPlan, c, p};
 use common::{machines, plain};
 
 /// Scheme II-3 of the excavator wheel, second gear.
-fn two_row() -> Gearbox {
-    let loss = MeshLoss::Row(MeshEfficiency::new(0.97).expect("0.97 is an efficiency"));
+fn two_sets() -> Gearbox {
+    let loss = MeshLoss::Set(MeshEfficiency::new(0.97).expect("0.97 is an efficiency"));
     Gearbox::builder("II-3")
         .links(["D", "B", "T1", "T2"])
         .set(SetSpec::simple("1", ["T1", "D", "B"], 2.15).with_loss(loss))
@@ -118,7 +118,7 @@ fn compare_compound(criterion: &mut Criterion, name: &str, plan: &BoxPlan) {
 
 /// 64 sets, a quarter of them compound, in series.
 fn longest() -> Gearbox {
-    let loss = MeshLoss::Row(MeshEfficiency::new(0.98).expect("0.98 is an efficiency"));
+    let loss = MeshLoss::Set(MeshEfficiency::new(0.98).expect("0.98 is an efficiency"));
     let link = |place: usize| format!("n{place}");
     let builder = Gearbox::builder("longest").links((0..=64).map(link));
     let builder = (0..64).fold(builder, |builder, place| {
@@ -145,8 +145,8 @@ fn longest() -> Gearbox {
 }
 
 fn solve(criterion: &mut Criterion) {
-    compare_short(criterion, "two_row", &two_row(), "2");
-    compare_short(criterion, "four_row", &machines::eight_speed().gearbox, "5");
+    compare_short(criterion, "two_sets", &two_sets(), "2");
+    compare_short(criterion, "four_sets", &machines::eight_speed().gearbox, "5");
     compare_compound(criterion, "ravigneaux", &ravigneaux());
     compare_compound(criterion, "wolfrom", &wolfrom());
     let gearbox = longest();

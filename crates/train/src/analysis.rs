@@ -33,7 +33,7 @@ pub struct Analysis<'g> {
     backward: OnceLock<Option<Solution>>,
     ideal: OnceLock<Option<LoadCase>>,
     driving: OnceLock<Option<LoadCase>>,
-    overrun: OnceLock<Option<LoadCase>>,
+    back_driving: OnceLock<Option<LoadCase>>,
     kreines: OnceLock<Option<Kreines>>,
     patterns: OnceLock<Vec<Pattern>>,
 }
@@ -42,7 +42,7 @@ impl Gearbox {
     /// Analyses a gear by name.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, set::{SetKind, SetSpec}};
+    /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let gearbox = Gearbox::builder("prius split")
     ///     .links(["engine", "mg1", "ring"])
@@ -94,7 +94,7 @@ impl Gearbox {
             backward: OnceLock::new(),
             ideal: OnceLock::new(),
             driving: OnceLock::new(),
-            overrun: OnceLock::new(),
+            back_driving: OnceLock::new(),
             kreines: OnceLock::new(),
             patterns: OnceLock::new(),
         })
@@ -128,7 +128,7 @@ impl<'g> Analysis<'g> {
             }
             State::SelfLocking {
                 links: vec![self.gearbox.link_name(self.gear.input).to_owned()],
-                both_ways: !moves(self.overrun_efficiency()),
+                both_ways: !moves(self.back_driving_efficiency()),
             }
         })
     }
@@ -201,7 +201,7 @@ impl<'g> Analysis<'g> {
         };
         match direction {
             Direction::Drive => self.forward.get_or_init(solve).as_ref(),
-            Direction::Overrun => self.backward.get_or_init(solve).as_ref(),
+            Direction::BackDrive => self.backward.get_or_init(solve).as_ref(),
         }
     }
 
@@ -236,8 +236,8 @@ impl<'g> Analysis<'g> {
 
     /// Torques and powers with losses, driven from the output.
     #[must_use]
-    pub fn overrun(&self) -> Option<&LoadCase> {
-        self.overrun.get_or_init(|| self.loaded(Direction::Overrun)).as_ref()
+    pub fn back_driving(&self) -> Option<&LoadCase> {
+        self.back_driving.get_or_init(|| self.loaded(Direction::BackDrive)).as_ref()
     }
 
     fn loaded(&self, direction: Direction) -> Option<LoadCase> {
@@ -254,8 +254,8 @@ impl<'g> Analysis<'g> {
 
     /// Back-driving efficiency, from the output; `None` as in [`efficiency`](Self::efficiency).
     #[must_use]
-    pub fn overrun_efficiency(&self) -> Option<f64> {
-        self.solution(Direction::Overrun)?.efficiency()
+    pub fn back_driving_efficiency(&self) -> Option<f64> {
+        self.solution(Direction::BackDrive)?.efficiency()
     }
 
     /// Whether a gear cannot be moved from its output: back-driving efficiency at or below 0.
@@ -263,7 +263,7 @@ impl<'g> Analysis<'g> {
     #[must_use]
     pub fn is_self_locking(&self) -> Option<bool> {
         self.solution(Direction::Drive)?;
-        Some(self.overrun_efficiency().is_none_or(|eta| eta <= 0.0))
+        Some(self.back_driving_efficiency().is_none_or(|eta| eta <= 0.0))
     }
 
     /// What Kreines' rule says.

@@ -2,7 +2,7 @@
 
 use crate::compound::{CentralKind, CompoundSpec};
 use crate::error::CompoundFault;
-use crate::gearbox::{Control, Gear, ascending};
+use crate::gearbox::{Gear, ShiftElement, ascending};
 use crate::groups::Groups;
 use crate::names::nearest;
 use crate::planet_set::{
@@ -23,7 +23,7 @@ pub struct GearboxBuilder {
     name: String,
     links: Vec<String>,
     sets: Vec<Description>,
-    controls: Vec<(String, [String; 2], bool)>,
+    shift_elements: Vec<(String, [String; 2], bool)>,
     permanent: Vec<[String; 2]>,
     gears: Vec<GearSpec>,
     input: Option<String>,
@@ -35,7 +35,7 @@ pub struct GearboxBuilder {
 pub struct GearSpec {
     /// Name of the gear.
     pub name: String,
-    /// Engaged controls.
+    /// Engaged shift elements.
     pub engaged: Vec<String>,
     /// Where power enters, if not at the gearbox's input.
     pub input: Option<String>,
@@ -50,7 +50,7 @@ impl Gearbox {
         let name = |link: LinkId| self.link_name(link).to_owned();
         let gear = |gear: &Gear| GearSpec {
             name: gear.name().to_owned(),
-            engaged: gear.engaged.iter().map(|&place| self.controls[place].id.clone()).collect(),
+            engaged: gear.engaged.iter().map(|&place| self.shift_elements[place].id.clone()).collect(),
             input: Some(name(gear.input)),
             output: Some(name(gear.output)),
         };
@@ -58,7 +58,11 @@ impl Gearbox {
             name: self.name.clone(),
             links: self.links[1..].to_vec(),
             sets: self.sets.iter().map(|set| set.description().clone()).collect(),
-            controls: self.controls.iter().map(|c| (c.id.clone(), c.links.map(name), c.one_way)).collect(),
+            shift_elements: self
+                .shift_elements
+                .iter()
+                .map(|c| (c.id.clone(), c.links.map(name), c.one_way))
+                .collect(),
             permanent: self.permanent.iter().map(|pair| pair.map(name)).collect(),
             gears: self.gears.iter().map(gear).collect(),
             input: Some(name(self.input)),
@@ -102,15 +106,15 @@ impl GearboxBuilder {
     /// Adds a shift element that joins two links.
     #[must_use]
     pub fn clutch(mut self, id: &str, first: &str, second: &str) -> Self {
-        self.controls.push((id.into(), [first.into(), second.into()], false));
+        self.shift_elements.push((id.into(), [first.into(), second.into()], false));
         self
     }
 
     /// Adds a one-way clutch: it keeps the first link from turning slower than the second, `ω_1 < ω_2`, and lets
-    /// it turn faster. A gear that relies on it names it among what is engaged.
+    /// it turn faster. A gear that relies on it names it among its engaged shift elements.
     #[must_use]
     pub fn one_way_clutch(mut self, id: &str, first: &str, second: &str) -> Self {
-        self.controls.push((id.into(), [first.into(), second.into()], true));
+        self.shift_elements.push((id.into(), [first.into(), second.into()], true));
         self
     }
 
@@ -158,8 +162,8 @@ impl GearboxBuilder {
     /// Changes the sets described in short so far: other `k`, teeth or losses between the same links.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, set::{Gearing, SetSpec}};
-    /// # fn main() -> Result<(), crate::Error> {
+    /// use epicyclic_train::{Gearbox, set::{Gearing, SetSpec}};
+    /// # fn main() -> Result<(), epicyclic_train::Error> {
     /// let gearbox = Gearbox::builder("I")
     ///     .links(["D", "B", "T1"])
     ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
@@ -168,7 +172,7 @@ impl GearboxBuilder {
     ///     .output("B")
     ///     .gear("slow", ["K1"])
     ///     .build()?;
-    /// let other = gearbox.to_builder().map_sets(|row| SetSpec { gearing: Gearing::Parameter(4.0), ..row }).build()?;
+    /// let other = gearbox.to_builder().map_sets(|set| SetSpec { gearing: Gearing::Parameter(4.0), ..set }).build()?;
     /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
     /// # Ok(())
     /// # }
@@ -199,7 +203,7 @@ impl GearboxBuilder {
         for (what, count, limit) in [
             (Named::Set, self.sets.len(), MOST_SETS),
             (Named::Link, self.links.len(), MOST_LINKS),
-            (Named::Control, self.controls.len(), MOST_ELEMENTS),
+            (Named::ShiftElement, self.shift_elements.len(), MOST_ELEMENTS),
             (Named::Gear, self.gears.len(), MOST_GEARS),
         ] {
             if count > limit {
@@ -210,7 +214,7 @@ impl GearboxBuilder {
         links.extend(self.links.iter().cloned());
         unique(Named::Link, links.iter().map(String::as_str))?;
         unique(Named::Set, self.sets.iter().map(Description::id))?;
-        unique(Named::Control, self.controls.iter().map(|(id, ..)| id.as_str()))?;
+        unique(Named::ShiftElement, self.shift_elements.iter().map(|(id, ..)| id.as_str()))?;
         unique(Named::Gear, self.gears.iter().map(|gear| gear.name.as_str()))?;
         if self.sets.is_empty() {
             return Err(Error::NoSets);
@@ -222,7 +226,7 @@ impl GearboxBuilder {
             equations: vec![],
             segments: vec![],
             drawn: vec![],
-            controls: vec![],
+            shift_elements: vec![],
             permanent: vec![],
             gears: vec![],
             input: LinkId::GROUND,
@@ -252,17 +256,17 @@ impl GearboxBuilder {
         if exponent > SPREAD.log10() {
             return Err(Error::Spread { exponent });
         }
-        for (id, [first, second], one_way) in self.controls {
+        for (id, [first, second], one_way) in self.shift_elements {
             let place = || format!("shift element `{id}`");
             let mut pair = [link(&gearbox, &first, place)?, link(&gearbox, &second, place)?];
             if pair[0] == pair[1] {
-                return Err(Error::ControlJoinsItself { control: id, link: first });
+                return Err(Error::ShiftElementJoinsItself { shift_element: id, link: first });
             }
-            // The order of a one-way clutch is its sense.
+            // The order of a one-way clutch is its direction.
             if pair[0] == LinkId::GROUND && !one_way {
                 pair.swap(0, 1);
             }
-            gearbox.controls.push(Control { id, links: pair, one_way });
+            gearbox.shift_elements.push(ShiftElement { id, links: pair, one_way });
         }
         for spec in self.gears {
             let gear = build_gear(&gearbox, spec)?;
@@ -504,8 +508,11 @@ fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
 
 fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
     let place = format!("gear `{}`", spec.name);
-    let engaged =
-        spec.engaged.iter().map(|id| gearbox.control(id, place.clone())).collect::<Result<Vec<_>, _>>()?;
+    let engaged = spec
+        .engaged
+        .iter()
+        .map(|id| gearbox.shift_element(id, place.clone()))
+        .collect::<Result<Vec<_>, _>>()?;
     let own = |name: Option<&str>, default: LinkId, which: &str| {
         let Some(name) = name else { return Ok(default) };
         let place = || format!("{which} of gear `{}`", spec.name);
@@ -521,6 +528,6 @@ fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
 
 fn touched(gearbox: &Gearbox, link: LinkId) -> bool {
     gearbox.sets.iter().any(|set| set.members().contains(&link))
-        || gearbox.controls.iter().any(|control| control.links.contains(&link))
+        || gearbox.shift_elements.iter().any(|shift_element| shift_element.links.contains(&link))
         || gearbox.permanent.iter().any(|pair| pair.contains(&link))
 }

@@ -24,7 +24,7 @@ pub enum Direction {
     /// From input to output: a torque of 1 enters at the input, with speed 1.
     Drive,
     /// From output to input: a torque of `i` enters at the output, with speed `1/i`.
-    Overrun,
+    BackDrive,
 }
 
 /// Ratios and losses of a gearbox, as arguments of a solution; see [`Gearbox::values`].
@@ -34,7 +34,7 @@ pub struct Values {
     /// gear of reference to another.
     pub ratios: Vec<StationaryRatio>,
     /// Efficiencies, set by set: that of the whole set where it has two central gears; of a compound set one for
-    /// each segment of meshes that carry power in one sense together.
+    /// each segment of meshes that carry power in the same direction.
     pub efficiencies: Vec<MeshEfficiency>,
 }
 
@@ -56,7 +56,7 @@ impl Gearbox {
 /// ```
 /// use epicyclic_gears::efficiency::MeshEfficiency;
 /// use epicyclic_gears::row::RowParameter;
-/// use epicyclic_schemes::{CompiledGear, Direction, Gearbox, Solution, Values, set::SetSpec};
+/// use epicyclic_train::{CompiledGear, Direction, Gearbox, Solution, Values, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("scheme I")
 ///     .links(["D", "B", "T1"])
@@ -112,7 +112,7 @@ pub struct Solution {
     /// Of each equation `ω_r − ω_H`, then `t` without losses, `t` with losses and `î`; last the speeds of the nodes.
     numbers: Vec<f64>,
     equations: usize,
-    /// Of each segment the sense of its power without losses, then with losses.
+    /// Of each segment the direction of its power without losses, then with losses.
     senses: Vec<i8>,
     pub(crate) output_speed: f64,
     pub(crate) ideal_other: f64,
@@ -188,7 +188,7 @@ impl Solution {
 
     /// Power that leaves over power that enters; `None` where no torque moves the gear against its losses.
     ///
-    /// At or below zero the gear locks itself: it moves only if power enters at both ends.
+    /// At or below zero the gear is self-locking in this direction: it moves only if power enters at both ends.
     #[must_use]
     pub fn efficiency(&self) -> Option<f64> {
         self.has_branch.then_some(self.efficiency)
@@ -212,7 +212,7 @@ impl Solution {
         self.of_equations(0)
     }
 
-    /// Sense of the rolling power of each segment: 1 away from the gear of reference, −1 towards it, 0 none.
+    /// Direction of the rolling power of each segment: 1 away from the gear of reference, −1 towards it, 0 none.
     #[must_use]
     pub fn signs(&self) -> &[i8] {
         &self.senses[self.senses.len() / 2..]

@@ -5,8 +5,8 @@
 //!
 //! ```
 //! use epicyclic_gears::efficiency::MeshEfficiency;
-//! use crate::compound::CompoundSpec;
-//! use crate::Gearbox;
+//! use epicyclic_train::compound::CompoundSpec;
+//! use epicyclic_train::Gearbox;
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! // A Wolfrom drive: sun 32, planets with steps 34 and 30, ring 100 held, ring 96 driven.
 //! let eta = MeshEfficiency::new(0.99)?;

@@ -132,9 +132,9 @@ impl Analysis<'_> {
         for (at, (&member, torque)) in drawn.members.iter().zip(torques).enumerate() {
             let own = if torque == 0.0 { 0.0 } else { torque * self.speed(drawn.links[at])? };
             power.members[at] = own;
-            let round = case.power.circulating_member(drawn.set, member);
-            if round != 0.0 {
-                power.circulating[at] = own * round / whole.members[member];
+            let circulating = case.power.circulating_member(drawn.set, member);
+            if circulating != 0.0 {
+                power.circulating[at] = own * circulating / whole.members[member];
             }
         }
         Some(power)

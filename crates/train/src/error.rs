@@ -12,7 +12,7 @@ pub enum Named {
     /// A planet set, or a pair on fixed axes.
     Set,
     /// A shift element.
-    Control,
+    ShiftElement,
     /// A gear.
     Gear,
     /// A central gear or planet shaft of a set.
@@ -28,7 +28,7 @@ impl fmt::Display for Named {
         f.write_str(match self {
             Self::Link => "link",
             Self::Set => "set",
-            Self::Control => "shift element",
+            Self::ShiftElement => "shift element",
             Self::Gear => "gear",
             Self::Member => "central gear",
             Self::Planet => "planet",
@@ -41,7 +41,7 @@ impl fmt::Display for Named {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A name that nothing bears.
+    /// An unknown name.
     #[error("{place} names the {what} `{name}`, which does not exist{}", hint(suggestion.as_deref()))]
     Unknown {
         /// What was looked for.
@@ -78,7 +78,7 @@ pub enum Error {
     },
     /// A ring-to-sun ratio outside what its kind can have.
     #[error("k = {k} of set `{set}` ({kind}): {}", allowed_k(*kind))]
-    RowParameter {
+    RingToSunRatio {
         /// The set.
         set: String,
         /// Its kind.
@@ -125,7 +125,7 @@ pub enum Error {
         /// The number given.
         given: u32,
     },
-    /// A compound set that is none.
+    /// An invalid compound set.
     #[error("set `{set}`: {fault}")]
     Compound {
         /// The set.
@@ -134,10 +134,10 @@ pub enum Error {
         fault: CompoundFault,
     },
     /// A shift element that joins a link with itself.
-    #[error("shift element `{control}` joins `{link}` with itself: name two different links")]
-    ControlJoinsItself {
+    #[error("shift element `{shift_element}` joins `{link}` with itself: name two different links")]
+    ShiftElementJoinsItself {
         /// The shift element.
-        control: String,
+        shift_element: String,
         /// The link named twice.
         link: String,
     },
@@ -183,7 +183,7 @@ pub enum Error {
         /// `input` or `output`.
         terminal: &'static str,
     },
-    /// A demand for numbers of a gear that is not driven.
+    /// A request for numbers of a gear that is not driven.
     #[error("the gear is not driven: {state}")]
     NotDriven {
         /// Its state, in words.
@@ -337,7 +337,7 @@ pub enum InputsFault {
     },
     /// No torques keep the gear moving at these speeds.
     #[error("no torques keep it moving this way: its mesh losses hold it")]
-    Locked,
+    SelfLocking,
 }
 
 fn too_few(given: usize, needed: usize, candidates: &[String]) -> String {
@@ -376,7 +376,7 @@ fn plural(what: Named) -> &'static str {
     match what {
         Named::Link => "links",
         Named::Set => "planet sets",
-        Named::Control => "shift elements",
+        Named::ShiftElement => "shift elements",
         Named::Gear => "gears",
         Named::Member => "central gears of one set",
         Named::Planet => "planets of one set",

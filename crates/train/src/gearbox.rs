@@ -30,13 +30,13 @@ impl LinkId {
 ///
 /// A brake is one of whose links is the housing.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Control {
+pub struct ShiftElement {
     pub(crate) id: String,
     pub(crate) links: [LinkId; 2],
     pub(crate) one_way: bool,
 }
 
-impl Control {
+impl ShiftElement {
     /// Name of the shift element.
     #[must_use]
     pub fn id(&self) -> &str {
@@ -64,7 +64,7 @@ impl Control {
     }
 }
 
-/// A named set of engaged controls, with the links where power enters and leaves.
+/// A named set of engaged shift elements, with the links where power enters and leaves.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Gear {
     pub(crate) name: Arc<str>,
@@ -80,7 +80,7 @@ impl Gear {
         &self.name
     }
 
-    /// Places of the engaged controls in [`Gearbox::controls`], ascending.
+    /// Places of the engaged shift elements in [`Gearbox::shift_elements`], ascending.
     #[must_use]
     pub fn engaged(&self) -> &[usize] {
         &self.engaged
@@ -114,7 +114,7 @@ pub(crate) struct Equation {
     pub(crate) exact: Option<Fraction>,
 }
 
-/// Meshes of a set that carry power in one sense together.
+/// Meshes of a set that carry power in the same direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Segment {
     pub(crate) set: usize,
@@ -128,8 +128,8 @@ pub(crate) struct Segment {
 /// Built and checked once by [`Gearbox::builder`]; everything else only reads it.
 ///
 /// ```
-/// use epicyclic_schemes::{Gearbox, set::SetSpec};
-/// # fn main() -> Result<(), crate::Error> {
+/// use epicyclic_train::{Gearbox, set::SetSpec};
+/// # fn main() -> Result<(), epicyclic_train::Error> {
 /// let gearbox = Gearbox::builder("conveyor")
 ///     .links(["D", "B", "T1"])
 ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
@@ -153,7 +153,7 @@ pub struct Gearbox {
     pub(crate) equations: Vec<Equation>,
     pub(crate) segments: Vec<Segment>,
     pub(crate) drawn: Vec<DrawnSet>,
-    pub(crate) controls: Vec<Control>,
+    pub(crate) shift_elements: Vec<ShiftElement>,
     pub(crate) permanent: Vec<[LinkId; 2]>,
     pub(crate) gears: Vec<Gear>,
     pub(crate) input: LinkId,
@@ -208,8 +208,8 @@ impl Gearbox {
 
     /// The brakes, clutches and one-way clutches.
     #[must_use]
-    pub fn controls(&self) -> &[Control] {
-        &self.controls
+    pub fn shift_elements(&self) -> &[ShiftElement] {
+        &self.shift_elements
     }
 
     /// Pairs of links that are joined for ever; a permanent ground is a pair with the housing.
@@ -255,14 +255,15 @@ impl Gearbox {
         })
     }
 
-    /// A gear that need not be among the named ones: these controls, input and output.
+    /// A gear that need not be among the named ones: these shift elements, input and output.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a control or link that does not exist, [`Error::GroundedTerminal`]
+    /// [`Error::Unknown`] for a shift element or link that does not exist, [`Error::GroundedTerminal`]
     /// where power would enter or leave at the housing.
     pub fn gear_of(&self, engaged: &[&str], input: &str, output: &str) -> Result<Gear, Error> {
         let place = || "a gear".to_owned();
-        let controls = engaged.iter().map(|id| self.control(id, place())).collect::<Result<Vec<_>, _>>()?;
+        let shift_elements =
+            engaged.iter().map(|id| self.shift_element(id, place())).collect::<Result<Vec<_>, _>>()?;
         let terminal = |name: &str, which: &str| match self.link(name) {
             Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: which.into() }),
             Some(link) => Ok(link),
@@ -270,18 +271,23 @@ impl Gearbox {
         };
         Ok(Gear {
             name: engaged.join("+").into(),
-            engaged: ascending(controls).into(),
+            engaged: ascending(shift_elements).into(),
             input: terminal(input, "input")?,
             output: terminal(output, "output")?,
         })
     }
 
-    pub(crate) fn control(&self, id: &str, place: String) -> Result<usize, Error> {
-        self.controls.iter().position(|control| control.id == id).ok_or_else(|| Error::Unknown {
-            what: Named::Control,
-            name: id.into(),
-            place,
-            suggestion: nearest(id, self.controls.iter().map(|control| control.id.as_str())),
+    pub(crate) fn shift_element(&self, id: &str, place: String) -> Result<usize, Error> {
+        self.shift_elements.iter().position(|shift_element| shift_element.id == id).ok_or_else(|| {
+            Error::Unknown {
+                what: Named::ShiftElement,
+                name: id.into(),
+                place,
+                suggestion: nearest(
+                    id,
+                    self.shift_elements.iter().map(|shift_element| shift_element.id.as_str()),
+                ),
+            }
         })
     }
 
@@ -326,7 +332,7 @@ impl Gearbox {
 
     /// Whether a gear is one of this gearbox, or could be.
     pub(crate) fn check_gear(&self, gear: &Gear) -> Result<(), Error> {
-        let fits = gear.engaged.iter().all(|&control| control < self.controls.len())
+        let fits = gear.engaged.iter().all(|&shift_element| shift_element < self.shift_elements.len())
             && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
         if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }
     }
@@ -338,7 +344,7 @@ impl Gearbox {
     }
 }
 
-/// Each once, in order: what is engaged twice is engaged.
+/// Each once, in order: a shift element named twice is engaged.
 pub(crate) fn ascending(mut places: Vec<usize>) -> Vec<usize> {
     places.sort_unstable();
     places.dedup();

@@ -64,7 +64,7 @@ pub struct MultiLoad {
     /// [`PlanetSet::members`](crate::PlanetSet::members).
     pub members: Vec<Vec<f64>>,
     /// Torque of each shift element on its first link; `None` where several share it.
-    pub controls: Vec<Option<Torque>>,
+    pub shift_elements: Vec<Option<Torque>>,
     /// Powers in W.
     pub power: PowerFlow,
     /// What the meshes take.
@@ -161,7 +161,7 @@ impl Gearbox {
     /// The state of a gear whose freedoms these speeds settle, under these torques; no torques for the speeds alone.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, set::{SetKind, SetSpec}};
+    /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
     /// use uom::si::angular_velocity::revolution_per_minute;
     /// use uom::si::f64::{AngularVelocity, Torque};
     /// use uom::si::torque::newton_meter;
@@ -246,16 +246,16 @@ impl Gearbox {
             |node: usize| freedom.follows[node].then(|| slot[node].map(|slot| solved[slot])).flatten();
         let omega: Vec<Option<f64>> =
             topology.node.iter().map(|node| node.map_or(Some(0.0), of_node)).collect();
-        let slip = |(place, control): (usize, &crate::Control)| {
+        let slip = |(place, shift_element): (usize, &crate::ShiftElement)| {
             if gear.engaged.contains(&place) {
                 return Some(angular_velocity(0.0));
             }
-            Some(angular_velocity(omega[control.links[0].0]? - omega[control.links[1].0]?))
+            Some(angular_velocity(omega[shift_element.links[0].0]? - omega[shift_element.links[1].0]?))
         };
         let state = MultiState {
             freedoms: nodes.len(),
             speeds: omega.iter().map(|omega| omega.map(angular_velocity)).collect(),
-            slips: self.controls.iter().enumerate().map(slip).collect(),
+            slips: self.shift_elements.iter().enumerate().map(slip).collect(),
             sets: self.sets.iter().map(|set| set_motion(set, &omega)).collect(),
             load: None,
         };
@@ -434,7 +434,7 @@ impl Gearbox {
             .balance(&network.ratios)
             .ok_or_else(|| InputsFault::DependentTorques { candidates: names() })?;
         let (found, _, active_signs) = loads.branch(&ideal);
-        let found = found.ok_or(InputsFault::Locked)?;
+        let found = found.ok_or(InputsFault::SelfLocking)?;
         let Members { sets: members, signs } = torques::members(
             self,
             [&freedom.equations, &active],
@@ -448,10 +448,10 @@ impl Gearbox {
             demand[link.0] -= torque;
         }
         let edges = edge_torques(topology, &settled.known, demand);
-        let mut controls = vec![Some(torque(0.0)); self.controls.len()];
+        let mut shift_elements = vec![Some(torque(0.0)); self.shift_elements.len()];
         for (edge, own) in topology.edges.iter().zip(&edges) {
-            if let Some(control) = edge.control {
-                controls[control] = own.map(torque);
+            if let Some(shift_element) = edge.shift_element {
+                shift_elements[shift_element] = own.map(torque);
             }
         }
         let known_members: Vec<Option<Vec<f64>>> = members.iter().cloned().map(Some).collect();
@@ -480,7 +480,7 @@ impl Gearbox {
                 .collect(),
             housing: torque(-outside.iter().map(|(_, torque)| torque).sum::<f64>()),
             members,
-            controls,
+            shift_elements,
             loss: power(flow.sets.iter().flatten().map(|set| set.loss).sum()),
             power: flow,
             efficiency: (enters > 0.0).then(|| leaves / enters),

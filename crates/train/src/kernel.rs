@@ -77,7 +77,7 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
         // One unit of power enters: at the input with torque 1, or at the output with torque i.
         let given = match self.direction {
             Direction::Drive => 1.0,
-            Direction::Overrun => 1.0 / output,
+            Direction::BackDrive => 1.0 / output,
         };
         if !given.is_finite() || output == 0.0 {
             return false;
@@ -106,7 +106,7 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
             // Power that leaves at the other terminal, of 1 that enters.
             let other_speed = match self.direction {
                 Direction::Drive => output,
-                Direction::Overrun => 1.0,
+                Direction::BackDrive => 1.0,
             };
             solution.efficiency = -found.other * other_speed;
         }
@@ -139,7 +139,7 @@ impl<const N: usize, const M: usize, const PLAIN: bool> Problem<'_, N, M, PLAIN>
     fn torques(&self, matrix: &Matrix<N>, given: f64) -> Option<([f64; N], f64)> {
         let (known, other) = match self.direction {
             Direction::Drive => (0, self.output),
-            Direction::Overrun => (self.output, 0),
+            Direction::BackDrive => (self.output, 0),
         };
         let mut equations = [[0.0; N]; N];
         let mut right = [0.0; N];

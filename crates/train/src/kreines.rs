@@ -19,7 +19,7 @@
 //! power,
 //!
 //! - where a set is so nearly idle in a gear with loops that the losses of the others reverse it,
-//! - where the gear locks itself, and what lies behind the locking set is driven from the far end.
+//! - where the gear is self-locking, and what lies behind the self-locking set is driven from the far end.
 //!
 //! There the torque balance turns the sign of the set, continuously with the losses, and
 //! [`Kreines::reversed`] names it. With its exponent turned the rule gives the efficiency of the

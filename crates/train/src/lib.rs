@@ -17,7 +17,7 @@
 //! | [`kreines`] | efficiency from the ratio alone, as a check |
 //! | [`efficiency`] | self-consistent sign patterns |
 //! | [`operating`] | the same as quantities at a speed and load |
-//! | [`pins`] | forces on the bearings of the planets |
+//! | [`planet_bearings`] | forces on the bearings of the planets |
 //! | [`tooth_checks`] | centre distances, clearance, assembly and undercut of the sets |
 //! | [`combinations`] | every set of shift elements |
 //! | [`compiled`] | a gear compiled once, solved often |
@@ -36,8 +36,8 @@
 //! use epicyclic_gears::efficiency::MeshEfficiency;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! // Scheme II-3: row 1 alone in the first gear, both rows in the second.
-//! let loss = MeshLoss::Row(MeshEfficiency::new(0.97)?);
+//! // Scheme II-3: set 1 alone in the first gear, both sets in the second.
+//! let loss = MeshLoss::Set(MeshEfficiency::new(0.97)?);
 //! let gearbox = Gearbox::builder("II-3")
 //!     .links(["D", "B", "T1", "T2"])
 //!     .set(SetSpec::simple("1", ["T1", "D", "B"], 2.15).with_loss(loss))
@@ -78,7 +78,7 @@ pub mod names;
 mod network;
 pub mod one_way;
 pub mod operating;
-pub mod pins;
+pub mod planet_bearings;
 mod planet_places;
 pub mod planet_set;
 pub mod power_flow;
@@ -95,7 +95,7 @@ pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Direction, Solution, Values};
 pub use error::{CompoundFault, Error, InputsFault, Named, Warning};
-pub use gearbox::{Control, GROUND, Gear, Gearbox, LinkId};
+pub use gearbox::{GROUND, Gear, Gearbox, LinkId, ShiftElement};
 pub use operating::{InputLoad, Operation};
 pub use planet_set::PlanetSet;
 pub use state::State;

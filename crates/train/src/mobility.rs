@@ -16,7 +16,7 @@
 /// special dimensions: the [state](crate::state) of a gear is taken from rank, not from here.
 ///
 /// ```
-/// use crate::mobility::mobility;
+/// use epicyclic_train::mobility::mobility;
 /// assert_eq!(mobility(4, 4, 2), 2); // three-link differential: sun, ring, carrier, planet
 /// assert_eq!(mobility(5, 5, 3), 2); // four-link differential
 /// assert_eq!(mobility(3, 3, 2), 1); // with one link stopped

@@ -100,7 +100,7 @@ impl Network {
         let output_speed = if output == usize::from(RESTING) { 0.0 } else { speeds[output] };
         let given = match direction {
             Direction::Drive => 1.0,
-            Direction::Overrun => 1.0 / output_speed,
+            Direction::BackDrive => 1.0 / output_speed,
         };
         if output_speed == 0.0 || !given.is_finite() {
             return false;
@@ -114,7 +114,7 @@ impl Network {
         }
         let (known, other, other_speed) = match direction {
             Direction::Drive => (0, output, output_speed),
-            Direction::Overrun => (output, 0, 1.0),
+            Direction::BackDrive => (output, 0, 1.0),
         };
         let terminals = [(known, Some(given)), (other, None)];
         let terminals = if known == other { &terminals[..0] } else { &terminals[..] };

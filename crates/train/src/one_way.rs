@@ -46,8 +46,8 @@ impl Duty {
 /// A one-way clutch in a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OneWay {
-    /// Its place in [`Gearbox::controls`](crate::Gearbox::controls).
-    pub control: usize,
+    /// Its place in [`Gearbox::shift_elements`](crate::Gearbox::shift elements).
+    pub shift_element: usize,
     /// Whether the gear relies on it.
     pub is_relied_on: bool,
     /// What it does while the input drives.
@@ -60,17 +60,22 @@ impl Analysis<'_> {
     /// The one-way clutches of the gearbox in this gear.
     #[must_use]
     pub fn one_way_clutches(&self) -> Vec<OneWay> {
-        let controls = self.gearbox.controls().iter().enumerate().filter(|(_, control)| control.is_one_way());
-        controls
-            .map(|(control, _)| {
-                let is_relied_on = self.gear.engaged().contains(&control);
+        let shift_elements = self
+            .gearbox
+            .shift_elements()
+            .iter()
+            .enumerate()
+            .filter(|(_, shift_element)| shift_element.is_one_way());
+        shift_elements
+            .map(|(shift_element, _)| {
+                let is_relied_on = self.gear.engaged().contains(&shift_element);
                 let of = |case: Option<&LoadCase>| {
-                    if is_relied_on { relied_on(control, case) } else { self.free(control) }
+                    if is_relied_on { relied_on(shift_element, case) } else { self.free(shift_element) }
                 };
-                let (drive, coast) = (of(self.driving()), of(self.overrun()));
+                let (drive, coast) = (of(self.driving()), of(self.back_driving()));
                 // That it lets go on coast is what it is made for.
                 let coast = if coast == Duty::WouldOverrun { Duty::Overruns } else { coast };
-                OneWay { control, is_relied_on, drive, coast }
+                OneWay { shift_element, is_relied_on, drive, coast }
             })
             .collect()
     }
@@ -87,9 +92,9 @@ impl Analysis<'_> {
         Some(!relied.contains(&Duty::Overruns))
     }
 
-    fn free(&self, control: usize) -> Duty {
-        let Some(slip) = self.slips()[control] else { return Duty::Unknown };
-        let [first, second] = self.gearbox.controls()[control].links();
+    fn free(&self, shift_element: usize) -> Duty {
+        let Some(slip) = self.slips()[shift_element] else { return Duty::Unknown };
+        let [first, second] = self.gearbox.shift_elements()[shift_element].links();
         let largest = [first, second]
             .iter()
             .filter_map(|link| self.speed(*link))
@@ -104,9 +109,9 @@ impl Analysis<'_> {
     }
 }
 
-fn relied_on(control: usize, case: Option<&LoadCase>) -> Duty {
+fn relied_on(shift_element: usize, case: Option<&LoadCase>) -> Duty {
     let Some(case) = case else { return Duty::Unknown };
-    let Some(torque) = case.controls[control] else { return Duty::Unknown };
+    let Some(torque) = case.shift_elements[shift_element] else { return Duty::Unknown };
     let largest = case
         .members
         .iter()

@@ -11,13 +11,13 @@ use uom::si::f64::{AngularVelocity, Power, Torque};
 pub enum InputLoad {
     /// Torque on the input from outside.
     Torque(Torque),
-    /// Power that enters at the input; negative where the machine overruns and power leaves there.
+    /// Power that enters at the input; negative where the machine drives the input and power leaves there.
     Power(Power),
 }
 
 /// Speeds, torques and powers of a gear at an operating point.
 ///
-/// Torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace. A control's
+/// Torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace. A shift element's
 /// torque acts on its first link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operation {
@@ -30,7 +30,7 @@ pub struct Operation {
     /// Torques on the members of each set, in the order of [`PlanetSet::members`](crate::PlanetSet::members).
     pub members: Vec<Option<Vec<Torque>>>,
     /// Torque of each shift element.
-    pub controls: Vec<Option<Torque>>,
+    pub shift_elements: Vec<Option<Torque>>,
     /// Torque on the input.
     pub input: Torque,
     /// Torque on the output.
@@ -39,7 +39,7 @@ pub struct Operation {
     pub links: Vec<Option<Power>>,
     /// Power that the meshes take.
     pub loss: Power,
-    /// Power that enters and leaves again: at the input when driving, at the output when overrun.
+    /// Power that enters and leaves again: at the input when driving, at the output when back-driven.
     pub entering: Power,
 }
 
@@ -47,14 +47,14 @@ impl Analysis<'_> {
     /// The gear at this input speed and load, with losses.
     ///
     /// Power that enters at the input takes [`driving`](Analysis::driving); power that leaves there
-    /// takes [`overrun`](Analysis::overrun), scaled to the input's load.
+    /// takes [`back_driving`](Analysis::back_driving), scaled to the input's load.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, InputLoad, set::SetSpec};
+    /// use epicyclic_train::{Gearbox, InputLoad, set::SetSpec};
     /// use uom::si::angular_velocity::revolution_per_minute;
     /// use uom::si::f64::{AngularVelocity, Torque};
     /// use uom::si::torque::newton_meter;
-    /// # fn main() -> Result<(), crate::Error> {
+    /// # fn main() -> Result<(), epicyclic_train::Error> {
     /// let gearbox = Gearbox::builder("conveyor")
     ///     .links(["D", "B", "T1"])
     ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
@@ -67,7 +67,7 @@ impl Analysis<'_> {
     /// let load = InputLoad::Torque(Torque::new::<newton_meter>(500.0));
     /// let work = gearbox.analyze("slow")?.at(rpm(1480.0), load)?;
     /// // The brake holds what input and output leave: −T_in − T_out = 1500 N·m.
-    /// assert!((work.controls[0].unwrap().get::<newton_meter>() - 1500.0).abs() < 1e-9);
+    /// assert!((work.shift_elements[0].unwrap().get::<newton_meter>() - 1500.0).abs() < 1e-9);
     /// # Ok(())
     /// # }
     /// ```
@@ -75,7 +75,7 @@ impl Analysis<'_> {
     /// # Errors
     /// [`Error::NotDriven`] in any other state or where no torque moves the gear;
     /// [`Error::OperatingPoint`] for a speed or load that is not finite, for power at rest, and for
-    /// power out of the input of a gear that locks itself.
+    /// power out of the input of a gear that is self-locking when driven from its output.
     pub fn at(&self, input_speed: AngularVelocity, load: InputLoad) -> Result<Operation, Error> {
         let refuse = |why| Error::OperatingPoint { why };
         let not_driven = || Error::NotDriven { state: self.state().to_string() };
@@ -95,12 +95,14 @@ impl Analysis<'_> {
         {
             return Err(not_driven());
         }
-        let direction = if torque_n_m * speed_rad_s >= 0.0 { Direction::Drive } else { Direction::Overrun };
+        let direction = if torque_n_m * speed_rad_s >= 0.0 { Direction::Drive } else { Direction::BackDrive };
         let (case, scale) = match direction {
             Direction::Drive => (self.driving(), torque_n_m),
-            Direction::Overrun => {
-                let case = self.overrun().filter(|case| case.efficiency > 0.0);
-                let locked = refuse("power cannot leave at the input: the gear locks itself when overrun");
+            Direction::BackDrive => {
+                let case = self.back_driving().filter(|case| case.efficiency > 0.0);
+                let locked = refuse(
+                    "power cannot leave at the input: the gear is self-locking when driven from its output",
+                );
                 let case = case.ok_or(locked)?;
                 (Some(case), torque_n_m / case.input)
             }
@@ -118,7 +120,7 @@ impl Analysis<'_> {
                 .iter()
                 .map(|m| m.as_ref().map(|m| m.iter().copied().map(of_torque).collect()))
                 .collect(),
-            controls: case.controls.iter().map(|c| c.map(of_torque)).collect(),
+            shift_elements: case.shift_elements.iter().map(|c| c.map(of_torque)).collect(),
             input: of_torque(case.input),
             output: of_torque(case.output),
             links: case.power.links.iter().map(|p| p.map(of_power)).collect(),

@@ -21,7 +21,7 @@
 //! ```
 //!
 //! Central gears are taken in the order in which a walk through the tree meets them, so that those behind any
-//! mesh are neighbours. Meshes with the same gears behind them always carry power in one sense; they are one
+//! mesh are neighbours. Meshes with the same gears behind them always carry power in the same direction; they are one
 //! *segment*. A set with two central gears has one equation and one segment.
 
 use crate::compound::{CentralKind, CompoundSpec};
@@ -306,7 +306,7 @@ impl PlanetSet {
     #[must_use]
     pub fn efficiency(&self) -> f64 {
         if let Some(spec) = self.short() {
-            return spec.loss.row_efficiency().get();
+            return spec.loss.set_efficiency().get();
         }
         self.path(0, 1).iter().map(|&mesh| self.meshes[mesh].efficiency.get()).product()
     }
@@ -475,8 +475,8 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
     };
     let [first, between, second] = match (spec.loss, planets.len()) {
         (MeshLoss::Meshes { first, between, second }, _) => [first, between, second],
-        (MeshLoss::Row(eta), 0) => [eta; 3],
-        (MeshLoss::Row(eta), planets) => {
+        (MeshLoss::Set(eta), 0) => [eta; 3],
+        (MeshLoss::Set(eta), planets) => {
             let each = eta.get().powf(1.0 / (planets + 1) as f64);
             [MeshEfficiency::new(each).unwrap_or(eta); 3]
         }
@@ -499,7 +499,7 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
             ]
         }
     };
-    // What teeth do not give: the second central gear from k, and by coaxiality the planet of a simple set.
+    // What teeth do not give: the second central gear from k, and by equal centre distances the planet of a simple set.
     let mut factors = vec![None; 2 + planets.len()];
     let mut known = vec![None; 2 + planets.len()];
     factors[1] = Some(1.0 / ratio.get());
@@ -515,7 +515,7 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
         factors,
         exact: known,
         rational: crate::elimination::decimal(ratio.get()),
-        loss: Some(spec.loss.row_efficiency()),
+        loss: Some(spec.loss.set_efficiency()),
     })
 }
 

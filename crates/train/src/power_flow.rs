@@ -2,7 +2,7 @@
 //!
 //! # Source
 //! Rolling and coupling power are the field's terms: seen from the carrier a set passes
-//! `T_a·(ω_a − ω_H)` through its meshes; the rest, `T_a·ω_H` and `T_b·ω_H`, goes round with the
+//! `T_a·(ω_a − ω_H)` through its meshes; the rest, `T_a·ω_H` and `T_b·ω_H`, turns with the
 //! carrier and loses nothing.
 //!
 //! # Circulating power
@@ -34,7 +34,7 @@ pub struct SetPower {
 impl SetPower {
     /// Rolling power at the first central gear: of a set with two, positive from the first to the second.
     #[must_use]
-    pub fn relative(&self) -> f64 {
+    pub fn rolling_power(&self) -> f64 {
         self.rolling[0]
     }
 
@@ -66,9 +66,9 @@ pub struct PowerFlow {
     pub links: Vec<Option<f64>>,
     /// Power that circulates, over what enters.
     pub circulating: f64,
-    /// What circulates through which arcs; of their sign.
-    round: Vec<(Way, f64)>,
-    /// The largest power of any member, rolling or absolute, at least 1: the measure for balances.
+    /// What circulates through which arcs, of their sign.
+    circulations: Vec<(Way, f64)>,
+    /// The largest power of any member, rolling or at a link, at least 1: the measure for balances.
     pub largest: f64,
 }
 
@@ -76,17 +76,17 @@ impl PowerFlow {
     /// The part of the power at a member of a set, [`SetPower::members`], that can circulate, of its sign.
     #[must_use]
     pub fn circulating_member(&self, set: usize, member: usize) -> f64 {
-        self.round_by(Way::Member { set, member })
+        self.circulating_by(Way::Member { set, member })
     }
 
     /// The part of a shift element's power, torque on its first link times that link's speed, that can circulate.
     #[must_use]
-    pub fn circulating_control(&self, control: usize) -> f64 {
-        self.round_by(Way::Control(control))
+    pub fn circulating_shift_element(&self, shift_element: usize) -> f64 {
+        self.circulating_by(Way::ShiftElement(shift_element))
     }
 
-    fn round_by(&self, way: Way) -> f64 {
-        self.round.iter().find(|(other, _)| *other == way).map_or(0.0, |(_, part)| *part)
+    fn circulating_by(&self, way: Way) -> f64 {
+        self.circulations.iter().find(|(other, _)| *other == way).map_or(0.0, |(_, part)| *part)
     }
 }
 
@@ -94,11 +94,11 @@ impl PowerFlow {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Way {
     Member { set: usize, member: usize },
-    Control(usize),
+    ShiftElement(usize),
     Tie,
 }
 
-/// Power in the sense of the arrow from one vertex to another.
+/// Power in the direction of the arrow from one vertex to another.
 #[derive(Clone, Copy)]
 struct Flow {
     from: usize,
@@ -138,7 +138,7 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
     // What shares a torque that nothing settles is one piece to the flow. So are links that are tied: one link under two
     // names circulates as much as under one.
     let mut pieces: Option<Groups> = None;
-    let is_one = |(edge, torque): &(&Edge, &Option<f64>)| torque.is_none() || edge.control.is_none();
+    let is_one = |(edge, torque): &(&Edge, &Option<f64>)| torque.is_none() || edge.shift_element.is_none();
     for (edge, _) in topology.edges.iter().zip(edges).filter(is_one) {
         pieces.get_or_insert_with(|| Groups::new(count)).join(edge.links[0].0, edge.links[1].0);
     }
@@ -169,21 +169,21 @@ pub(crate) fn power_flow(flowing: &Flowing) -> PowerFlow {
         let Some(power) = power else { continue };
         let [first, second] = [piece(first), piece(second)];
         let (from, to) = if power > 0.0 { (second, first) } else { (first, second) };
-        let way = edge.control.map_or(Way::Tie, Way::Control);
+        let way = edge.shift_element.map_or(Way::Tie, Way::ShiftElement);
         flows.push(Flow { from, to, power: power.abs(), way, sign: power.signum() });
     }
     for &(terminal, torque) in terminals {
         add(terminal.0, torque_times(Some(torque), speeds[terminal.0]));
     }
     let mut circulating = 0.0_f64;
-    let mut round = vec![];
+    let mut parts = vec![];
     for (flow, part) in circulations(flows, count + gearbox.sets.len(), LOOP * largest) {
         circulating = circulating.max(part);
         if part > 0.0 {
-            round.push((flow.way, flow.sign * part));
+            parts.push((flow.way, flow.sign * part));
         }
     }
-    PowerFlow { sets, links: through, circulating, round, largest }
+    PowerFlow { sets, links: through, circulating, circulations: parts, largest }
 }
 
 /// A torque of nothing has no power at any speed.
@@ -218,7 +218,7 @@ fn set_power(set: &PlanetSet, torques: &[f64], speeds: &[Option<f64>], no_torque
 /// Power through each mesh of a set from the rolling powers of the central gears: what the gears behind it give and
 /// take, through the meshes between. `signs` are those of its segments, none without losses.
 ///
-/// A mesh that passes no more than rounding leaves of the `largest` power is idle, and has no sense.
+/// A mesh that passes no more than rounding leaves of the `largest` power is idle, and has no direction.
 pub(crate) fn mesh_powers(
     set: &PlanetSet,
     power: &SetPower,
@@ -227,7 +227,7 @@ pub(crate) fn mesh_powers(
 ) -> Vec<MeshPower> {
     let (tree, rolling) = (&set.tree, &power.rolling);
     let sign = |segment: usize| signs.map_or(0, |signs| signs[segment]);
-    // What a mesh leaves of the power that comes from the side of the root, in the sense of its segment.
+    // What a mesh leaves of the power that comes from the side of the root, in the direction of its segment.
     let part = |mesh: usize| match tree.in_segment[mesh].map_or(0, |(segment, _)| sign(segment)) {
         0 => 1.0,
         1 => set.meshes()[mesh].efficiency.get(),

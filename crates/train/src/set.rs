@@ -12,9 +12,9 @@ use epicyclic_gears::row::{Fraction, StationaryRatio};
 use epicyclic_gears::teeth::ToothCount;
 use std::fmt;
 
-/// How the planets of a row join its two central wheels.
+/// How the planets of a set join its two central gears.
 ///
-/// | kind | central wheels `1`, `2` | `i₀` |
+/// | kind | central gears `1`, `2` | `i₀` |
 /// |---|---|---|
 /// | [`Simple`](Self::Simple) | sun, ring | `−z_2/z_1` |
 /// | [`DoublePlanet`](Self::DoublePlanet) | sun, ring | `+z_2/z_1` |
@@ -22,12 +22,12 @@ use std::fmt;
 /// | [`SteppedSuns`](Self::SteppedSuns) | two suns | `+(z_g/z_1)·(z_2/z_f)` |
 /// | [`SteppedRings`](Self::SteppedRings) | two rings | `+(z_g/z_1)·(z_2/z_f)` |
 /// | [`MeshingSuns`](Self::MeshingSuns) | two suns of planets in mesh | `−z_2/z_1` |
-/// | [`Bevel`](Self::Bevel) | two bevel wheels | `−z_2/z_1` |
-/// | [`ExternalPair`](Self::ExternalPair) | two wheels on fixed axes | `−z_2/z_1` |
+/// | [`Bevel`](Self::Bevel) | two bevel gears | `−z_2/z_1` |
+/// | [`ExternalPair`](Self::ExternalPair) | two gears on fixed axes | `−z_2/z_1` |
 /// | [`InternalPair`](Self::InternalPair) | pinion, ring on fixed axes | `+z_2/z_1` |
 ///
-/// The first central wheel is called the sun and the second the ring throughout. The carrier of a
-/// pair is the housing. Of the steps of a planet `g` meshes with wheel 1 and `f` with wheel 2.
+/// The first central gear is called the sun and the second the ring throughout. The carrier of a
+/// pair is the housing. Of the steps of a planet `g` meshes with central gear 1 and `f` with central gear 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SetKind {
     /// Sun, ring, one planet in mesh with both.
@@ -42,16 +42,16 @@ pub enum SetKind {
     SteppedRings,
     /// Two suns, each with its planet, the planets in mesh (Ravigneaux without its ring).
     MeshingSuns,
-    /// Bevel row.
+    /// Bevel set.
     Bevel,
-    /// Two wheels outside each other on fixed axes.
+    /// Two gears outside each other on fixed axes.
     ExternalPair,
     /// A pinion in a ring on fixed axes.
     InternalPair,
 }
 
 impl SetKind {
-    /// Sign of the stationary ratio.
+    /// Sign of the basic ratio.
     #[must_use]
     pub fn sign(self) -> f64 {
         match self {
@@ -91,36 +91,36 @@ impl fmt::Display for SetKind {
     }
 }
 
-/// What is known of a row's ratio.
+/// What is known of a set's ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gearing {
     /// `k = |i₀|`; the kind gives the sign.
     Parameter(f64),
-    /// Teeth of the central wheels 1 and 2.
+    /// Teeth of the central gears 1 and 2.
     Teeth(ToothCount, ToothCount),
 }
 
-/// What the meshes of a row lose.
+/// What the meshes of a set lose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MeshLoss {
-    /// `η₀` of the whole row under a resting carrier.
-    Row(MeshEfficiency),
-    /// `η` of every mesh, from wheel 1 to wheel 2.
+    /// `η₀` of the whole set with the carrier fixed.
+    Set(MeshEfficiency),
+    /// `η` of every mesh, from central gear 1 to central gear 2.
     Meshes {
-        /// Wheel 1 with its planet.
+        /// Central gear 1 with its planet.
         first: MeshEfficiency,
         /// Planet with planet, where there are two; otherwise [`MeshEfficiency::IDEAL`].
         between: MeshEfficiency,
-        /// Planet with wheel 2.
+        /// Planet with central gear 2.
         second: MeshEfficiency,
     },
 }
 
 impl MeshLoss {
-    /// A row without losses.
-    pub const IDEAL: Self = Self::Row(MeshEfficiency::IDEAL);
+    /// A set without losses.
+    pub const IDEAL: Self = Self::Set(MeshEfficiency::IDEAL);
 
-    /// Losses of the sun–planet and planet–ring meshes of a row with one planet.
+    /// Losses of the sun–planet and planet–ring meshes of a set with one planet.
     #[must_use]
     pub fn sun_and_ring(sun_planet: MeshEfficiency, planet_ring: MeshEfficiency) -> Self {
         Self::Meshes { first: sun_planet, between: MeshEfficiency::IDEAL, second: planet_ring }
@@ -128,9 +128,9 @@ impl MeshLoss {
 
     /// `η₀`, the product over the meshes.
     #[must_use]
-    pub fn row_efficiency(self) -> MeshEfficiency {
+    pub fn set_efficiency(self) -> MeshEfficiency {
         match self {
-            Self::Row(eta) => eta,
+            Self::Set(eta) => eta,
             Self::Meshes { first, between, second } => MeshEfficiency::of_meshes(&[first, between, second]),
         }
     }
@@ -140,7 +140,7 @@ impl MeshLoss {
 /// [`PlanetSet`](crate::PlanetSet).
 ///
 /// ```
-/// use crate::set::{SetKind, SetSpec};
+/// use epicyclic_train::set::{SetKind, SetSpec};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// let by_k = SetSpec::simple("P1", ["sun", "ring", "carrier"], 2.94);
 /// let by_teeth = SetSpec::teeth("P2", SetKind::DoublePlanet, ["s", "r", "c"], 30, 72)?;
@@ -149,26 +149,26 @@ impl MeshLoss {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetSpec {
-    /// Name of the row.
+    /// Name of the set.
     pub id: String,
     /// Kind.
     pub kind: SetKind,
-    /// Links of sun (wheel 1), ring (wheel 2) and carrier. That of a pair's carrier is `ground`.
+    /// Links of sun (central gear 1), ring (central gear 2) and carrier. That of a pair's carrier is `ground`.
     pub members: [String; 3],
     /// Ratio or teeth.
     pub gearing: Gearing,
     /// Losses.
     pub loss: MeshLoss,
-    /// Teeth of the planet, or of its step, in mesh with wheel 1: `z_g`.
+    /// Teeth of the planet, or of its step, in mesh with central gear 1: `z_g`.
     pub planet: Option<ToothCount>,
-    /// Teeth of the second planet, or of the step, in mesh with wheel 2: `z_f`.
+    /// Teeth of the second planet, or of the step, in mesh with central gear 2: `z_f`.
     pub second_planet: Option<ToothCount>,
     /// How many planets, or pairs of planets, stand around the axis.
     pub planet_count: Option<u32>,
 }
 
 impl SetSpec {
-    /// A row of any kind known by the size of its stationary ratio, `k = |i₀|`.
+    /// A set of any kind known by the size of its basic ratio, `k = |i₀|`.
     #[must_use]
     pub fn new(id: &str, kind: SetKind, members: [&str; 3], k: f64) -> Self {
         Self {
@@ -183,13 +183,13 @@ impl SetSpec {
         }
     }
 
-    /// A simple row known by `k = z_b/z_a`.
+    /// A simple set known by `k = z_b/z_a`.
     #[must_use]
     pub fn simple(id: &str, members: [&str; 3], k: f64) -> Self {
         Self::new(id, SetKind::Simple, members, k)
     }
 
-    /// A row of any kind known by the teeth of its central wheels. A stepped row also needs
+    /// A set of any kind known by the teeth of its central gears. A stepped set also needs
     /// [`planet_teeth`](Self::planet_teeth).
     ///
     /// # Errors
@@ -205,48 +205,43 @@ impl SetSpec {
         Ok(Self { gearing, ..Self::new(id, kind, members, 1.0) })
     }
 
-    /// Two wheels on fixed axes outside each other.
+    /// Two gears on fixed axes outside each other.
     ///
     /// # Errors
     /// [`epicyclic_gears::Error::NoTeeth`] for a tooth count of 0.
-    pub fn pair(
-        id: &str,
-        wheels: [&str; 2],
-        first: u32,
-        second: u32,
-    ) -> Result<Self, epicyclic_gears::Error> {
-        let [a, b] = wheels;
+    pub fn pair(id: &str, gears: [&str; 2], first: u32, second: u32) -> Result<Self, epicyclic_gears::Error> {
+        let [a, b] = gears;
         Self::teeth(id, SetKind::ExternalPair, [a, b, crate::GROUND], first, second)
     }
 
-    /// The same row with these losses.
+    /// The same set with these losses.
     #[must_use]
     pub fn with_loss(self, loss: MeshLoss) -> Self {
         Self { loss, ..self }
     }
 
-    /// The same row with the teeth `z_g` and `z_f` of its planets or steps.
+    /// The same set with the teeth `z_g` and `z_f` of its planets or steps.
     #[must_use]
     pub fn planet_teeth(self, first: ToothCount, second: Option<ToothCount>) -> Self {
         Self { planet: Some(first), second_planet: second, ..self }
     }
 
-    /// The same row with this many planets.
+    /// The same set with this many planets.
     #[must_use]
     pub fn planet_count(self, count: u32) -> Self {
         Self { planet_count: Some(count), ..self }
     }
 
-    /// Stationary ratio as a number, and as an exact fraction where the teeth are known.
+    /// Basic ratio as a number, and as an exact fraction where the teeth are known.
     pub(crate) fn ratio(&self) -> Result<(StationaryRatio, Option<Fraction>), Error> {
-        let bad_parameter = |k| Error::RowParameter { set: self.id.clone(), kind: self.kind, k };
+        let bad_ratio = |k| Error::RingToSunRatio { set: self.id.clone(), kind: self.kind, k };
         let simple_fits = |k: f64| self.kind != SetKind::Simple || k > 1.0;
         match self.gearing {
             Gearing::Parameter(k) => {
                 if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
-                    return Err(bad_parameter(k));
+                    return Err(bad_ratio(k));
                 }
-                let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_parameter(k))?;
+                let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_ratio(k))?;
                 Ok((ratio, None))
             }
             Gearing::Teeth(first, second) => {
@@ -260,9 +255,9 @@ impl SetSpec {
                 }
                 let k = *size.numer() as f64 / *size.denom() as f64;
                 if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
-                    return Err(bad_parameter(k));
+                    return Err(bad_ratio(k));
                 }
-                let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_parameter(k))?;
+                let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_ratio(k))?;
                 Ok((ratio, Some(if self.kind.sign() < 0.0 { -size } else { size })))
             }
         }

@@ -41,13 +41,13 @@ pub(crate) fn link_speeds(topology: &Topology, verdict: &Verdict) -> Vec<Option<
 
 /// Slip of every shift element, speed of its first link less that of its second: 0 when engaged.
 pub(crate) fn slips(gearbox: &Gearbox, gear: &Gear, speeds: &[Option<f64>]) -> Vec<Option<f64>> {
-    let slip = |(place, control): (usize, &crate::Control)| {
+    let slip = |(place, shift_element): (usize, &crate::ShiftElement)| {
         if gear.engaged.contains(&place) {
             return Some(0.0);
         }
-        Some(speeds[control.links[0].0]? - speeds[control.links[1].0]?)
+        Some(speeds[shift_element.links[0].0]? - speeds[shift_element.links[1].0]?)
     };
-    gearbox.controls.iter().enumerate().map(slip).collect()
+    gearbox.shift_elements.iter().enumerate().map(slip).collect()
 }
 
 /// Motion of a set between links of known speeds.

@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`InputBlocked`](State::InputBlocked) | `ω_in = 0` follows | |
 //! | [`OutputFree`](State::OutputFree) | no relation holds both `ω_in` and `ω_out` | |
-//! | [`Underdetermined`](State::Underdetermined) | their relation holds a further free speed | or a loaded row turns at a free speed |
+//! | [`Underdetermined`](State::Underdetermined) | their relation holds a further free speed | or a loaded set turns at a free speed |
 //! | [`OutputAtRest`](State::OutputAtRest) | `ω_out = 0` follows, `ω_in` is free | |
 //! | [`TorquesIndeterminate`](State::TorquesIndeterminate) | `ω_out = ω_in/i` | a torque in relation with the input's is free |
 //! | [`Driven`](State::Driven) | `ω_out = ω_in/i` | all such torques follow |
@@ -62,7 +62,7 @@ pub enum State {
         /// Links of the redundant parts.
         links: Vec<String>,
         /// Redundant shift elements.
-        controls: Vec<String>,
+        shift_elements: Vec<String>,
         /// Sets of unknown torque.
         sets: Vec<String>,
     },
@@ -344,10 +344,11 @@ impl<S: Scalar> Torques<S> {
                 open_sets.iter().any(|&set| gearbox.sets[set].members().contains(&link))
                     || open_edges.iter().any(|&e| topology.edges[e].links.contains(&link))
             };
-            let control = |&e: &usize| topology.edges[e].control.map(|c| gearbox.controls[c].id.clone());
+            let shift_element =
+                |&e: &usize| topology.edges[e].shift_element.map(|c| gearbox.shift_elements[c].id.clone());
             return State::TorquesIndeterminate {
                 links: names(&touched),
-                controls: open_edges.iter().filter_map(control).collect(),
+                shift_elements: open_edges.iter().filter_map(shift_element).collect(),
                 sets: open_sets.iter().map(|&set| gearbox.sets[set].id().to_owned()).collect(),
             };
         }

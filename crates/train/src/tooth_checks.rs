@@ -19,7 +19,7 @@
 //! | `N` | planets of a kind, at equal angles `2π/N` | 1 |
 //!
 //! Of identical neighbours `e = 2·R·sin(π/N)`. Two planets in mesh stand apart by the angle of
-//! [`pins`](crate::pins#geometry); each is held against those of the other kind that it does not mesh with. Gears
+//! [`planet_bearings`](crate::planet_bearings#geometry); each is held against those of the other kind that it does not mesh with. Gears
 //! that do not mesh may lie beside each other along the axis, as the short planets and the large sun of a Ravigneaux
 //! set do; that they must is only a [note](ToothWarning::is_note).
 //!
@@ -253,7 +253,7 @@ impl Gearbox {
     /// What does not fit in the teeth of its sets, set by set.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, set::{SetKind, SetSpec}};
+    /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let gearbox = Gearbox::builder("tight")
     ///     .links(["sun", "arm"])

@@ -11,7 +11,7 @@ use num_rational::BigRational;
 pub(crate) struct Edge {
     pub(crate) links: [LinkId; 2],
     /// Place of the shift element; none of a permanent connection.
-    pub(crate) control: Option<usize>,
+    pub(crate) shift_element: Option<usize>,
 }
 
 /// The nodes of a gear.
@@ -33,11 +33,11 @@ pub(crate) struct Topology {
 
 impl Topology {
     pub(crate) fn new(gearbox: &Gearbox, gear: &Gear) -> Self {
-        let permanent = gearbox.permanent.iter().map(|&links| Edge { links, control: None });
-        let engaged = gear
-            .engaged
-            .iter()
-            .map(|&control| Edge { links: gearbox.controls[control].links, control: Some(control) });
+        let permanent = gearbox.permanent.iter().map(|&links| Edge { links, shift_element: None });
+        let engaged = gear.engaged.iter().map(|&shift_element| Edge {
+            links: gearbox.shift_elements[shift_element].links,
+            shift_element: Some(shift_element),
+        });
         let edges: Vec<Edge> = permanent.chain(engaged).collect();
         let mut groups = Groups::new(gearbox.links.len());
         let mut is_forest = true;

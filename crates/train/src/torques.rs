@@ -9,7 +9,7 @@ use crate::{Gearbox, LinkId};
 /// Torques and powers of a gear while one unit of power enters it.
 ///
 /// Torques are multiples of the input torque, that is for 1 at the input in
-/// [`Direction::Drive`], and for `i` at the output in [`Direction::Overrun`] (there the input
+/// [`Direction::Drive`], and for `i` at the output in [`Direction::BackDrive`] (there the input
 /// carries `−η`, the load). The [sign convention](epicyclic_gears#sign-convention) is that of the
 /// workspace: torques act on the member from outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,17 +21,17 @@ pub struct LoadCase {
     pub members: Vec<Option<Vec<f64>>>,
     /// Torque of each shift element on its first link (the second takes the opposite): 0 when open, `None`
     /// where elements in a loop share it in a way that nothing settles.
-    pub controls: Vec<Option<f64>>,
+    pub shift_elements: Vec<Option<f64>>,
     /// Torque on the input from outside.
     pub input: f64,
     /// Torque on the output from outside.
     pub output: f64,
     /// What the housing takes in all, `−T_in − T_out`, as a torque on the gearbox.
     pub housing: f64,
-    /// Power that leaves over power that enters; 1 without losses. At or below 0 the gear locks
-    /// itself in this direction.
+    /// Power that leaves over power that enters; 1 without losses. At or below 0 the gear is
+    /// self-locking in this direction.
     pub efficiency: f64,
-    /// Sense of the rolling power in each segment of meshes that carry power together, set by set: 1 away from the
+    /// Direction of the rolling power in each segment of meshes that carry power together, set by set: 1 away from the
     /// gear of reference, −1 towards it, 0 none (and so no loss). A set with two central gears has one segment, 1
     /// from the first to the second.
     pub signs: Vec<i8>,
@@ -67,7 +67,7 @@ pub(crate) struct Scene<'a> {
 pub(crate) struct Members {
     /// On the members of each set.
     pub(crate) sets: Vec<Vec<f64>>,
-    /// Sense of the power in each segment of the gearbox, 0 in one that is not active.
+    /// Direction of the power in each segment of the gearbox, 0 in one that is not active.
     pub(crate) signs: Vec<i8>,
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn loaded(scene: &Scene, direction: Direction, solution: &Solution) -
     let efficiency = solution.efficiency()?;
     let entering = match direction {
         Direction::Drive => 1.0,
-        Direction::Overrun => solution.ratio(),
+        Direction::BackDrive => solution.ratio(),
     };
     Some(load_case(
         scene,
@@ -140,17 +140,17 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
     let Members { sets, signs } = members(gearbox, active, [found.root, found.effective], found.signs);
     let (input, output) = match found.direction {
         Direction::Drive => (found.entering, found.leaving),
-        Direction::Overrun => (found.leaving, found.entering),
+        Direction::BackDrive => (found.leaving, found.entering),
     };
     let mut demand = demands(gearbox, &sets);
     let [input_link, output_link] = scene.topology.terminals;
     demand[input_link.0] -= input;
     demand[output_link.0] -= output;
     let edges = edge_torques(scene.topology, &verdict.known, demand);
-    let mut controls = vec![Some(0.0); gearbox.controls.len()];
+    let mut shift_elements = vec![Some(0.0); gearbox.shift_elements.len()];
     for (edge, torque) in scene.topology.edges.iter().zip(&edges) {
-        if let Some(control) = edge.control {
-            controls[control] = *torque;
+        if let Some(shift_element) = edge.shift_element {
+            shift_elements[shift_element] = *torque;
         }
     }
     let known = |set: usize| gearbox.equations_of(set).all(|equation| verdict.known.equation(equation));
@@ -172,7 +172,7 @@ fn load_case(scene: &Scene, found: &Found) -> LoadCase {
     LoadCase {
         direction: found.direction,
         members,
-        controls,
+        shift_elements,
         input,
         output,
         housing: -input - output,
@@ -194,7 +194,7 @@ impl LoadCase {
         Some(mesh_powers(gearbox.sets.get(set)?, power, signs, self.power.largest))
     }
 
-    /// The senses of the rolling power of one set.
+    /// The directions of the rolling power of one set.
     #[must_use]
     pub fn signs_of(&self, gearbox: &Gearbox, set: usize) -> &[i8] {
         let from = gearbox.segments.partition_point(|segment| segment.set < set);

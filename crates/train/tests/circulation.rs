@@ -25,11 +25,11 @@ fn arcs(gearbox: &Gearbox, case: &LoadCase, speeds: &[Option<f64>]) -> Vec<Arc> 
             add(link.index(), links + place, power, case.power.circulating_member(place, member));
         }
     }
-    for (place, control) in gearbox.controls().iter().enumerate() {
-        let [first, second] = control.links().map(LinkId::index);
-        let power = case.controls[place].unwrap() * speeds[first].unwrap_or(0.0);
+    for (place, shift_element) in gearbox.shift_elements().iter().enumerate() {
+        let [first, second] = shift_element.links().map(LinkId::index);
+        let power = case.shift_elements[place].unwrap() * speeds[first].unwrap_or(0.0);
         // Its torque acts on the first link: the power comes from the second.
-        add(second, first, power, case.power.circulating_control(place));
+        add(second, first, power, case.power.circulating_shift_element(place));
     }
     found
 }
@@ -84,9 +84,9 @@ fn what_circulates_is_the_least_cut() {
         if *found.kinematic_state() != State::Driven {
             continue;
         }
-        for case in [found.ideal(), found.driving(), found.overrun()].into_iter().flatten() {
+        for case in [found.ideal(), found.driving(), found.back_driving()].into_iter().flatten() {
             if case.members.iter().chain([&None; 0]).any(Option::is_none)
-                || case.controls.iter().any(Option::is_none)
+                || case.shift_elements.iter().any(Option::is_none)
                 || case.power.largest > 1e3
             {
                 continue;

@@ -32,7 +32,7 @@ fn watts(power: Power) -> f64 {
 
 /// Engine on the carrier, generator on the sun, wheels on the ring; the motor on the ring by a set with its carrier held.
 fn power_split(eta: f64) -> Gearbox {
-    let loss = MeshLoss::Row(MeshEfficiency::new(eta).unwrap());
+    let loss = MeshLoss::Set(MeshEfficiency::new(eta).unwrap());
     Gearbox::builder("power split")
         .links(["engine", "mg1", "mg2", "ring", "loose"])
         .set(
@@ -215,7 +215,7 @@ fn power_passes_straight_through_a_clutch() {
     let load = at(&gearbox, "direct", &[("a", 10.0)], &[("a", 5.0)]).unwrap().load.unwrap();
     assert_eq!(load.terminals.len(), 2);
     assert!((load.terminals[1].torque.get::<newton_meter>() + 5.0).abs() < 1e-14);
-    assert!((load.controls[0].unwrap().get::<newton_meter>() + 5.0).abs() < 1e-14);
+    assert!((load.shift_elements[0].unwrap().get::<newton_meter>() + 5.0).abs() < 1e-14);
 }
 
 #[test]
@@ -236,7 +236,8 @@ fn a_second_input_at_rest_is_a_brake() {
         assert!((load.efficiency.unwrap() - case.efficiency).abs() < 1e-13);
         assert!((load.terminals[1].torque.get::<newton_meter>() - 80.0 * turn * case.output).abs() < 1e-10);
         assert!(
-            (load.terminals[2].torque.get::<newton_meter>() - 80.0 * turn * case.controls[0].unwrap()).abs()
+            (load.terminals[2].torque.get::<newton_meter>() - 80.0 * turn * case.shift_elements[0].unwrap())
+                .abs()
                 < 1e-10
         );
     }
@@ -271,7 +272,7 @@ fn one_input_agrees_with_the_analysis() {
         }
         assert!((watts(load.loss) - 6.0 * (1.0 - case.efficiency)).abs() < 1e-9 * power);
         assert!((load.power.circulating - 6.0 * case.power.circulating).abs() < 1e-9 * power);
-        for (own, expected) in load.controls.iter().zip(&case.controls) {
+        for (own, expected) in load.shift_elements.iter().zip(&case.shift_elements) {
             assert_eq!(own.is_some(), expected.is_some());
             let Some((own, expected)) = own.zip(*expected) else { continue };
             assert!((own.get::<newton_meter>() - 3.0 * expected).abs() < 1e-9 * torque);
@@ -279,17 +280,17 @@ fn one_input_agrees_with_the_analysis() {
         driven += 1;
 
         // Let a brake go and give its link's speed as 0 instead.
-        let brake = gear.engaged().iter().copied().find(|&place| gearbox.controls()[place].is_brake());
+        let brake = gear.engaged().iter().copied().find(|&place| gearbox.shift_elements()[place].is_brake());
         let Some(brake) = brake else { continue };
         let ids: Vec<&str> = gear
             .engaged()
             .iter()
             .filter(|place| **place != brake)
-            .map(|&place| gearbox.controls()[place].id())
+            .map(|&place| gearbox.shift_elements()[place].id())
             .collect();
         let name = |link: LinkId| gearbox.link_name(link).to_owned();
         let open = gearbox.gear_of(&ids, &name(input), &name(gearbox.output())).unwrap();
-        let held = gearbox.controls()[brake].links()[0];
+        let held = gearbox.shift_elements()[brake].links()[0];
         let freed = gearbox.analyze_gear(&open).unwrap();
         if held == gearbox.output() || !matches!(freed.state(), State::Underdetermined { missing: 1, .. }) {
             continue;
@@ -299,7 +300,7 @@ fn one_input_agrees_with_the_analysis() {
         let load = state.load.as_ref().unwrap();
         assert!((watts(load.loss) - 6.0 * (1.0 - case.efficiency)).abs() < 1e-9 * power);
         let own = load.terminals.iter().find(|one| one.link == held);
-        if let Some((own, expected)) = own.zip(case.controls[brake]) {
+        if let Some((own, expected)) = own.zip(case.shift_elements[brake]) {
             let expected = 3.0 * expected;
             assert!((own.torque.get::<newton_meter>() - expected).abs() < 1e-9 * torque);
         }

@@ -49,7 +49,7 @@ fn an_unknown_link_is_named_with_its_nearest() {
 }
 
 #[test]
-fn an_unknown_control_of_a_gear_is_named() {
+fn an_unknown_shift_element_of_a_gear_is_named() {
     let found = fault(sound().gear("2", ["K2"]));
     assert_eq!(
         found.to_string(),
@@ -72,26 +72,29 @@ fn members_on_one_link_are_refused() {
 }
 
 #[test]
-fn a_row_parameter_of_one_is_refused_of_a_simple_row_only() {
+fn a_ring_to_sun_ratio_of_one_is_refused_of_a_simple_set_only() {
     for k in [1.0, 0.5, 0.0, -2.0, f64::NAN, f64::INFINITY] {
-        let row = SetSpec::simple("2", ["drive", "ring", "driven"], k);
-        assert!(matches!(fault(sound().set(row)), Error::RowParameter { kind: SetKind::Simple, .. }), "{k}");
+        let set = SetSpec::simple("2", ["drive", "ring", "driven"], k);
+        assert!(
+            matches!(fault(sound().set(set)), Error::RingToSunRatio { kind: SetKind::Simple, .. }),
+            "{k}"
+        );
     }
     let teeth = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 60, 60).unwrap();
-    assert!(matches!(fault(sound().set(teeth)), Error::RowParameter { .. }));
+    assert!(matches!(fault(sound().set(teeth)), Error::RingToSunRatio { .. }));
     for kind in [SetKind::Bevel, SetKind::MeshingSuns, SetKind::DoublePlanet, SetKind::SteppedSuns] {
         assert!(sound().set(SetSpec::new("2", kind, ["drive", "ring", "driven"], 0.8)).build().is_ok());
         let none = SetSpec::new("2", kind, ["drive", "ring", "driven"], 0.0);
-        assert!(matches!(fault(sound().set(none)), Error::RowParameter { .. }));
+        assert!(matches!(fault(sound().set(none)), Error::RingToSunRatio { .. }));
     }
 }
 
 #[test]
-fn a_stepped_row_needs_its_steps() {
-    let row = SetSpec::teeth("2", SetKind::SteppedRings, ["drive", "ring", "driven"], 60, 63).unwrap();
-    assert!(matches!(fault(sound().set(row.clone())), Error::StepsMissing { .. }));
+fn a_stepped_set_needs_its_steps() {
+    let set = SetSpec::teeth("2", SetKind::SteppedRings, ["drive", "ring", "driven"], 60, 63).unwrap();
+    assert!(matches!(fault(sound().set(set.clone())), Error::StepsMissing { .. }));
     let teeth = |n| ToothCount::new(n).unwrap();
-    let gearbox = sound().set(row.planet_teeth(teeth(20), Some(teeth(21)))).build().unwrap();
+    let gearbox = sound().set(set.planet_teeth(teeth(20), Some(teeth(21)))).build().unwrap();
     assert!((gearbox.sets()[1].basic_ratio().get() - 1.0).abs() < 1e-15);
 }
 
@@ -99,17 +102,20 @@ fn a_stepped_row_needs_its_steps() {
 fn names_are_unique() {
     assert_eq!(fault(sound().links(["ring"])), Error::Duplicate { what: Named::Link, name: "ring".into() });
     assert!(matches!(fault(sound().links(["ground"])), Error::Duplicate { what: Named::Link, .. }));
-    assert!(matches!(fault(sound().brake("K1", "driven")), Error::Duplicate { what: Named::Control, .. }));
+    assert!(matches!(
+        fault(sound().brake("K1", "driven")),
+        Error::Duplicate { what: Named::ShiftElement, .. }
+    ));
     assert!(matches!(fault(sound().gear("1", ["K1"])), Error::Duplicate { what: Named::Gear, .. }));
-    let row = SetSpec::simple("1", ["drive", "ring", "driven"], 2.0);
-    assert!(matches!(fault(sound().set(row)), Error::Duplicate { what: Named::Set, .. }));
+    let set = SetSpec::simple("1", ["drive", "ring", "driven"], 2.0);
+    assert!(matches!(fault(sound().set(set)), Error::Duplicate { what: Named::Set, .. }));
 }
 
 #[test]
-fn a_control_joins_two_links() {
+fn a_shift_element_joins_two_links() {
     let found = fault(sound().clutch("K2", "ring", "ring"));
-    assert_eq!(found, Error::ControlJoinsItself { control: "K2".into(), link: "ring".into() });
-    assert!(matches!(fault(sound().brake("K2", "ground")), Error::ControlJoinsItself { .. }));
+    assert_eq!(found, Error::ShiftElementJoinsItself { shift_element: "K2".into(), link: "ring".into() });
+    assert!(matches!(fault(sound().brake("K2", "ground")), Error::ShiftElementJoinsItself { .. }));
 }
 
 #[test]
@@ -134,8 +140,8 @@ fn power_does_not_enter_at_the_housing() {
 
 #[test]
 fn shifted_profiles_are_a_matter_of_tooth_checks() {
-    let row = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 22, 58).unwrap();
-    let gearbox = sound().set(row.planet_teeth(ToothCount::new(17).unwrap(), None)).build().unwrap();
+    let set = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 22, 58).unwrap();
+    let gearbox = sound().set(set.planet_teeth(ToothCount::new(17).unwrap(), None)).build().unwrap();
     assert_eq!(gearbox.warnings(), []);
     let found = gearbox.tooth_checks(&BasicRack::default());
     assert_eq!(
@@ -283,7 +289,7 @@ fn more_than_is_solved_is_refused_with_its_number() {
     };
     // As many as are allowed are solved, with their losses.
     let most =
-        chain(MOST_SETS).map_sets(|set| set.with_loss(MeshLoss::Row(MeshEfficiency::new(0.99).unwrap())));
+        chain(MOST_SETS).map_sets(|set| set.with_loss(MeshLoss::Set(MeshEfficiency::new(0.99).unwrap())));
     let most = most.build().unwrap();
     let found = most.analyze("1").unwrap();
     assert!((found.ratio().unwrap() - 1.05_f64.powi(64)).abs() < 1e-12 * 1.05_f64.powi(64));
@@ -292,7 +298,7 @@ fn more_than_is_solved_is_refused_with_its_number() {
     assert_eq!(fault, Error::TooMany { what: Named::Set, count: 1000, limit: MOST_SETS });
     assert_eq!(fault.to_string(), "1000 planet sets: at most 64 are allowed");
     let many = (0..17).fold(sound(), |builder, c| builder.brake(&format!("B{c}"), "ring")).build().unwrap();
-    assert!(matches!(many.combinations(0..=1), Err(Error::TooMany { what: Named::Control, .. })));
+    assert!(matches!(many.combinations(0..=1), Err(Error::TooMany { what: Named::ShiftElement, .. })));
 }
 
 #[test]
@@ -318,7 +324,7 @@ fn a_basic_ratio_beyond_the_limits_is_refused() {
 }
 
 #[test]
-fn a_compiled_gear_takes_one_entry_a_row() {
+fn a_compiled_gear_takes_one_entry_a_set() {
     let gearbox = sound().gear("0", [""; 0]).build().unwrap();
     let compiled = CompiledGear::new(&gearbox, gearbox.gear("1").unwrap()).unwrap();
     let none = Values { ratios: vec![], ..gearbox.values() };

@@ -1,4 +1,4 @@
-//! Losses by mesh, overrun, self-locking, sign patterns.
+//! Losses by mesh, back-driving, self-locking, sign patterns.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -95,18 +95,18 @@ fn a_shared_mesh_without_loss_is_none() {
     }
 }
 
-/// A row nearly idle beside two loaded ones: their losses reverse its power, and the signs that
+/// A set nearly idle beside two loaded ones: their losses reverse its power, and the signs that
 /// Kreines' rule takes from the ideal ratio would let it gain power.
 #[test]
-fn losses_can_reverse_a_row_that_is_nearly_idle() {
-    let row = |id: &str, kind, members, sun, ring, e| {
-        SetSpec::teeth(id, kind, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta(e)))
+fn losses_can_reverse_a_set_that_is_nearly_idle() {
+    let set = |id: &str, kind, members, sun, ring, e| {
+        SetSpec::teeth(id, kind, members, sun, ring).unwrap().with_loss(MeshLoss::Set(eta(e)))
     };
     let gearbox = Gearbox::builder("nearly idle")
         .links(["in", "x", "y", "out"])
-        .set(row("1", SetKind::Simple, ["in", "y", "x"], 30, 71, 0.9136))
-        .set(row("2", SetKind::MeshingSuns, ["out", "y", "x"], 34, 76, 0.9899))
-        .set(row("3", SetKind::DoublePlanet, ["in", "y", "ground"], 48, 101, 0.9711))
+        .set(set("1", SetKind::Simple, ["in", "y", "x"], 30, 71, 0.9136))
+        .set(set("2", SetKind::MeshingSuns, ["out", "y", "x"], 34, 76, 0.9899))
+        .set(set("3", SetKind::DoublePlanet, ["in", "y", "ground"], 48, 101, 0.9711))
         .input("in")
         .output("out")
         .gear("1", [""; 0])
@@ -117,7 +117,7 @@ fn losses_can_reverse_a_row_that_is_nearly_idle() {
     assert_eq!(kreines.exponents, [[1], [-1], [1]]);
     assert_eq!(found.driving().unwrap().signs, [1, -1, -1]);
     assert_eq!(kreines.reversed, ["3"]);
-    // Only one pattern bears itself out, and it is not the printed one.
+    // Only one pattern is self-consistent, and it is not the printed one.
     assert_eq!(found.patterns().len(), 1);
     let efficiency = found.efficiency().unwrap();
     assert!((kreines.efficiency - efficiency).abs() > 5e-4);
@@ -127,13 +127,13 @@ fn losses_can_reverse_a_row_that_is_nearly_idle() {
     }
 }
 
-/// One row of `i₀` near 1 between carrier and sun, ring at rest.
-fn slow_row(i0: f64, eta0: f64, input: &str, output: &str) -> Gearbox {
+/// One set of `i₀` near 1 between carrier and sun, ring at rest.
+fn slow_set(i0: f64, eta0: f64, input: &str, output: &str) -> Gearbox {
     Gearbox::builder("near one")
         .links(["sun", "ring", "carrier"])
         .set(
             SetSpec::new("1", SetKind::SteppedRings, ["sun", "ring", "carrier"], i0)
-                .with_loss(MeshLoss::Row(eta(eta0))),
+                .with_loss(MeshLoss::Set(eta(eta0))),
         )
         .ground("ring")
         .input(input)
@@ -144,34 +144,34 @@ fn slow_row(i0: f64, eta0: f64, input: &str, output: &str) -> Gearbox {
 }
 
 #[test]
-fn a_row_near_one_drives_one_way_only() {
+fn a_set_near_one_drives_one_way_only() {
     // Carrier to sun at i₀ = 0.99: T_H = (î₀ − 1)·T_a with power from sun to ring, î₀ = i₀·η₀.
-    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let gearbox = slow_set(0.99, 0.97, "carrier", "sun");
     let found = gearbox.analyze("1").unwrap();
     let driving = 0.01 / (1.0 - 0.99 * 0.97);
     assert!((found.efficiency().unwrap() - driving).abs() < 1e-13);
     // Back: î₀ = i₀/η₀, (î₀ − 1) has changed its sign.
     let back = (1.0 - 0.99 / 0.97) / 0.01;
-    assert!((found.overrun_efficiency().unwrap() - back).abs() < 1e-11);
+    assert!((found.back_driving_efficiency().unwrap() - back).abs() < 1e-11);
     assert_eq!(found.is_self_locking(), Some(true));
-    let gearbox = slow_row(0.5, 0.97, "carrier", "sun");
+    let gearbox = slow_set(0.5, 0.97, "carrier", "sun");
     let free = gearbox.analyze("1").unwrap();
     assert_eq!(free.is_self_locking(), Some(false));
 }
 
 #[test]
-fn overrun_loads_scale_to_the_input() {
-    let gearbox = slow_row(0.5, 0.97, "carrier", "sun");
+fn back_driving_loads_scale_to_the_input() {
+    let gearbox = slow_set(0.5, 0.97, "carrier", "sun");
     let found = gearbox.analyze("1").unwrap();
     let rad = AngularVelocity::new::<radian_per_second>(10.0);
     let load = InputLoad::Torque(Torque::new::<newton_meter>(-7.0));
     let work = found.at(rad, load).unwrap();
-    assert_eq!(work.direction, Direction::Overrun);
+    assert_eq!(work.direction, Direction::BackDrive);
     assert!((work.input.get::<newton_meter>() - -7.0).abs() < 1e-12);
     let entering = work.entering.get::<uom::si::power::watt>();
-    assert!((70.0 / entering - found.overrun_efficiency().unwrap()).abs() < 1e-13);
+    assert!((70.0 / entering - found.back_driving_efficiency().unwrap()).abs() < 1e-13);
     assert!((work.loss.get::<uom::si::power::watt>() - (entering - 70.0)).abs() < 1e-10);
-    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let gearbox = slow_set(0.99, 0.97, "carrier", "sun");
     let locked = gearbox.analyze("1").unwrap();
     assert!(locked.at(rad, load).is_err());
 }
@@ -180,7 +180,7 @@ fn overrun_loads_scale_to_the_input() {
 fn a_self_locking_gear_has_a_second_pattern() {
     // Sun to carrier at i₀ = 0.99: T_H = (î₀ − 1)·T_a. With power from ring to sun (the ideal sign)
     // î₀ = 0.99/0.97 and the output torque turns; the other sign contradicts itself.
-    let gearbox = slow_row(0.99, 0.97, "sun", "carrier");
+    let gearbox = slow_set(0.99, 0.97, "sun", "carrier");
     let found = gearbox.analyze("1").unwrap();
     assert!(found.efficiency().unwrap() < 0.0);
     // No torque at the input moves it, and the state says so; its speeds still follow.
@@ -190,9 +190,9 @@ fn a_self_locking_gear_has_a_second_pattern() {
     assert!(found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(7.0))).is_err());
     assert_eq!(found.patterns().len(), 1);
     assert!(found.patterns()[0].chosen);
-    // Carrier to sun at 0.99 with the carrier's torque given: both signs bear themselves out when
+    // Carrier to sun at 0.99 with the carrier's torque given: both signs are self-consistent when
     // the carrier's factor î₀ − 1 changes sign between them.
-    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let gearbox = slow_set(0.99, 0.97, "carrier", "sun");
     let found = gearbox.analyze("1").unwrap();
     let efficiencies: Vec<f64> = found.patterns().iter().map(|p| p.efficiency).collect();
     assert_eq!(efficiencies.len(), 2, "{efficiencies:?}");
@@ -304,7 +304,7 @@ fn an_idle_ring_neither_loses_nor_circulates() {
 fn a_gear_can_lock_itself_from_both_ends() {
     let set = |id: &str, sun: &str| {
         SetSpec::new(id, SetKind::SteppedRings, [sun, "ground", "x"], 0.99)
-            .with_loss(MeshLoss::Row(eta(0.97)))
+            .with_loss(MeshLoss::Set(eta(0.97)))
     };
     let gearbox = Gearbox::builder("face to face")
         .links(["a", "x", "b"])
@@ -319,19 +319,19 @@ fn a_gear_can_lock_itself_from_both_ends() {
     assert_eq!(*found.state(), State::SelfLocking { links: vec!["a".into()], both_ways: true });
     assert!(found.state().has_ratio() && found.ratio() == Some(1.0));
     assert!(found.efficiency().is_none_or(|eta| eta <= 0.0));
-    assert!(found.overrun_efficiency().is_none_or(|eta| eta <= 0.0));
+    assert!(found.back_driving_efficiency().is_none_or(|eta| eta <= 0.0));
     let rad = AngularVelocity::new::<radian_per_second>(10.0);
     for torque in [7.0, -7.0] {
         assert!(found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(torque))).is_err());
     }
     // Only forwards: the output can still drive the input.
-    let gearbox = slow_row(0.99, 0.97, "sun", "carrier");
+    let gearbox = slow_set(0.99, 0.97, "sun", "carrier");
     let found = gearbox.analyze("1").unwrap();
     assert_eq!(*found.state(), State::SelfLocking { links: vec!["sun".into()], both_ways: false });
     let back = found.at(rad, InputLoad::Torque(Torque::new::<newton_meter>(-7.0))).unwrap();
-    assert_eq!(back.direction, Direction::Overrun);
+    assert_eq!(back.direction, Direction::BackDrive);
     // Only backwards: driven, as a hoist is.
-    let gearbox = slow_row(0.99, 0.97, "carrier", "sun");
+    let gearbox = slow_set(0.99, 0.97, "carrier", "sun");
     let found = gearbox.analyze("1").unwrap();
     assert_eq!((found.state(), found.is_self_locking()), (&State::Driven, Some(true)));
 }

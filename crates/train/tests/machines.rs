@@ -41,7 +41,7 @@ fn ratios_are_exact_fractions() {
 }
 
 fn balances(found: &Analysis<'_>) {
-    let cases = [found.ideal(), found.driving(), found.overrun()];
+    let cases = [found.ideal(), found.driving(), found.back_driving()];
     for case in cases.into_iter().flatten() {
         let largest = case.power.largest;
         let losses: f64 = case.power.sets.iter().map(|set| set.as_ref().unwrap().loss).sum();
@@ -77,10 +77,10 @@ fn brakes_and_grounds_hold_what_input_and_output_leave() {
         let found = eight.analyze(gear).unwrap();
         let case = found.driving().unwrap();
         let brakes: f64 = eight
-            .controls()
+            .shift_elements()
             .iter()
-            .zip(&case.controls)
-            .filter(|(control, _)| control.is_brake())
+            .zip(&case.shift_elements)
+            .filter(|(shift_element, _)| shift_element.is_brake())
             .map(|(_, torque)| torque.unwrap())
             .sum();
         assert!(
@@ -99,11 +99,11 @@ fn the_first_gear_of_a_simpson_set_by_hand() {
     assert_eq!(first.exact_ratio(), Some(Fraction::new(67, 27)));
     let case = first.ideal().unwrap();
     // FWD carries the input torque from `in` to `RA`: on `in` it acts with −1.
-    assert_eq!(case.controls[0], Some(-1.0));
-    assert_eq!(case.controls[1], Some(0.0));
+    assert_eq!(case.shift_elements[0], Some(-1.0));
+    assert_eq!(case.shift_elements[1], Some(0.0));
     // T_out = −67/27, the brake holds the rest.
-    assert!((case.controls[3].unwrap() - (67.0 / 27.0 - 1.0)).abs() < 1e-14);
-    // Sun: −k·ω_out with both rows; slip of INT is the sun's speed.
+    assert!((case.shift_elements[3].unwrap() - (67.0 / 27.0 - 1.0)).abs() < 1e-14);
+    // Sun: −k·ω_out with both sets; slip of INT is the sun's speed.
     assert!((first.slips()[2].unwrap() - -(54.0 / 26.0) * 27.0 / 67.0).abs() < 1e-14);
 }
 
@@ -111,7 +111,7 @@ fn the_first_gear_of_a_simpson_set_by_hand() {
 fn the_planet_of_the_wind_gearbox_turns_by_its_teeth() {
     let wind = machines::wind().gearbox;
     let found = wind.analyze("overall").unwrap();
-    // No planet count given: z_g from coaxiality, (99 − 21)/2 = 39. ω_s = 120/21.
+    // No planet count given: z_g from equal centre distances, (99 − 21)/2 = 39. ω_s = 120/21.
     let planet = found.sets()[0].planets[0].unwrap();
     assert!((planet.relative - -(120.0 / 21.0 - 1.0) * 21.0 / 39.0).abs() < 1e-13);
     assert!(found.sets()[1].planets.is_empty());
@@ -138,8 +138,8 @@ fn the_compiled_gear_equals_the_analysis_and_the_plain_way() {
             assert!((solution.efficiency().unwrap() - efficiency).abs() < 1e-14);
             assert!((plain.efficiency - efficiency).abs() < 1e-12, "{} {}", gearbox.name(), published.gear);
             assert_eq!(plain.signs, found.driving().unwrap().signs);
-            for (row, torques) in found.driving().unwrap().members.iter().enumerate() {
-                assert!((torques.as_ref().unwrap()[0] - plain.suns[row]).abs() < 1e-12);
+            for (set, torques) in found.driving().unwrap().members.iter().enumerate() {
+                assert!((torques.as_ref().unwrap()[0] - plain.suns[set]).abs() < 1e-12);
             }
         }
     }

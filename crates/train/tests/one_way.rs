@@ -10,7 +10,7 @@ use epicyclic_train::{Gearbox, GearboxBuilder, State};
 /// A Simpson set: the sprag keeps the second carrier from turning backwards, beside the brake for low and reverse.
 fn simpson() -> GearboxBuilder {
     let set = |id: &str, members| {
-        let loss = MeshLoss::Row(MeshEfficiency::new(0.97).unwrap());
+        let loss = MeshLoss::Set(MeshEfficiency::new(0.97).unwrap());
         SetSpec::teeth(id, SetKind::Simple, members, 26, 54).unwrap().with_loss(loss)
     };
     Gearbox::builder("Simpson")
@@ -38,7 +38,7 @@ fn duty(gearbox: &Gearbox, gear: &str) -> OneWay {
     let found = gearbox.analyze(gear).unwrap();
     let all = found.one_way_clutches();
     assert_eq!(all.len(), 1);
-    assert_eq!(gearbox.controls()[all[0].control].id(), "SPRAG");
+    assert_eq!(gearbox.shift_elements()[all[0].shift_element].id(), "SPRAG");
     all[0]
 }
 
@@ -55,9 +55,9 @@ fn a_sprag_holds_first_gear_on_drive_and_lets_go_on_coast() {
     assert_eq!((own.drive, own.coast), (Duty::Holds, Duty::Overruns));
     assert_eq!(first.has_engine_braking(), Some(false));
     // What it holds is what the brake would: the housing's part, i − 1 without losses.
-    let control = own.control;
+    let shift_element = own.shift_element;
     let ideal = first.ideal().unwrap();
-    assert!((ideal.controls[control].unwrap() - (first.ratio().unwrap() - 1.0)).abs() < 1e-12);
+    assert!((ideal.shift_elements[shift_element].unwrap() - (first.ratio().unwrap() - 1.0)).abs() < 1e-12);
     // The other gears do not count on it, and it runs free in them.
     for gear in ["2", "3"] {
         let own = duty(&gearbox, gear);
@@ -76,7 +76,7 @@ fn a_brake_beside_it_brakes_the_engine() {
     // Both engaged: how they share the torque is open, ratio and efficiency are not.
     let both = gearbox.analyze("L1 both").unwrap();
     assert!(
-        matches!(both.state(), State::TorquesIndeterminate { controls, .. } if controls == &["LR", "SPRAG"])
+        matches!(both.state(), State::TorquesIndeterminate { shift_elements, .. } if shift_elements == &["LR", "SPRAG"])
     );
     assert_eq!(both.efficiency(), gearbox.analyze("L1").unwrap().efficiency());
     let own = duty(&gearbox, "L1 both");
@@ -96,7 +96,7 @@ fn contradictions_are_told() {
     let back = found.one_way_clutches()[1];
     assert_eq!((back.drive, back.coast), (Duty::WouldHold, Duty::WouldHold));
     assert!(back.drive.is_contradiction());
-    assert_eq!(turned.controls()[back.control].links()[1], turned.link("CB").unwrap());
+    assert_eq!(turned.shift_elements()[back.shift_element].links()[1], turned.link("CB").unwrap());
     // Neutral settles nothing.
     let own = duty(&gearbox, "N");
     assert_eq!((own.drive, own.coast), (Duty::Unknown, Duty::Unknown));

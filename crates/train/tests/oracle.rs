@@ -18,7 +18,7 @@ struct Met {
     with_elements: usize,
     reversed: usize,
     locked: usize,
-    overrun: usize,
+    back_driving: usize,
     enumerated: usize,
     several_patterns: usize,
 }
@@ -81,7 +81,7 @@ fn compare_loads(plan: &BoxPlan, gearbox: &Gearbox, case: &LoadCase, loads: &Loa
     }
     for (place, (pair, on)) in plan.elements.iter().enumerate() {
         let expected = if *on { loads.elements[place] } else { 0.0 };
-        close(&format!("element {pair:?}"), case.controls[place].unwrap(), expected, torque);
+        close(&format!("element {pair:?}"), case.shift_elements[place].unwrap(), expected, torque);
     }
     let mut lost = 0.0;
     for (at, ((set, built), (own, expected))) in
@@ -127,10 +127,10 @@ fn examine(plan: &BoxPlan, met: &mut Met, dice: &mut Dice) {
         return;
     }
     compare_loads(plan, &gearbox, found.ideal().unwrap(), &ideal, &speeds);
-    for direction in [Direction::Drive, Direction::Overrun] {
+    for direction in [Direction::Drive, Direction::BackDrive] {
         let case = match direction {
             Direction::Drive => found.driving(),
-            Direction::Overrun => found.overrun(),
+            Direction::BackDrive => found.back_driving(),
         };
         let expected = oracle::lossy(plan, &speeds, direction);
         let Some(case) = case else {
@@ -156,7 +156,7 @@ fn examine(plan: &BoxPlan, met: &mut Met, dice: &mut Dice) {
             met.several_patterns += usize::from(all.len() > 1);
             assert!(all.iter().any(|(pattern, _)| *pattern == signs), "{all:?} {signs:?}");
         }
-        met.overrun += usize::from(direction == Direction::Overrun);
+        met.back_driving += usize::from(direction == Direction::BackDrive);
     }
     if let Some(kreines) = found.kreines() {
         met.reversed += usize::from(!kreines.reversed.is_empty());
@@ -178,7 +178,7 @@ fn reordered(plan: &BoxPlan, gearbox: &Gearbox, found: &Analysis, dice: &mut Dic
         let two = other.link(name).unwrap();
         close("speed", found.speeds()[one].unwrap(), again.speed(two).unwrap(), 1e3);
     }
-    for (one, two) in [(found.driving(), again.driving()), (found.overrun(), again.overrun())] {
+    for (one, two) in [(found.driving(), again.driving()), (found.back_driving(), again.back_driving())] {
         assert_eq!(one.is_some(), two.is_some());
         let Some((one, two)) = one.zip(two) else { continue };
         let power = one.power.largest;
@@ -201,9 +201,9 @@ fn reordered(plan: &BoxPlan, gearbox: &Gearbox, found: &Analysis, dice: &mut Dic
                 close("circulating", round(one, place, member), round(two, there, same), power);
             }
         }
-        for (place, control) in gearbox.controls().iter().enumerate() {
-            let there = other.controls().iter().position(|one| one.id() == control.id()).unwrap();
-            close("element", one.controls[place].unwrap(), two.controls[there].unwrap(), torque);
+        for (place, shift_element) in gearbox.shift_elements().iter().enumerate() {
+            let there = other.shift_elements().iter().position(|one| one.id() == shift_element.id()).unwrap();
+            close("element", one.shift_elements[place].unwrap(), two.shift_elements[there].unwrap(), torque);
         }
     }
 }
@@ -218,7 +218,7 @@ fn random_gearboxes_agree_with_the_oracle() {
     println!("{met:?}");
     assert!(met.driven > 5000 && met.compared * 100 > met.driven * 95, "{met:?}");
     assert!(met.with_compound > 3000 && met.several_sets > 3000 && met.with_elements > 2500, "{met:?}");
-    assert!(met.reversed > 50 && met.locked > 5 && met.overrun > 5000, "{met:?}");
+    assert!(met.reversed > 50 && met.locked > 5 && met.back_driving > 5000, "{met:?}");
     assert!(met.enumerated > 800 && met.several_patterns > 5, "{met:?}");
 }
 

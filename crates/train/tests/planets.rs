@@ -6,7 +6,7 @@
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::compound::{CentralKind, CompoundSpec};
-use epicyclic_train::pins::{Lack, MeshSize, Pin, SetSize};
+use epicyclic_train::planet_bearings::{Lack, MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{GearOf, MeshKind};
 use epicyclic_train::tooth_checks::ToothWarning;
 use epicyclic_train::{Gearbox, PlanetSet};
@@ -140,8 +140,8 @@ fn planet(gear: GearOf) -> Option<usize> {
 
 /// Centre of each planet in metres, from the radii alone: the first at angle 0, one in mesh with it at the distance
 /// that its module and teeth ask.
-fn centres(set: &PlanetSet, pins: &[Pin], module_m: f64, behind: bool) -> Vec<[f64; 2]> {
-    let radii: Vec<f64> = pins.iter().map(|pin| pin.radius.unwrap().value).collect();
+fn centres(set: &PlanetSet, bearings: &[PlanetBearing], module_m: f64, behind: bool) -> Vec<[f64; 2]> {
+    let radii: Vec<f64> = bearings.iter().map(|bearing| bearing.radius.unwrap().value).collect();
     let mut centres: Vec<[f64; 2]> = radii.iter().map(|radius| [*radius, 0.0]).collect();
     for mesh in set.meshes() {
         let [Some(_), Some(_)] = mesh.gears.map(planet) else { continue };
@@ -286,23 +286,23 @@ proptest! {
         let set = &gearbox.sets()[0];
         let meshes = vec![MeshSize { module: None, is_behind }; set.meshes().len()];
         let module = Some(Length::new::<millimeter>(2.0));
-        let pins = gearbox.pins(0, &SetSize { module, meshes, ..SetSize::default() }).unwrap().unwrap();
+        let bearings = gearbox.planet_bearings(0, &SetSize { module, meshes, ..SetSize::default() }).unwrap().unwrap();
         // Nothing but places of planets in mesh may be missing.
-        let is_whole = pins.iter().all(|pin| pin.lacks == [Lack::Mass]);
-        let has_none = |pin: &Pin| matches!(pin.lacks[0], Lack::Triangle { .. });
-        prop_assert!(is_whole || pins.iter().all(has_none));
+        let is_whole = bearings.iter().all(|bearing| bearing.lacks == [Lack::Mass]);
+        let has_none = |bearing: &PlanetBearing| matches!(bearing.lacks[0], Lack::Triangle { .. });
+        prop_assert!(is_whole || bearings.iter().all(has_none));
         prop_assume!(is_whole);
         let mut torques = torques(set, &some);
         let largest = torques.iter().fold(1.0_f64, |most, torque| most.max(torque.abs()));
-        let centres = centres(set, &pins, 2e-3, is_behind);
+        let centres = centres(set, &bearings, 2e-3, is_behind);
         let (vectors, residual) = forces(set, &centres, &torques, f64::from(count));
         prop_assert!(residual < 1e-9 * largest, "{}", residual);
         let carrier = *torques.last().unwrap();
         let sense = if carrier > 1e-9 * largest { -1.0 } else { 1.0 };
         let scale = largest / 1e-3;
-        for (pin, (centre, vector)) in pins.iter().zip(centres.iter().zip(&vectors)) {
-            let found = pin.forces(Some(&n_m(&torques)), None).unwrap();
-            let radius = pin.radius.unwrap().value;
+        for (bearing, (centre, vector)) in bearings.iter().zip(centres.iter().zip(&vectors)) {
+            let found = bearing.forces(Some(&n_m(&torques)), None).unwrap();
+            let radius = bearing.radius.unwrap().value;
             let radial = (centre[0] * vector[0] + centre[1] * vector[1]) / radius;
             prop_assert!((found.radial.unwrap().get::<newton>() - radial).abs() < 1e-9 * scale);
             let tangential = sense * cross(*centre, *vector) / radius;
@@ -312,11 +312,11 @@ proptest! {
         torques[0] *= loss;
         let last = torques.len() - 1;
         torques[last] = -torques[..last].iter().sum::<f64>();
-        let moment = |pin: &Pin| {
-            let force = pin.forces(Some(&n_m(&torques)), None).unwrap().tangential.unwrap();
-            force.get::<newton>() * pin.radius.unwrap().value * f64::from(count)
+        let moment = |bearing: &PlanetBearing| {
+            let force = bearing.forces(Some(&n_m(&torques)), None).unwrap().tangential.unwrap();
+            force.get::<newton>() * bearing.radius.unwrap().value * f64::from(count)
         };
-        let sum: f64 = pins.iter().map(moment).sum();
+        let sum: f64 = bearings.iter().map(moment).sum();
         prop_assert!((sum - torques[last].abs()).abs() < 1e-9 * largest, "{} {}", sum, torques[last]);
     }
 

@@ -27,18 +27,18 @@ const KINDS: [SetKind; 6] = [
 struct Plan {
     links: usize,
     /// Kind, links, teeth or not, sun, ring, `η₀`.
-    rows: Vec<(usize, [usize; 3], bool, u32, u32, f64)>,
+    sets: Vec<(usize, [usize; 3], bool, u32, u32, f64)>,
     permanent: Vec<[usize; 2]>,
     /// Links, engaged.
-    controls: Vec<([usize; 2], bool)>,
+    shift_elements: Vec<([usize; 2], bool)>,
     input: usize,
     output: usize,
 }
 
-fn plans(rows: usize) -> impl Strategy<Value = Plan> {
+fn plans(sets: usize) -> impl Strategy<Value = Plan> {
     (3..9_usize).prop_flat_map(move |links| {
         let link = 0..=links;
-        let row = (
+        let set = (
             0..KINDS.len(),
             [link.clone(), link.clone(), link.clone()],
             prop::bool::weighted(0.8),
@@ -49,40 +49,40 @@ fn plans(rows: usize) -> impl Strategy<Value = Plan> {
         let pair = [link.clone(), link];
         (
             Just(links),
-            prop::collection::vec(row, 1..=rows),
+            prop::collection::vec(set, 1..=sets),
             prop::collection::vec(pair.clone(), 0..2),
             prop::collection::vec((pair, prop::bool::weighted(0.7)), 0..6),
             1..=links,
             1..=links,
         )
-            .prop_map(|(links, rows, permanent, controls, input, output)| Plan {
+            .prop_map(|(links, sets, permanent, shift_elements, input, output)| Plan {
                 links,
-                rows,
+                sets,
                 permanent,
-                controls,
+                shift_elements,
                 input,
                 output,
             })
     })
 }
 
-/// Plans with as many rows as speeds to settle, members on distinct links: mostly driven, and with
+/// Plans with as many sets as speeds to settle, members on distinct links: mostly driven, and with
 /// power in loops. Double planets near `i₀ = 1` make self-locking ones.
-fn dense(rows: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Plan> {
-    rows.prop_flat_map(|rows| {
-        let links = rows + 1;
+fn dense(sets: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Plan> {
+    sets.prop_flat_map(|sets| {
+        let links = sets + 1;
         let members = Just((0..=links).collect::<Vec<_>>()).prop_shuffle();
-        let row = (0..4_usize, members, 18..60_u32, 61..120_u32, 0.9..1.0);
-        prop::collection::vec(row, rows).prop_map(move |rows| Plan {
+        let set = (0..4_usize, members, 18..60_u32, 61..120_u32, 0.9..1.0);
+        prop::collection::vec(set, sets).prop_map(move |sets| Plan {
             links,
-            rows: rows
+            sets: sets
                 .into_iter()
                 .map(|(kind, members, sun, ring, eta)| {
                     (kind, [members[0], members[1], members[2]], true, sun, ring, eta)
                 })
                 .collect(),
             permanent: vec![],
-            controls: vec![([1, 2], false), ([2, 0], false)],
+            shift_elements: vec![([1, 2], false), ([2, 0], false)],
             input: 1,
             output: links,
         })
@@ -90,8 +90,8 @@ fn dense(rows: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Plan> {
 }
 
 /// Either kind of plan.
-fn any_plan(rows: usize) -> impl Strategy<Value = Plan> {
-    prop_oneof![plans(rows), dense(1..=rows)]
+fn any_plan(sets: usize) -> impl Strategy<Value = Plan> {
+    prop_oneof![plans(sets), dense(1..=sets)]
 }
 
 /// The gearbox of a plan, its links renamed and reordered; `None` where the plan is refused.
@@ -99,20 +99,20 @@ fn build(plan: &Plan, order: &[usize], exact: bool) -> Option<Gearbox> {
     let name = |link: usize| if link == 0 { "ground".to_owned() } else { format!("n{link}") };
     let mut builder = Gearbox::builder("random")
         .links(order.iter().filter(|l| (1..=plan.links).contains(*l)).map(|&l| name(l)));
-    for (place, &(kind, members, teeth, sun, ring, eta)) in plan.rows.iter().enumerate() {
+    for (place, &(kind, members, teeth, sun, ring, eta)) in plan.sets.iter().enumerate() {
         let members = members.map(name);
         let [a, b, h] = [&members[0], &members[1], &members[2]].map(String::as_str);
-        let mut row = SetSpec::teeth(&place.to_string(), KINDS[kind], [a, b, h], sun, ring).ok()?;
+        let mut set = SetSpec::teeth(&place.to_string(), KINDS[kind], [a, b, h], sun, ring).ok()?;
         if !(exact && teeth) {
-            row.gearing = Gearing::Parameter(f64::from(ring) / f64::from(sun));
+            set.gearing = Gearing::Parameter(f64::from(ring) / f64::from(sun));
         }
-        builder = builder.set(row.with_loss(MeshLoss::Row(MeshEfficiency::new(eta).ok()?)));
+        builder = builder.set(set.with_loss(MeshLoss::Set(MeshEfficiency::new(eta).ok()?)));
     }
     for &[first, second] in &plan.permanent {
         builder = builder.tie(&name(first), &name(second));
     }
     let mut engaged = vec![];
-    for (place, &([first, second], on)) in plan.controls.iter().enumerate() {
+    for (place, &([first, second], on)) in plan.shift_elements.iter().enumerate() {
         builder = builder.clutch(&format!("c{place}"), &name(first), &name(second));
         if on {
             engaged.push(format!("c{place}"));
@@ -127,7 +127,7 @@ fn straight(plan: &Plan) -> Vec<usize> {
 
 fn finite(case: &LoadCase) -> bool {
     let members = case.members.iter().flatten().flatten();
-    let rows = case
+    let sets = case
         .power
         .sets
         .iter()
@@ -135,15 +135,15 @@ fn finite(case: &LoadCase) -> bool {
         .flat_map(|set| std::iter::once(&set.loss).chain(&set.rolling).chain(&set.members));
     members
         .copied()
-        .chain(rows.copied())
-        .chain(case.controls.iter().flatten().copied())
+        .chain(sets.copied())
+        .chain(case.shift_elements.iter().flatten().copied())
         .chain(case.power.links.iter().flatten().copied())
         .chain([case.input, case.output, case.efficiency, case.power.circulating, case.power.largest])
         .all(f64::is_finite)
 }
 
 fn numbers_are_finite(found: &Analysis<'_>) -> bool {
-    let cases = [found.ideal(), found.driving(), found.overrun()];
+    let cases = [found.ideal(), found.driving(), found.back_driving()];
     cases.into_iter().flatten().all(finite)
         && found.speeds().iter().chain(found.slips()).flatten().all(|x| x.is_finite())
         && found.ratio().is_none_or(f64::is_finite)
@@ -164,8 +164,8 @@ fn circulation(case: &LoadCase) -> Result<(), TestCaseError> {
             most = most.max(round.abs());
         }
     }
-    most = (0..case.controls.len())
-        .fold(most, |most, control| most.max(power.circulating_control(control).abs()));
+    most = (0..case.shift_elements.len())
+        .fold(most, |most, shift_element| most.max(power.circulating_shift_element(shift_element).abs()));
     prop_assert!((most - power.circulating).abs() <= tolerance);
     Ok(())
 }
@@ -173,29 +173,29 @@ fn circulation(case: &LoadCase) -> Result<(), TestCaseError> {
 /// The laws of a driven gear.
 fn laws(gearbox: &Gearbox, found: &Analysis<'_>) -> Result<(), TestCaseError> {
     let ideal = found.ideal().unwrap();
-    for (row, motion) in gearbox.sets().iter().zip(found.sets()) {
-        for other in 1..row.centrals().len() {
+    for (set, motion) in gearbox.sets().iter().zip(found.sets()) {
+        for other in 1..set.centrals().len() {
             let (Some(a), Some(b), Some(h)) = (motion.members[0], motion.members[other], motion.carrier())
             else {
                 continue;
             };
-            let i0 = row.ratio_between(0, other);
+            let i0 = set.ratio_between(0, other);
             let scale = (1.0 + i0.abs()) * [a, b, h].iter().fold(1.0_f64, |m, x| m.max(x.abs()));
             prop_assert!(((a - h) - i0 * (b - h)).abs() < 1e-9 * scale);
         }
     }
-    for case in [Some(ideal), found.driving(), found.overrun()].into_iter().flatten() {
+    for case in [Some(ideal), found.driving(), found.back_driving()].into_iter().flatten() {
         let largest = case.power.largest;
         circulation(case)?;
-        let lost: f64 = case.power.sets.iter().flatten().map(|row| row.loss).sum();
+        let lost: f64 = case.power.sets.iter().flatten().map(|set| set.loss).sum();
         prop_assert!(
             (lost - (1.0 - case.efficiency)).abs() < 1e-11 * largest,
             "{} {}",
             lost,
             case.efficiency
         );
-        for row in case.power.sets.iter().flatten() {
-            prop_assert!(row.loss >= -1e-11 * largest, "a row gains {}", -row.loss);
+        for set in case.power.sets.iter().flatten() {
+            prop_assert!(set.loss >= -1e-11 * largest, "a set gains {}", -set.loss);
         }
     }
     let kreines = found.kreines().unwrap();
@@ -296,8 +296,8 @@ proptest! {
     fn names_and_order_change_nothing(plan in any_plan(4), order in Just((1..9_usize).collect::<Vec<_>>()).prop_shuffle()) {
         let Some(gearbox) = build(&plan, &straight(&plan), true) else { return Ok(()) };
         let mut turned = plan.clone();
-        turned.rows.reverse();
-        turned.controls.reverse();
+        turned.sets.reverse();
+        turned.shift_elements.reverse();
         let other = build(&turned, &order, true).unwrap();
         let (one, two) = (gearbox.analyze("g").unwrap(), other.analyze("g").unwrap());
         prop_assert_eq!(one.state().name(), two.state().name());
@@ -306,9 +306,9 @@ proptest! {
             let scale = a.power.largest;
             prop_assert!((a.efficiency - b.efficiency).abs() < 1e-10 * scale);
             prop_assert!((a.power.largest - b.power.largest).abs() < 1e-10 * scale);
-            let mut controls = b.controls.clone();
-            controls.reverse();
-            for (x, y) in a.controls.iter().zip(&controls) {
+            let mut shift_elements = b.shift_elements.clone();
+            shift_elements.reverse();
+            for (x, y) in a.shift_elements.iter().zip(&shift_elements) {
                 prop_assert_eq!(x.is_some(), y.is_some());
                 prop_assert!((x.unwrap_or(0.0) - y.unwrap_or(0.0)).abs() < 1e-9 * scale);
             }
@@ -355,10 +355,10 @@ proptest! {
     fn without_the_housing_all_that_follows_turns_as_a_block(plan in any_plan(5)) {
         let mut plan = plan;
         let loose = |link: &mut usize| *link = (*link).max(1);
-        plan.rows.retain(|row| !KINDS[row.0].is_pair());
-        plan.rows.iter_mut().for_each(|row| row.1.iter_mut().for_each(loose));
+        plan.sets.retain(|set| !KINDS[set.0].is_pair());
+        plan.sets.iter_mut().for_each(|set| set.1.iter_mut().for_each(loose));
         plan.permanent.iter_mut().for_each(|pair| pair.iter_mut().for_each(loose));
-        plan.controls.iter_mut().for_each(|(pair, _)| pair.iter_mut().for_each(loose));
+        plan.shift_elements.iter_mut().for_each(|(pair, _)| pair.iter_mut().for_each(loose));
         let Some(gearbox) = build(&plan, &straight(&plan), true) else { return Ok(()) };
         let found = gearbox.analyze("g").unwrap();
         for speed in found.speeds().iter().skip(1).flatten() {

@@ -48,7 +48,7 @@ fn assert_driven(name: &str, builder: GearboxBuilder, ratio: f64) {
     assert_eq!(*found.state(), State::Driven, "{name}");
     let own = found.ratio().unwrap();
     assert!((own / ratio - 1.0).abs() < 1e-12, "{name}: {own} {ratio}");
-    for case in [found.ideal(), found.driving(), found.overrun()] {
+    for case in [found.ideal(), found.driving(), found.back_driving()] {
         let case = case.unwrap_or_else(|| panic!("{name}: no torques"));
         assert!((case.efficiency - 1.0).abs() < 1e-9, "{name}: {}", case.efficiency);
         assert!((case.output.abs() / ratio - 1.0).abs() < 1e-9, "{name}: {}", case.output);
@@ -359,7 +359,7 @@ fn planted_losses_of_rank_are_found_by_teeth_and_by_numbers() {
             assert!((own / exact - 1.0).abs() < tolerance, "round {round}: {own} {exact}");
         }
         assert!(found.speeds().iter().flatten().all(|speed| speed.is_finite()));
-        for case in [found.ideal(), found.driving(), found.overrun()].into_iter().flatten() {
+        for case in [found.ideal(), found.driving(), found.back_driving()].into_iter().flatten() {
             assert!(case.members.iter().flatten().flatten().all(|torque| torque.is_finite()));
             assert!(case.efficiency.is_finite() && case.power.circulating.is_finite());
         }

@@ -12,8 +12,8 @@ fn names(links: &[&str]) -> Vec<String> {
     links.iter().map(ToString::to_string).collect()
 }
 
-fn one_row() -> GearboxBuilder {
-    Gearbox::builder("one row")
+fn one_set() -> GearboxBuilder {
+    Gearbox::builder("one set")
         .links(["a", "b", "H", "x", "y"])
         .set(SetSpec::simple("1", ["a", "b", "H"], 3.0))
         .brake("Kb", "b")
@@ -37,96 +37,99 @@ fn state(builder: GearboxBuilder, engaged: &[&str]) -> State {
 
 #[test]
 fn a_held_ring_drives() {
-    assert_eq!(state(one_row(), &["Kb"]), State::Driven);
+    assert_eq!(state(one_set(), &["Kb"]), State::Driven);
 }
 
 #[test]
 fn a_braked_input_is_blocked() {
-    assert_eq!(state(one_row(), &["Ka"]), State::InputBlocked { links: names(&["a"]) });
+    assert_eq!(state(one_set(), &["Ka"]), State::InputBlocked { links: names(&["a"]) });
 }
 
 #[test]
 fn two_brakes_block_the_third_member() {
-    assert_eq!(state(one_row(), &["Kb", "ab"]), State::InputBlocked { links: names(&["a", "b", "H"]) });
+    assert_eq!(state(one_set(), &["Kb", "ab"]), State::InputBlocked { links: names(&["a", "b", "H"]) });
 }
 
 #[test]
 fn a_braked_output_rests_while_the_input_turns_the_ring() {
-    assert_eq!(state(one_row(), &["KH"]), State::OutputAtRest { links: names(&["H"]) });
+    assert_eq!(state(one_set(), &["KH"]), State::OutputAtRest { links: names(&["H"]) });
 }
 
 #[test]
-fn a_differential_without_control_is_underdetermined() {
-    assert_eq!(state(one_row(), &[]), State::Underdetermined { missing: 1, links: names(&["b", "H"]) });
+fn a_differential_without_a_shift_element_is_underdetermined() {
+    assert_eq!(state(one_set(), &[]), State::Underdetermined { missing: 1, links: names(&["b", "H"]) });
 }
 
 #[test]
-fn an_output_beside_the_row_is_free() {
-    assert_eq!(state(one_row().output("x"), &["Kb"]), State::OutputFree { links: names(&["x"]) });
+fn an_output_beside_the_set_is_free() {
+    assert_eq!(state(one_set().output("x"), &["Kb"]), State::OutputFree { links: names(&["x"]) });
     // With the input blocked as well, nothing can be driven at all: that comes first.
-    assert!(matches!(state(one_row().output("x"), &["Ka"]), State::InputBlocked { .. }));
+    assert!(matches!(state(one_set().output("x"), &["Ka"]), State::InputBlocked { .. }));
 }
 
 #[test]
 fn two_brakes_on_one_reaction_share_it_in_an_unknown_way() {
-    let found = state(one_row(), &["Kb", "Kb2"]);
-    let expected =
-        State::TorquesIndeterminate { links: names(&["b"]), controls: names(&["Kb", "Kb2"]), sets: vec![] };
+    let found = state(one_set(), &["Kb", "Kb2"]);
+    let expected = State::TorquesIndeterminate {
+        links: names(&["b"]),
+        shift_elements: names(&["Kb", "Kb2"]),
+        sets: vec![],
+    };
     assert_eq!(found, expected);
     // What they hold together, and so the efficiency, is known all the same.
-    let gearbox = one_row().gear("g", ["Kb", "Kb2"]).build().unwrap();
+    let gearbox = one_set().gear("g", ["Kb", "Kb2"]).build().unwrap();
     let found = gearbox.analyze("g").unwrap();
     assert_eq!(found.efficiency(), Some(1.0));
     let case = found.driving().unwrap();
-    assert_eq!((case.output, case.housing, case.controls[0]), (-4.0, 3.0, None));
+    assert_eq!((case.output, case.housing, case.shift_elements[0]), (-4.0, 3.0, None));
 }
 
 #[test]
 fn a_redundant_pair_of_brakes_beside_the_path_spoils_nothing() {
-    let gearbox = one_row().gear("g", ["Kb", "Kx", "Kx2"]).build().unwrap();
+    let gearbox = one_set().gear("g", ["Kb", "Kx", "Kx2"]).build().unwrap();
     let found = gearbox.analyze("g").unwrap();
     assert_eq!(*found.state(), State::Driven);
     let case = found.driving().unwrap();
     // The brake on the ring is known; how the idle two press against each other is not.
-    assert_eq!(case.controls[0], Some(3.0));
-    assert_eq!((case.controls[4], case.controls[5]), (None, None));
+    assert_eq!(case.shift_elements[0], Some(3.0));
+    assert_eq!((case.shift_elements[4], case.shift_elements[5]), (None, None));
 }
 
 #[test]
 fn a_clutch_to_a_loose_link_carries_nothing() {
-    let gearbox = one_row().gear("g", ["Kb", "xH"]).build().unwrap();
+    let gearbox = one_set().gear("g", ["Kb", "xH"]).build().unwrap();
     let found = gearbox.analyze("g").unwrap();
     assert_eq!(*found.state(), State::Driven);
-    assert_eq!(found.driving().unwrap().controls[9], Some(0.0));
+    assert_eq!(found.driving().unwrap().shift_elements[9], Some(0.0));
     assert!((found.speed(gearbox.link("x").unwrap()).unwrap() - 0.25).abs() < 1e-15);
     assert_eq!(found.speed(gearbox.link("y").unwrap()), None);
 }
 
 #[test]
 fn a_block_by_one_clutch_is_driven() {
-    // aH joins input with output: the row carries nothing. ab carries what a leaves to b.
-    assert_eq!(state(one_row(), &["aH"]), State::Driven);
-    assert_eq!(state(one_row(), &["ab"]), State::Driven);
-    assert_eq!(state(one_row(), &["bH"]), State::Driven);
+    // aH joins input with output: the set carries nothing. ab carries what a leaves to b.
+    assert_eq!(state(one_set(), &["aH"]), State::Driven);
+    assert_eq!(state(one_set(), &["ab"]), State::Driven);
+    assert_eq!(state(one_set(), &["bH"]), State::Driven);
 }
 
 #[test]
 fn a_block_by_two_clutches_shares_the_torque_in_an_unknown_way() {
-    let found = state(one_row(), &["ab", "bH"]);
-    let State::TorquesIndeterminate { links, controls, sets } = found else { panic!("{found}") };
+    let found = state(one_set(), &["ab", "bH"]);
+    let State::TorquesIndeterminate { links, shift_elements, sets } = found else { panic!("{found}") };
     assert_eq!(links, ["a", "b", "H"]);
-    assert_eq!(controls, ["ab", "bH"]);
+    assert_eq!(shift_elements, ["ab", "bH"]);
     assert_eq!(sets, ["1"]);
     // A block loses nothing, however the clutches share the torque.
-    let gearbox = one_row().gear("g", ["ab", "bH"]).build().unwrap();
+    let gearbox = one_set().gear("g", ["ab", "bH"]).build().unwrap();
     let found = gearbox.analyze("g").unwrap();
     assert_eq!((found.ratio(), found.efficiency()), (Some(1.0), Some(1.0)));
     assert_eq!(found.driving().unwrap().members[0], None);
 }
 
 #[test]
-fn an_idle_row_that_spins_freely_spoils_nothing() {
-    let gearbox = one_row()
+fn an_idle_set_that_spins_freely_spoils_nothing() {
+    let gearbox = one_set()
         .links(["p", "q"])
         .set(SetSpec::simple("2", ["H", "p", "q"], 2.0))
         .gear("g", ["Kb"])
@@ -140,8 +143,8 @@ fn an_idle_row_that_spins_freely_spoils_nothing() {
 }
 
 #[test]
-fn a_row_locked_on_its_own_spoils_nothing() {
-    let gearbox = one_row()
+fn a_set_locked_on_its_own_spoils_nothing() {
+    let gearbox = one_set()
         .links(["p", "q", "r"])
         .set(SetSpec::simple("2", ["p", "q", "r"], 2.0))
         .brake("Kp", "p")
@@ -153,33 +156,33 @@ fn a_row_locked_on_its_own_spoils_nothing() {
     let found = gearbox.analyze("g").unwrap();
     assert_eq!(*found.state(), State::Driven);
     assert_eq!(found.driving().unwrap().members[1], None);
-    assert_eq!(found.driving().unwrap().controls[10], None);
-    assert_eq!(found.driving().unwrap().controls[0], Some(3.0));
+    assert_eq!(found.driving().unwrap().shift_elements[10], None);
+    assert_eq!(found.driving().unwrap().shift_elements[0], Some(3.0));
 }
 
 #[test]
-fn twin_rows_share_the_torque_in_an_unknown_way() {
-    let twin = one_row().set(SetSpec::simple("2", ["a", "b", "H"], 3.0));
+fn twin_sets_share_the_torque_in_an_unknown_way() {
+    let twin = one_set().set(SetSpec::simple("2", ["a", "b", "H"], 3.0));
     let found = state(twin, &["Kb"]);
-    let State::TorquesIndeterminate { sets, controls, .. } = found else { panic!("{found}") };
+    let State::TorquesIndeterminate { sets, shift_elements, .. } = found else { panic!("{found}") };
     assert_eq!(sets, ["1", "2"]);
-    assert!(controls.is_empty());
-    let twin = one_row().set(SetSpec::simple("2", ["a", "b", "H"], 3.0));
+    assert!(shift_elements.is_empty());
+    let twin = one_set().set(SetSpec::simple("2", ["a", "b", "H"], 3.0));
     let gearbox = twin.gear("g", ["Kb"]).build().unwrap();
     let found = gearbox.analyze("g").unwrap();
     assert_eq!((found.ratio(), found.efficiency()), (Some(4.0), None));
 }
 
 #[test]
-fn rows_that_differ_only_in_ratio_turn_as_a_block() {
-    // Two rows on the same three links, k different: all turn alike, and nothing can be held.
-    let pair = one_row().set(SetSpec::simple("2", ["a", "b", "H"], 3.5));
+fn sets_that_differ_only_in_ratio_turn_as_a_block() {
+    // Two sets on the same three links, k different: all turn alike, and nothing can be held.
+    let pair = one_set().set(SetSpec::simple("2", ["a", "b", "H"], 3.5));
     assert_eq!(state(pair.clone(), &[]), State::Driven);
     assert!(matches!(state(pair, &["Kb"]), State::InputBlocked { .. }));
 }
 
 #[test]
-fn wheels_that_turn_alike_leave_their_carrier_alone() {
+fn central_gears_that_turn_alike_leave_their_carrier_alone() {
     use epicyclic_train::set::SetKind;
     let alike = Gearbox::builder("south-pointing")
         .links(["a", "b", "H"])
@@ -199,12 +202,12 @@ fn wheels_that_turn_alike_leave_their_carrier_alone() {
 }
 
 #[test]
-fn a_simpson_set_with_one_clutch_is_neutral_for_want_of_one_control() {
+fn a_simpson_set_with_one_clutch_is_neutral_for_want_of_one_shift_element() {
     let gearbox = machines::simpson().gearbox;
     let gear = gearbox.gear_of(&["FWD"], "in", "out").unwrap();
     let found = gearbox.analyze_gear(&gear).unwrap();
     assert!(matches!(found.state(), State::Underdetermined { missing: 1, .. }), "{}", found.state());
-    // With nothing engaged the input touches no row at all.
+    // With nothing engaged the input touches no set at all.
     let gear = gearbox.gear_of(&[], "in", "out").unwrap();
     assert!(matches!(gearbox.analyze_gear(&gear).unwrap().state(), State::OutputFree { .. }));
 }
@@ -218,7 +221,7 @@ fn every_combination_of_the_eight_speed_has_a_state() {
         let of_size = all.iter().filter(|found| found.gear().engaged().len() == size);
         of_size.map(|found| found.state().name()).collect()
     };
-    // Every triple is a gear but A+C+E, which turns row 2 into a block and holds its sun.
+    // Every triple is a gear but A+C+E, which turns set 2 into a block and holds its sun.
     let blocked: Vec<&str> = all
         .iter()
         .filter(|f| f.gear().engaged().len() == 3 && !f.state().has_ratio())

@@ -10,7 +10,7 @@ use epicyclic_train::{Analysis, Gear, Gearbox};
 /// The whole answer.
 pub(super) fn report(subject: &Subject) -> Result<Report, Failure> {
     let gearbox = &subject.gearbox;
-    let all = gearbox.combinations(0..=gearbox.controls().len())?;
+    let all = gearbox.combinations(0..=gearbox.shift_elements().len())?;
     let records = Records {
         name: "combinations",
         columns: vec![

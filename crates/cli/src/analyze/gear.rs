@@ -5,13 +5,15 @@ use super::overview::{
     self_locking, warnings,
 };
 use super::subject::Subject;
-use super::{Input, Worked, pins, shared, work};
+use super::{Input, Worked, planet_bearings, shared, work};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::Dimension;
 use epicyclic_train::planet_set::GearOf;
-use epicyclic_train::{Analysis, Control, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, State};
+use epicyclic_train::{
+    Analysis, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, ShiftElement, State,
+};
 
 const CASES: &[(&str, &str)] =
     &[("without_losses", "without losses"), ("with_losses", "with losses"), ("at_load", "at the load")];
@@ -26,11 +28,11 @@ pub(super) fn report(subject: &Subject, name: &str, input: Input) -> Result<Repo
     if !planets.rows.is_empty() {
         parts.push(Part::Records(planets));
     }
-    parts.extend(pins::of_gear(subject, &worked, input)?.map(Part::Records));
-    if !gearbox.controls().is_empty() {
-        parts.push(Part::Records(scene.controls()));
+    parts.extend(planet_bearings::of_gear(subject, &worked, input)?.map(Part::Records));
+    if !gearbox.shift_elements().is_empty() {
+        parts.push(Part::Records(scene.shift_elements()));
     }
-    if gearbox.controls().iter().any(Control::is_one_way) {
+    if gearbox.shift_elements().iter().any(ShiftElement::is_one_way) {
         parts.push(Part::Records(scene.one_way_clutches()));
     }
     if worked.analysis.ideal().is_some() {
@@ -67,13 +69,13 @@ impl Scene<'_> {
     }
 
     /// Driven from the output, because the load brakes.
-    fn is_overrun(&self) -> bool {
-        self.operation().is_some_and(|operation| operation.direction == Direction::Overrun)
+    fn is_back_driven(&self) -> bool {
+        self.operation().is_some_and(|operation| operation.direction == Direction::BackDrive)
     }
 
     /// Torques with losses in the sense in which power runs.
     fn case(&self) -> Option<&LoadCase> {
-        if self.is_overrun() { self.analysis().overrun() } else { self.analysis().driving() }
+        if self.is_back_driven() { self.analysis().back_driving() } else { self.analysis().driving() }
     }
 
     /// A torque of the case as a multiple of the input's.
@@ -131,7 +133,7 @@ impl Scene<'_> {
                 "overrun_efficiency",
                 "back-driving efficiency",
                 "",
-                [moving(analysis.overrun_efficiency())],
+                [moving(analysis.back_driving_efficiency())],
             ),
             Row::new("self_locking", "self-locking", "", [self_locking(analysis)]),
         ]);
@@ -202,7 +204,7 @@ impl Scene<'_> {
                 let absolute = planet.and_then(|planet| planet.absolute);
                 rows.push(vec![
                     text(set.id()),
-                    text(pins::planet_name(set, place)),
+                    text(planet_bearings::planet_name(set, place)),
                     multiple(relative),
                     self.speed(relative),
                     multiple(absolute),
@@ -240,21 +242,21 @@ impl Scene<'_> {
         }
     }
 
-    fn controls(&self) -> Records {
+    fn shift_elements(&self) -> Records {
         let analysis = self.analysis();
-        let rows = self.gearbox.controls().iter().enumerate().map(|(place, control)| {
+        let rows = self.gearbox.shift_elements().iter().enumerate().map(|(place, shift_element)| {
             let is_engaged = analysis.gear().engaged().contains(&place);
-            let [first, second] = control.links().map(|link| self.gearbox.link_name(link));
-            let ideal = analysis.ideal().and_then(|case| case.controls[place]);
+            let [first, second] = shift_element.links().map(|link| self.gearbox.link_name(link));
+            let ideal = analysis.ideal().and_then(|case| case.shift_elements[place]);
             vec![
-                text(control.id()),
+                text(shift_element.id()),
                 text(format!("{first} - {second}")),
                 shared::state(is_engaged),
                 multiple(analysis.slips()[place]),
                 self.speed(analysis.slips()[place]),
                 multiple(ideal),
-                multiple(self.of_input(|case| case.controls[place])),
-                column(self.operation().and_then(|operation| operation.controls[place])),
+                multiple(self.of_input(|case| case.shift_elements[place])),
+                column(self.operation().and_then(|operation| operation.shift_elements[place])),
             ]
         });
         let mut shown = vec!["control", "joins", "is", "slip_of_input"];
@@ -341,7 +343,9 @@ impl Scene<'_> {
                 kreines.map_or(Figure::None, |kreines| {
                     Figure::Texts(kreines.exponents[place].iter().map(ToString::to_string).collect())
                 }),
-                multiple(power.filter(|_| is_short).map(epicyclic_train::power_flow::SetPower::relative)),
+                multiple(
+                    power.filter(|_| is_short).map(epicyclic_train::power_flow::SetPower::rolling_power),
+                ),
                 multiple(power.map(|power| power.loss)),
             ]
         });
@@ -469,7 +473,7 @@ impl Scene<'_> {
     fn one_way_clutches(&self) -> Records {
         let rows = self.analysis().one_way_clutches().into_iter().map(|one| {
             vec![
-                text(self.gearbox.controls()[one.control].id()),
+                text(self.gearbox.shift_elements()[one.shift_element].id()),
                 Figure::YesNo(one.is_relied_on),
                 duty(one.drive),
                 duty(one.coast),
@@ -511,7 +515,7 @@ impl Scene<'_> {
             rows[2].cells.push(at(case.map(|case| case.power.circulating)));
             rows[3].cells.push(at(case.map(|case| case.power.largest)));
             let mut first = Row::new("entering", "enters", "", [Figure::Multiple(1.0), quantity(entering)]);
-            if self.is_overrun() {
+            if self.is_back_driven() {
                 first.remark = "at the output".to_owned();
             }
             rows.insert(0, first);

@@ -2,7 +2,7 @@
 
 use super::overview::{engaged, warnings};
 use super::subject::Subject;
-use super::{pins, shared};
+use super::{planet_bearings, shared};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, quantity, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
@@ -213,8 +213,8 @@ impl Task<'_> {
         if state.sets.iter().any(|set| !set.planets.is_empty()) {
             parts.push(Part::Records(self.planets(state)));
         }
-        if !self.gearbox.controls().is_empty() {
-            parts.push(Part::Records(self.controls(state)));
+        if !self.gearbox.shift_elements().is_empty() {
+            parts.push(Part::Records(self.shift_elements(state)));
         }
         if let Some(load) = &state.load {
             parts.push(Part::Records(self.terminals(load)));
@@ -286,7 +286,7 @@ impl Task<'_> {
             for (place, planet) in motion.planets.iter().enumerate() {
                 rows.push(vec![
                     text(set.id()),
-                    text(pins::planet_name(set, place)),
+                    text(planet_bearings::planet_name(set, place)),
                     column(planet.map(|planet| speed(planet.relative))),
                     column(planet.and_then(|planet| planet.absolute).map(speed)),
                 ]);
@@ -312,16 +312,16 @@ impl Task<'_> {
         }
     }
 
-    fn controls(&self, state: &MultiState) -> Records {
-        let rows = self.gearbox.controls().iter().enumerate().map(|(place, control)| {
-            let [first, second] = control.links().map(|link| self.gearbox.link_name(link));
+    fn shift_elements(&self, state: &MultiState) -> Records {
+        let rows = self.gearbox.shift_elements().iter().enumerate().map(|(place, shift_element)| {
+            let [first, second] = shift_element.links().map(|link| self.gearbox.link_name(link));
             let is_engaged = self.gear.engaged().contains(&place);
             vec![
-                text(control.id()),
+                text(shift_element.id()),
                 text(format!("{first} - {second}")),
                 shared::state(is_engaged),
                 column(state.slips[place]),
-                column(state.load.as_ref().and_then(|load| load.controls[place])),
+                column(state.load.as_ref().and_then(|load| load.shift_elements[place])),
             ]
         });
         let mut shown = vec!["control", "joins", "is", "slip"];
@@ -426,18 +426,18 @@ impl Task<'_> {
 
     /// One-way clutches that would not let these speeds be.
     fn one_way(&self, state: &MultiState) -> Vec<(&'static str, String)> {
-        let of = |(place, control): (usize, &epicyclic_train::Control)| {
+        let of = |(place, shift_element): (usize, &epicyclic_train::ShiftElement)| {
             let is_engaged = self.gear.engaged().contains(&place);
             let slip = state.slips[place].map(Physical::si)?;
-            (control.is_one_way() && !is_engaged && slip < 0.0).then(|| {
+            (shift_element.is_one_way() && !is_engaged && slip < 0.0).then(|| {
                 let message = format!(
                     "the one-way clutch {} would hold at these speeds: its first link turns slower than its second",
-                    control.id()
+                    shift_element.id()
                 );
                 ("one-way-clutch", message)
             })
         };
-        self.gearbox.controls().iter().enumerate().filter_map(of).collect()
+        self.gearbox.shift_elements().iter().enumerate().filter_map(of).collect()
     }
 
     /// A line for each place of a grid of speeds.

@@ -1,7 +1,7 @@
 //! All gears of a gearbox side by side.
 
 use super::subject::Subject;
-use super::{Input, Worked, pins, work};
+use super::{Input, Worked, planet_bearings, work};
 use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, text};
 use crate::output;
@@ -22,13 +22,13 @@ pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure>
         .collect::<Result<Vec<Worked<'_>>, Failure>>()?;
     let source = subject.source.as_ref().map(|source| Part::Words(wrapped("Source:", source)));
     let states = states(subject, &worked);
-    let forces = pins::of_gears(subject, &worked, input)?;
+    let forces = planet_bearings::of_gears(subject, &worked, input)?;
     let parts = source
         .into_iter()
         .chain([Part::Records(gears(subject, &worked, input))])
         .chain((!states.is_empty()).then_some(Part::Words(states)))
         .chain(forces.map(Part::Records))
-        .chain((!gearbox.controls().is_empty()).then(|| Part::Words(shift_table(gearbox))))
+        .chain((!gearbox.shift_elements().is_empty()).then(|| Part::Words(shift_table(gearbox))))
         .chain(one_way_clutches(gearbox, &worked).map(Part::Records))
         .collect();
     let mut warnings = warnings(subject);
@@ -111,7 +111,7 @@ fn row(subject: &Subject, worked: &[Worked<'_>], place: usize, input: Input) -> 
             .map_or(Figure::None, |(gear, ratio)| Figure::YesNo(gear.stands_for(ratio))),
         published.and_then(remark).map_or_else(|| text(""), text),
         moving(analysis.efficiency()),
-        moving(analysis.overrun_efficiency()),
+        moving(analysis.back_driving_efficiency()),
         self_locking(analysis),
         multiple(analysis.driving().map(|case| case.power.circulating)),
         multiple(largest_speed(gearbox, analysis)),
@@ -142,7 +142,7 @@ pub(super) fn self_locking(analysis: &Analysis<'_>) -> Figure {
 
 /// Names of what is engaged.
 pub(super) fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
-    gear.engaged().iter().map(|&place| gearbox.controls()[place].id().to_owned()).collect()
+    gear.engaged().iter().map(|&place| gearbox.shift_elements()[place].id().to_owned()).collect()
 }
 
 /// Ratio of the gear before over this one's, between the same links and in the same sense.
@@ -223,11 +223,11 @@ pub(super) fn in_words(state: &State) -> String {
             let speeds = if *missing == 1 { "one more speed" } else { "more speeds" };
             format!("{speeds} must be given, of {}", list(links))
         }
-        State::TorquesIndeterminate { controls, sets, .. } => {
+        State::TorquesIndeterminate { shift_elements, sets, .. } => {
             let of =
                 |what: &str, names: &[String]| (!names.is_empty()).then(|| format!("{what} {}", list(names)));
             let parts: Vec<String> =
-                [of("shift elements", controls), of("sets", sets)].into_iter().flatten().collect();
+                [of("shift elements", shift_elements), of("sets", sets)].into_iter().flatten().collect();
             format!("how the torque is shared depends on how tightly they hold: {}", parts.join("; "))
         }
         State::SelfLocking { links, both_ways } => {
@@ -242,10 +242,10 @@ pub(super) fn in_words(state: &State) -> String {
 
 fn shift_table(gearbox: &Gearbox) -> String {
     let mut header = vec!["gear"];
-    header.extend(gearbox.controls().iter().map(epicyclic_train::Control::id));
+    header.extend(gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::id));
     let rows = gearbox.gears().iter().map(|gear| {
         let mark = |place| if gear.engaged().contains(&place) { "x" } else { "." }.to_owned();
-        let marks = (0..gearbox.controls().len()).map(mark);
+        let marks = (0..gearbox.shift_elements().len()).map(mark);
         [gear.name().to_owned()].into_iter().chain(marks).collect()
     });
     format!("Shift table\n{}", output::table(&header, rows, &[]))
@@ -273,7 +273,7 @@ pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'sta
 
 /// What the one-way clutches do in each gear; `None` without any.
 fn one_way_clutches(gearbox: &Gearbox, worked: &[Worked<'_>]) -> Option<Records> {
-    if !gearbox.controls().iter().any(epicyclic_train::Control::is_one_way) {
+    if !gearbox.shift_elements().iter().any(epicyclic_train::ShiftElement::is_one_way) {
         return None;
     }
     let mut rows = vec![];
@@ -281,7 +281,7 @@ fn one_way_clutches(gearbox: &Gearbox, worked: &[Worked<'_>]) -> Option<Records>
         for one in analysis.one_way_clutches() {
             rows.push(vec![
                 text(analysis.gear().name()),
-                text(gearbox.controls()[one.control].id()),
+                text(gearbox.shift_elements()[one.shift_element].id()),
                 Figure::YesNo(one.is_relied_on),
                 duty(one.drive),
                 duty(one.coast),
@@ -327,7 +327,7 @@ pub(super) fn duty(duty: Duty) -> Figure {
 pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'static str, String)> {
     let name = gear.gear().name();
     let all = gear.one_way_clutches().into_iter().filter_map(|one| {
-        let clutch = gearbox.controls()[one.control].id();
+        let clutch = gearbox.shift_elements()[one.shift_element].id();
         let message = match one.drive {
             Duty::WouldOverrun => format!(
                 "gear {name} relies on the one-way clutch {clutch}, whose torque would turn it free: leave it out of \

@@ -10,7 +10,7 @@ use epicyclic_formats::gearbox::{
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_train::pins::Pin;
+use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
 use epicyclic_train::{Gearbox, PlanetSet};
@@ -31,7 +31,7 @@ pub(crate) struct Subject {
     pub(crate) source: Option<String>,
     pub(super) published: Vec<PublishedGear>,
     /// The planets of the sets that have any.
-    pub(super) pins: Vec<Pin>,
+    pub(super) planet_bearings: Vec<PlanetBearing>,
     /// What their teeth are checked by.
     pub(super) rack: BasicRack,
     /// Its place in the file.
@@ -108,14 +108,14 @@ pub(super) fn read(args: &Choice, document: &Document, only_one: bool) -> Result
         let problem = Problem::Refused { message: error.to_string() };
         Failure::from(document.error(&Path::root().key(key), problem))
     })?;
-    let pins = file.pins(&gearbox).map_err(at)?;
+    let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
     let inputs = file.gears.iter().map(of_gear).collect();
     let (source, published, base) = (None, vec![], Path::root());
-    Ok(Content::One(Box::new(Subject { gearbox, source, published, pins, rack, base, inputs })))
+    Ok(Content::One(Box::new(Subject { gearbox, source, published, planet_bearings, rack, base, inputs })))
 }
 
 /// The efficiency of a set that `--efficiency` gives.
@@ -182,14 +182,15 @@ fn transmission(
         None => gearbox,
     };
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
-    let pins = transmission.pins(&gearbox).map_err(|error| located(document, &base, &error))?;
+    let planet_bearings =
+        transmission.planet_bearings(&gearbox).map_err(|error| located(document, &base, &error))?;
     let of_gear = |gear: &PublishedGear| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
     let inputs = transmission.gears.iter().map(of_gear).collect();
     let rack = BasicRack::default();
-    Ok(Box::new(Subject { gearbox, source, published, pins, rack, base, inputs }))
+    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, base, inputs }))
 }
 
 /// The same gearbox with this efficiency of each set for which none is stated.
@@ -200,7 +201,7 @@ fn with_losses(gearbox: &Gearbox, eta: MeshEfficiency) -> Result<Gearbox, Failur
         gearbox.sets().iter().filter(|set| !set.has_losses()).map(|set| set.id().to_owned()).collect();
     let change = |description: Description| match description {
         description if !lossless.iter().any(|id| id == description.id()) => description,
-        Description::Short(spec) => spec.with_loss(MeshLoss::Row(eta)).into(),
+        Description::Short(spec) => spec.with_loss(MeshLoss::Set(eta)).into(),
         Description::Compound(spec) => spec.with_mesh_efficiency(each).into(),
     };
     Ok(gearbox.to_builder().map_descriptions(change).build()?)

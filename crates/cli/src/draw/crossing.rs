@@ -9,20 +9,22 @@ use epicyclic_train::{Gearbox, LinkId};
 /// these drawings does its link reach the housing: the other links shut it in.
 pub(super) fn words(gearbox: &Gearbox, witness: &Witness) -> String {
     let name = |link: LinkId| format!("`{}`", gearbox.link_name(link));
-    let control = |place: usize| gearbox.controls().get(place);
-    let brakes = |place: &usize| control(*place).is_some_and(epicyclic_train::Control::is_brake);
-    let is_brake = |element: &&Element| matches!(element, Element::Control(place) if brakes(place));
-    let is_control = |element: &&Element| matches!(element, Element::Control(_));
+    let shift_element = |place: usize| gearbox.shift_elements().get(place);
+    let brakes = |place: &usize| shift_element(*place).is_some_and(epicyclic_train::ShiftElement::is_brake);
+    let is_brake = |element: &&Element| matches!(element, Element::ShiftElement(place) if brakes(place));
+    let is_shift_element = |element: &&Element| matches!(element, Element::ShiftElement(_));
     let is_shaft =
         |element: &&Element| matches!(element, Element::TakeOff(_) | Element::Input | Element::Output);
     let elements = &witness.elements;
     let missed = elements
         .iter()
         .find(is_brake)
-        .or_else(|| elements.iter().find(is_control))
+        .or_else(|| elements.iter().find(is_shift_element))
         .or_else(|| elements.iter().find(is_shaft));
     let (inside, what) = match missed {
-        Some(&Element::Control(place)) => match control(place).map(epicyclic_train::Control::links) {
+        Some(&Element::ShiftElement(place)) => match shift_element(place)
+            .map(epicyclic_train::ShiftElement::links)
+        {
             Some([link, LinkId::GROUND]) => (vec![link], format!("{} cannot reach the housing", name(link))),
             Some([one, other]) => (vec![one, other], format!("{} cannot reach {}", name(one), name(other))),
             None => (vec![], "a lock cannot be reached".into()),

@@ -76,7 +76,7 @@ fn page(everything: Everything, text: String) -> Result<Sheet, Failure> {
         about: format!(
             "Planetary gearbox with {}, {} and {}",
             count(gearbox.sets().len(), "set"),
-            count(gearbox.controls().len(), "control"),
+            count(gearbox.shift_elements().len(), "control"),
             count(gearbox.gears().len(), "gear")
         ),
         sections,

@@ -50,17 +50,17 @@ fn parameters(dimensioned: &Dimensioned, eta0: MeshEfficiency) -> Section {
 }
 
 fn results(dimensioned: &Dimensioned, gears: &[Analysis<'_>]) -> Records {
-    let controls = dimensioned.gearbox.controls();
+    let shift_elements = dimensioned.gearbox.shift_elements();
     let row = |gear: &Analysis<'_>| {
         let engaged = gear.gear().engaged().first().copied();
-        let torque = gear.driving().zip(engaged).and_then(|(case, place)| case.controls[place]);
+        let torque = gear.driving().zip(engaged).and_then(|(case, place)| case.shift_elements[place]);
         vec![
             text(gear.gear().name()),
             multiple(gear.ratio()),
             multiple(gear.efficiency()),
-            multiple(gear.overrun_efficiency()),
+            multiple(gear.back_driving_efficiency()),
             multiple(gear.driving().map(|case| case.output)),
-            text(engaged.map_or("-", |place| controls[place].id())),
+            text(engaged.map_or("-", |place| shift_elements[place].id())),
             multiple(torque),
             multiple(gear.driving().map(|case| case.power.circulating)),
         ]

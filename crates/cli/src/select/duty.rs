@@ -78,7 +78,7 @@ pub(super) fn parts(args: &Args, demand: &Demand, all: &[Numbered]) -> Result<Ve
                 column(operation.as_ref().map(|at| at.input)),
                 column(operation.as_ref().map(|at| at.output)),
             ];
-            row.extend(["K1", "K2", "L"].map(|id| control(&gearbox, operation.as_ref(), id)));
+            row.extend(["K1", "K2", "L"].map(|id| shift_element(&gearbox, operation.as_ref(), id)));
             row.extend([
                 column(powered.map(|at| at.entering)),
                 column(powered.map(|at| at.entering - at.loss)),
@@ -104,9 +104,9 @@ pub(super) fn parts(args: &Args, demand: &Demand, all: &[Numbered]) -> Result<Ve
 }
 
 /// Torque of a control; none of one that the mechanism lacks.
-fn control(gearbox: &Gearbox, operation: Option<&Operation>, id: &str) -> Figure {
-    let place = gearbox.controls().iter().position(|control| control.id() == id);
-    column(operation.zip(place).and_then(|(at, place)| at.controls[place]))
+fn shift_element(gearbox: &Gearbox, operation: Option<&Operation>, id: &str) -> Figure {
+    let place = gearbox.shift_elements().iter().position(|shift_element| shift_element.id() == id);
+    column(operation.zip(place).and_then(|(at, place)| at.shift_elements[place]))
 }
 
 fn of_members(no: u32, gear: &str, gearbox: &Gearbox, at: &Operation) -> Vec<Vec<Figure>> {

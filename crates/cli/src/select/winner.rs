@@ -124,7 +124,7 @@ fn shifts(all: &[Numbered]) -> Records {
     let mut rows = vec![];
     for &(no, one) in all {
         for shift in one.shift_table() {
-            let at = |control| Figure::Mark(shift.engaged == control);
+            let at = |shift_element| Figure::Mark(shift.engaged == shift_element);
             rows.push(vec![
                 Figure::Count(no),
                 text(shift.gear),

@@ -5,7 +5,7 @@ use crate::Quantity;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
-use epicyclic_train::pins::{MeshSize, PlanetSize, SetSize};
+use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;

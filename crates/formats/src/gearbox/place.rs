@@ -4,7 +4,7 @@ use super::DescriptionError;
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
-use epicyclic_train::{CompoundFault, Error as Engine, Named};
+use epicyclic_train::{CompoundFault, Error as SolverError, Named};
 
 /// The lists whose entries may bear the name of a shift element.
 const CONTROLS: [&str; 4] = ["brakes", "clutches", "elements", "one_way"];
@@ -65,27 +65,29 @@ impl File<'_> {
         }
     }
 
-    fn of_engine(&self, error: &Engine) -> Path {
+    fn of_engine(&self, error: &SolverError) -> Path {
         match error {
-            Engine::Unknown { name, place, .. } => self.text(self.named(place), name),
-            Engine::GroundedTerminal { place } => self.text(self.named(place), epicyclic_train::GROUND),
-            Engine::Duplicate { what, name } => match what {
+            SolverError::Unknown { name, place, .. } => self.text(self.named(place), name),
+            SolverError::GroundedTerminal { place } => self.text(self.named(place), epicyclic_train::GROUND),
+            SolverError::Duplicate { what, name } => match what {
                 Named::Set => self.set(name),
-                Named::Control => self.entry(&CONTROLS, name),
+                Named::ShiftElement => self.entry(&CONTROLS, name),
                 Named::Gear => self.entry(&["gears"], name),
                 _ => self.text(self.base.clone().key("links"), name),
             },
-            Engine::CoincidentMembers { set, .. }
-            | Engine::StepsMissing { set, .. }
-            | Engine::BasicRatio { set, .. } => self.set(set),
-            Engine::RowParameter { set, .. } => {
+            SolverError::CoincidentMembers { set, .. }
+            | SolverError::StepsMissing { set, .. }
+            | SolverError::BasicRatio { set, .. } => self.set(set),
+            SolverError::RingToSunRatio { set, .. } => {
                 ["k", "teeth", "z_r"].iter().fold(self.set(set), |path, key| self.key(path, key))
             }
-            Engine::Compound { set, fault } => self.of_compound(set, fault),
-            Engine::TooMany { what, limit, .. } => self.beyond(*what, *limit),
-            Engine::NoSets => self.key(self.base.clone(), "sets"),
-            Engine::ControlJoinsItself { control, .. } => self.entry(&CONTROLS, control),
-            Engine::CyclicGrounds { first, .. } => {
+            SolverError::Compound { set, fault } => self.of_compound(set, fault),
+            SolverError::TooMany { what, limit, .. } => self.beyond(*what, *limit),
+            SolverError::NoSets => self.key(self.base.clone(), "sets"),
+            SolverError::ShiftElementJoinsItself { shift_element, .. } => {
+                self.entry(&CONTROLS, shift_element)
+            }
+            SolverError::CyclicGrounds { first, .. } => {
                 let places = ["ties", "grounds"].map(|key| self.text(self.base.clone().key(key), first));
                 self.first_that_exists(places)
             }
@@ -163,7 +165,7 @@ impl File<'_> {
     fn beyond(&self, what: Named, limit: usize) -> Path {
         let lists: &[&str] = match what {
             Named::Set => &SETS,
-            Named::Control => &CONTROLS,
+            Named::ShiftElement => &CONTROLS,
             Named::Gear => &["gears"],
             Named::Link => &["links", "nodes"],
             _ => &[],

@@ -4,7 +4,7 @@ use super::compound::{CompoundEntry, Note};
 use super::{DescriptionError, losses};
 use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::pins::{Pin, SetSize};
+use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
@@ -235,7 +235,7 @@ impl Transmission {
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
         let counts = [
             (Named::Set, self.rows.len() + self.compound_sets.len(), MOST_SETS),
-            (Named::Control, self.elements.len() + self.one_way.len(), MOST_ELEMENTS),
+            (Named::ShiftElement, self.elements.len() + self.one_way.len(), MOST_ELEMENTS),
             (Named::Gear, self.gears.len(), MOST_GEARS),
             (Named::Link, self.nodes.len(), MOST_LINKS),
         ];
@@ -276,12 +276,12 @@ impl Transmission {
         Ok(builder.build()?)
     }
 
-    /// The planets of each set that has any on their pins. Only compound sets state sizes here.
+    /// The planet bearings of each set that has any. Only compound sets state sizes here.
     ///
     /// # Errors
     /// [`DescriptionError::Set`] for an invalid size.
-    pub fn pins(&self, gearbox: &Gearbox) -> Result<Vec<Pin>, DescriptionError> {
-        super::pins(gearbox, |set| {
+    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
+        super::planet_bearings(gearbox, |set| {
             let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
             entry.map_or_else(SetSize::default, |entry| entry.size(set, &SetSize::default()))
         })

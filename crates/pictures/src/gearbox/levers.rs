@@ -1,8 +1,8 @@
-//! Rows as levers (nomogram): the links of a row stand along a line so that their speeds lie on a straight line across it.
+//! Sets as levers (nomogram): the links of a set stand along a line so that their speeds lie on a straight line across it.
 //!
-//! From the row's equation `ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0` the carrier stands at 0, wheel 2 at −1 and wheel 1 at `−i₀`: of a simple
-//! row the ring one unit on one side of the carrier, the sun `k` units on the other. Two rows with two links in common are one lever,
-//! its second row scaled to fit. A link in several levers is joined by a dashed line.
+//! From the set's equation `ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0` the carrier stands at 0, central gear 2 at −1 and central gear 1 at `−i₀`: of a simple
+//! set the ring one unit on one side of the carrier, the sun `k` units on the other. Two sets with two links in common are one lever,
+//! its second set scaled to fit. A link in several levers is joined by a dashed line.
 //!
 //! In a gear the speeds, over the input's, are offsets from the lever; the points of each lever lie on one line.
 
@@ -44,7 +44,7 @@ pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) 
         joints: scene.layer("joints", Style::line(0.25).color(Color::GREY).dash(Dash::Dashed))?,
         levers: scene.layer("levers", Style::line(0.7))?,
         speeds: scene.layer("speeds", Style::line(0.25).color(COLORS[0]))?,
-        controls: scene.layer("controls", Style::line(0.35))?,
+        shift_elements: scene.layer("controls", Style::line(0.35))?,
         labels: scene.layer("labels", Style::line(0.1))?,
     };
     let levers = levers(gearbox);
@@ -52,7 +52,7 @@ pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) 
     let mut sheet = Sheet { gearbox, gear, levers: &levers, placed: &placed, scene, layers };
     sheet.joints();
     sheet.levers();
-    let held = sheet.controls();
+    let held = sheet.shift_elements();
     sheet.names(&held);
     sheet.legend();
     sheet.scene.check()?;
@@ -107,7 +107,7 @@ struct Layers {
     joints: LayerId,
     levers: LayerId,
     speeds: LayerId,
-    controls: LayerId,
+    shift_elements: LayerId,
     labels: LayerId,
 }
 
@@ -165,21 +165,21 @@ impl Sheet<'_> {
         }
     }
 
-    /// Brakes as plates beside their link, engaged clutches as coloured lines; returns names of controls and where they belong.
-    fn controls(&mut self) -> Vec<(String, Point)> {
+    /// Brakes as plates beside their link, engaged clutches as coloured lines; returns names of shift elements and where they belong.
+    fn shift_elements(&mut self) -> Vec<(String, Point)> {
         let node = |link: LinkId| {
             let piece = piece_of(self.gearbox, link);
             self.placed.iter().flatten().find(|node| node.link == piece).map(|node| node.at)
         };
         let mut names = vec![];
         let mut braked: Vec<LinkId> = vec![];
-        for (place, control) in self.gearbox.controls().iter().enumerate() {
+        for (place, shift_element) in self.gearbox.shift_elements().iter().enumerate() {
             let engaged = self.gear.is_some_and(|gear| gear.gear().engaged().contains(&place));
             let style = if engaged { Style::line(0.7).color(ENGAGED) } else { Style::line(0.35) };
-            let [one, other] = control.links();
+            let [one, other] = shift_element.links();
             let mut add =
-                |style: Style, shape: Shape| self.scene.add_styled(self.layers.controls, style, shape);
-            if control.is_brake() {
+                |style: Style, shape: Shape| self.scene.add_styled(self.layers.shift_elements, style, shape);
+            if shift_element.is_brake() {
                 let Some(at) = node(one) else { continue };
                 // Several brakes of one link, one behind the other.
                 let x = at.x - 5.0 - 6.0 * braked.iter().filter(|link| **link == one).count() as f64;
@@ -190,7 +190,7 @@ impl Sheet<'_> {
                     let y = at.y - 1.4 + 1.1 * f64::from(i);
                     add(Style::line(0.18), Shape::line([x, y], [x - 1.2, y - 0.9]));
                 }
-                names.push((control.id().to_owned(), Point::new(x, at.y)));
+                names.push((shift_element.id().to_owned(), Point::new(x, at.y)));
             } else if engaged && let (Some(from), Some(to)) = (node(one), node(other)) {
                 let middle = f64::midpoint(from.y, to.y);
                 let style = style.width(0.5).dash(Dash::Dashed);
@@ -199,17 +199,20 @@ impl Sheet<'_> {
                 if from.x == to.x {
                     let corners = [[from.x - 1.4, from.y], [x, from.y], [x, to.y], [to.x - 1.4, to.y]];
                     add(style, Shape::polyline(corners));
-                    names.push((control.id().to_owned(), Point::new(x, middle)));
+                    names.push((shift_element.id().to_owned(), Point::new(x, middle)));
                 } else {
                     add(style, Shape::line(from, to));
-                    names.push((control.id().to_owned(), Point::new(f64::midpoint(from.x, to.x), middle)));
+                    names.push((
+                        shift_element.id().to_owned(),
+                        Point::new(f64::midpoint(from.x, to.x), middle),
+                    ));
                 }
             }
         }
         names
     }
 
-    /// Names of controls and links, speeds, distances between nodes.
+    /// Names of shift elements and links, speeds, distances between nodes.
     fn names(&mut self, held: &[(String, Point)]) {
         let mut places = Places::around(&self.scene);
         let half = |words: &str| 0.5 * Text::new([0.0, 0.0], LETTERS_MM, words).width_mm();
@@ -276,8 +279,9 @@ impl Sheet<'_> {
         );
         if let Some(gear) = self.gear {
             lines.push("across it: speeds over the input's".into());
-            let controls = gear.gear().engaged().iter().map(|&place| self.gearbox.controls()[place].id());
-            let engaged: Vec<&str> = controls.collect();
+            let shift_elements =
+                gear.gear().engaged().iter().map(|&place| self.gearbox.shift_elements()[place].id());
+            let engaged: Vec<&str> = shift_elements.collect();
             if !engaged.is_empty() {
                 lines.push(format!("engaged: {}", engaged.join(", ")));
             }

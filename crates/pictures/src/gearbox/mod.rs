@@ -2,9 +2,9 @@
 //!
 //! | module | draws |
 //! |---|---|
-//! | [`scheme`] | the kinematic scheme in the half-plane; a gear's engaged controls, resting links and power flow |
-//! | [`speeds`] | the speed plan of a gear (Kutzbach): velocities over radius, and rays of angular speed |
-//! | [`levers`] | rows as levers, a gear as a line across each |
+//! | [`scheme`] | the kinematic scheme in the half-plane; a gear's engaged shift elements, resting links and power flow |
+//! | [`speeds`] | the speed diagram of a gear (Kutzbach): velocities over radius, and rays of angular speed |
+//! | [`levers`] | sets as levers, a gear as a line across each |
 //! | [`ladder`] | ratios of all gears on a logarithmic scale, with their steps |
 //!
 //! Sizes are those of a drawing on paper: letters of 2.5 mm, shafts of 0.7 mm. No label meets another or a line; the tests hold every
@@ -31,7 +31,7 @@ const ENGAGED: Color = Color::new(214, 48, 32);
 const RESTING: Color = Color::new(165, 165, 165);
 /// Power on its way from input to output.
 const POWER: Color = Color::new(30, 95, 170);
-/// Power that goes round.
+/// Circulating power.
 const CIRCULATING: Color = Color::new(240, 140, 20);
 /// Colours of curves and rays, told apart by lightness too.
 const COLORS: [Color; 6] = [

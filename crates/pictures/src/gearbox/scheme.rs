@@ -3,20 +3,20 @@
 //! | sign | is |
 //! |---|---|
 //! | thick line | a shaft, drum or web |
-//! | T | a wheel: its rim at the contact, its web at right angles to the axis |
-//! | two rims a little apart | wheels in mesh |
-//! | web between two short lines on a shaft | a planet that turns on its pin |
+//! | T | a central gear: its rim at the contact, its web at right angles to the axis |
+//! | two rims a little apart | gears in mesh |
+//! | web between two short lines on a shaft | a planet that turns on its planet pin |
 //! | two plates apart | a clutch; a brake, where one plate is the housing's |
 //! | hatched line | the housing |
 //! | dashes and dots | the axis |
 //! | circle at the end of a shaft | a machine or train beside the housing, where power enters or leaves in some gears |
 //!
-//! Wheels stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii. Planets of a stepped row
+//! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii. Planets of a stepped set
 //! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
-//! suns or rings, meshing suns and bevel rows are drawn as sun, planet and ring; the line of their row below the drawing names the kind.
+//! suns or rings, meshing suns and bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind.
 //!
-//! In a gear the engaged controls are filled and what rests is grey. With the power flow each line is as wide as the power that passes
-//! it, `|Σ T·ω|` over the power that enters; what of it goes round in loops stands inside in another colour.
+//! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is as wide as the power that passes
+//! it, `|Σ T·ω|` over the power that enters; what of it circulates stands inside in another colour.
 
 mod flow;
 mod names;
@@ -36,7 +36,7 @@ pub const ALONG_MM: f64 = 13.0;
 /// Millimetres to a unit of the layout away from the axis.
 pub const UP_MM: f64 = 12.0;
 
-/// Width of shafts, and of wheels' rims.
+/// Width of shafts, and of gears' rims.
 const SHAFT_MM: f64 = 0.7;
 /// Width of webs and plates.
 const WEB_MM: f64 = 0.5;
@@ -64,7 +64,7 @@ pub struct Options {
     pub title: Option<String>,
     /// Both halves, the lower a mirror image.
     pub whole: bool,
-    /// Whether the lines of the rows say `k` or teeth.
+    /// Whether the lines of the sets say `k` or teeth.
     pub gearing: bool,
 }
 
@@ -78,8 +78,8 @@ impl Default for Options {
 ///
 /// ```
 /// use epicyclic_pictures::gearbox::scheme::{Options, Show, scene};
-/// use epicyclic_layout::{self, Verdict};
-/// use epicyclic_schemes::{Gearbox, set::SetSpec};
+/// use epicyclic_layout::{self as layout, Verdict};
+/// use epicyclic_train::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("I")
 ///     .links(["D", "B", "T1"])
@@ -89,7 +89,7 @@ impl Default for Options {
 ///     .output("B")
 ///     .gear("slow", ["K1"])
 ///     .build()?;
-/// let Verdict::Drawable(layout) = drawability::draw(&gearbox, drawability::Options::default()) else {
+/// let Verdict::Drawable(layout) = layout::draw(&gearbox, layout::Options::default()) else {
 ///     unreachable!("I can be drawn");
 /// };
 /// let slow = gearbox.analyze("slow")?;
@@ -119,9 +119,9 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
     let title = options.title.clone().unwrap_or_else(|| title(gearbox, gear));
     let mut sheet = Sheet::new(gearbox, layout, gear, load, &title)?;
     sheet.housing();
-    sheet.controls();
+    sheet.shift_elements();
     sheet.links();
-    sheet.rows();
+    sheet.sets();
     if options.whole {
         sheet.mirror();
     }
@@ -169,7 +169,7 @@ pub(super) fn title(gearbox: &Gearbox, gear: Option<&Analysis>) -> String {
 struct Look {
     color: Color,
     width_mm: f64,
-    /// Width of what goes round, inside.
+    /// Width of what circulates, inside.
     inner_mm: f64,
 }
 
@@ -177,8 +177,8 @@ struct Layers {
     axis: LayerId,
     housing: LayerId,
     links: LayerId,
-    wheels: LayerId,
-    controls: LayerId,
+    toothed_gears: LayerId,
+    shift_elements: LayerId,
     power: LayerId,
     labels: LayerId,
 }
@@ -213,9 +213,9 @@ impl<'a> Sheet<'a> {
         let layers = Layers {
             axis: scene.layer("axis", Style::centre_line())?,
             housing: scene.layer("housing", Style::line(WEB_MM))?,
-            controls: scene.layer("controls", Style::line(WEB_MM))?,
+            shift_elements: scene.layer("controls", Style::line(WEB_MM))?,
             links: scene.layer("links", Style::line(SHAFT_MM))?,
-            wheels: scene.layer("wheels", Style::line(WEB_MM))?,
+            toothed_gears: scene.layer("wheels", Style::line(WEB_MM))?,
             power: scene.layer("power", Style::filled(POWER))?,
             labels: scene.layer("labels", Style::line(0.1))?,
         };
@@ -235,11 +235,11 @@ impl<'a> Sheet<'a> {
         self.gear.and_then(|gear| gear.speed(link)).is_some_and(|speed| speed.abs() < 1e-9)
     }
 
-    fn engaged(&self, control: usize) -> bool {
-        self.gear.is_some_and(|gear| gear.gear().engaged().contains(&control))
+    fn engaged(&self, shift_element: usize) -> bool {
+        self.gear.is_some_and(|gear| gear.gear().engaged().contains(&shift_element))
     }
 
-    /// How a line looks that is `width` wide without powers and passes this power, of which some goes round.
+    /// How a line looks that is `width` wide without powers and passes this power, of which some circulates.
     fn look(&self, link: LinkId, width: f64, power: Option<f64>, circulating: f64) -> Look {
         let color = if self.rests(link) { RESTING } else { Color::BLACK };
         if self.load.is_none() || link == LinkId::GROUND {
@@ -265,9 +265,9 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Power of a member into its row, and the part of it that goes round.
-    fn member(&self, row: usize, member: usize) -> (Option<f64>, f64) {
-        let power = self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, row));
+    /// Power of a member into its set, and the part of it that circulates.
+    fn member(&self, set: usize, member: usize) -> (Option<f64>, f64) {
+        let power = self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, set));
         power.map_or((None, 0.0), |power| (Some(power.members[member]), power.circulating[member]))
     }
 
@@ -285,7 +285,7 @@ impl<'a> Sheet<'a> {
         self.pieces = pieces;
     }
 
-    /// The sense of a power that is not small, where there is room for an arrow.
+    /// The direction of a power that is not small, where there is room for an arrow.
     fn arrow(&mut self, piece: &Piece) {
         let (from, to) = (at(piece.from), at(piece.to));
         let length = (to.x - from.x).hypot(to.y - from.y);
@@ -327,7 +327,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The title above, the rows and what the colours mean below.
+    /// The title above, the sets and what the colours mean below.
     fn legend(&mut self, options: &Options) {
         let bounds = self.scene.bounds();
         let layer = self.layers.labels;
@@ -344,12 +344,13 @@ impl<'a> Sheet<'a> {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
         }
         let Some(gear) = self.gear else { return };
-        let controls = gear.gear().engaged().iter().map(|&place| self.gearbox.controls()[place].id());
-        let engaged: Vec<&str> = controls.collect();
+        let shift_elements =
+            gear.gear().engaged().iter().map(|&place| self.gearbox.shift_elements()[place].id());
+        let engaged: Vec<&str> = shift_elements.collect();
         if !engaged.is_empty() {
             let y = write(&mut self.scene, 10.0, format!("engaged: {}", engaged.join(", ")));
             let sample = Shape::rectangle([bounds.left, y - 1.2], [bounds.left + 7.0, y + 1.2]);
-            self.scene.add_styled(self.layers.controls, Style::filled(ENGAGED), sample);
+            self.scene.add_styled(self.layers.shift_elements, Style::filled(ENGAGED), sample);
         }
         let line = |scene: &mut Scene, y: f64, style: Style| {
             scene.add_styled(layer, style, Shape::line([bounds.left + 1.0, y], [bounds.left + 6.0, y]));

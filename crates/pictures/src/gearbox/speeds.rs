@@ -1,12 +1,12 @@
-//! The speed plan of a gear (Kutzbach): peripheral velocity over radius for each row, and the rays of angular speed.
+//! The speed diagram of a gear (Kutzbach): peripheral velocity over radius for each set, and the rays of angular speed.
 //!
 //! A point of a link at radius `r` moves at `v = ω·r`: drawn over `r`, a link is a line through the axis with the slope `ω`, and a
-//! planet a line through its three points, where it meets wheel 1 and wheel 2 and where its pin is. Rays parallel to these lines from a
+//! planet a line through its three points, where it meets central gear 1 and central gear 2 and where its planet pin is. Rays parallel to these lines from a
 //! pole cut a line at the speeds `ω`.
 //!
-//! Radii are in units of each row's wheel 1; of a simple row `r_b = k` and the pins stand at `(1 + k)/2`. All rows have one slope
+//! Radii are in units of each set's central gear 1; of a simple set `r_b = k` and the planet pins stand at `(1 + k)/2`. All sets have one slope
 //! for one speed. Two planets in mesh are drawn as one beside the other with equal sizes, which changes their own speeds but none of
-//! the links'; they get no ray. Of stepped rows the teeth give all radii. Planets of other kinds, and of stepped rows without teeth,
+//! the links'; they get no ray. Of stepped sets the teeth give all radii. Planets of other kinds, and of stepped sets without teeth,
 //! are left out.
 
 mod radii;
@@ -17,10 +17,10 @@ use super::words::{self, decimal};
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
 use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
-use radii::{Line, Plan};
+use radii::{Line, SpeedDiagram};
 use std::f64::consts::FRAC_PI_2;
 
-/// Height of each row's plan.
+/// Height of each set's diagram.
 const HEIGHT_MM: f64 = 70.0;
 /// Width of the fastest point on its side.
 const FASTEST_MM: f64 = 45.0;
@@ -29,7 +29,7 @@ const RAYS_MM: [f64; 2] = [75.0, 45.0];
 /// From label to label of the speeds.
 const PITCH_MM: f64 = 4.2;
 
-/// The speed plan of a gear.
+/// The speed diagram of a gear.
 ///
 /// # Errors
 /// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow.
@@ -39,19 +39,20 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     let layers = Layers {
         axes: scene.layer("axes", Style::line(0.25))?,
         help: scene.layer("levels", Style::line(0.1).color(Color::GREY).dash(Dash::Dashed))?,
-        wheels: scene.layer("wheels", Style::line(0.7))?,
+        toothed_gears: scene.layer("wheels", Style::line(0.7))?,
         lines: scene.layer("lines", Style::line(0.5))?,
         labels: scene.layer("labels", Style::line(0.1))?,
     };
-    let plans: Vec<Plan> = (0..gearbox.drawn_sets().len()).map(|row| Plan::of(gearbox, gear, row)).collect();
+    let diagrams: Vec<SpeedDiagram> =
+        (0..gearbox.drawn_sets().len()).map(|set| SpeedDiagram::of(gearbox, gear, set)).collect();
     // Millimetres across to one up, for a speed of 1.
-    let widest = plans.iter().map(Plan::widest).fold(1e-9, f64::max);
+    let widest = diagrams.iter().map(SpeedDiagram::widest).fold(1e-9, f64::max);
     let slope = FASTEST_MM / (HEIGHT_MM * widest);
     let mut left = 0.0;
-    for (row, plan) in plans.iter().enumerate() {
-        left = panel(&mut scene, &layers, gearbox, plan, row, left, slope);
+    for (set, diagram) in diagrams.iter().enumerate() {
+        left = panel(&mut scene, &layers, gearbox, diagram, set, left, slope);
     }
-    rays(&mut scene, &layers, gearbox, gear, &plans, slope);
+    rays(&mut scene, &layers, gearbox, gear, &diagrams, slope);
     let bounds = scene.bounds();
     let at = [bounds.left, bounds.top + 7.0];
     let heading = Text::new(at, TITLE_MM, scene.title()).align(Align::Left);
@@ -63,7 +64,7 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
 struct Layers {
     axes: LayerId,
     help: LayerId,
-    wheels: LayerId,
+    toothed_gears: LayerId,
     lines: LayerId,
     labels: LayerId,
 }
@@ -76,52 +77,56 @@ fn style(line: &Line) -> Style {
     }
 }
 
-/// One row: wheels on the left, velocities over radius on the right. Returns where the next may begin.
+/// One set: its gears on the left, velocities over radius on the right. Returns where the next may begin.
 fn panel(
     scene: &mut Scene,
     layers: &Layers,
     gearbox: &Gearbox,
-    plan: &Plan,
-    row: usize,
+    diagram: &SpeedDiagram,
+    set: usize,
     left: f64,
     slope: f64,
 ) -> f64 {
-    let up = HEIGHT_MM / plan.height;
+    let up = HEIGHT_MM / diagram.height;
     let across = |speed_radius: f64| slope * up * speed_radius;
-    let lines = || plan.lines.iter().flat_map(|line| [line.from, line.to]);
+    let lines = || diagram.lines.iter().flat_map(|line| [line.from, line.to]);
     let back = lines().map(|[_, v]| across(-v)).fold(0.0, f64::max);
     let ahead = lines().map(|[_, v]| across(v)).fold(0.0, f64::max);
-    // Levels with their names, wheels, and then the axis of velocities.
-    let names = plan.levels.iter().map(|(name, r)| format!("{name} {}", decimal(*r)));
+    // Levels with their names, gears, and then the axis of velocities.
+    let names = diagram.levels.iter().map(|(name, r)| format!("{name} {}", decimal(*r)));
     let names: Vec<String> = names.collect();
     let width =
         names.iter().map(|name| Text::new([0.0, 0.0], LETTERS_MM, name).width_mm()).fold(0.0, f64::max);
-    let wheels_at = left + width + 10.0;
-    let zero = wheels_at + 9.0 + back;
+    let gears_at = left + width + 10.0;
+    let zero = gears_at + 9.0 + back;
     let far = zero + ahead + 5.0;
 
-    scene.add(layers.axes, Shape::line([wheels_at - 5.0, 0.0], [far, 0.0]));
+    scene.add(layers.axes, Shape::line([gears_at - 5.0, 0.0], [far, 0.0]));
     scene.add(layers.axes, Shape::line([zero, 0.0], [zero, HEIGHT_MM + 5.0]));
-    let mut levels: Vec<(f64, &String)> = plan.levels.iter().map(|level| up * level.1).zip(&names).collect();
+    let mut levels: Vec<(f64, &String)> =
+        diagram.levels.iter().map(|level| up * level.1).zip(&names).collect();
     levels.sort_by(|a, b| a.0.total_cmp(&b.0));
     let wanted: Vec<f64> = levels.iter().map(|level| level.0).collect();
     for ((y, name), place) in levels.iter().zip(spread(&wanted, 4.4)) {
-        scene.add(layers.help, Shape::line([wheels_at - 4.0, *y], [far, *y]));
-        scene.add(layers.help, Shape::line([left + width + 1.0, place], [wheels_at - 4.0, *y]));
+        scene.add(layers.help, Shape::line([gears_at - 4.0, *y], [far, *y]));
+        scene.add(layers.help, Shape::line([left + width + 1.0, place], [gears_at - 4.0, *y]));
         scene.add(layers.labels, Text::new([left + width, place], LETTERS_MM, *name).align(Align::Right));
     }
-    for [from, to] in &plan.wheels {
+    for [from, to] in &diagram.toothed_gears {
         let (from, to) = (up * from, up * to);
-        scene.add(layers.wheels, Shape::line([wheels_at, from + 0.5], [wheels_at, to - 0.5]));
+        scene.add(layers.toothed_gears, Shape::line([gears_at, from + 0.5], [gears_at, to - 0.5]));
         for y in [from + 0.5, to - 0.5] {
-            scene.add(layers.wheels, Shape::line([wheels_at - 2.0, y], [wheels_at + 2.0, y]));
+            scene.add(layers.toothed_gears, Shape::line([gears_at - 2.0, y], [gears_at + 2.0, y]));
         }
     }
-    for pin in &plan.pins {
-        scene.add(layers.wheels, Shape::line([wheels_at - 2.0, up * pin], [wheels_at + 3.0, up * pin]));
+    for planet_pin in &diagram.planet_pins {
+        scene.add(
+            layers.toothed_gears,
+            Shape::line([gears_at - 2.0, up * planet_pin], [gears_at + 3.0, up * planet_pin]),
+        );
     }
     let on = |[r, v]: [f64; 2]| Point::new(zero + across(v), up * r);
-    for line in &plan.lines {
+    for line in &diagram.lines {
         scene.add_styled(layers.lines, style(line), Shape::line(on(line.from), on(line.to)));
         if line.link.is_none() {
             for end in [line.from, line.to] {
@@ -131,7 +136,7 @@ fn panel(
         }
     }
     let mut places = Places::around(scene);
-    for line in &plan.lines {
+    for line in &diagram.lines {
         let (from, to) = (on(line.from), on(line.to));
         let half = 0.5 * Text::new(to, LETTERS_MM, &*line.name).width_mm() + 1.2;
         let mut wishes = vec![];
@@ -145,14 +150,21 @@ fn panel(
         let middle = Point::new(f64::midpoint(from.x, to.x), f64::midpoint(from.y, to.y));
         places.put(scene, layers.labels, &line.name, middle, &wishes);
     }
-    let caption = Text::new([left, -6.0], LETTERS_MM, words::set(gearbox, row, true)).align(Align::Left);
+    let caption = Text::new([left, -6.0], LETTERS_MM, words::set(gearbox, set, true)).align(Align::Left);
     let next = far.max(caption.bounds().right) + 12.0;
     scene.add(layers.labels, caption);
     next
 }
 
-/// Rays from a pole, parallel to the lines of the plans, to the scale of speeds.
-fn rays(scene: &mut Scene, layers: &Layers, gearbox: &Gearbox, gear: &Analysis, plans: &[Plan], slope: f64) {
+/// Rays from a pole, parallel to the lines of the diagrams, to the scale of speeds.
+fn rays(
+    scene: &mut Scene,
+    layers: &Layers,
+    gearbox: &Gearbox,
+    gear: &Analysis,
+    diagrams: &[SpeedDiagram],
+    slope: f64,
+) {
     // Each speed once, with all that has it.
     let mut speeds: Vec<(f64, Vec<String>, Style)> = vec![];
     let mut enter = |speed: f64, name: String, style: Style| match speeds
@@ -163,15 +175,17 @@ fn rays(scene: &mut Scene, layers: &Layers, gearbox: &Gearbox, gear: &Analysis, 
         None => speeds.push((speed, vec![name], style)),
     };
     for (link, name) in gearbox.links().iter().enumerate() {
-        let line = plans
+        let line = diagrams
             .iter()
-            .flat_map(|plan| &plan.lines)
+            .flat_map(|diagram| &diagram.lines)
             .find(|line| line.link.is_some_and(|id| id.index() == link));
-        // Links that belong to no row have no line, and the housing is the pole's own.
+        // Links that belong to no set have no line, and the housing is the pole's own.
         let (Some(line), Some(speed)) = (line, gear.speeds()[link]) else { continue };
         enter(speed, name.clone(), style(line));
     }
-    for line in plans.iter().flat_map(|plan| &plan.lines).filter(|line| line.link.is_none() && line.has_ray) {
+    for line in
+        diagrams.iter().flat_map(|diagram| &diagram.lines).filter(|line| line.link.is_none() && line.has_ray)
+    {
         let [[r, v], [further, faster]] = [line.from, line.to];
         enter((faster - v) / (further - r), line.name.clone(), style(line));
     }

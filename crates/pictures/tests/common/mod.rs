@@ -30,9 +30,9 @@ pub(crate) fn in_service() -> Vec<Gearbox> {
     let bytes = std::fs::read(file).unwrap();
     let document = Document::parse_one("real-transmissions.yaml", &bytes).unwrap();
     let all = document.read::<TransmissionsFile>().unwrap().transmissions;
-    let loss = MeshLoss::Row(MeshEfficiency::new(0.97).unwrap());
+    let loss = MeshLoss::Set(MeshEfficiency::new(0.97).unwrap());
     all.iter()
-        .map(|one| one.gearbox().unwrap().to_builder().map_sets(|row| row.with_loss(loss)).build().unwrap())
+        .map(|one| one.gearbox().unwrap().to_builder().map_sets(|set| set.with_loss(loss)).build().unwrap())
         .collect()
 }
 

@@ -103,7 +103,7 @@ pub(crate) fn gearbox(
     }
     for (place, (members, k)) in rows.iter().enumerate() {
         let row = SetSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
-        builder = builder.set(row.with_loss(MeshLoss::Row(eta0)));
+        builder = builder.set(row.with_loss(MeshLoss::Set(eta0)));
     }
     builder.gear("direct", ["L"]).build()
 }

@@ -19,7 +19,7 @@ pub(crate) struct Tree {
     pub(crate) rationals: Vec<Option<Fraction>>,
     /// The same of tooth counts alone.
     pub(crate) exact: Vec<Option<Fraction>>,
-    /// Meshes that carry power in one sense together.
+    /// Meshes that carry power in the same direction.
     pub(crate) segments: Vec<Segment>,
     /// Equations behind each mesh, as seen from the root.
     pub(crate) behind: Vec<Behind>,

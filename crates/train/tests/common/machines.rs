@@ -1,4 +1,4 @@
-//! Five transmissions in service: layout, teeth, engaged controls, published ratios.
+//! Five transmissions in service: layout, teeth, engaged shift elements, published ratios.
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
 #![allow(clippy::unwrap_used, reason = "fixtures of tests")]
@@ -30,10 +30,10 @@ fn rounded(gear: &'static str, ratio: &'static str) -> Published {
 
 fn simple(id: &str, members: [&str; 3], sun: u32, ring: u32) -> SetSpec {
     let eta = MeshEfficiency::new(0.97).unwrap();
-    SetSpec::teeth(id, SetKind::Simple, members, sun, ring).unwrap().with_loss(MeshLoss::Row(eta))
+    SetSpec::teeth(id, SetKind::Simple, members, sun, ring).unwrap().with_loss(MeshLoss::Set(eta))
 }
 
-/// ZF 8HP45: four rows, five controls, eight gears and reverse.
+/// ZF 8HP45: four sets, five shift elements, eight gears and reverse.
 pub(crate) fn eight_speed() -> Machine {
     let gears: [(&str, &str, [&str; 3]); 9] = [
         ("1", "4.7143", ["A", "B", "C"]),

@@ -359,7 +359,7 @@ impl BoxPlan {
                 let spec = SetSpec::teeth(&id, kind, [&a, &b, &carrier], teeth(0), teeth(1)).unwrap();
                 let ideal = MeshEfficiency::IDEAL;
                 let loss = match set.meshes.len() {
-                    1 => MeshLoss::Row(eta(0)),
+                    1 => MeshLoss::Set(eta(0)),
                     2 => MeshLoss::Meshes { first: eta(0), between: ideal, second: eta(1) },
                     _ => MeshLoss::Meshes { first: eta(0), between: eta(1), second: eta(2) },
                 };
@@ -595,7 +595,7 @@ pub(crate) fn loads(
     let output_speed = speeds.links[plan.output];
     let (given, known, other) = match direction {
         Direction::Drive => (1.0, plan.input, plan.output),
-        Direction::Overrun => (1.0 / output_speed, plan.output, plan.input),
+        Direction::BackDrive => (1.0 / output_speed, plan.output, plan.input),
     };
     right[first_link + known - 1] -= given;
     matrix[(first_link + other - 1, columns - 1)] += 1.0;
@@ -604,11 +604,11 @@ pub(crate) fn loads(
     let other_torque = found[columns - 1];
     let (input, output) = match direction {
         Direction::Drive => (given, other_torque),
-        Direction::Overrun => (other_torque, given),
+        Direction::BackDrive => (other_torque, given),
     };
     let efficiency = match direction {
         Direction::Drive => -output * output_speed,
-        Direction::Overrun => -input,
+        Direction::BackDrive => -input,
     };
     let mut largest = 1.0_f64.max(efficiency.abs());
     let (mut mesh, mut member) = (0, meshes);
@@ -645,7 +645,7 @@ pub(crate) fn loads(
     Some(Loads { members: of_members, elements, input, output, meshes: of_meshes, largest, efficiency })
 }
 
-/// Signs that the torques they give bear out, from these by repetition.
+/// Self-consistent signs, which the torques they give confirm, from these by repetition.
 fn settle(
     plan: &BoxPlan,
     speeds: &Speeds,
@@ -694,7 +694,7 @@ fn settle_at_once(
     (found.signs() == signs).then(|| (signs.to_vec(), found))
 }
 
-/// Every pattern of signs that bears itself out, with its efficiency; meshes that roll without power once.
+/// Every self-consistent sign pattern, with its efficiency; meshes that roll without power once.
 pub(crate) fn patterns(plan: &BoxPlan, speeds: &Speeds, direction: Direction) -> Vec<(Vec<i8>, f64)> {
     let count = plan.mesh_count();
     let mut found: Vec<(Vec<i8>, f64)> = vec![];

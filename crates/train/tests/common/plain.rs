@@ -1,4 +1,4 @@
-//! The plain general way: every link a speed, every row and connection an equation, nalgebra.
+//! The plain general way: every link a speed, every set and connection an equation, nalgebra.
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
 #![allow(clippy::unwrap_used, reason = "fixtures of tests")]
@@ -6,10 +6,10 @@
 use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
 use nalgebra::{DMatrix, DVector};
 
-/// Equations of sets with these ratios of their first central gear to each other, of permanent connections and engaged controls.
+/// Equations of sets with these ratios of their first central gear to each other, of permanent connections and engaged shift elements.
 pub(crate) fn equations(gearbox: &Gearbox, gear: &Gear, ratios: &[f64]) -> DMatrix<f64> {
     let links = gearbox.links().len();
-    let engaged = gear.engaged().iter().map(|&c| gearbox.controls()[c].links());
+    let engaged = gear.engaged().iter().map(|&c| gearbox.shift_elements()[c].links());
     let joined: Vec<[LinkId; 2]> = gearbox.permanent().iter().copied().chain(engaged).collect();
     let mut matrix = DMatrix::zeros(ratios.len() + joined.len(), links);
     let pairs =
@@ -93,7 +93,7 @@ pub(crate) struct Plain {
 /// The torques obey the transposed system: `Cᵀ·t = T_in·e_in + T_out·e_out`, so with the equation of
 /// the input appended as a last row, `[C; e_in]ᵀ·(t; −T_in) = T_out·e_out`.
 pub(crate) fn solve(gearbox: &Gearbox, gear: &Gear, ratios: &[f64], etas: &[f64]) -> Option<Plain> {
-    let rows = gearbox.sets().len();
+    let sets = gearbox.sets().len();
     let system = |ratios: &[f64]| {
         let matrix = equations(gearbox, gear, ratios);
         let input = unit(matrix.ncols(), gear.input());
@@ -124,13 +124,13 @@ pub(crate) fn solve(gearbox: &Gearbox, gear: &Gear, ratios: &[f64], etas: &[f64]
         .sets()
         .iter()
         .enumerate()
-        .map(|(r, row)| ideal[r] * (speed(row.members()[0]) - speed(row.carrier())))
+        .map(|(r, set)| ideal[r] * (speed(set.members()[0]) - speed(set.carrier())))
         .collect();
     let largest = relative.iter().fold(1.0_f64, |m, p| m.max(p.abs()));
     let sign = |p: &f64| if p.abs() <= 1e-11 * largest { 0 } else { p.signum() as i8 };
     let signs: Vec<i8> = relative.iter().map(sign).collect();
-    let effective: Vec<f64> = (0..rows).map(|r| ratios[r] * etas[r].powi(i32::from(signs[r]))).collect();
+    let effective: Vec<f64> = (0..sets).map(|r| ratios[r] * etas[r].powi(i32::from(signs[r]))).collect();
     let (loaded, output_torque) = torques(system(&effective))?;
     let efficiency = -output_torque * output_speed;
-    Some(Plain { speeds, suns: loaded.rows(0, rows).into(), output_torque, efficiency, signs })
+    Some(Plain { speeds, suns: loaded.rows(0, sets).into(), output_torque, efficiency, signs })
 }

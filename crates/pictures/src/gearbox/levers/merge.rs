@@ -1,4 +1,4 @@
-//! Rows as levers, and levers with two links in common as one.
+//! Sets as levers, and levers with two links in common as one.
 
 use crate::gearbox::scheme::piece_of;
 use epicyclic_train::{Gearbox, LinkId};
@@ -6,17 +6,17 @@ use epicyclic_train::{Gearbox, LinkId};
 /// A lever: links and where they stand along it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lever {
-    /// Places of its rows in the gearbox, the first of them the one whose units it is in.
-    pub rows: Vec<usize>,
+    /// Places of its sets in the gearbox, the first of them the one whose units it is in.
+    pub sets: Vec<usize>,
     /// Links, of those joined for ever the first, and their places.
     pub nodes: Vec<(LinkId, f64)>,
 }
 
 impl Lever {
-    /// The lever of one row: carrier at 0, wheel 2 at −1, wheel 1 at `−i₀`.
+    /// The lever of one set: carrier at 0, central gear 2 at −1, central gear 1 at `−i₀`.
     #[must_use]
-    pub fn of_row(gearbox: &Gearbox, row: usize) -> Self {
-        let drawn = &gearbox.drawn_sets()[row];
+    pub fn of_set(gearbox: &Gearbox, set: usize) -> Self {
+        let drawn = &gearbox.drawn_sets()[set];
         let members = drawn.links.map(|link| piece_of(gearbox, link));
         let at = [-drawn.basic_ratio(gearbox), -1.0, 0.0];
         let mut nodes: Vec<(LinkId, f64)> = vec![];
@@ -25,7 +25,7 @@ impl Lever {
                 nodes.push(node);
             }
         }
-        Self { rows: vec![row], nodes }
+        Self { sets: vec![set], nodes }
     }
 
     /// Its lower and its upper end.
@@ -39,14 +39,14 @@ impl Lever {
         self.nodes.iter().find(|node| node.0 == link).map(|node| node.1)
     }
 
-    /// The members of its rows at a node, `a` wheel 1, `b` wheel 2, `H` carrier, with the numbers of their rows.
+    /// The members of its sets at a node, `a` central gear 1, `b` central gear 2, `H` carrier, with the numbers of their sets.
     pub(super) fn members(&self, gearbox: &Gearbox, link: LinkId) -> String {
-        let of_row = |&row: &usize| {
-            let members = gearbox.drawn_sets()[row].links.map(|member| piece_of(gearbox, member));
+        let of_set = |&set: &usize| {
+            let members = gearbox.drawn_sets()[set].links.map(|member| piece_of(gearbox, member));
             let here = members.into_iter().zip(["a", "b", "H"]).filter(move |(member, _)| *member == link);
-            here.map(move |(_, letter)| format!("{letter}{}", row + 1))
+            here.map(move |(_, letter)| format!("{letter}{}", set + 1))
         };
-        self.rows.iter().flat_map(of_row).collect::<Vec<_>>().join(", ")
+        self.sets.iter().flat_map(of_set).collect::<Vec<_>>().join(", ")
     }
 
     /// Both as one lever, in the units of this one; `None` without two links in common that stand apart, or where a third does not fit.
@@ -73,15 +73,15 @@ impl Lever {
                 .filter(|node| self.place(node.0).is_none())
                 .map(|&(link, place)| (link, fits(place))),
         );
-        Some(Self { rows: [self.rows.clone(), other.rows.clone()].concat(), nodes })
+        Some(Self { sets: [self.sets.clone(), other.sets.clone()].concat(), nodes })
     }
 }
 
-/// The levers of a gearbox: one a row, joined while two have two links in common.
+/// The levers of a gearbox: one a set, joined while two have two links in common.
 ///
 /// ```
 /// use epicyclic_pictures::gearbox::levers::levers;
-/// use epicyclic_schemes::{Gearbox, set::SetSpec};
+/// use epicyclic_train::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), epicyclic_train::Error> {
 /// // Simpson: common suns, the first carrier with the second ring.
 /// let gearbox = Gearbox::builder("Simpson")
@@ -93,7 +93,7 @@ impl Lever {
 ///     .build()?;
 /// let [lever] = &levers(&gearbox)[..] else { panic!("one lever of four links") };
 /// assert_eq!(lever.nodes.len(), 4);
-/// // Row 2 is twice from sun to carrier what row 1 leaves between its sun and carrier, so 2/3 of it.
+/// // Set 2 is twice from sun to carrier what set 1 leaves between its sun and carrier, so 2/3 of it.
 /// let carrier = lever.nodes[3].1;
 /// assert!((carrier - 2.0 / 3.0).abs() < 1e-12);
 /// # Ok(())
@@ -102,7 +102,7 @@ impl Lever {
 #[must_use]
 pub fn levers(gearbox: &Gearbox) -> Vec<Lever> {
     let mut levers: Vec<Lever> =
-        (0..gearbox.drawn_sets().len()).map(|row| Lever::of_row(gearbox, row)).collect();
+        (0..gearbox.drawn_sets().len()).map(|set| Lever::of_set(gearbox, set)).collect();
     let pair = |levers: &[Lever]| {
         (0..levers.len())
             .find_map(|a| (a + 1..levers.len()).find_map(|b| Some((a, b, levers[a].with(&levers[b])?))))

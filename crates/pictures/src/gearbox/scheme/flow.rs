@@ -1,6 +1,6 @@
 //! The power in each piece of a link's shafts, drums and webs.
 //!
-//! A link of a layout is a tree of straight pieces between the places where its wheels sit, its controls take hold and shafts leave.
+//! A link of a layout is a tree of straight pieces between the places where its gears sit, its shift elements take hold and shafts leave.
 //! What passes a piece is therefore what enters the link on one side of it, `Σ T·ω`.
 
 use epicyclic_layout::Layout;
@@ -15,11 +15,11 @@ pub(super) struct Piece {
     pub(super) to: Point,
     /// Power from `from` to `to` over what enters; `None` where it does not follow.
     pub(super) power: Option<f64>,
-    /// The part of it that goes round in loops.
+    /// The part of it that circulates.
     pub(super) circulating: f64,
 }
 
-/// What enters a link at a place: power, and the part of it that goes round.
+/// What enters a link at a place: power, and the part of it that circulates.
 struct Entry {
     link: LinkId,
     at: Point,
@@ -120,8 +120,8 @@ fn passed(entering: &[Vec<&Entry>], behind: &[bool]) -> (Option<f64>, f64) {
 
 fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &LoadCase)>) -> Vec<Entry> {
     let mut entries = vec![];
-    for stack in &layout.rows {
-        let power = load.and_then(|(gear, case)| gear.drawn_power(case, stack.row));
+    for stack in &layout.sets {
+        let power = load.and_then(|(gear, case)| gear.drawn_power(case, stack.set));
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
             entries.push(Entry {
                 link: stack.members[member],
@@ -132,10 +132,12 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &Loa
         }
     }
     for mark in &layout.clutches {
-        let first = gearbox.controls().get(mark.control).map(|control| control.links()[0]);
+        let first =
+            gearbox.shift_elements().get(mark.shift_element).map(|shift_element| shift_element.links()[0]);
         let first = first.map(|link| piece_of(gearbox, link));
-        let power = load.and_then(|(gear, case)| control_power(gearbox, gear, case, mark.control));
-        let round = load.map(|(_, case)| case.power.circulating_control(mark.control));
+        let power =
+            load.and_then(|(gear, case)| shift_element_power(gearbox, gear, case, mark.shift_element));
+        let round = load.map(|(_, case)| case.power.circulating_shift_element(mark.shift_element));
         for (link, at) in [mark.lower, mark.upper] {
             let sign = if Some(link) == first { 1.0 } else { -1.0 };
             let circulating = sign * round.unwrap_or(0.0);
@@ -157,16 +159,16 @@ fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &Loa
     entries
 }
 
-/// Power that a control gives to its first link.
-pub(super) fn control_power(
+/// Power that a shift element gives to its first link.
+pub(super) fn shift_element_power(
     gearbox: &Gearbox,
     gear: &Analysis,
     case: &LoadCase,
-    control: usize,
+    shift_element: usize,
 ) -> Option<f64> {
-    let torque = (*case.controls.get(control)?)?;
+    let torque = (*case.shift_elements.get(shift_element)?)?;
     if torque == 0.0 {
         return Some(0.0);
     }
-    Some(torque * gear.speed(gearbox.controls()[control].links()[0])?)
+    Some(torque * gear.speed(gearbox.shift_elements()[shift_element].links()[0])?)
 }

@@ -1,9 +1,9 @@
-//! Names: controls, wheels, links.
+//! Names: shift elements, members, links.
 
 use super::{Sheet, UP_MM, WEB_MM, at};
 use crate::gearbox::place::{Places, beside};
 use epicyclic_drawing::Point;
-use epicyclic_layout::layout::{LinkShape, Point as Place, RowStack};
+use epicyclic_layout::layout::{LinkShape, Point as Place, SetStack};
 use epicyclic_train::LinkId;
 
 /// From a shaft to the middle of its name.
@@ -13,8 +13,8 @@ impl Sheet<'_> {
     /// All names: first those with the fewest places to stand in.
     pub(super) fn names(&mut self) {
         let mut places = Places::around(&self.scene);
-        self.control_names(&mut places);
-        self.wheel_names(&mut places);
+        self.shift_element_names(&mut places);
+        self.member_names(&mut places);
         self.link_names(&mut places);
     }
 
@@ -22,12 +22,18 @@ impl Sheet<'_> {
         places.put(&mut self.scene, self.layers.labels, words, at, wishes);
     }
 
-    fn control_names(&mut self, places: &mut Places) {
-        let clutches = self.layout.clutches.iter().map(|mark| (mark.control, mark.lower.1, mark.upper.1));
-        let brakes = self.layout.brakes.iter().map(|mark| (mark.control, mark.link_end, mark.housing));
+    fn shift_element_names(&mut self, places: &mut Places) {
+        let clutches =
+            self.layout.clutches.iter().map(|mark| (mark.shift_element, mark.lower.1, mark.upper.1));
+        let brakes = self.layout.brakes.iter().map(|mark| (mark.shift_element, mark.link_end, mark.housing));
         let marks: Vec<_> = clutches.chain(brakes).collect();
-        for (control, one, other) in marks {
-            let name = self.gearbox.controls().get(control).map_or("lock", |control| control.id()).to_owned();
+        for (shift_element, one, other) in marks {
+            let name = self
+                .gearbox
+                .shift_elements()
+                .get(shift_element)
+                .map_or("lock", |shift_element| shift_element.id())
+                .to_owned();
             let (one, other) = (at(one), at(other));
             let middle = Point::new(one.x, f64::midpoint(one.y, other.y));
             let mut wishes = vec![];
@@ -42,10 +48,10 @@ impl Sheet<'_> {
         }
     }
 
-    fn wheel_names(&mut self, places: &mut Places) {
-        for stack in self.layout.rows.clone() {
-            let number = stack.row + 1;
-            let kind = self.gearbox.drawn_sets()[stack.row].kind;
+    fn member_names(&mut self, places: &mut Places) {
+        for stack in self.layout.sets.clone() {
+            let number = stack.set + 1;
+            let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let (sun_rim, ring_rim) =
                 if kind.is_pair() { (stack.planet, stack.planet) } else { (stack.sun_mesh, stack.ring_mesh) };
             let x = at(Place { x: stack.x, y: 0.0 }).x;
@@ -62,8 +68,8 @@ impl Sheet<'_> {
                 let gap = 0.1 + self.web_half(&stack, letter);
                 let mut wishes: Vec<Point> = along.iter().flat_map(|at| beside(*at, &name, gap)).collect();
                 if letter == "g" {
-                    let pin = Point::new(x, up(stack.planet));
-                    wishes.splice(0..0, beside(pin, &name, 3.3));
+                    let planet_pin = Point::new(x, up(stack.planet));
+                    wishes.splice(0..0, beside(planet_pin, &name, 3.3));
                     let above = web(stack.planet, stack.ring_mesh);
                     wishes.extend(above.iter().flat_map(|at| beside(*at, &name, gap)));
                 }
@@ -74,22 +80,22 @@ impl Sheet<'_> {
                 continue;
             }
             let name = format!("H{number}");
-            let pin = Point::new(x, up(stack.planet));
+            let planet_pin = Point::new(x, up(stack.planet));
             let mut wishes = vec![];
             for dx in [4.5, 6.0, 7.5] {
                 for dy in [OFF_MM, -OFF_MM, 1.6, -1.6] {
-                    wishes.extend([-dx, dx].map(|dx| Point::new(pin.x + dx, pin.y + dy)));
+                    wishes.extend([-dx, dx].map(|dx| Point::new(planet_pin.x + dx, planet_pin.y + dy)));
                 }
             }
-            wishes.splice(0..0, beside(pin, &name, 3.3));
-            self.put(places, &name, Point::new(pin.x + 3.2, pin.y), &wishes);
+            wishes.splice(0..0, beside(planet_pin, &name, 3.3));
+            self.put(places, &name, Point::new(planet_pin.x + 3.2, planet_pin.y), &wishes);
         }
     }
 
-    /// Half the width of a wheel's web.
-    fn web_half(&self, stack: &RowStack, letter: &str) -> f64 {
+    /// Half the width of a central gear's web.
+    fn web_half(&self, stack: &SetStack, letter: &str) -> f64 {
         let member = usize::from(letter == "b");
-        let (power, circulating) = self.member(stack.row, member);
+        let (power, circulating) = self.member(stack.set, member);
         0.5 * self.look(stack.members[member], WEB_MM, power, circulating).width_mm
     }
 

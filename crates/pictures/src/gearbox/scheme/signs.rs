@@ -1,9 +1,9 @@
-//! Signs: housing, wheels, planets on their pins, brakes and clutches, ends of shafts.
+//! Signs: housing, central gears, planets on their planet pins, brakes and clutches, ends of shafts.
 
 use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM, at};
 use crate::gearbox::{ENGAGED, RESTING};
 use epicyclic_drawing::{Color, Point, Shape, Style};
-use epicyclic_layout::layout::{Point as Place, RowStack, Segment};
+use epicyclic_layout::layout::{Point as Place, Segment, SetStack};
 use epicyclic_train::LinkId;
 use epicyclic_train::set::SetKind;
 
@@ -11,14 +11,14 @@ use epicyclic_train::set::SetKind;
 const RIM_MM: f64 = 2.6;
 /// Half the room between two rims in mesh.
 const MESH_MM: f64 = 0.55;
-/// From the middle of a row to a carrier's fork, and to what is left of a pair's bearings.
+/// From the middle of a set to a carrier's fork, and to what is left of a pair's bearings.
 const FORK_MM: f64 = 4.2;
-/// How far a pin stands out of its planet.
-const PIN_MM: f64 = 3.2;
+/// How far a planet pin stands out of its planet.
+const PLANET_PIN_MM: f64 = 3.2;
 /// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and above level ones.
 const HATCH_MM: f64 = 1.8;
 
-/// Whether the carrier of a row is not drawn straight through its planet.
+/// Whether the carrier of a set is not drawn straight through its planet.
 fn is_cut(kind: SetKind) -> bool {
     matches!(kind, SetKind::DoublePlanet | SetKind::MeshingSuns) || kind.is_pair()
 }
@@ -31,8 +31,8 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
         return left;
     }
     let half = FORK_MM / super::ALONG_MM;
-    for stack in &sheet.layout.rows {
-        let kind = sheet.gearbox.drawn_sets()[stack.row].kind;
+    for stack in &sheet.layout.sets {
+        let kind = sheet.gearbox.drawn_sets()[stack.set].kind;
         if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
             continue;
         }
@@ -84,13 +84,13 @@ impl Sheet<'_> {
     }
 
     /// Brakes and clutches: plates, filled between where engaged.
-    pub(super) fn controls(&mut self) {
+    pub(super) fn shift_elements(&mut self) {
         for mark in self.layout.clutches.clone() {
             let ends = [mark.lower, mark.upper].map(|(link, place)| (Some(link), at(place)));
-            self.plates(mark.control, ends);
+            self.plates(mark.shift_element, ends);
         }
         for mark in self.layout.brakes.clone() {
-            self.plates(mark.control, [(Some(mark.link), at(mark.link_end)), (None, at(mark.housing))]);
+            self.plates(mark.shift_element, [(Some(mark.link), at(mark.link_end)), (None, at(mark.housing))]);
             if mark.housing.y != self.layout.housing.from.y {
                 // A plate of its own on what stands out of the wall, hatched on its far side.
                 let (plate, away) = (at(mark.housing), (mark.housing.y - mark.link_end.y).signum());
@@ -103,12 +103,12 @@ impl Sheet<'_> {
         }
     }
 
-    fn plates(&mut self, control: usize, ends: [(Option<LinkId>, Point); 2]) {
-        let engaged = self.engaged(control);
+    fn plates(&mut self, shift_element: usize, ends: [(Option<LinkId>, Point); 2]) {
+        let engaged = self.engaged(shift_element);
         let [low, high] = ends.map(|(_, point)| point);
         if engaged {
             let box_between = Shape::rectangle([low.x - RIM_MM, low.y], [high.x + RIM_MM, high.y]);
-            self.scene.add_styled(self.layers.controls, Style::filled(ENGAGED), box_between);
+            self.scene.add_styled(self.layers.shift_elements, Style::filled(ENGAGED), box_between);
         }
         for (link, point) in ends {
             let color = match link {
@@ -117,46 +117,46 @@ impl Sheet<'_> {
                 _ => Color::BLACK,
             };
             let plate = Shape::line([point.x - RIM_MM, point.y], [point.x + RIM_MM, point.y]);
-            self.scene.add_styled(self.layers.controls, Style::line(SHAFT_MM).color(color), plate);
+            self.scene.add_styled(self.layers.shift_elements, Style::line(SHAFT_MM).color(color), plate);
         }
     }
 
-    /// Wheels and planets of all rows.
-    pub(super) fn rows(&mut self) {
-        for stack in self.layout.rows.clone() {
-            let kind = self.gearbox.drawn_sets()[stack.row].kind;
+    /// Central gears and planets of all sets.
+    pub(super) fn sets(&mut self) {
+        for stack in self.layout.sets.clone() {
+            let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let x = at(Place { x: stack.x, y: 0.0 }).x;
-            // Rims of stepped planets' wheels stand on two sides.
+            // Rims of stepped planets' gears stand on two sides.
             let aside = if kind.is_stepped() { 3.2 } else { 0.0 };
             let (sun_mesh, ring_mesh) = match kind.is_pair() {
                 true => (UP_MM * stack.planet, UP_MM * stack.planet),
                 false => (UP_MM * stack.sun_mesh, UP_MM * stack.ring_mesh),
             };
-            self.wheel(&stack, 0, [x, UP_MM * stack.sun], sun_mesh - MESH_MM, -aside);
-            self.wheel(&stack, 1, [x, UP_MM * stack.ring], ring_mesh + MESH_MM, aside);
+            self.central_gear(&stack, 0, [x, UP_MM * stack.sun], sun_mesh - MESH_MM, -aside);
+            self.central_gear(&stack, 1, [x, UP_MM * stack.ring], ring_mesh + MESH_MM, aside);
             match kind {
                 _ if kind.is_pair() => {}
                 SetKind::DoublePlanet | SetKind::MeshingSuns => self.double_planet(&stack, x),
                 _ if kind.is_stepped() => self.stepped_planet(&stack, x, aside),
                 _ => {
                     let rims = [sun_mesh + MESH_MM, ring_mesh - MESH_MM];
-                    self.pin(&stack, x, UP_MM * stack.planet);
+                    self.planet_pin(&stack, x, UP_MM * stack.planet);
                     self.planet(&stack, x, UP_MM * stack.planet, rims);
                 }
             }
         }
     }
 
-    /// The look of a member of a row in its wheel.
-    fn member_look(&self, stack: &RowStack, member: usize, width: f64) -> Look {
-        let (power, circulating) = self.member(stack.row, member);
+    /// The look of a member of a set in its gear.
+    fn member_look(&self, stack: &SetStack, member: usize, width: f64) -> Look {
+        let (power, circulating) = self.member(stack.set, member);
         self.look(stack.members[member], width, power, circulating)
     }
 
-    /// A wheel: its web from where it sits to its rim, the rim `aside` of the web.
-    fn wheel(&mut self, stack: &RowStack, member: usize, [x, seat]: [f64; 2], rim: f64, aside: f64) {
+    /// A central gear: its web from where it sits to its rim, the rim `aside` of the web.
+    fn central_gear(&mut self, stack: &SetStack, member: usize, [x, seat]: [f64; 2], rim: f64, aside: f64) {
         let look = self.member_look(stack, member, WEB_MM);
-        self.line(self.layers.wheels, look, Point::new(x, seat), Point::new(x, rim));
+        self.line(self.layers.toothed_gears, look, Point::new(x, seat), Point::new(x, rim));
         let color = if look.color == RESTING { RESTING } else { Color::BLACK };
         let reach = [x.min(x + aside) - RIM_MM, x.max(x + aside) + RIM_MM];
         let reach = if aside < 0.0 {
@@ -171,40 +171,45 @@ impl Sheet<'_> {
 
     fn rim(&mut self, color: Color, [left, right]: [f64; 2], y: f64) {
         let style = Style::line(SHAFT_MM).color(color);
-        self.scene.add_styled(self.layers.wheels, style, Shape::line([left, y], [right, y]));
+        self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([left, y], [right, y]));
     }
 
-    /// Colour of planets: grey where neither carrier nor wheels turn.
-    fn planet_color(&self, stack: &RowStack) -> Color {
+    /// Colour of planets: grey where neither carrier nor central gears turn.
+    fn planet_color(&self, stack: &SetStack) -> Color {
         if stack.members.iter().all(|link| self.rests(*link)) { RESTING } else { Color::BLACK }
     }
 
     /// Half the width of the carrier's line, from which the planet's bearing keeps away.
-    fn pin_half(&self, stack: &RowStack) -> f64 {
+    fn planet_pin_half(&self, stack: &SetStack) -> f64 {
         0.5 * self.member_look(stack, 2, SHAFT_MM).width_mm
     }
 
-    fn pin(&mut self, stack: &RowStack, x: f64, y: f64) {
+    fn planet_pin(&mut self, stack: &SetStack, x: f64, y: f64) {
         let color = if self.rests(stack.members[2]) { RESTING } else { Color::BLACK };
         let look = Look { color, width_mm: WEB_MM, inner_mm: 0.0 };
-        self.line(self.layers.wheels, look, Point::new(x - PIN_MM, y), Point::new(x + PIN_MM, y));
+        self.line(
+            self.layers.toothed_gears,
+            look,
+            Point::new(x - PLANET_PIN_MM, y),
+            Point::new(x + PLANET_PIN_MM, y),
+        );
     }
 
-    /// A planet about a pin at `y`: bearing, webs, rims.
-    fn planet(&mut self, stack: &RowStack, x: f64, y: f64, [low, high]: [f64; 2]) {
+    /// A planet about a planet pin at `y`: bearing, webs, rims.
+    fn planet(&mut self, stack: &SetStack, x: f64, y: f64, [low, high]: [f64; 2]) {
         let color = self.planet_color(stack);
-        let hub = (self.pin_half(stack) + 0.55).min(0.4 * (high - low));
+        let hub = (self.planet_pin_half(stack) + 0.55).min(0.4 * (high - low));
         let style = Style::line(WEB_MM).color(color);
         for (member, side, rim) in [(0, -1.0, low), (1, 1.0, high)] {
             let bearing = y + side * hub;
             let look = Look { color, ..self.member_look(stack, member, WEB_MM) };
-            let look = match self.member(stack.row, member).0 {
+            let look = match self.member(stack.set, member).0 {
                 Some(power) if power.abs() > 1e-9 => self.member_look(stack, member, WEB_MM),
                 _ => look,
             };
-            self.line(self.layers.wheels, look, Point::new(x, bearing), Point::new(x, rim));
+            self.line(self.layers.toothed_gears, look, Point::new(x, bearing), Point::new(x, rim));
             self.scene.add_styled(
-                self.layers.wheels,
+                self.layers.toothed_gears,
                 style,
                 Shape::line([x - 1.5, bearing], [x + 1.5, bearing]),
             );
@@ -213,36 +218,46 @@ impl Sheet<'_> {
     }
 
     /// Two planets in mesh on the arms of a fork.
-    fn double_planet(&mut self, stack: &RowStack, x: f64) {
+    fn double_planet(&mut self, stack: &SetStack, x: f64) {
         let middle = UP_MM * stack.planet;
         let rims = [
             [UP_MM * stack.sun_mesh + MESH_MM, middle - MESH_MM],
             [middle + MESH_MM, UP_MM * stack.ring_mesh - MESH_MM],
         ];
-        let pins = rims.map(|[low, high]| f64::midpoint(low, high));
+        let planet_pins = rims.map(|[low, high]| f64::midpoint(low, high));
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(stack, 2, SHAFT_MM) };
         for side in self.carrier_sides(stack) {
             let fork = x + side * FORK_MM;
-            self.line(self.layers.wheels, look, Point::new(fork, pins[0]), Point::new(fork, pins[1]));
-            for pin in pins {
-                self.line(self.layers.wheels, look, Point::new(fork, pin), Point::new(x - side * 1.8, pin));
+            self.line(
+                self.layers.toothed_gears,
+                look,
+                Point::new(fork, planet_pins[0]),
+                Point::new(fork, planet_pins[1]),
+            );
+            for planet_pin in planet_pins {
+                self.line(
+                    self.layers.toothed_gears,
+                    look,
+                    Point::new(fork, planet_pin),
+                    Point::new(x - side * 1.8, planet_pin),
+                );
             }
         }
         let color = self.planet_color(stack);
         let style = Style::line(WEB_MM).color(color);
-        for ([low, high], pin) in rims.into_iter().zip(pins) {
+        for ([low, high], planet_pin) in rims.into_iter().zip(planet_pins) {
             for (side, rim) in [(-1.0, low), (1.0, high)] {
-                let bearing = pin + 0.8 * side;
-                self.scene.add_styled(self.layers.wheels, style, Shape::line([x, bearing], [x, rim]));
+                let bearing = planet_pin + 0.8 * side;
+                self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([x, bearing], [x, rim]));
                 let hub = Shape::line([x - 1.2, bearing], [x + 1.2, bearing]);
-                self.scene.add_styled(self.layers.wheels, style, hub);
+                self.scene.add_styled(self.layers.toothed_gears, style, hub);
                 self.rim(color, [x - RIM_MM, x + RIM_MM], rim);
             }
         }
     }
 
-    /// Sides on which a carrier reaches the planet of a row.
-    fn carrier_sides(&self, stack: &RowStack) -> Vec<f64> {
+    /// Sides on which a carrier reaches the planet of a set.
+    fn carrier_sides(&self, stack: &SetStack) -> Vec<f64> {
         let ground = self.layout.links.iter().filter(|shape| shape.link == stack.members[2]);
         let level = ground
             .flat_map(|shape| &shape.segments)
@@ -258,26 +273,30 @@ impl Sheet<'_> {
         sides
     }
 
-    /// Two steps on one shaft, the one in mesh with the first wheel on the left.
-    fn stepped_planet(&mut self, stack: &RowStack, x: f64, aside: f64) {
+    /// Two steps on one shaft, the one in mesh with the first central gear on the left.
+    fn stepped_planet(&mut self, stack: &SetStack, x: f64, aside: f64) {
         let y = UP_MM * stack.planet;
-        self.pin(stack, x, y);
+        self.planet_pin(stack, x, y);
         let color = self.planet_color(stack);
         let style = Style::line(WEB_MM).color(color);
-        let hub = self.pin_half(stack) + 0.55;
+        let hub = self.planet_pin_half(stack) + 0.55;
         let reach =
             [UP_MM * stack.sun_mesh + MESH_MM - y, UP_MM * stack.ring_mesh - MESH_MM - y].map(f64::abs);
         // The step in mesh below is the larger one, so that both are seen.
         for (x, size, meshes) in [(x - aside, reach[0], -1.0), (x + aside, reach[1], 1.0)] {
             for side in [-1.0, 1.0] {
                 let rim = y + side * if side == meshes { size } else { 0.72 * size };
-                self.scene.add_styled(self.layers.wheels, style, Shape::line([x, y + side * hub], [x, rim]));
+                self.scene.add_styled(
+                    self.layers.toothed_gears,
+                    style,
+                    Shape::line([x, y + side * hub], [x, rim]),
+                );
                 self.rim(color, [x - 1.7, x + 1.7], rim);
             }
         }
         for side in [-1.0, 1.0] {
             let tube = Shape::line([x - aside - 0.8, y + side * hub], [x + aside + 0.8, y + side * hub]);
-            self.scene.add_styled(self.layers.wheels, style, tube);
+            self.scene.add_styled(self.layers.toothed_gears, style, tube);
         }
     }
 

@@ -1,10 +1,10 @@
-//! Radii of a row's wheels, and the lines of its links and planets over them.
+//! Radii of a set's gears, and the lines of its links and planets over them.
 
 use epicyclic_train::drawn::DrawnSet;
 use epicyclic_train::set::SetKind;
 use epicyclic_train::{Analysis, Gearbox, LinkId};
 
-/// A line of the plan between two points `[radius, velocity]`.
+/// A line of the diagram between two points `[radius, velocity]`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Line {
     pub(super) name: String,
@@ -16,44 +16,44 @@ pub(super) struct Line {
     pub(super) has_ray: bool,
 }
 
-/// What is drawn of a row, radii in units of wheel 1.
+/// What is drawn of a set, radii in units of central gear 1.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Plan {
+pub(super) struct SpeedDiagram {
     pub(super) lines: Vec<Line>,
     /// Radii with their names.
     pub(super) levels: Vec<(String, f64)>,
-    /// Wheels and planets from radius to radius, for the picture beside the plan.
-    pub(super) wheels: Vec<[f64; 2]>,
-    pub(super) pins: Vec<f64>,
+    /// Central gears and planets from radius to radius, for the picture beside the diagram.
+    pub(super) toothed_gears: Vec<[f64; 2]>,
+    pub(super) planet_pins: Vec<f64>,
     /// The largest radius.
     pub(super) height: f64,
 }
 
-/// Radii of wheels 1 and 2, and of planets' pins.
+/// Radii of central gears 1 and 2, and of the planet pins.
 #[derive(Debug, Clone, PartialEq)]
 struct Radii {
-    wheels: [f64; 2],
-    pins: Vec<f64>,
+    central_gears: [f64; 2],
+    planet_pins: Vec<f64>,
 }
 
-/// `None` for the pins' radii where the row's kind or missing teeth leave them open.
+/// `None` for the planet pins' radii where the set's kind or missing teeth leave them open.
 fn radii(gearbox: &Gearbox, set: &DrawnSet) -> Radii {
     let size = set.basic_ratio(gearbox).abs();
     match set.kind {
-        SetKind::Simple => Radii { wheels: [1.0, size], pins: vec![0.5 * (1.0 + size)] },
+        SetKind::Simple => Radii { central_gears: [1.0, size], planet_pins: vec![0.5 * (1.0 + size)] },
         // One beside the other, of equal sizes: a quarter and three quarters of the way.
         SetKind::DoublePlanet => {
-            let pins = [0.25, 0.75].map(|part| 1.0 + part * (size - 1.0));
-            Radii { wheels: [1.0, size], pins: pins.to_vec() }
+            let planet_pins = [0.25, 0.75].map(|part| 1.0 + part * (size - 1.0));
+            Radii { central_gears: [1.0, size], planet_pins: planet_pins.to_vec() }
         }
         kind if kind.is_stepped() => {
-            stepped(gearbox, set).unwrap_or(Radii { wheels: [1.0, size], pins: vec![] })
+            stepped(gearbox, set).unwrap_or(Radii { central_gears: [1.0, size], planet_pins: vec![] })
         }
-        _ => Radii { wheels: [1.0, size], pins: vec![] },
+        _ => Radii { central_gears: [1.0, size], planet_pins: vec![] },
     }
 }
 
-/// Radii of a stepped row: its pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
+/// Radii of a stepped set: its planet pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
 fn stepped(gearbox: &Gearbox, set: &DrawnSet) -> Option<Radii> {
     let [first, second] = set.teeth(gearbox)?;
     let [g, f] = set.planet_teeth(gearbox);
@@ -63,23 +63,24 @@ fn stepped(gearbox: &Gearbox, set: &DrawnSet) -> Option<Radii> {
         SetKind::SteppedSuns => [1.0, 1.0],
         _ => [-1.0, -1.0],
     };
-    let pin = 1.0 + outside_first * g / first.as_f64();
-    let second_radius = pin / (1.0 + outside_second * f / second.as_f64());
-    (pin > 0.0 && second_radius > 0.0).then(|| Radii { wheels: [1.0, second_radius], pins: vec![pin] })
+    let planet_pin = 1.0 + outside_first * g / first.as_f64();
+    let second_radius = planet_pin / (1.0 + outside_second * f / second.as_f64());
+    (planet_pin > 0.0 && second_radius > 0.0)
+        .then(|| Radii { central_gears: [1.0, second_radius], planet_pins: vec![planet_pin] })
 }
 
-impl Plan {
-    /// The plan of a row in a gear all of whose speeds are known.
-    pub(super) fn of(gearbox: &Gearbox, gear: &Analysis, row: usize) -> Self {
-        let number = row + 1;
-        let drawn = &gearbox.drawn_sets()[row];
+impl SpeedDiagram {
+    /// The speed diagram of a set in a gear all of whose speeds are known.
+    pub(super) fn of(gearbox: &Gearbox, gear: &Analysis, set: usize) -> Self {
+        let number = set + 1;
+        let drawn = &gearbox.drawn_sets()[set];
         let (members, kind) = (drawn.links, drawn.kind);
         let speeds = members.map(|link| gear.speed(link).unwrap_or(0.0));
         if kind.is_pair() {
-            return Self::of_pair(gearbox, row, [speeds[0], speeds[1]]);
+            return Self::of_pair(gearbox, set, [speeds[0], speeds[1]]);
         }
-        let Radii { wheels: [first, second], pins } = radii(gearbox, drawn);
-        let carrier = pins.iter().copied().fold(0.0, f64::max);
+        let Radii { central_gears: [first, second], planet_pins } = radii(gearbox, drawn);
+        let carrier = planet_pins.iter().copied().fold(0.0, f64::max);
         let carrier = if carrier > 0.0 { carrier } else { first.max(second) };
         let line = |member: usize, letter: &str, radius: f64| Line {
             name: format!("{letter}{number}"),
@@ -98,17 +99,17 @@ impl Plan {
             has_ray,
         };
         let on = |member: usize, radius: f64| [radius, speeds[member] * radius];
-        match pins[..] {
-            [pin] => {
-                // Through the pin and both contacts, whatever their order.
-                let mut points = [on(0, first), on(1, second), on(2, pin)];
+        match planet_pins[..] {
+            [planet_pin] => {
+                // Through the planet pin and both contacts, whatever their order.
+                let mut points = [on(0, first), on(1, second), on(2, planet_pin)];
                 points.sort_by(|a, b| a[0].total_cmp(&b[0]));
                 lines.push(planet(format!("g{number}"), [points[0], points[2]], true));
-                levels.push((format!("H{number}"), pin));
+                levels.push((format!("H{number}"), planet_pin));
             }
             [one, other] => {
                 let contact = f64::midpoint(first, second);
-                // Velocity of the contact between the planets, from the one and its pin.
+                // Velocity of the contact between the planets, from the one and its planet pin.
                 let v = 2.0 * speeds[2] * one - speeds[0] * first;
                 lines.push(planet(format!("g{number}"), [on(0, first), [contact, v]], false));
                 lines.push(planet(format!("f{number}"), [[contact, v], on(1, second)], false));
@@ -116,7 +117,7 @@ impl Plan {
             }
             _ => {}
         }
-        let wheels = match (kind, &pins[..]) {
+        let toothed_gears = match (kind, &planet_pins[..]) {
             (SetKind::Simple, _) => vec![[0.0, first], [first, second]],
             (SetKind::DoublePlanet, _) => {
                 let contact = f64::midpoint(first, second);
@@ -124,19 +125,19 @@ impl Plan {
             }
             _ => vec![],
         };
-        let pins_drawn = if wheels.is_empty() { vec![] } else { pins.clone() };
-        let height = pins.iter().copied().fold(first.max(second), f64::max);
-        Self { lines, levels, wheels, pins: pins_drawn, height }
+        let drawn_pins = if toothed_gears.is_empty() { vec![] } else { planet_pins.clone() };
+        let height = planet_pins.iter().copied().fold(first.max(second), f64::max);
+        Self { lines, levels, toothed_gears, planet_pins: drawn_pins, height }
     }
 
-    /// A pair: wheel 1 about the axis, wheel 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
-    fn of_pair(gearbox: &Gearbox, row: usize, speeds: [f64; 2]) -> Self {
-        let number = row + 1;
-        let drawn = &gearbox.drawn_sets()[row];
+    /// A pair: central gear 1 about the axis, central gear 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
+    fn of_pair(gearbox: &Gearbox, set: usize, speeds: [f64; 2]) -> Self {
+        let number = set + 1;
+        let drawn = &gearbox.drawn_sets()[set];
         let members = drawn.links;
         let size = drawn.basic_ratio(gearbox).abs();
         let outside = drawn.kind == SetKind::ExternalPair;
-        // Wheel 1 inside a ring stands above the ring's axis.
+        // Central gear 1 inside a ring stands above the ring's axis.
         let (first, second) =
             if outside { (0.0, 1.0 + size) } else { ((size - 1.0).max(0.0), (1.0 - size).max(0.0)) };
         let contact = first + 1.0;
@@ -151,13 +152,13 @@ impl Plan {
         Self {
             lines: vec![line(0, "a", first), line(1, "b", second)],
             levels: vec![(name("a"), first), ("contact".into(), contact), (name("b"), second)],
-            wheels: if outside { vec![[first, contact], [contact, second]] } else { vec![] },
-            pins: vec![],
+            toothed_gears: if outside { vec![[first, contact], [contact, second]] } else { vec![] },
+            planet_pins: vec![],
             height: contact.max(second).max(first),
         }
     }
 
-    /// The largest `|v|/height`: the widest point of a plan drawn to one height.
+    /// The largest `|v|/height`: the widest point of a diagram drawn to one height.
     pub(super) fn widest(&self) -> f64 {
         let ends = self.lines.iter().flat_map(|line| [line.from, line.to]);
         ends.map(|[_, v]| v.abs() / self.height).fold(0.0, f64::max)
@@ -170,17 +171,17 @@ mod tests {
     use epicyclic_gears::teeth::ToothCount;
     use epicyclic_train::set::SetSpec;
 
-    /// A row of a kind between D, T1 and B, T1 held.
+    /// A set of a kind between D, T1 and B, T1 held.
     fn gearbox(kind: SetKind, teeth: [u32; 4]) -> Gearbox {
         let [first, second, g, f] = teeth;
         let count = |z| ToothCount::new(z).unwrap();
-        let row = SetSpec::teeth("1", kind, ["D", "T1", "B"], first, second).unwrap();
-        let row = row.planet_teeth(count(g), (f > 0).then(|| count(f)));
-        let builder = Gearbox::builder("one row").links(["D", "B", "T1"]).set(row).brake("K1", "T1");
+        let set = SetSpec::teeth("1", kind, ["D", "T1", "B"], first, second).unwrap();
+        let set = set.planet_teeth(count(g), (f > 0).then(|| count(f)));
+        let builder = Gearbox::builder("one set").links(["D", "B", "T1"]).set(set).brake("K1", "T1");
         builder.input("D").output("B").gear("1", ["K1"]).build().unwrap()
     }
 
-    /// The planet's line, drawn through the wheels' velocities, has the slope that the mechanics gives; the pin lies on it.
+    /// The planet's line, drawn through the central gears' velocities, has the slope that the mechanics gives; the planet pin lies on it.
     #[test]
     fn a_planets_slope_is_its_speed() {
         for (kind, teeth) in [
@@ -191,42 +192,42 @@ mod tests {
         ] {
             let gearbox = gearbox(kind, teeth);
             let gear = gearbox.analyze("1").unwrap();
-            let plan = Plan::of(&gearbox, &gear, 0);
-            let planet = plan.lines.iter().find(|line| line.link.is_none()).unwrap();
+            let diagram = SpeedDiagram::of(&gearbox, &gear, 0);
+            let planet = diagram.lines.iter().find(|line| line.link.is_none()).unwrap();
             let [[r, v], [further, faster]] = [planet.from, planet.to];
             let slope = (faster - v) / (further - r);
             let speed = gear.sets()[0].planets[0].unwrap().absolute.unwrap();
             assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
-            let carrier = plan.lines.iter().find(|line| line.name == "H1").unwrap();
+            let carrier = diagram.lines.iter().find(|line| line.name == "H1").unwrap();
             let on_line = v + slope * (carrier.to[0] - r);
             assert!((on_line - carrier.to[1]).abs() < 1e-9, "{kind}");
         }
     }
 
-    /// Both planets of a pair in mesh have one velocity where they touch, and their pins lie on their lines.
+    /// Both planets of a pair in mesh have one velocity where they touch, and their planet pins lie on their lines.
     #[test]
     fn planets_in_mesh_agree_where_they_touch() {
         let gearbox = gearbox(SetKind::DoublePlanet, [30, 72, 16, 18]);
         let gear = gearbox.analyze("1").unwrap();
-        let plan = Plan::of(&gearbox, &gear, 0);
+        let diagram = SpeedDiagram::of(&gearbox, &gear, 0);
         let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
-        let planets: Vec<&Line> = plan.lines.iter().filter(|line| line.link.is_none()).collect();
+        let planets: Vec<&Line> = diagram.lines.iter().filter(|line| line.link.is_none()).collect();
         assert_eq!(planets[0].to, planets[1].from);
-        for (line, pin) in planets.iter().zip(&plan.pins) {
+        for (line, planet_pin) in planets.iter().zip(&diagram.planet_pins) {
             let middle = f64::midpoint(line.from[1], line.to[1]);
-            assert!((middle - carrier * pin).abs() < 1e-9);
+            assert!((middle - carrier * planet_pin).abs() < 1e-9);
         }
     }
 
-    /// Wheels of a pair have one velocity in contact, outside each other and one in the other.
+    /// The gears of a pair have one velocity in contact, outside each other and one in the other.
     #[test]
     fn a_pair_meets_in_its_contact() {
         for kind in [SetKind::ExternalPair, SetKind::InternalPair] {
-            let row = SetSpec::teeth("1", kind, ["D", "B", "ground"], 20, 50).unwrap();
-            let gearbox = Gearbox::builder("pair").links(["D", "B"]).set(row).input("D").output("B");
+            let set = SetSpec::teeth("1", kind, ["D", "B", "ground"], 20, 50).unwrap();
+            let gearbox = Gearbox::builder("pair").links(["D", "B"]).set(set).input("D").output("B");
             let gearbox = gearbox.gear("1", [""; 0]).build().unwrap();
-            let plan = Plan::of(&gearbox, &gearbox.analyze("1").unwrap(), 0);
-            let [one, other] = [plan.lines[0].to, plan.lines[1].to];
+            let diagram = SpeedDiagram::of(&gearbox, &gearbox.analyze("1").unwrap(), 0);
+            let [one, other] = [diagram.lines[0].to, diagram.lines[1].to];
             assert!((one[0] - other[0]).abs() < 1e-12 && (one[1] - other[1]).abs() < 1e-12, "{kind}");
         }
     }

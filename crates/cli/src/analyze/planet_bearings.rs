@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_formats::Dimension;
-use epicyclic_train::pins::{Lack, Pin};
+use epicyclic_train::planet_bearings::{Lack, PlanetBearing};
 use epicyclic_train::{Direction, LoadCase, PlanetSet};
 use uom::si::time::hour;
 
@@ -16,13 +16,13 @@ pub(super) fn of_gear(
     worked: &Worked<'_>,
     input: Input,
 ) -> Result<Option<Records>, Failure> {
-    let pins = &subject.pins;
-    let sized = pins.iter().any(|pin| pin.radius.is_some());
-    if pins.is_empty() || !(sized || worked.analysis.ideal().is_some()) {
+    let bearings = &subject.planet_bearings;
+    let sized = bearings.iter().any(|bearing| bearing.radius.is_some());
+    if bearings.is_empty() || !(sized || worked.analysis.ideal().is_some()) {
         return Ok(None);
     }
-    let rows = rows(subject, worked, input, pins)?;
-    Ok(Some(records(subject, rows, input, worked.operation.is_some(), pins, false)))
+    let rows = rows(subject, worked, input, bearings)?;
+    Ok(Some(records(subject, rows, input, worked.operation.is_some(), bearings, false)))
 }
 
 /// The planets of all gears, where the size of any row is known.
@@ -31,54 +31,54 @@ pub(super) fn of_gears(
     worked: &[Worked<'_>],
     input: Input,
 ) -> Result<Option<Records>, Failure> {
-    let pins = &subject.pins;
-    if pins.iter().all(|pin| pin.radius.is_none()) {
+    let bearings = &subject.planet_bearings;
+    if bearings.iter().all(|bearing| bearing.radius.is_none()) {
         return Ok(None);
     }
     let mut all = vec![];
     for worked in worked {
-        all.extend(rows(subject, worked, input, pins)?);
+        all.extend(rows(subject, worked, input, bearings)?);
     }
     let loaded = worked.iter().any(|worked| worked.operation.is_some());
-    Ok(Some(records(subject, all, input, loaded, pins, true)))
+    Ok(Some(records(subject, all, input, loaded, bearings, true)))
 }
 
 fn rows(
     subject: &Subject,
     worked: &Worked<'_>,
     input: Input,
-    pins: &[Pin],
+    bearings: &[PlanetBearing],
 ) -> Result<Vec<Vec<Figure>>, Failure> {
     let analysis = &worked.analysis;
-    let is_overrun = worked.operation.as_ref().is_some_and(|at| at.direction == Direction::Overrun);
-    let case = if is_overrun { analysis.overrun() } else { analysis.driving() };
+    let is_back_driven = worked.operation.as_ref().is_some_and(|at| at.direction == Direction::BackDrive);
+    let case = if is_back_driven { analysis.back_driving() } else { analysis.driving() };
     let mut rows = vec![];
-    for pin in pins {
-        let set = &subject.gearbox.sets()[pin.set];
+    for bearing in bearings {
+        let set = &subject.gearbox.sets()[bearing.set];
         let of_carrier = |case: &LoadCase| {
-            let torques = case.members[pin.set].as_ref()?;
+            let torques = case.members[bearing.set].as_ref()?;
             Some(torques.last()?.abs() / case.input.abs())
         };
         let carrier_torque = case.and_then(of_carrier);
-        let each = carrier_torque.zip(pin.planets).map(|(torque, count)| torque / f64::from(count));
-        let per_unit = case.map(|case| pin.of_unit_input(case)).transpose()?.unwrap_or_default();
+        let each = carrier_torque.zip(bearing.planets).map(|(torque, count)| torque / f64::from(count));
+        let per_unit = case.map(|case| bearing.of_unit_input(case)).transpose()?.unwrap_or_default();
         let carrier = analysis.speed(set.carrier());
         let speed = input.speed.zip(carrier).map(|(speed, of)| speed * of);
-        let at = worked.operation.as_ref().and_then(|operation| operation.members[pin.set].as_deref());
-        let forces = pin.forces(at, speed)?;
-        let planet = analysis.sets()[pin.set].planets[pin.planet];
+        let at = worked.operation.as_ref().and_then(|operation| operation.members[bearing.set].as_deref());
+        let forces = bearing.forces(at, speed)?;
+        let planet = analysis.sets()[bearing.set].planets[bearing.planet];
         let turning = input.speed.zip(planet).map(|(speed, planet)| speed * planet.relative);
         let life = match forces.total.zip(turning) {
-            Some((force, turning)) => pin.life(force, turning)?,
+            Some((force, turning)) => bearing.life(force, turning)?,
             None => None,
         };
         rows.push(vec![
             text(set.id()),
             text(analysis.gear().name()),
-            text(planet_name(set, pin.planet)),
-            pin.planets.map_or(Figure::None, Figure::Count),
-            column(pin.radius),
-            column(pin.mass),
+            text(planet_name(set, bearing.planet)),
+            bearing.planets.map_or(Figure::None, Figure::Count),
+            column(bearing.radius),
+            column(bearing.mass),
             multiple(carrier_torque),
             multiple(each),
             // At 1 N·m on the input.
@@ -88,7 +88,7 @@ fn rows(
             column(forces.radial),
             column(forces.centrifugal),
             column(forces.total),
-            column(pin.bearing.map(|(capacity, _)| capacity)),
+            column(bearing.load_rating.map(|(load_rating, _)| load_rating)),
             column(turning),
             life.map_or(Figure::None, |life| Figure::Number(life.get::<hour>())),
         ]);
@@ -101,11 +101,11 @@ fn records(
     rows: Vec<Vec<Figure>>,
     input: Input,
     loaded: bool,
-    pins: &[Pin],
+    bearings: &[PlanetBearing],
     several: bool,
 ) -> Records {
     let first: &[&'static str] = if several { &["gear", "set", "planet"] } else { &["set", "planet"] };
-    let sized = pins.iter().any(|pin| pin.radius.is_some());
+    let sized = bearings.iter().any(|bearing| bearing.radius.is_some());
     let shown: &[&'static str] = match (sized, loaded, input.speed) {
         (false, ..) => &["planets", "carrier_torque_of_input", "carrier_torque_each_of_input"],
         (true, false, None) => {
@@ -133,11 +133,11 @@ fn records(
         (true, true) => "Force on the bearing of each planet, N",
     };
     let mut views = vec![View {
-        note: note(subject, pins, sized, input.speed.is_some()),
+        note: note(subject, bearings, sized, input.speed.is_some()),
         ..View::new(title, &[first, shown].concat())
     }];
-    let has_capacity = pins.iter().any(|pin| pin.bearing.is_some());
-    if has_capacity && loaded && input.speed.is_some() {
+    let has_load_rating = bearings.iter().any(|bearing| bearing.load_rating.is_some());
+    if has_load_rating && loaded && input.speed.is_some() {
         let shown: &[&'static str] = &["force", "bearing_capacity", "bearing_speed", "bearing_life_h"];
         views.push(View {
             note:
@@ -174,7 +174,7 @@ fn records(
 }
 
 /// What the columns are, and what is missing of which row.
-fn note(subject: &Subject, pins: &[Pin], sized: bool, turns: bool) -> String {
+fn note(subject: &Subject, bearings: &[PlanetBearing], sized: bool, turns: bool) -> String {
     let mut notes = vec![];
     if sized {
         notes.push("Tangential: along the orbit, positive against the carrier. Radial: of the meshes, outwards positive. All \
@@ -184,16 +184,17 @@ fn note(subject: &Subject, pins: &[Pin], sized: bool, turns: bool) -> String {
         }
     }
     // A list of transmissions states sizes of compound sets alone.
-    let has_sizes =
-        |pin: &&Pin| subject.published.is_empty() || subject.gearbox.sets()[pin.set].short().is_none();
-    if !pins.iter().any(|pin| has_sizes(&pin)) {
+    let has_sizes = |bearing: &&PlanetBearing| {
+        subject.published.is_empty() || subject.gearbox.sets()[bearing.set].short().is_none()
+    };
+    if !bearings.iter().any(|bearing| has_sizes(&bearing)) {
         notes.push("A list of transmissions states no sizes, and no forces follow.".to_owned());
         return notes.join(" ");
     }
     let mut told: Vec<(Lack, Vec<&str>)> = vec![];
-    for pin in pins.iter().filter(has_sizes) {
-        let set = subject.gearbox.sets()[pin.set].id();
-        for lack in &pin.lacks {
+    for bearing in bearings.iter().filter(has_sizes) {
+        let set = subject.gearbox.sets()[bearing.set].id();
+        for lack in &bearing.lacks {
             match told.iter_mut().find(|(known, _)| known == lack) {
                 Some((_, sets)) if sets.last() == Some(&set) => {}
                 Some((_, sets)) => sets.push(set),
@@ -201,7 +202,7 @@ fn note(subject: &Subject, pins: &[Pin], sized: bool, turns: bool) -> String {
             }
         }
     }
-    let count = pins.iter().map(|pin| pin.set).collect::<std::collections::BTreeSet<_>>().len();
+    let count = bearings.iter().map(|bearing| bearing.set).collect::<std::collections::BTreeSet<_>>().len();
     let of_rows = |rows: &[&str]| match rows.len() {
         all if all == count => "all sets".to_owned(),
         1 => format!("set {}", rows[0]),

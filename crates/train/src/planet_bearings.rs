@@ -37,7 +37,7 @@
 //! | `F_t` | tangential force, along the orbit | N |
 //! | `F_r`, `F_c` | radial force of the meshes, centrifugal force, both positive outwards | N |
 //!
-//! `F_t` is positive in the sense in which all planets together push the carrier, against `T_H`; where `T_H` is
+//! `F_t` is positive in the direction in which all planets together push the carrier, against `T_H`; where `T_H` is
 //! nothing, along the positive direction of rotation. So of a set with one planet `F_t = |T_H|/(N·R)`, and in every
 //! set `Σ N·F_t·R = |T_H|` over its planets, with losses or without.
 //!
@@ -90,7 +90,7 @@ pub struct SetSize {
     pub face_width: Option<Length>,
     /// Bore of a planet; a solid planet where it is left out.
     pub planet_bore: Option<Length>,
-    /// Mass of a planet with what turns about its pin; goes before that of its shape.
+    /// Mass of a planet with what turns about its planet pin; goes before that of its shape.
     pub planet_mass: Option<Mass>,
     /// Basic dynamic load rating of the bearings of one planet together, and what rolls in them.
     pub bearing: Option<(Force, Rolling)>,
@@ -114,7 +114,7 @@ pub struct PlanetSize {
     pub face_widths: Vec<Option<Length>>,
     /// Its bore.
     pub bore: Option<Length>,
-    /// Its mass with what turns about its pin.
+    /// Its mass with what turns about its planet pin.
     pub mass: Option<Mass>,
     /// Basic dynamic load rating of its bearings together, and what rolls in them.
     pub bearing: Option<(Force, Rolling)>,
@@ -226,8 +226,8 @@ pub struct Contact {
     pub mesh: usize,
     /// The gear on the other side.
     pub with: GearOf,
-    /// Teeth of that gear: a sun or planet is external, a ring internal.
-    pub toothing: Toothing,
+    /// Kind of that gear: a sun or planet is external, a ring internal.
+    pub gear_kind: Toothing,
     /// Pitch radius: of a central gear its own, of a mesh with another planet that of this planet's gear.
     pub pitch_radius: Option<Length>,
     /// Towards another planet: unit vector outwards and along the positive direction of rotation.
@@ -237,9 +237,9 @@ pub struct Contact {
     weights: Option<Vec<f64>>,
 }
 
-/// A planet on its pin, as far as it is known.
+/// The bearing of a planet on its planet pin, as far as it is known.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Pin {
+pub struct PlanetBearing {
     /// Place of its set in [`Gearbox::sets`].
     pub set: usize,
     /// Its place in [`PlanetSet::planets`].
@@ -255,7 +255,7 @@ pub struct Pin {
     /// Mass of one planet.
     pub mass: Option<Mass>,
     /// Basic dynamic load rating of its bearings together, and what rolls in them.
-    pub bearing: Option<(Force, Rolling)>,
+    pub load_rating: Option<(Force, Rolling)>,
     /// Working pressure angle.
     pub pressure_angle: Angle,
     /// What is missing.
@@ -269,8 +269,8 @@ pub struct Pin {
 
 /// Forces on the bearing of each planet, as far as they follow.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct PinForces {
-    /// Tangential, of the meshes: positive in the sense in which all planets together push the carrier.
+pub struct BearingForces {
+    /// Tangential, of the meshes: positive in the direction in which all planets together push the carrier.
     pub tangential: Option<Force>,
     /// Radial, of the meshes, outwards positive.
     pub radial: Option<Force>,
@@ -281,11 +281,11 @@ pub struct PinForces {
 }
 
 impl Gearbox {
-    /// The planets of a set on their pins, in the order of [`PlanetSet::planets`]; `None` of a pair on fixed axes,
+    /// The planet bearings of a set, in the order of [`PlanetSet::planets`]; `None` of a pair on fixed axes,
     /// which has none, and of a set that does not exist.
     ///
     /// ```
-    /// use epicyclic_schemes::{Gearbox, InputLoad, pins::SetSize, set::{SetKind, SetSpec}};
+    /// use epicyclic_train::{Gearbox, InputLoad, planet_bearings::SetSize, set::{SetKind, SetSpec}};
     /// use uom::si::angular_velocity::radian_per_second;
     /// use uom::si::f64::{AngularVelocity, Length, Torque};
     /// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
@@ -300,9 +300,9 @@ impl Gearbox {
     /// let load = InputLoad::Torque(Torque::new::<newton_meter>(100.0));
     /// let work = gearbox.analyze("only")?.at(AngularVelocity::new::<radian_per_second>(150.0), load)?;
     /// let size = SetSize { module: Some(Length::new::<millimeter>(3.0)), ..SetSize::default() };
-    /// let pins = gearbox.pins(0, &size).unwrap()?;
+    /// let bearings = gearbox.planet_bearings(0, &size).unwrap()?;
     /// // 400 N·m on the carrier at 60 mm, over three planets.
-    /// let tangential = pins[0].at(&work)?.tangential.unwrap();
+    /// let tangential = bearings[0].at(&work)?.tangential.unwrap();
     /// assert!((tangential.get::<newton>() - 20_000.0 / 9.0).abs() < 1e-9);
     /// # Ok(())
     /// # }
@@ -312,14 +312,14 @@ impl Gearbox {
     /// [`Error::NotPositive`] and the like for an invalid size, [`Error::OutOfRange`] for sizes of more planets,
     /// gears or meshes than the set has.
     #[must_use]
-    pub fn pins(&self, set: usize, size: &SetSize) -> Option<Result<Vec<Pin>, Error>> {
+    pub fn planet_bearings(&self, set: usize, size: &SetSize) -> Option<Result<Vec<PlanetBearing>, Error>> {
         let own = self.sets.get(set).filter(|own| !own.is_pair())?;
-        Some(own.pins(set, size))
+        Some(own.planet_bearings(set, size))
     }
 }
 
 impl PlanetSet {
-    fn pins(&self, place: usize, size: &SetSize) -> Result<Vec<Pin>, Error> {
+    fn planet_bearings(&self, place: usize, size: &SetSize) -> Result<Vec<PlanetBearing>, Error> {
         size.check(self)?;
         let is_bevel =
             self.meshes().iter().any(|mesh| matches!(mesh.kind, MeshKind::BevelLeft | MeshKind::BevelRight));
@@ -327,7 +327,7 @@ impl PlanetSet {
         (0..self.planets().len())
             .map(|planet| {
                 let own = size.planets.get(planet);
-                let mut pin = Pin {
+                let mut bearing = PlanetBearing {
                     set: place,
                     planet,
                     name: self.planet_name(planet),
@@ -335,7 +335,7 @@ impl PlanetSet {
                     radius: None,
                     contacts: vec![],
                     mass: None,
-                    bearing: own.and_then(|own| own.bearing).or(size.bearing),
+                    load_rating: own.and_then(|own| own.bearing).or(size.bearing),
                     pressure_angle: size.pressure_angle,
                     lacks: vec![],
                     carrier: self.carrier(),
@@ -344,39 +344,39 @@ impl PlanetSet {
                     is_only: self.planets().len() == 1,
                 };
                 if is_bevel {
-                    pin.lacks.push(Lack::Bevel);
-                    return Ok(pin);
+                    bearing.lacks.push(Lack::Bevel);
+                    return Ok(bearing);
                 }
                 let radius = places.radii[planet];
-                pin.radius = radius.map(metres);
-                pin.mass = self.planet_mass(planet, size, &places)?;
-                if pin.planets.is_none() {
-                    pin.lacks.push(Lack::Planets);
+                bearing.radius = radius.map(metres);
+                bearing.mass = self.planet_mass(planet, size, &places)?;
+                if bearing.planets.is_none() {
+                    bearing.lacks.push(Lack::Planets);
                 }
-                if !pin.is_only
+                if !bearing.is_only
                     && size.carrier_radius.is_some()
                     && own.is_none_or(|own| own.carrier_radius.is_none())
                 {
-                    pin.lacks.push(Lack::CommonRadius);
+                    bearing.lacks.push(Lack::CommonRadius);
                 }
                 if radius.is_none() {
-                    pin.lacks.push(Lack::Radius);
+                    bearing.lacks.push(Lack::Radius);
                 }
                 for mesh in 0..self.meshes().len() {
-                    let contact = self.contact(planet, mesh, &places, &mut pin.lacks);
-                    pin.contacts.extend(contact);
+                    let contact = self.contact(planet, mesh, &places, &mut bearing.lacks);
+                    bearing.contacts.extend(contact);
                 }
                 let open = |contact: &Contact| contact.pitch_radius.is_none() || contact.is_weightless();
                 if radius.is_some()
-                    && !pin.contacts.iter().all(|contact| !open(contact))
-                    && !pin.lacks_of_pair()
+                    && !bearing.contacts.iter().all(|contact| !open(contact))
+                    && !bearing.lacks_of_pair()
                 {
-                    pin.lacks.push(Lack::Teeth);
+                    bearing.lacks.push(Lack::Teeth);
                 }
-                if pin.mass.is_none() {
-                    pin.lacks.push(Lack::Mass);
+                if bearing.mass.is_none() {
+                    bearing.lacks.push(Lack::Mass);
                 }
-                Ok(pin)
+                Ok(bearing)
             })
             .collect()
     }
@@ -423,7 +423,7 @@ impl PlanetSet {
             if planet_of(gear) != Some(planet) {
                 return None;
             }
-            let toothing = match self.meshes()[mesh].kind {
+            let gear_kind = match self.meshes()[mesh].kind {
                 MeshKind::Internal => Toothing::Internal,
                 _ => Toothing::External,
             };
@@ -431,7 +431,7 @@ impl PlanetSet {
                 Some(SetKind::Simple) => {
                     let k = -self.basic_ratio().get();
                     let sun = 2.0 / (1.0 + k);
-                    Some(if toothing == Toothing::Internal { sun * k } else { sun })
+                    Some(if gear_kind == Toothing::Internal { sun * k } else { sun })
                 }
                 _ => teeth_of(self, GearOf::Central(central))
                     .zip(apart(self, mesh))
@@ -440,7 +440,7 @@ impl PlanetSet {
             let pitch_radius = places.radii[planet].zip(in_radii).map(|(radius, of)| metres(radius * of));
             let with = GearOf::Central(central);
             let weights = Some(self.torque_from(central, mesh));
-            return Some(Contact { mesh, with, toothing, pitch_radius, direction: None, weights });
+            return Some(Contact { mesh, with, gear_kind, pitch_radius, direction: None, weights });
         }
         let gears = planet_mesh(self, mesh)?;
         let own = gears.iter().position(|gear| planet_of(*gear) == Some(planet))?;
@@ -449,7 +449,7 @@ impl PlanetSet {
         let mut contact = Contact {
             mesh,
             with,
-            toothing: Toothing::External,
+            gear_kind: Toothing::External,
             pitch_radius: None,
             direction: None,
             weights: self.torque_between(planet, mesh),
@@ -559,8 +559,8 @@ impl PlanetSet {
             let (Some(module), Some(teeth), Some(width)) = (module, teeth, width(gear)) else {
                 return Ok(None);
             };
-            let wheel = Wheel::external(metres(module), *teeth)?;
-            mass += WheelBody::external(&wheel, width, bore, size.density)?.total().mass;
+            let gear = Wheel::external(metres(module), *teeth)?;
+            mass += WheelBody::external(&gear, width, bore, size.density)?.total().mass;
         }
         Ok(Some(mass))
     }
@@ -611,9 +611,9 @@ impl SetSize {
                 return Err(Error::NotPositive { quantity: "mass of a planet", value, unit: "kg" });
             }
         }
-        for (capacity, _) in self.planets.iter().map(|own| own.bearing).chain([self.bearing]).flatten() {
-            // The capacity's own limits.
-            life::basic_rating_life(Rolling::Balls, capacity, capacity, AngularVelocity::default())?;
+        for (load_rating, _) in self.planets.iter().map(|own| own.bearing).chain([self.bearing]).flatten() {
+            // The load rating's own limits.
+            life::basic_rating_life(Rolling::Balls, load_rating, load_rating, AngularVelocity::default())?;
         }
         // The angle's own limits.
         pin::radial_force(&[], 1, self.pressure_angle)?;
@@ -651,12 +651,12 @@ impl Contact {
     }
 }
 
-impl Pin {
+impl PlanetBearing {
     /// The forces at this operating point.
     ///
     /// # Errors
     /// Those of [`forces`](Self::forces); [`Error::OutOfRange`] for an operating point of another gearbox.
-    pub fn at(&self, operation: &Operation) -> Result<PinForces, Error> {
+    pub fn at(&self, operation: &Operation) -> Result<BearingForces, Error> {
         let torques = operation.members.get(self.set).and_then(Option::as_deref);
         self.forces(torques, operation.speeds.get(self.carrier.index()).copied().flatten())
     }
@@ -665,7 +665,7 @@ impl Pin {
     ///
     /// # Errors
     /// Those of [`forces`](Self::forces); [`Error::OutOfRange`] for a load case of another gearbox.
-    pub fn of_unit_input(&self, case: &LoadCase) -> Result<PinForces, Error> {
+    pub fn of_unit_input(&self, case: &LoadCase) -> Result<BearingForces, Error> {
         let of_input =
             |torques: &Vec<f64>| torques.iter().map(|of| torque(of / case.input)).collect::<Vec<_>>();
         let torques = case.members.get(self.set).and_then(Option::as_ref).map(of_input);
@@ -682,8 +682,8 @@ impl Pin {
         &self,
         torques: Option<&[Torque]>,
         carrier_speed: Option<AngularVelocity>,
-    ) -> Result<PinForces, Error> {
-        let mut forces = PinForces::default();
+    ) -> Result<BearingForces, Error> {
+        let mut forces = BearingForces::default();
         let Some(radius) = self.radius else { return Ok(forces) };
         if let Some(given) = torques.map(<[Torque]>::len).filter(|given| *given != self.members) {
             let (value, due) = (given as f64, self.members as f64);
@@ -699,7 +699,7 @@ impl Pin {
                 }
                 let torque = contact.weighed(&of_centrals).map(torque);
                 let known = contact.pitch_radius.zip(torque);
-                let toothing = contact.toothing;
+                let toothing = contact.gear_kind;
                 Some(known.map(|(pitch_radius, torque)| Push { toothing, pitch_radius, torque }))
             };
             let pushes: Option<Vec<Push>> = self.contacts.iter().filter_map(push).collect();
@@ -759,8 +759,8 @@ impl Pin {
     /// # Errors
     /// Those of [`basic_rating_life`](life::basic_rating_life).
     pub fn life(&self, force: Force, planet_on_carrier: AngularVelocity) -> Result<Option<Time>, Error> {
-        let Some((capacity, rolling)) = self.bearing else { return Ok(None) };
-        life::basic_rating_life(rolling, capacity, force, planet_on_carrier)
+        let Some((load_rating, rolling)) = self.load_rating else { return Ok(None) };
+        life::basic_rating_life(rolling, load_rating, force, planet_on_carrier)
     }
 }
 
@@ -776,10 +776,10 @@ mod tests {
         Length::new::<millimeter>(value)
     }
 
-    fn gearbox(row: SetSpec) -> Gearbox {
-        Gearbox::builder("one row")
+    fn gearbox(set: SetSpec) -> Gearbox {
+        Gearbox::builder("one set")
             .links(["a", "b", "H"])
-            .set(row)
+            .set(set)
             .brake("K", "b")
             .input("a")
             .output("H")
@@ -788,10 +788,10 @@ mod tests {
             .unwrap()
     }
 
-    fn only(gearbox: &Gearbox, size: &SetSize) -> Pin {
-        let mut pins = gearbox.pins(0, size).unwrap().unwrap();
-        assert_eq!(pins.len(), 1);
-        pins.remove(0)
+    fn only(gearbox: &Gearbox, size: &SetSize) -> PlanetBearing {
+        let mut bearings = gearbox.planet_bearings(0, size).unwrap().unwrap();
+        assert_eq!(bearings.len(), 1);
+        bearings.remove(0)
     }
 
     fn teeth(count: u32) -> ToothCount {
@@ -800,19 +800,19 @@ mod tests {
 
     /// Sun 20, planet 20, ring 60, module 3 mm: r_w = 60 mm, r_a = 30 mm, r_b = 90 mm; 100 N·m on the sun.
     #[test]
-    fn a_simple_row_by_hand() {
-        let row = SetSpec::teeth("P", SetKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3);
-        let gearbox = gearbox(row);
+    fn a_simple_set_by_hand() {
+        let set = SetSpec::teeth("P", SetKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3);
+        let gearbox = gearbox(set);
         let size = SetSize {
             module: Some(mm(3.0)),
             planet_mass: Some(Mass::new::<kilogram>(0.5)),
             ..SetSize::default()
         };
-        let pin = only(&gearbox, &size);
-        assert_eq!(pin.lacks, []);
-        assert!((in_metres(pin.radius.unwrap()) - 0.06).abs() < 1e-15);
+        let bearing = only(&gearbox, &size);
+        assert_eq!(bearing.lacks, []);
+        assert!((in_metres(bearing.radius.unwrap()) - 0.06).abs() < 1e-15);
         let forces =
-            pin.forces(Some(&[100.0, 300.0, -400.0].map(torque)), Some(angular_velocity(100.0))).unwrap();
+            bearing.forces(Some(&[100.0, 300.0, -400.0].map(torque)), Some(angular_velocity(100.0))).unwrap();
         let newtons = |force: Option<Force>| force.unwrap().get::<newton>();
         // 400/(3·0.06) = 2·100/(3·0.03); 0.5·0.06·100².
         assert!((newtons(forces.tangential) - 20_000.0 / 9.0).abs() < 1e-9);
@@ -824,34 +824,35 @@ mod tests {
     #[test]
     fn without_a_size_the_lacks_are_named() {
         let gearbox = gearbox(SetSpec::simple("P", ["a", "b", "H"], 3.0));
-        let pin = only(&gearbox, &SetSize::default());
-        assert_eq!(pin.lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
-        assert_eq!(pin.forces(Some(&[torque(1.0); 3]), None).unwrap(), PinForces::default());
-        let refused = gearbox.pins(0, &SetSize { module: Some(mm(-1.0)), ..SetSize::default() }).unwrap();
+        let bearing = only(&gearbox, &SetSize::default());
+        assert_eq!(bearing.lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
+        assert_eq!(bearing.forces(Some(&[torque(1.0); 3]), None).unwrap(), BearingForces::default());
+        let refused =
+            gearbox.planet_bearings(0, &SetSize { module: Some(mm(-1.0)), ..SetSize::default() }).unwrap();
         assert_eq!(refused.unwrap_err().to_string(), "module is -1 mm; it must be finite and above 0");
         let double = SetSpec::teeth("P", SetKind::DoublePlanet, ["a", "b", "H"], 20, 60).unwrap();
         let gearbox = self::gearbox(double);
         let size = SetSize { carrier_radius: Some(mm(50.0)), ..SetSize::default() };
-        let pins = gearbox.pins(0, &size).unwrap().unwrap();
+        let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
         let other = |name: &str| Lack::OtherRadius { other: name.into() };
         let first = [Lack::Planets, Lack::CommonRadius, Lack::Radius, Lack::Mass];
-        assert_eq!(pins[0].lacks, first);
+        assert_eq!(bearings[0].lacks, first);
         // The planets' teeth are missing, so no size helps but the radii; then the distance is missing.
         let own = |radius| PlanetSize { carrier_radius: Some(mm(radius)), ..PlanetSize::default() };
         let size = SetSize { planets: vec![PlanetSize::default(), own(60.0)], ..SetSize::default() };
-        let pins = gearbox.pins(0, &size).unwrap().unwrap();
-        assert_eq!(pins[0].lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
-        assert_eq!(pins[1].lacks, [Lack::Planets, other("planet 1"), Lack::Mass]);
+        let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
+        assert_eq!(bearings[0].lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
+        assert_eq!(bearings[1].lacks, [Lack::Planets, other("planet 1"), Lack::Mass]);
         let size = SetSize { planets: vec![own(50.0), own(60.0)], ..SetSize::default() };
-        let pins = gearbox.pins(0, &size).unwrap().unwrap();
+        let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
         let distance = Lack::Distance { other: "planet 2".into() };
-        assert_eq!(pins[0].lacks, [Lack::Planets, distance, Lack::Mass]);
+        assert_eq!(bearings[0].lacks, [Lack::Planets, distance, Lack::Mass]);
         let bevel = SetSpec::teeth("P", SetKind::Bevel, ["a", "b", "H"], 20, 60).unwrap();
         assert_eq!(only(&self::gearbox(bevel), &SetSize::default()).lacks, [Lack::Bevel]);
     }
 
     #[test]
-    fn teeth_and_parameter_give_the_same_planet() {
+    fn teeth_and_ratio_give_the_same_planet() {
         let by_k = gearbox(SetSpec::simple("P", ["a", "b", "H"], 3.0).planet_count(3));
         let by_teeth =
             gearbox(SetSpec::teeth("P", SetKind::Simple, ["a", "b", "H"], 20, 60).unwrap().planet_count(3));
@@ -874,19 +875,19 @@ mod tests {
             (SetKind::SteppedSuns, [20, 30], [40, 30]),
             (SetKind::SteppedRings, [100, 90], [40, 30]),
         ] {
-            let row = SetSpec::teeth("P", kind, ["a", "b", "H"], z1, z2).unwrap();
-            let row = row.planet_teeth(teeth(g), Some(teeth(f))).planet_count(4);
-            let gearbox = gearbox(row);
+            let set = SetSpec::teeth("P", kind, ["a", "b", "H"], z1, z2).unwrap();
+            let set = set.planet_teeth(teeth(g), Some(teeth(f))).planet_count(4);
+            let gearbox = gearbox(set);
             let ideal = gearbox.analyze("1").unwrap().ideal().unwrap().members[0].clone().unwrap();
             let size = SetSize { module: Some(mm(2.0)), ..SetSize::default() };
-            let pin = only(&gearbox, &size);
-            assert_eq!(pin.lacks, [Lack::Mass], "{kind}");
-            let [r1, r2] = [0, 1].map(|mesh: usize| pin.contacts[mesh].pitch_radius.unwrap());
-            let radius = in_metres(pin.radius.unwrap());
+            let bearing = only(&gearbox, &size);
+            assert_eq!(bearing.lacks, [Lack::Mass], "{kind}");
+            let [r1, r2] = [0, 1].map(|mesh: usize| bearing.contacts[mesh].pitch_radius.unwrap());
+            let radius = in_metres(bearing.radius.unwrap());
             // No moment about the planet's own axis: the forces stand as the inverse steps.
             let (f1, f2) = (ideal[0] / (4.0 * in_metres(r1)), ideal[1] / (4.0 * in_metres(r2)));
             let torques: Vec<Torque> = ideal.iter().copied().map(torque).collect();
-            let force = pin.forces(Some(&torques), None).unwrap().tangential.unwrap();
+            let force = bearing.forces(Some(&torques), None).unwrap().tangential.unwrap();
             assert!((force.get::<newton>() - (f1 + f2).abs()).abs() < 1e-9 * f1.abs(), "{kind}");
             assert!((f1 + f2 + ideal[2] / (4.0 * radius)).abs() < 1e-9 * f1.abs(), "{kind}");
         }
@@ -895,13 +896,13 @@ mod tests {
     #[test]
     fn losses_leave_a_little_of_the_radial_forces() {
         let eta = MeshEfficiency::new(0.97).unwrap();
-        let row = SetSpec::simple("P", ["a", "b", "H"], 3.0).with_loss(MeshLoss::Row(eta)).planet_count(3);
-        let gearbox = gearbox(row);
+        let set = SetSpec::simple("P", ["a", "b", "H"], 3.0).with_loss(MeshLoss::Set(eta)).planet_count(3);
+        let gearbox = gearbox(set);
         let members = gearbox.analyze("1").unwrap().driving().unwrap().members[0].clone().unwrap();
         let size = SetSize { carrier_radius: Some(mm(60.0)), ..SetSize::default() };
-        let pin = only(&gearbox, &size);
+        let bearing = only(&gearbox, &size);
         let torques: Vec<Torque> = members.into_iter().map(torque).collect();
-        let forces = pin.forces(Some(&torques), None).unwrap();
+        let forces = bearing.forces(Some(&torques), None).unwrap();
         let share = forces.radial.unwrap() / forces.tangential.unwrap();
         // F_a − F_b = 0.03·F_a of F_a + F_b.
         assert!((share.value - 20_f64.to_radians().tan() * 0.03 / 1.97).abs() < 1e-3, "{}", share.value);
@@ -918,8 +919,8 @@ mod tests {
     fn a_double_planet_by_hand() {
         let (set, size) = double();
         let gearbox = gearbox(set);
-        let pins = gearbox.pins(0, &size).unwrap().unwrap();
-        assert_eq!([&*pins[0].name, &*pins[1].name], ["planet 1", "planet 2"]);
+        let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
+        assert_eq!([&*bearings[0].name, &*bearings[1].name], ["planet 1", "planet 2"]);
         // i₀ = 3: 100 N·m on the sun, −300 on the ring, 200 on the carrier.
         let torques = [100.0, -300.0, 200.0].map(torque);
         // Every mesh carries F = 100/(3·0.02) N.
@@ -927,21 +928,21 @@ mod tests {
         let (sin, cos) = 60_f64.to_radians().sin_cos();
         let s = f * 20_f64.to_radians().tan();
         // Planet 1 in (outwards, along): the sun (s, f); planet 2 in the direction u = (−cos, sin) with f across,
-        // (−sin, −cos), and s against u. The carrier's torque is positive, so its sense is −1.
+        // (−sin, −cos), and s against u. The carrier's torque is positive, so its direction is −1.
         let expected = [
             [s - f * sin + s * cos, -(f - f * cos - s * sin)],
             [-s + f * sin + s * cos, -(-f - f * cos + s * sin)],
         ];
-        for (pin, [radial, tangential]) in pins.iter().zip(expected) {
-            assert_eq!(pin.lacks, [Lack::Mass]);
-            let forces = pin.forces(Some(&torques), None).unwrap();
+        for (bearing, [radial, tangential]) in bearings.iter().zip(expected) {
+            assert_eq!(bearing.lacks, [Lack::Mass]);
+            let forces = bearing.forces(Some(&torques), None).unwrap();
             assert!((forces.radial.unwrap().get::<newton>() - radial).abs() < 1e-9);
             assert!((forces.tangential.unwrap().get::<newton>() - tangential).abs() < 1e-9);
         }
         // The other way round the along parts of the separating forces change sides.
         let meshes = vec![MeshSize::default(), MeshSize { is_behind: true, ..MeshSize::default() }];
-        let pins = gearbox.pins(0, &SetSize { meshes, ..size }).unwrap().unwrap();
-        let forces = pins[0].forces(Some(&torques), None).unwrap();
+        let bearings = gearbox.planet_bearings(0, &SetSize { meshes, ..size }).unwrap().unwrap();
+        let forces = bearings[0].forces(Some(&torques), None).unwrap();
         assert!((forces.radial.unwrap().get::<newton>() - (s + f * sin + s * cos)).abs() < 1e-9);
         assert!((forces.tangential.unwrap().get::<newton>() + (f - f * cos + s * sin)).abs() < 1e-9);
     }
@@ -951,17 +952,17 @@ mod tests {
         let (set, size) = double();
         let gearbox = gearbox(set);
         let own = PlanetSize { carrier_radius: Some(mm(81.0)), ..PlanetSize::default() };
-        let pins = gearbox.pins(0, &SetSize { planets: vec![own], ..size }).unwrap().unwrap();
+        let bearings = gearbox.planet_bearings(0, &SetSize { planets: vec![own], ..size }).unwrap().unwrap();
         assert_eq!(
-            pins[0].lacks[0].to_string(),
+            bearings[0].lacks[0].to_string(),
             "its centre at a radius of 81.000 mm and that of planet 2 at 40.000 mm cannot stand 40.000 mm apart, as \
              module and teeth of their mesh ask"
         );
         let torques = [100.0, -300.0, 200.0].map(torque);
-        let forces = pins[1].forces(Some(&torques), Some(angular_velocity(0.0))).unwrap();
+        let forces = bearings[1].forces(Some(&torques), Some(angular_velocity(0.0))).unwrap();
         assert_eq!((forces.tangential, forces.radial, forces.total), (None, None, None));
         assert_eq!(forces.centrifugal, Some(Force::default()));
-        let refused = pins[1].forces(Some(&torques[..2]), None).unwrap_err();
+        let refused = bearings[1].forces(Some(&torques[..2]), None).unwrap_err();
         assert!(matches!(refused, Error::OutOfRange { quantity: "number of torques on the members", .. }));
     }
 
@@ -970,11 +971,11 @@ mod tests {
         let (set, size) = double();
         let size = SetSize { face_width: Some(mm(20.0)), planet_bore: Some(mm(10.0)), ..size };
         let body = |module_mm: f64| {
-            let wheel = Wheel::external(mm(module_mm), teeth(20)).unwrap();
-            WheelBody::external(&wheel, mm(20.0), mm(10.0), size.density).unwrap().total().mass
+            let gear = Wheel::external(mm(module_mm), teeth(20)).unwrap();
+            WheelBody::external(&gear, mm(20.0), mm(10.0), size.density).unwrap().total().mass
         };
-        let pins = gearbox(set).pins(0, &size).unwrap().unwrap();
-        assert!(pins.iter().all(|pin| pin.mass == Some(body(2.0)) && pin.lacks.is_empty()));
+        let bearings = gearbox(set).planet_bearings(0, &size).unwrap().unwrap();
+        assert!(bearings.iter().all(|bearing| bearing.mass == Some(body(2.0)) && bearing.lacks.is_empty()));
         // Of a stepped planet each step has its width and module: here 2 mm and 2·60/40 mm.
         let set = SetSpec::teeth("P", SetKind::SteppedSuns, ["a", "b", "H"], 40, 20).unwrap();
         let set = set.planet_teeth(teeth(20), Some(teeth(20))).planet_count(3);
