@@ -233,7 +233,7 @@ impl Structure {
     /// links.
     ///
     /// # Errors
-    /// [`Error::RowParameter`] for `k ≤ 1`, [`Error::ControlJoinsItself`] for a clutch between a link and
+    /// [`Error::RingToSunRatio`] for `k ≤ 1`, [`Error::ControlJoinsItself`] for a clutch between a link and
     /// itself.
     pub fn gearbox(self, k: [f64; 2], eta0: MeshEfficiency, lock: [Role; 2]) -> Result<Gearbox, Error> {
         let mut builder = Gearbox::builder(&self.to_string())

@@ -78,7 +78,7 @@ pub enum Error {
     },
     /// A ring-to-sun ratio outside what its kind can have.
     #[error("k = {k} of set `{set}` ({kind}): {}", allowed_k(*kind))]
-    RowParameter {
+    RingToSunRatio {
         /// The set.
         set: String,
         /// Its kind.

@@ -75,14 +75,17 @@ fn members_on_one_link_are_refused() {
 fn a_row_parameter_of_one_is_refused_of_a_simple_row_only() {
     for k in [1.0, 0.5, 0.0, -2.0, f64::NAN, f64::INFINITY] {
         let row = SetSpec::simple("2", ["drive", "ring", "driven"], k);
-        assert!(matches!(fault(sound().set(row)), Error::RowParameter { kind: SetKind::Simple, .. }), "{k}");
+        assert!(
+            matches!(fault(sound().set(row)), Error::RingToSunRatio { kind: SetKind::Simple, .. }),
+            "{k}"
+        );
     }
     let teeth = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 60, 60).unwrap();
-    assert!(matches!(fault(sound().set(teeth)), Error::RowParameter { .. }));
+    assert!(matches!(fault(sound().set(teeth)), Error::RingToSunRatio { .. }));
     for kind in [SetKind::Bevel, SetKind::MeshingSuns, SetKind::DoublePlanet, SetKind::SteppedSuns] {
         assert!(sound().set(SetSpec::new("2", kind, ["drive", "ring", "driven"], 0.8)).build().is_ok());
         let none = SetSpec::new("2", kind, ["drive", "ring", "driven"], 0.0);
-        assert!(matches!(fault(sound().set(none)), Error::RowParameter { .. }));
+        assert!(matches!(fault(sound().set(none)), Error::RingToSunRatio { .. }));
     }
 }
 

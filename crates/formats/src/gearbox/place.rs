@@ -78,7 +78,7 @@ impl File<'_> {
             Engine::CoincidentMembers { set, .. }
             | Engine::StepsMissing { set, .. }
             | Engine::BasicRatio { set, .. } => self.set(set),
-            Engine::RowParameter { set, .. } => {
+            Engine::RingToSunRatio { set, .. } => {
                 ["k", "teeth", "z_r"].iter().fold(self.set(set), |path, key| self.key(path, key))
             }
             Engine::Compound { set, fault } => self.of_compound(set, fault),
@@ -234,7 +234,7 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
             "face width" | "width" => &["face_width"],
             "bore of a planet" | "bore diameter" => &["planet_bore"],
             "mass of a planet" => &["planet_mass"],
-            "capacity of the bearing" => &["bearing_capacity"],
+            "basic dynamic load rating of the bearing" => &["bearing_capacity"],
             _ => &[],
         },
         _ => &[],
