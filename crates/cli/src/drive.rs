@@ -59,7 +59,9 @@ pub(crate) fn calculate(document: &Document) -> Result<(Option<String>, DriveDes
     let design = design(&spec).map_err(|error| {
         let at = document.error(&drive::place(&error), Problem::Refused { message: error.to_string() });
         match error {
-            Error::Gear(epicyclic_gears::Error::NoToothSet { .. }) => Failure::NothingFound(at.to_string()),
+            Error::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => {
+                Failure::NothingFound(at.to_string())
+            }
             _ => Failure::Document(at),
         }
     })?;

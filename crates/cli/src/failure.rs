@@ -147,7 +147,7 @@ impl Failure {
             Self::NothingFound(_)
             | Self::SelfCrossing { .. }
             | Self::NoMotor { .. }
-            | Self::Gear(epicyclic_gears::Error::NoToothSet { .. }) => NOTHING_FOUND,
+            | Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => NOTHING_FOUND,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
                 INPUT_OUTPUT
             }

@@ -9,12 +9,12 @@ use std::ops::RangeInclusive;
 pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static str> {
     Some(match error {
         Error::PlanetNumber { .. } => planets,
-        Error::RowParameterRange { .. } => "--k",
+        Error::RingToSunRange { .. } => "--k",
         Error::Tolerance { .. } => "--tolerance",
         Error::Ratio { .. } => "--ratio",
-        Error::ToothRange { wheel: "sun", .. } => "--sun",
-        Error::ToothRange { wheel: "planet", .. } => "--planet",
-        Error::ToothRange { wheel: "ring", .. } => "--ring",
+        Error::ToothRange { gear: "sun", .. } => "--sun",
+        Error::ToothRange { gear: "planet", .. } => "--planet",
+        Error::ToothRange { gear: "ring", .. } => "--ring",
         Error::Negative { quantity: "tip gap", .. } => "--tip-gap",
         Error::Negative { quantity: "addendum coefficient", .. } => "--addendum",
         Error::OutOfRange { quantity: "pressure angle", .. } => "--pressure-angle",

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::RowParameter;
+use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::DesignError;
 use epicyclic_schemes::catalogue::{ParameterRange, Role, ThreeSpeed, TwoSpeed};
 use epicyclic_train::Gearbox;
@@ -121,7 +121,7 @@ impl Scheme {
 
 /// A scheme with its numbers.
 pub(crate) struct Dimensioned {
-    k: Vec<RowParameter>,
+    k: Vec<RingToSunRatio>,
     pub(crate) gearbox: Gearbox,
 }
 
@@ -164,7 +164,7 @@ pub(crate) fn dimensioned(
 ) -> Result<Option<Dimensioned>, Failure> {
     let missing = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     let first = match (sizes.k1, sizes.ratio1) {
-        (Some(k), _) => RowParameter::new(k.get()).map_err(refuse("--k1"))?,
+        (Some(k), _) => RingToSunRatio::new(k.get()).map_err(refuse("--k1"))?,
         (None, Some(ratio)) => scheme.first().parameter(ratio.get()).map_err(refuse("--ratio1"))?,
         (None, None) if sizes.ratio2.is_some() => return missing("--ratio2", "give --ratio1 or --k1 too"),
         (None, None) => return Ok(None),
@@ -175,7 +175,7 @@ pub(crate) fn dimensioned(
             return missing("--k2", &format!("scheme {} has one row", scheme.name()));
         }
         (Scheme::Two(_), ..) => return missing("--ratio2", &format!("scheme {} has one row", scheme.name())),
-        (Scheme::Three(_), Some(k), _) => Some(RowParameter::new(k.get()).map_err(refuse("--k2"))?),
+        (Scheme::Three(_), Some(k), _) => Some(RingToSunRatio::new(k.get()).map_err(refuse("--k2"))?),
         (Scheme::Three(three), None, Some(ratio)) => {
             Some(three.second_parameter(first, ratio.get()).map_err(refuse("--ratio2"))?)
         }

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::row::Mode;
+use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::{Bounds, Placement};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Angle, Ratio};
@@ -158,7 +158,7 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
         planet: external("--planet", args.planet, usual.planet)?,
         ring: options::of_wheel("--ring", args.ring, usual.ring)?,
         planets: closed("--planets", args.planets, usual.planets)?,
-        row_parameter: closed("--k", args.k, usual.row_parameter)?,
+        ring_to_sun_ratio: closed("--k", args.k, usual.ring_to_sun_ratio)?,
         rack,
         tip_gap: args.tip_gap.get(),
         placement: match args.spacing {

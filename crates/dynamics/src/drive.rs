@@ -11,13 +11,13 @@
 //! What stops the calculation is an [`Error`]; what deserves a second look is a [`Warning`].
 //!
 //! # Source
-//! excavator-dynamics, from end to end. Departures from it: the planet's speed is that on the turning
+//! excavator-dynamics, from end to end. Departures from it: the planet speed is that on the turning
 //! carrier, inertias are those of the shapes described, `J_pr` has `(z_1 + z_3)²` in every term, and a
 //! default sun sits on its shaft rather than on a bearing.
 //!
 //! # Left out
-//! Strength of the teeth, bending of shafts and pins, life of the bearings, losses outside the meshes,
-//! uneven sharing of the load between the planets.
+//! Strength of the teeth, bending of shafts and planet pins, life of the bearings, losses outside the meshes,
+//! a mesh load factor above 1 (planets that share the load unequally).
 //!
 //! # Example
 //!
@@ -40,29 +40,29 @@
 //! ```
 
 mod bodies;
-mod gear;
 mod motion;
 mod result;
 mod shafts;
 mod spec;
+mod teeth;
 #[cfg(test)]
 mod tests;
 mod warning;
 
 pub use result::{
-    Choice, DriveDesign, Efficiency, Forces, Gear, Masses, Motion, Powers, Reduction, Shaft, ShaftDesign,
-    Shafts, Speeds, Start, Torques, Wheel, WheelMass, Wheels,
+    BoredGear, Choice, DriveDesign, Efficiency, EquivalentInertia, Forces, GearMass, GearSetGeometry, Masses,
+    Motion, Powers, Shaft, ShaftDesign, Shafts, Speeds, Start, TeethDesign, Torques,
 };
-pub use spec::{Bore, CarrierSpec, DriveSpec, ShaftSpec, ShaftsSpec, TeethSpec, WheelSpec, default_bounds};
+pub use spec::{Bore, CarrierSpec, DriveSpec, GearSetSpec, ShaftSpec, ShaftsSpec, TeethSpec, default_bounds};
 pub use warning::Warning;
 
 use crate::units::{angular_velocity, force, meters, n_m, newtons, rad_per_s};
 use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
-use epicyclic_gears::geometry::{self, Toothing, centre_distance};
-use epicyclic_gears::row::{Member, Mode};
-use epicyclic_gears::synthesis::{ToothSet, check_tolerance};
-use epicyclic_gears::{pin, willis};
+use epicyclic_gears::geometry::{self, GearKind, centre_distance};
+use epicyclic_gears::simple_set::{Member, Mode};
+use epicyclic_gears::synthesis::{ToothNumbers, check_tolerance};
+use epicyclic_gears::{planet_bearing, willis};
 use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::power::kilowatt;
 
@@ -75,40 +75,40 @@ pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
 /// Designs a drive.
 ///
 /// # Errors
-/// [`Error::Gear`] with the part's own error for quantities out of range, a ratio that no tooth set
-/// reaches, wheels without root, holes outside their arms, shafts beyond the standard diameters;
-/// [`Error::NotCoaxial`], [`Error::BoreTooLarge`], [`Error::Impossible`], [`Error::NotFinite`],
-/// [`Error::NoInertia`], [`Error::Locked`], and [`Error::Overflow`] where a result is beyond numbers.
+/// [`Error::Gear`] with the part's own error for quantities out of range, a ratio that no set of tooth numbers
+/// reaches, gears without root, holes outside their arms, shafts beyond the standard diameters;
+/// [`Error::UnequalCentreDistances`], [`Error::BoreTooLarge`], [`Error::Impossible`], [`Error::NotFinite`],
+/// [`Error::NoInertia`], [`Error::SelfLocking`], and [`Error::Overflow`] where a result is beyond numbers.
 pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
     check(spec)?;
     let mut warnings = Vec::new();
-    let teeth = gear::tooth_set(spec)?;
-    let wheels = wheels(spec, teeth)?;
-    let gear = gear::conditions(spec, teeth, &wheels, &mut warnings)?;
-    let efficiency = efficiencies(spec, teeth)?;
-    let speeds = speeds(spec, teeth)?;
-    let torques = torques(spec, &gear, efficiency)?;
+    let numbers = teeth::tooth_numbers(spec)?;
+    let gear_set = gear_set(spec, numbers)?;
+    let teeth = teeth::conditions(spec, numbers, &gear_set, &mut warnings)?;
+    let efficiency = efficiencies(spec, numbers)?;
+    let speeds = speeds(spec, numbers)?;
+    let torques = torques(spec, &teeth, efficiency)?;
     let powers = powers(spec, &speeds, &torques);
     let shafts = shafts::shafts(spec, &torques, &mut warnings)?;
-    let masses = bodies::masses(spec, teeth, &wheels, &shafts, &mut warnings)?;
-    let forces = forces(spec, teeth, &wheels, &torques, &speeds, &masses)?;
-    let drive = bodies::planetary_drive(spec, teeth, &wheels, &masses);
-    let reduction = motion::reduction(spec, &drive, &masses)?;
+    let masses = bodies::masses(spec, numbers, &gear_set, &shafts, &mut warnings)?;
+    let forces = forces(spec, numbers, &gear_set, &torques, &speeds, &masses)?;
+    let drive = bodies::planetary_drive(spec, numbers, &gear_set, &masses);
+    let equivalent_inertia = motion::equivalent_inertia(spec, &drive, &masses)?;
     let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
     let load = spec.load.unwrap_or(torques.carrier);
     Ok(DriveDesign {
         without_losses: motion::without_losses(spec, &drive, driving_torque, load)?,
         with_losses: motion::with_losses(spec, &drive, driving_torque, load)?,
-        gear,
+        teeth,
         efficiency,
         speeds,
         torques,
         powers,
-        wheels,
+        gear_set,
         forces,
         shafts,
         masses,
-        reduction,
+        equivalent_inertia,
         driving_torque,
         load,
         warnings,
@@ -148,38 +148,38 @@ fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Error::Overflow { what, value }) }
 }
 
-fn wheels(spec: &DriveSpec, teeth: ToothSet) -> Result<Wheels, Error> {
-    let WheelSpec { module, rack, face_width, .. } = spec.wheels;
-    let sun = geometry::Wheel::new(Toothing::External, module, teeth.sun, rack)?;
-    let planet = geometry::Wheel::new(Toothing::External, module, teeth.planet, rack)?;
-    let ring = geometry::Wheel::new(Toothing::Internal, module, teeth.ring, rack)?;
+fn gear_set(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Error> {
+    let GearSetSpec { module, rack, face_width, .. } = spec.gear_set;
+    let sun = geometry::ToothedGear::new(GearKind::External, module, teeth.sun, rack)?;
+    let planet = geometry::ToothedGear::new(GearKind::External, module, teeth.planet, rack)?;
+    let ring = geometry::ToothedGear::new(GearKind::Internal, module, teeth.ring, rack)?;
     finite("root diameter of the ring", meters(ring.root_diameter()))?;
-    Ok(Wheels { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
+    Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
 }
 
-fn efficiencies(spec: &DriveSpec, teeth: ToothSet) -> Result<Efficiency, Error> {
+fn efficiencies(spec: &DriveSpec, teeth: ToothNumbers) -> Result<Efficiency, Error> {
     let eta0 = MeshEfficiency::of_meshes(&[spec.sun_planet_efficiency, spec.planet_ring_efficiency]);
-    let overall = efficiency::efficiency(teeth.stationary_ratio(), eta0, mode()?)?;
-    Ok(Efficiency { stationary: eta0.get(), overall })
+    let overall = efficiency::efficiency(teeth.basic_ratio(), eta0, mode()?)?;
+    Ok(Efficiency { basic: eta0.get(), overall })
 }
 
-fn speeds(spec: &DriveSpec, teeth: ToothSet) -> Result<Speeds, Error> {
-    let resting = angular_velocity(0.0);
-    let row = willis::speeds(teeth.stationary_ratio(), Some(spec.speed), Some(resting), None)?;
-    let planet = willis::planet_speed(teeth.planet.as_f64() / teeth.sun.as_f64(), row.sun, row.carrier)?;
+fn speeds(spec: &DriveSpec, teeth: ToothNumbers) -> Result<Speeds, Error> {
+    let fixed = angular_velocity(0.0);
+    let set = willis::speeds(teeth.basic_ratio(), Some(spec.speed), Some(fixed), None)?;
+    let planet = willis::planet_speed(teeth.planet.as_f64() / teeth.sun.as_f64(), set.sun, set.carrier)?;
     finite("speed of the planet", rad_per_s(planet.absolute))?;
     Ok(Speeds {
-        sun: row.sun,
+        sun: set.sun,
         planet: planet.absolute,
         planet_relative: planet.relative,
-        carrier: row.carrier,
+        carrier: set.carrier,
     })
 }
 
-fn torques(spec: &DriveSpec, gear: &Gear, efficiency: Efficiency) -> Result<Torques, Error> {
+fn torques(spec: &DriveSpec, teeth: &TeethDesign, efficiency: Efficiency) -> Result<Torques, Error> {
     let sun = loads::shaft_torque(spec.power, spec.speed)?;
-    let planet_to_sun = gear.teeth.planet.as_f64() / gear.teeth.sun.as_f64();
-    let carrier = loads::carrier_torque(sun, gear.ratio, efficiency.overall);
+    let planet_to_sun = teeth.numbers.planet.as_f64() / teeth.numbers.sun.as_f64();
+    let carrier = loads::carrier_torque(sun, teeth.ratio, efficiency.overall);
     finite("torque of the carrier", n_m(carrier))?;
     Ok(Torques {
         sun,
@@ -202,32 +202,36 @@ fn powers(spec: &DriveSpec, speeds: &Speeds, torques: &Torques) -> Powers {
 
 fn forces(
     spec: &DriveSpec,
-    teeth: ToothSet,
-    wheels: &Wheels,
+    teeth: ToothNumbers,
+    gear_set: &GearSetGeometry,
     torques: &Torques,
     speeds: &Speeds,
     masses: &Masses,
 ) -> Result<Forces, Error> {
-    let (planets, radius) = (teeth.planets, wheels.centre_distance);
-    let nominal = |t, wheel: &geometry::Wheel| {
-        force(2.0 * n_m(t) / (f64::from(planets) * meters(wheel.pitch_diameter())))
+    let (planets, radius) = (teeth.planets, gear_set.centre_distance);
+    let nominal = |t, gear: &geometry::ToothedGear| {
+        force(2.0 * n_m(t) / (f64::from(planets) * meters(gear.pitch_diameter())))
     };
-    let sun_mesh = pin::mesh_force(torques.sun, torques.planets, planets, radius)?;
-    let ring_mesh = pin::mesh_force(torques.ring_reaction, -torques.planets, planets, radius)?;
-    let pin_tangential = pin::tangential_force(torques.carrier, planets, radius)?;
-    let pin_meshes = (sun_mesh - ring_mesh) * spec.wheels.rack.pressure_angle.tan().value;
-    let pin_centrifugal = pin::centrifugal_force(masses.planet.body.total().mass, radius, speeds.carrier)?;
-    let pin = pin::resultant(pin_tangential, pin_meshes + pin_centrifugal);
-    finite("force on a pin", newtons(pin))?;
+    let sun_mesh = planet_bearing::mesh_force(torques.sun, torques.planets, planets, radius)?;
+    let ring_mesh = planet_bearing::mesh_force(torques.ring_reaction, -torques.planets, planets, radius)?;
+    let planet_bearing_tangential = planet_bearing::tangential_force(torques.carrier, planets, radius)?;
+    let planet_bearing_meshes = (sun_mesh - ring_mesh) * spec.gear_set.rack.pressure_angle.tan().value;
+    let planet_bearing_centrifugal =
+        planet_bearing::centrifugal_force(masses.planet.body.total().mass, radius, speeds.carrier)?;
+    let resultant = planet_bearing::resultant(
+        planet_bearing_tangential,
+        planet_bearing_meshes + planet_bearing_centrifugal,
+    );
+    finite("force on a planet bearing", newtons(resultant))?;
     finite("force at a mesh", newtons(sun_mesh))?;
     Ok(Forces {
         sun_mesh,
         ring_mesh,
-        sun_nominal: nominal(torques.sun, &wheels.sun),
-        ring_nominal: nominal(torques.ring_reaction, &wheels.ring),
-        pin_tangential,
-        pin_meshes,
-        pin_centrifugal,
-        pin,
+        sun_nominal: nominal(torques.sun, &gear_set.sun),
+        ring_nominal: nominal(torques.ring_reaction, &gear_set.ring),
+        planet_bearing_tangential,
+        planet_bearing_meshes,
+        planet_bearing_centrifugal,
+        planet_bearing: resultant,
     })
 }

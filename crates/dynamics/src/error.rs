@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::drive::Wheel;
+use crate::drive::BoredGear;
 
 /// A mechanism that cannot move as described.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -27,26 +27,26 @@ pub enum Error {
         value: f64,
     },
     /// Nothing moves, so there is nothing to accelerate.
-    #[error("the reduced inertia is 0: give at least one moving link an inertia or a mass")]
+    #[error("the equivalent inertia is 0: give at least one moving link an inertia or a mass")]
     NoInertia,
     /// A drive that does not reach its speed.
     #[error(
-        "the drive does not start: the driving torque exceeds the reduced load by {surplus_n_m:.6} N·m; \
+        "the drive does not start: the driving torque exceeds the load referred to its shaft by {surplus_n_m:.6} N·m; \
          it must exceed it by more than 0"
     )]
     DoesNotStart {
-        /// Driving torque less the load reduced to the driving shaft, in N·m.
+        /// Driving torque less the load referred to the driving shaft, in N·m.
         surplus_n_m: f64,
     },
-    /// The sense of the power through the meshes contradicts itself in every combination.
-    #[error("no sense of the mesh powers is consistent with the torques: the drive locks itself")]
-    Locked,
-    /// Given tooth numbers that do not share one centre distance.
+    /// The direction of the power through the meshes contradicts itself in every combination.
+    #[error("no direction of the mesh powers is consistent with the torques: the drive is self-locking")]
+    SelfLocking,
+    /// Given tooth numbers with unequal centre distances.
     #[error(
-        "{sun}, {planet} and {ring} teeth are not coaxial: without profile shift \
+        "{sun}, {planet} and {ring} teeth have unequal centre distances: without profile shift \
          z_b = z_a + 2·z_g = {}", u64::from(*sun) + 2 * u64::from(*planet)
     )]
-    NotCoaxial {
+    UnequalCentreDistances {
         /// Teeth of the sun.
         sun: u32,
         /// Teeth of a planet.
@@ -56,12 +56,12 @@ pub enum Error {
     },
     /// A bore that leaves no rim under the teeth.
     #[error(
-        "the {wheel}'s bore of {bore_mm:.1} mm does not fit inside its root circle of {root_mm:.1} mm: give it \
+        "the {gear}'s bore of {bore_mm:.1} mm does not fit inside its root circle of {root_mm:.1} mm: give it \
          a smaller bore or bearing, a larger module or more teeth"
     )]
     BoreTooLarge {
-        /// The wheel concerned.
-        wheel: Wheel,
+        /// The gear concerned.
+        gear: BoredGear,
         /// The bore, mm.
         bore_mm: f64,
         /// The root diameter, mm.
@@ -75,7 +75,7 @@ pub enum Error {
         /// Its value in SI units.
         value: f64,
     },
-    /// A link, row or planet that the gearbox has not.
+    /// A link, set or planet that the gearbox has not.
     #[error("the gearbox {gearbox} has no {part}")]
     UnknownPart {
         /// What was asked for.
@@ -86,15 +86,15 @@ pub enum Error {
     /// A link whose speed does not follow from the input's.
     #[error("the speed of {part} does not follow from the input's: the gear is {state}")]
     NoSpeed {
-        /// The link, or the row of the planet.
+        /// The link, or the set of the planet.
         part: String,
         /// State of the gear.
         state: String,
     },
-    /// A gearbox that is none.
+    /// An invalid gearbox.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
-    /// A gear set that is none.
+    /// An invalid gear set.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
 }

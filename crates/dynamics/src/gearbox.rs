@@ -1,10 +1,10 @@
-//! The moving links of any planetary gearbox in a gear, ready to be reduced.
+//! The moving links of any planetary gearbox in a gear, from which the equivalent inertia follows.
 //!
-//! Speeds come from the solver of [`epicyclic_schemes`], whatever the structure; this module adds
-//! the masses to them. Wheels of an ordinary pair turn as the links they stand on.
+//! Speeds come from the solver of [`epicyclic_train`], whatever the structure; this module adds
+//! the masses to them. Gears of an ordinary pair turn as the links they stand on.
 
 use crate::Error;
-use crate::reduction::{Link, Orbit};
+use crate::equivalent_inertia::{Link, Orbit};
 use epicyclic_train::Gearbox;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
@@ -17,12 +17,12 @@ pub struct Masses {
     pub planets: Vec<(String, PlanetMasses)>,
 }
 
-/// The planets of a row: one entry for each planet on its own axis (two of a double planet).
+/// The planets of a set: one entry for each planet on its own axis (two of a double planet).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanetMasses {
     /// How many stand around the axis.
     pub count: u32,
-    /// The planet, or the planets of a pair in the order of the row's wheels.
+    /// The planet, or the planets of a pair in the order of the set's gears.
     pub each: Vec<PlanetMass>,
 }
 
@@ -41,8 +41,8 @@ pub struct PlanetMass {
 ///
 /// ```
 /// use epicyclic_dynamics::gearbox::{Masses, moving_links};
-/// use epicyclic_dynamics::reduction::reduced_inertia;
-/// use epicyclic_schemes::{Gearbox, set::SetSpec};
+/// use epicyclic_dynamics::equivalent_inertia::equivalent_inertia;
+/// use epicyclic_train::{Gearbox, set::SetSpec};
 /// use uom::si::f64::MomentOfInertia;
 /// use uom::si::moment_of_inertia::kilogram_square_meter;
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -57,14 +57,14 @@ pub struct PlanetMass {
 /// let drum = MomentOfInertia::new::<kilogram_square_meter>(16.0);
 /// let masses = Masses { links: vec![("B".into(), drum)], ..Masses::default() };
 /// let links = moving_links(&gearbox, "slow", &masses)?;
-/// assert_eq!(reduced_inertia(&links)?.get::<kilogram_square_meter>(), 1.0);
+/// assert_eq!(equivalent_inertia(&links)?.get::<kilogram_square_meter>(), 1.0);
 /// # Ok(())
 /// # }
 /// ```
 ///
 /// # Errors
-/// [`Error::Gearbox`] for a gear that is not there; [`Error::UnknownPart`] for a link or row that is not there, or a
-/// number of planets that the row has not; [`Error::NoSpeed`] for a link whose speed does not follow
+/// [`Error::Gearbox`] for a gear that is not there; [`Error::UnknownPart`] for a link or set that is not there, or a
+/// number of planets that the set has not; [`Error::NoSpeed`] for a link whose speed does not follow
 /// from the input's in this gear.
 pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Vec<Link>, Error> {
     let analysis = gearbox.analyze(gear)?;
@@ -77,11 +77,11 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
         links.push(Link::central(name, *inertia, speed));
     }
     for (name, planets) in &masses.planets {
-        let row = gearbox.sets().iter().position(|row| row.id() == name).ok_or_else(|| unknown(name))?;
-        let motion = &analysis.sets()[row];
+        let set = gearbox.sets().iter().position(|set| set.id() == name).ok_or_else(|| unknown(name))?;
+        let motion = &analysis.sets()[set];
         let carrier = motion.carrier().ok_or_else(|| no_speed(name))?;
         if planets.each.len() > motion.planets.len() {
-            return Err(unknown(&format!("planet {} of row {name}", motion.planets.len() + 1)));
+            return Err(unknown(&format!("planet {} of set {name}", motion.planets.len() + 1)));
         }
         for (planet, moving) in planets.each.iter().zip(&motion.planets) {
             // A bevel planet turns about an axis across: its own spin and the carrier's are apart.
@@ -102,11 +102,11 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reduction::reduced_inertia;
+    use crate::equivalent_inertia::equivalent_inertia;
     use crate::units::{inertia, kg_m2, length, mass};
     use epicyclic_train::set::SetSpec;
 
-    /// Scheme II-3 in its second gear, where both rows work.
+    /// Scheme II-3 in its second gear, where both sets work.
     fn second_gear_of_ii_3() -> Gearbox {
         Gearbox::builder("II-3")
             .links(["D", "B", "T1", "T2"])
@@ -131,14 +131,14 @@ mod tests {
     }
 
     #[test]
-    fn a_gear_of_two_rows_is_reduced_by_hand() {
+    fn the_equivalent_inertia_of_a_gear_of_two_sets_by_hand() {
         let links = moving_links(&second_gear_of_ii_3(), "2", &masses()).unwrap();
-        // Row 2 with its carrier at rest: ω_T1 = −2.354·ω_B; row 1: ω_T1 + 2.15·1 = 3.15·ω_B.
+        // Set 2 with its carrier at rest: ω_T1 = −2.354·ω_B; set 1: ω_T1 + 2.15·1 = 3.15·ω_B.
         let b = 2.15 / (3.15 + 2.354);
         let t1 = -2.354 * b;
         let planet = b - (t1 - b) * 2.0 / 1.15;
         let by_hand = 0.1 + 0.3 * t1 * t1 + 3.0 * (0.02 * planet * planet + 4.0 * (0.1 * b) * (0.1 * b));
-        assert!((kg_m2(reduced_inertia(&links).unwrap()) - by_hand).abs() < 1e-14);
+        assert!((kg_m2(equivalent_inertia(&links).unwrap()) - by_hand).abs() < 1e-14);
     }
 
     #[test]

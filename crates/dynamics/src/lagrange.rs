@@ -7,7 +7,7 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | `J_pr` | reduced inertia ([`crate::reduction`]) | kg·m² |
+//! | `J_pr` | equivalent inertia ([`crate::equivalent_inertia`]) | kg·m² |
 //! | `Q` | generalized force: virtual work of the torques for a unit turn of the driving shaft | N·m |
 //! | `M_j`, `u_j` | torque on link `j`, and its speed over that of the driving shaft | N·m, 1 |
 //!
@@ -37,8 +37,11 @@ pub fn generalized_force(torques: &[AppliedTorque]) -> Torque {
 ///
 /// # Errors
 /// [`Error::NoInertia`] unless `J_pr` is above zero.
-pub fn acceleration(force: Torque, reduced_inertia: MomentOfInertia) -> Result<AngularAcceleration, Error> {
-    let j = kg_m2(reduced_inertia);
+pub fn acceleration(
+    force: Torque,
+    equivalent_inertia: MomentOfInertia,
+) -> Result<AngularAcceleration, Error> {
+    let j = kg_m2(equivalent_inertia);
     if j.is_nan() || j <= 0.0 {
         return Err(Error::NoInertia);
     }
@@ -61,9 +64,9 @@ pub fn link_acceleration(driving: AngularAcceleration, speed_ratio: f64) -> Angu
 pub fn starting_time(
     speed: AngularVelocity,
     force: Torque,
-    reduced_inertia: MomentOfInertia,
+    equivalent_inertia: MomentOfInertia,
 ) -> Result<Time, Error> {
-    let acceleration = rad_per_s2(acceleration(force, reduced_inertia)?);
+    let acceleration = rad_per_s2(acceleration(force, equivalent_inertia)?);
     let duration_s = rad_per_s(speed) / acceleration;
     if duration_s.is_finite() && duration_s >= 0.0 {
         Ok(time(duration_s))

@@ -4,7 +4,7 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`reduction`] | one inertia at the driving shaft in place of all moving links |
+//! | [`equivalent_inertia`] | one inertia at the driving shaft in place of all moving links |
 //! | [`gearbox`] | the moving links of any planetary gearbox in a gear |
 //! | [`energy`] | kinetic energy, link by link |
 //! | [`lagrange`] | generalized force and accelerations, Lagrange's equation of the second kind |
@@ -15,17 +15,17 @@
 //! Signs follow [`epicyclic_gears`]: speeds and torques are positive along the common axis, a
 //! torque acts on the link from outside.
 //!
-//! [`energy`] and [`reduction`] share no code: the first sums over absolute speeds, the second over
+//! [`energy`] and [`equivalent_inertia`] share no code: the first sums over absolute speeds, the second over
 //! ratios of tooth numbers, so that `T = ½·J_pr·ω_1²` tests both.
 
 pub mod drive;
 pub mod energy;
+pub mod equivalent_inertia;
 pub mod error;
 pub mod gearbox;
 pub mod lagrange;
 pub mod loads;
 pub mod planetary;
-pub mod reduction;
 mod units;
 
 pub use error::Error;

@@ -23,7 +23,7 @@
 //!
 //! # From rest
 //!
-//! At rest friction has no sense of its own: it opposes the motion that the torques would begin. Forward motion begins
+//! At rest friction has no direction of its own: it opposes the motion that the torques would begin. Forward motion begins
 //! if the force with the losses of forward motion is above 0, backward motion if that with the losses of backward motion
 //! is below 0. With `M_1` ≥ 0 the first has `η_0` in place of `e_12·e_23`, the second `1/η_0`; hence
 //!
@@ -36,22 +36,22 @@
 //! With `M_1` < 0 the two bounds change places. At each bound the acceleration on its side is 0 too, so it is continuous
 //! in the load, and never rises with it.
 //!
-//! Without losses `1 + k = 1/u_H` and `u_2 = u_H·(1 − z_3/z_2)`, and `J_η` is the reduced inertia.
+//! Without losses `1 + k = 1/u_H` and `u_2 = u_H·(1 − z_3/z_2)`, and `J_η` is the equivalent inertia.
 //!
-//! excavator-dynamics reduces the load without its losses; what remains as its driving force is
+//! excavator-dynamics refers the load to the sun without its losses; what remains as its driving force is
 //! the power that the meshes take.
 
 use crate::Error;
 use crate::energy::MovingBody;
+use crate::equivalent_inertia::{Link, equivalent_inertia};
 use crate::gearbox::{Masses, PlanetMass, PlanetMasses, moving_links};
 use crate::lagrange::{AppliedTorque, acceleration, generalized_force, link_acceleration};
-use crate::reduction::{Link, reduced_inertia};
 use crate::units::{
     angular_acceleration, angular_velocity, inertia, kg_m2, kilograms, meters, n_m, power, rad_per_s,
     rad_per_s2, torque,
 };
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_gears::willis;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
@@ -64,7 +64,7 @@ use uom::si::velocity::meter_per_second;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanetaryDrive {
     /// Teeth and number of planets.
-    pub teeth: ToothSet,
+    pub teeth: ToothNumbers,
     /// Inertia of the driving shaft with the sun, `J_1`.
     pub sun_inertia: MomentOfInertia,
     /// Inertia of one planet about its own axis, `J_2`.
@@ -80,18 +80,18 @@ pub struct PlanetaryDrive {
 /// Speeds of the links over that of the sun.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpeedRatios {
-    /// Planet, absolute: `u_2 = z_1·(z_2 − z_3)/(z_2·(z_1 + z_3))`.
+    /// Planet: `u_2 = z_1·(z_2 − z_3)/(z_2·(z_1 + z_3))`.
     pub planet: f64,
     /// Carrier: `u_H = z_1/(z_1 + z_3)`.
     pub carrier: f64,
 }
 
 impl SpeedRatios {
-    /// Speed ratios of a tooth set with its ring at rest, from the solver of gearboxes.
+    /// Speed ratios of a gear set by its tooth numbers with its ring at rest, from the solver of gearboxes.
     ///
     /// # Errors
     /// [`Error::Gearbox`] for teeth that make no planetary gear.
-    pub fn of(teeth: &ToothSet) -> Result<Self, Error> {
+    pub fn of(teeth: &ToothNumbers) -> Result<Self, Error> {
         let gearbox = gearbox(teeth)?;
         let analysis = gearbox.analyze(GEAR)?;
         let carrier = gearbox.link("carrier").and_then(|link| analysis.speed(link));
@@ -104,15 +104,15 @@ impl SpeedRatios {
 /// Name of the only gear of a drive.
 const GEAR: &str = "drive";
 
-/// The drive as a gearbox: one row, ring in the housing.
-fn gearbox(teeth: &ToothSet) -> Result<Gearbox, Error> {
+/// The drive as a gearbox: one set, ring in the housing.
+fn gearbox(teeth: &ToothNumbers) -> Result<Gearbox, Error> {
     let members = ["sun", GROUND, "carrier"];
-    let row = SetSpec::teeth("row", SetKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
+    let set = SetSpec::teeth("set", SetKind::Simple, members, teeth.sun.get(), teeth.ring.get())?
         .planet_teeth(teeth.planet, None)
         .planet_count(teeth.planets);
     let gearbox = Gearbox::builder("drive")
         .links(["sun", "carrier"])
-        .set(row)
+        .set(set)
         .input("sun")
         .output("carrier")
         .gear(GEAR, [""; 0]);
@@ -124,18 +124,18 @@ fn gearbox(teeth: &ToothSet) -> Result<Gearbox, Error> {
 pub struct Accelerations {
     /// Sun, `ε_1`.
     pub sun: AngularAcceleration,
-    /// Planet, absolute, `ε_2`.
+    /// Planet, `ε_2`.
     pub planet: AngularAcceleration,
     /// Carrier, `ε_H`.
     pub carrier: AngularAcceleration,
 }
 
-/// In which sense a drive turns.
+/// In which direction a drive turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turning {
-    /// The sun turns in the positive sense.
+    /// The sun turns in the positive direction.
     Forward,
-    /// The sun turns in the negative sense.
+    /// The sun turns in the negative direction.
     Backward,
 }
 
@@ -155,7 +155,7 @@ pub enum FromRest {
 pub struct LossyMotion {
     /// Inertia that the driving torque feels, `J_η`.
     pub inertia: MomentOfInertia,
-    /// Generalized force with the load reduced through the losses, `M_1 − M_H/(1 + e_12·e_23·k)`.
+    /// Generalized force with the load referred to the sun through the losses, `M_1 − M_H/(1 + e_12·e_23·k)`.
     pub force: Torque,
     /// Accelerations of the links.
     pub accelerations: Accelerations,
@@ -176,7 +176,7 @@ impl PlanetaryDrive {
         SpeedRatios::of(&self.teeth)
     }
 
-    /// The moving links, to be reduced.
+    /// The moving links, from which the equivalent inertia follows.
     ///
     /// # Errors
     /// As [`SpeedRatios::of`].
@@ -185,7 +185,7 @@ impl PlanetaryDrive {
             PlanetMass { mass: self.planet_mass, inertia: self.planet_inertia, radius: self.planet_radius };
         let masses = Masses {
             links: vec![("sun".into(), self.sun_inertia), ("carrier".into(), self.carrier_inertia)],
-            planets: vec![("row".into(), PlanetMasses { count: self.teeth.planets, each: vec![planet] })],
+            planets: vec![("set".into(), PlanetMasses { count: self.teeth.planets, each: vec![planet] })],
         };
         let mut links = moving_links(&gearbox(&self.teeth)?, GEAR, &masses)?;
         if let Some(planets) = links.last_mut() {
@@ -196,20 +196,20 @@ impl PlanetaryDrive {
         Ok(links)
     }
 
-    /// Reduced inertia `J_pr`.
+    /// Equivalent inertia `J_pr`.
     ///
     /// ```text
     /// J_pr = J_1 + N·m·r²·(z_1/(z_1+z_3))² + N·J_2·(z_1(z_3−z_2)/(z_2(z_1+z_3)))² + J_H·(z_1/(z_1+z_3))²
     /// ```
     ///
     /// # Errors
-    /// As [`Link::reduced_inertia`].
+    /// As [`Link::equivalent_inertia`].
     ///
     /// # Source
     /// excavator-dynamics, where the planets' mass term is printed with `(z_1 + z_2)²`, against its
     /// own equation of motion.
-    pub fn reduced_inertia(&self) -> Result<MomentOfInertia, Error> {
-        reduced_inertia(&self.links()?)
+    pub fn equivalent_inertia(&self) -> Result<MomentOfInertia, Error> {
+        equivalent_inertia(&self.links()?)
     }
 
     /// The bodies as they move at `speed` of the sun, their speeds from Willis' equation.
@@ -217,8 +217,8 @@ impl PlanetaryDrive {
     /// # Errors
     /// [`Error::Gear`] for a gear set without a carrier speed.
     pub fn bodies(&self, speed: AngularVelocity) -> Result<Vec<MovingBody>, Error> {
-        let row = self.teeth.stationary_ratio();
-        let speeds = willis::speeds(row, Some(speed), Some(angular_velocity(0.0)), None)?;
+        let set = self.teeth.basic_ratio();
+        let speeds = willis::speeds(set, Some(speed), Some(angular_velocity(0.0)), None)?;
         let planet_to_sun = self.teeth.planet.as_f64() / self.teeth.sun.as_f64();
         let planet = willis::planet_speed(planet_to_sun, speeds.sun, speeds.carrier)?;
         let orbital =
@@ -261,10 +261,10 @@ impl PlanetaryDrive {
     /// Accelerations under a driving torque on the sun and a load on the carrier, without losses.
     ///
     /// # Errors
-    /// [`Error::NoInertia`], and as [`Link::reduced_inertia`].
+    /// [`Error::NoInertia`], and as [`Link::equivalent_inertia`].
     pub fn motion(&self, driving: Torque, load: Torque) -> Result<Accelerations, Error> {
         let force = self.generalized_force(driving, load)?;
-        self.accelerations(acceleration(force, self.reduced_inertia()?)?)
+        self.accelerations(acceleration(force, self.equivalent_inertia()?)?)
     }
 
     /// Loads on the carrier that the friction of the meshes holds at rest against a driving torque, the least and the
@@ -285,7 +285,7 @@ impl PlanetaryDrive {
     /// What the drive does from rest: starts forward, is held by the friction of its meshes, or runs backward.
     ///
     /// # Errors
-    /// [`Error::NoInertia`], [`Error::Locked`], and as [`Link::reduced_inertia`].
+    /// [`Error::NoInertia`], [`Error::SelfLocking`], and as [`Link::equivalent_inertia`].
     pub fn from_rest(
         &self,
         driving: Torque,
@@ -305,15 +305,15 @@ impl PlanetaryDrive {
             Turning::Forward if epsilon >= 0.0 => Ok(FromRest::Forward(motion)),
             Turning::Backward if epsilon <= 0.0 => Ok(FromRest::Backward(motion)),
             // Losses so large that the inertia of the planets outweighs all else.
-            Turning::Forward | Turning::Backward => Err(Error::Locked),
+            Turning::Forward | Turning::Backward => Err(Error::SelfLocking),
         }
     }
 
-    /// The same with the losses of the meshes, for a drive that turns in a sense. One that turns against its
+    /// The same with the losses of the meshes, for a drive that turns in a direction. One that turns against its
     /// acceleration slows down; what it does at rest says [`from_rest`](Self::from_rest).
     ///
     /// # Errors
-    /// [`Error::NoInertia`], [`Error::Locked`], and as [`Link::reduced_inertia`].
+    /// [`Error::NoInertia`], [`Error::SelfLocking`], and as [`Link::equivalent_inertia`].
     pub fn motion_with_losses(
         &self,
         driving: Torque,
@@ -323,7 +323,7 @@ impl PlanetaryDrive {
         turning: Turning,
     ) -> Result<LossyMotion, Error> {
         // Refuses impossible masses before any of them is used.
-        self.reduced_inertia()?;
+        self.equivalent_inertia()?;
         let (z1, z2, z3) = self.tooth_numbers();
         let ratios = self.speed_ratios()?;
         let planets = f64::from(self.teeth.planets);
@@ -333,7 +333,7 @@ impl PlanetaryDrive {
         let (m1, mh) = (n_m(driving), n_m(load));
         let (eta_12, eta_23) = (sun_planet.get(), planet_ring.get());
 
-        // Four senses of the two mesh powers, of which one is consistent while `e_23·z_3/z_2` is above 1.
+        // Four pairs of directions of the two mesh powers, of which one is consistent while `e_23·z_3/z_2` is above 1.
         for (e_12, e_23) in
             [(eta_12, eta_23), (1.0 / eta_12, 1.0 / eta_23), (eta_12, 1.0 / eta_23), (1.0 / eta_12, eta_23)]
         {
@@ -348,7 +348,7 @@ impl PlanetaryDrive {
                     Turning::Forward => torque > 0.0,
                     Turning::Backward => torque < 0.0,
                 };
-                // A mesh without power, or without losses, has no sense to contradict.
+                // A mesh without power, or without losses, has no direction to contradict.
                 torque == 0.0 || eta == 1.0 || from_sun == (e < 1.0)
             };
             if consistent(t1, e_12, eta_12) && consistent(t2, e_23, eta_23) {
@@ -362,7 +362,7 @@ impl PlanetaryDrive {
                 });
             }
         }
-        Err(Error::Locked)
+        Err(Error::SelfLocking)
     }
 
     /// Power that the meshes take at `speed` of the sun.
@@ -381,7 +381,7 @@ impl PlanetaryDrive {
         let (z1, z2, _) = self.tooth_numbers();
         let relative = rad_per_s(speed) * (1.0 - self.speed_ratios()?.carrier);
         let lost = |into_mesh: f64, eta: MeshEfficiency| {
-            // A driven mesh loses of what enters here; in an overrun one this is what is left.
+            // A driven mesh loses of what enters here; in a back-driven one this is what is left.
             let eta = eta.get();
             into_mesh.abs() * if into_mesh > 0.0 { 1.0 - eta } else { 1.0 / eta - 1.0 }
         };
@@ -403,9 +403,9 @@ mod tests {
     use epicyclic_gears::teeth::ToothCount;
     use proptest::prelude::*;
 
-    fn teeth(sun: u32, planet: u32, planets: u32) -> ToothSet {
+    fn teeth(sun: u32, planet: u32, planets: u32) -> ToothNumbers {
         let z = |count| ToothCount::new(count).unwrap();
-        ToothSet { sun: z(sun), planet: z(planet), ring: z(sun + 2 * planet), planets }
+        ToothNumbers { sun: z(sun), planet: z(planet), ring: z(sun + 2 * planet), planets }
     }
 
     /// The excavator's drive with the source's printed masses and inertias.
@@ -428,7 +428,7 @@ mod tests {
     fn the_excavator_accelerates_at_a_third_of_what_its_sum_says() {
         // By hand: 0.00818 + (4·31.5·0.24² + 0.144)/36 + 4·0.3/16.
         let by_hand = 0.00818 + (4.0 * 31.5 * 0.0576 + 0.144) / 36.0 + 0.075;
-        let j = kg_m2(excavator().reduced_inertia().unwrap());
+        let j = kg_m2(excavator().equivalent_inertia().unwrap());
         assert!((j - by_hand).abs() < 1e-15);
         let found = excavator().motion(torque(521.8), torque(2974.26)).unwrap();
         assert!((rad_per_s2(found.sun) - 26.09 / by_hand).abs() < 1e-9);
@@ -508,11 +508,11 @@ mod tests {
         }
 
         #[test]
-        fn energy_of_all_links_is_that_of_the_reduced_inertia(drive in any_drive(), omega in -300.0..300.0) {
+        fn energy_of_all_links_is_that_of_the_equivalent_inertia(drive in any_drive(), omega in -300.0..300.0) {
             let bodies = drive.bodies(angular_velocity(omega)).unwrap();
             let summed = joules(kinetic_energy(&bodies));
-            let reduced = 0.5 * kg_m2(drive.reduced_inertia().unwrap()) * omega * omega;
-            prop_assert!((summed - reduced).abs() <= 1e-12 * reduced.max(1e-12));
+            let equivalent = 0.5 * kg_m2(drive.equivalent_inertia().unwrap()) * omega * omega;
+            prop_assert!((summed - equivalent).abs() <= 1e-12 * equivalent.max(1e-12));
         }
 
         #[test]
@@ -523,7 +523,7 @@ mod tests {
             let plain = drive.motion(driving, load).unwrap();
             for turning in [Turning::Forward, Turning::Backward] {
             let found = drive.motion_with_losses(driving, load, ideal, ideal, turning).unwrap();
-            let j = kg_m2(drive.reduced_inertia().unwrap());
+            let j = kg_m2(drive.equivalent_inertia().unwrap());
             prop_assert!((kg_m2(found.inertia) - j).abs() <= 1e-12 * j);
             let scale = (n_m(driving).abs() + n_m(load).abs()) / j;
             prop_assert!(rad_per_s2(found.accelerations.sun - plain.sun).abs() <= 1e-12 * scale);
@@ -566,7 +566,7 @@ mod tests {
             let [less, more] = [loads[0].min(loads[1]), loads[0].max(loads[1])];
             prop_assert!(epsilon(less) >= epsilon(more) - 1e-12 * epsilon(less).abs());
             // At the edges: a millionth of the load beside them gives a millionth of what the whole would.
-            let j = kg_m2(drive.reduced_inertia().unwrap());
+            let j = kg_m2(drive.equivalent_inertia().unwrap());
             let ratios = drive.speed_ratios().unwrap();
             let [least, greatest] = drive.held_loads(torque(driving), e12, e23).map(n_m);
             for (edge, outwards) in [(least, -1.0), (greatest, 1.0)] {
@@ -588,7 +588,7 @@ mod tests {
             let load = more * driving * (1.0 + k / (e12 * e23));
             let found = drive.motion_with_losses(torque(driving), torque(load), eta(e12), eta(e23), Turning::Backward);
             let found = found.unwrap();
-            // While no mesh changes its sense: T_1 = M_1 − J_1·ε stays above 0, and T_2 with it.
+            // While no mesh power changes its direction: T_1 = M_1 − J_1·ε stays above 0, and T_2 with it.
             let planets = f64::from(drive.teeth.planets);
             let u_2 = z1 * (z2 - z3) / (z2 * (z1 + z3));
             let orbit = planets * kilograms(drive.planet_mass) * meters(drive.planet_radius).powi(2);
@@ -611,7 +611,7 @@ mod tests {
             let found = drive.motion_with_losses(torque(driving), torque(load), e12, e23, turning).unwrap();
             let ratios = drive.speed_ratios().unwrap();
             let epsilon = rad_per_s2(found.accelerations.sun);
-            let stored = kg_m2(drive.reduced_inertia().unwrap()) * epsilon * omega;
+            let stored = kg_m2(drive.equivalent_inertia().unwrap()) * epsilon * omega;
             let supplied = driving * omega - load * omega * ratios.carrier;
             let lost = watts(drive.mesh_loss(&found, angular_velocity(omega), e12, e23).unwrap());
             prop_assert!(lost >= 0.0);

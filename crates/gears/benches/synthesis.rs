@@ -1,14 +1,14 @@
-//! The complete tooth-set enumeration, beside the trial of every combination.
+//! The complete enumeration of tooth numbers, beside the trial of every combination.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use epicyclic_gears::row::{Member, Mode};
-use epicyclic_gears::synthesis::{Bounds, tooth_sets_by_trial};
+use epicyclic_gears::simple_set::{Member, Mode};
+use epicyclic_gears::synthesis::{Bounds, tooth_numbers_by_trial};
 use std::hint::black_box;
 
 fn synthesis(c: &mut Criterion) {
     let all = Bounds::default();
-    assert_eq!(all.tooth_sets().map(|sets| sets.len()), Ok(8016));
-    c.bench_function("gears/synthesis/all_tooth_sets", |b| b.iter(|| black_box(&all).tooth_sets()));
+    assert_eq!(all.tooth_numbers().map(|sets| sets.len()), Ok(8016));
+    c.bench_function("gears/synthesis/all_tooth_sets", |b| b.iter(|| black_box(&all).tooth_numbers()));
 
     let mode = Mode::new(Member::Sun, Member::Carrier).expect("two members");
     c.bench_function("gears/synthesis/for_ratio", |b| {
@@ -17,10 +17,10 @@ fn synthesis(c: &mut Criterion) {
 
     // Trial of the whole space takes minutes; on a reduced one both are timed.
     let reduced = Bounds { sun: 12..=30, planet: 12..=30, ring: 36..=90, ..Bounds::default() };
-    assert_eq!(reduced.tooth_sets(), tooth_sets_by_trial(&reduced));
-    c.bench_function("gears/synthesis/reduced", |b| b.iter(|| black_box(&reduced).tooth_sets()));
+    assert_eq!(reduced.tooth_numbers(), tooth_numbers_by_trial(&reduced));
+    c.bench_function("gears/synthesis/reduced", |b| b.iter(|| black_box(&reduced).tooth_numbers()));
     c.bench_function("gears/synthesis/reduced/brute_force", |b| {
-        b.iter(|| tooth_sets_by_trial(black_box(&reduced)));
+        b.iter(|| tooth_numbers_by_trial(black_box(&reduced)));
     });
 }
 

@@ -112,7 +112,7 @@ impl Carrier {
     /// # Errors
     /// [`Error::TooFew`] for no arms; [`Error::NotPositive`] for a dimension or the density; [`Error::OutOfRange`] when
     /// a hole breaks out of its arm, the hub's inside radius is not below its outside one, or three or more arms are
-    /// wider than `2·R·tan(π/N)`, where neighbours would overlap.
+    /// wider than `2·R·tan(π/N)`, where adjacent arms would overlap.
     pub fn new(arms: u32, arm: Arm, hub: Hub, density: MassDensity) -> Result<Self, Error> {
         if arms == 0 {
             return Err(Error::TooFew { what: "arms", count: arms, at_least: 1 });

@@ -1,6 +1,6 @@
-//! Torques and efficiency of a row from the losses of its meshes.
+//! Torques and efficiency of a gear set from the losses of its meshes.
 //!
-//! Seen from the carrier a row is an ordinary gear: the power that enters at one central wheel
+//! Relative to the carrier a gear set is an ordinary gear: the power that enters at one central gear
 //! leaves at the other, less what the meshes take. The share that arrives is `η₀`.
 //!
 //! ```text
@@ -10,8 +10,8 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | `T_a`, `T_b`, `T_H` | torque on sun, ring, carrier from outside the row | N·m |
-//! | `η₀` | efficiency of the row under a resting carrier | 1 |
+//! | `T_a`, `T_b`, `T_H` | torque on sun, ring, carrier from outside the set | N·m |
+//! | `η₀` | efficiency of the set with the carrier fixed | 1 |
 //!
 //! Mesh losses alone: bearings, churning and seals are left out.
 //!
@@ -19,11 +19,11 @@
 //! excavator-dynamics, efficiency of the mechanism; multispeed-gearboxes, section 2.3.
 
 use crate::Error;
-use crate::row::{Member, Mode, StationaryRatio};
+use crate::simple_set::{BasicRatio, Member, Mode};
 use crate::units::{n_m, torque};
 use uom::si::f64::Torque;
 
-/// Efficiency `η₀` of a row (or of one mesh) under a resting carrier, `0 < η₀ ≤ 1`.
+/// Efficiency `η₀` of a gear set (or of one mesh) with the carrier fixed, `0 < η₀ ≤ 1`.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct MeshEfficiency(f64);
 
@@ -43,7 +43,7 @@ impl MeshEfficiency {
         }
     }
 
-    /// The least that is taken: far below any gear, and large enough that products and reciprocals over all rows of a
+    /// The least that is taken: far below any gear, and large enough that products and reciprocals over all sets of a
     /// gearbox stay numbers.
     pub const LEAST: f64 = 1e-6;
 
@@ -59,7 +59,7 @@ impl MeshEfficiency {
         1.0 - self.0
     }
 
-    /// Efficiency of a row from those of its meshes, which the power passes one after the other:
+    /// Efficiency of a set from those of its meshes, which the power passes one after the other:
     /// `η₀ = Π η_j`.
     #[must_use]
     pub fn of_meshes(meshes: &[Self]) -> Self {
@@ -67,9 +67,9 @@ impl MeshEfficiency {
     }
 }
 
-/// Torques on the three members of a row, from outside; they sum to zero.
+/// Torques on the three members of a set, from outside; they sum to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RowTorques {
+pub struct SetTorques {
     /// Torque on the sun, `T_a`.
     pub sun: Torque,
     /// Torque on the ring, `T_b`.
@@ -78,27 +78,27 @@ pub struct RowTorques {
     pub carrier: Torque,
 }
 
-/// Torques on the members of a row driven in `mode` by `input_torque`, with mesh losses.
+/// Torques on the members of a set driven in `mode` by `input_torque`, with mesh losses.
 ///
 /// # Errors
 /// [`Error::CarrierUndetermined`] with the carrier driving or driven at `i₀ = 1`.
 pub fn torques(
-    row: StationaryRatio,
+    set: BasicRatio,
     eta0: MeshEfficiency,
     mode: Mode,
     input_torque: Torque,
-) -> Result<RowTorques, Error> {
-    let [sun, ring, carrier] = unit_torques(row, eta0, mode)?;
+) -> Result<SetTorques, Error> {
+    let [sun, ring, carrier] = unit_torques(set, eta0, mode)?;
     let input = n_m(input_torque);
-    Ok(RowTorques { sun: torque(sun * input), ring: torque(ring * input), carrier: torque(carrier * input) })
+    Ok(SetTorques { sun: torque(sun * input), ring: torque(ring * input), carrier: torque(carrier * input) })
 }
 
-/// Efficiency of a row in `mode`: power that leaves over power that enters.
+/// Efficiency of a set in `mode`: power that leaves over power that enters.
 ///
-/// Zero or less where the losses would take more than enters: the row is self-locking in this mode
+/// Zero or less where the losses would take more than enters: the set is self-locking in this mode
 /// and moves only if the output is driven too.
 ///
-/// For a simple row (`i₀ = −k`):
+/// For a simple set (`i₀ = −k`):
 ///
 /// | mode | η |
 /// |---|---|
@@ -110,16 +110,16 @@ pub fn torques(
 ///
 /// # Errors
 /// [`Error::CarrierUndetermined`] with the carrier driving or driven at `i₀ = 1`.
-pub fn efficiency(row: StationaryRatio, eta0: MeshEfficiency, mode: Mode) -> Result<f64, Error> {
-    let unit = unit_torques(row, eta0, mode)?;
+pub fn efficiency(set: BasicRatio, eta0: MeshEfficiency, mode: Mode) -> Result<f64, Error> {
+    let unit = unit_torques(set, eta0, mode)?;
     // The input has torque 1 and speed 1, the output speed 1/i.
-    Ok(-unit[mode.output() as usize] / row.ratio(mode)?)
+    Ok(-unit[mode.output() as usize] / set.ratio(mode)?)
 }
 
 /// Torques on sun, ring and carrier for a torque of 1 on the input.
-fn unit_torques(row: StationaryRatio, eta0: MeshEfficiency, mode: Mode) -> Result<[f64; 3], Error> {
-    let i0 = row.get();
-    let ratio = row.ratio(mode)?;
+fn unit_torques(set: BasicRatio, eta0: MeshEfficiency, mode: Mode) -> Result<[f64; 3], Error> {
+    let i0 = set.get();
+    let ratio = set.ratio(mode)?;
     let speed = |member: Member| match member {
         m if m == mode.input() => 1.0,
         m if m == mode.output() => 1.0 / ratio,
@@ -129,24 +129,24 @@ fn unit_torques(row: StationaryRatio, eta0: MeshEfficiency, mode: Mode) -> Resul
         let per_sun_torque = [1.0, -i, i - 1.0];
         per_sun_torque.map(|t| t / per_sun_torque[mode.input() as usize])
     };
-    // The sense of the relative power is that of the row without losses: losses never reverse it
+    // The direction of the rolling power is that of the set without losses: losses never reverse it
     // on the branch that is continuous with η₀ → 1.
-    let relative_power = with(i0)[Member::Sun as usize] * (speed(Member::Sun) - speed(Member::Carrier));
-    Ok(with(if relative_power > 0.0 { i0 * eta0.get() } else { i0 / eta0.get() }))
+    let rolling_power = with(i0)[Member::Sun as usize] * (speed(Member::Sun) - speed(Member::Carrier));
+    Ok(with(if rolling_power > 0.0 { i0 * eta0.get() } else { i0 / eta0.get() }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::row::RowParameter;
+    use crate::simple_set::RingToSunRatio;
     use proptest::prelude::*;
 
     fn mode(input: Member, output: Member) -> Mode {
         Mode::new(input, output).unwrap()
     }
 
-    fn row(i0: f64) -> StationaryRatio {
-        StationaryRatio::new(i0).unwrap()
+    fn set(i0: f64) -> BasicRatio {
+        BasicRatio::new(i0).unwrap()
     }
 
     fn eta(value: f64) -> MeshEfficiency {
@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn excavator_loses_four_per_cent() {
         let eta0 = MeshEfficiency::of_meshes(&[eta(0.97), eta(0.98)]);
-        let found = efficiency(row(-5.0), eta0, mode(Member::Sun, Member::Carrier)).unwrap();
+        let found = efficiency(set(-5.0), eta0, mode(Member::Sun, Member::Carrier)).unwrap();
         assert!((found - (1.0 + 5.0 * 0.9506) / 6.0).abs() < 1e-15);
     }
 
@@ -170,11 +170,11 @@ mod tests {
     }
 
     #[test]
-    fn a_row_near_one_locks_itself() {
+    fn a_basic_ratio_near_one_is_self_locking_towards_the_carrier() {
         // Carrier driven through i₀ = 0.99 with 3 % loss: the output torque changes sign.
-        let found = efficiency(row(0.99), eta(0.97), mode(Member::Sun, Member::Carrier)).unwrap();
+        let found = efficiency(set(0.99), eta(0.97), mode(Member::Sun, Member::Carrier)).unwrap();
         assert!(found < 0.0);
-        let driving = efficiency(row(0.99), eta(0.97), mode(Member::Carrier, Member::Sun)).unwrap();
+        let driving = efficiency(set(0.99), eta(0.97), mode(Member::Carrier, Member::Sun)).unwrap();
         assert!(driving > 0.0 && driving < 0.5);
     }
 
@@ -193,13 +193,13 @@ mod tests {
 
     #[test]
     fn a_carrier_that_nothing_moves_carries_no_power() {
-        let found = efficiency(row(1.0), eta(0.97), mode(Member::Sun, Member::Carrier));
+        let found = efficiency(set(1.0), eta(0.97), mode(Member::Sun, Member::Carrier));
         assert_eq!(found, Err(Error::CarrierUndetermined));
     }
 
     proptest! {
         #[test]
-        fn simple_row_follows_its_closed_forms(k in 1.05..12.0, eta0 in 0.5..1.0) {
+        fn simple_set_follows_its_closed_forms(k in 1.05..12.0, eta0 in 0.5..1.0) {
             let closed = [
                 eta0,
                 (1.0 + k * eta0) / (1.0 + k),
@@ -209,7 +209,7 @@ mod tests {
                 (1.0 + k) * eta0 / (1.0 + k * eta0),
             ];
             for (mode, closed) in Mode::ALL.into_iter().zip(closed) {
-                let found = efficiency(RowParameter::new(k).unwrap().into(), eta(eta0), mode).unwrap();
+                let found = efficiency(RingToSunRatio::new(k).unwrap().into(), eta(eta0), mode).unwrap();
                 prop_assert!((found - closed).abs() < 1e-13, "{} {} {}", mode, found, closed);
             }
         }
@@ -221,14 +221,14 @@ mod tests {
             mode in proptest::sample::select(&Mode::ALL[..]),
             input in 1.0..1e4,
         ) {
-            let found = torques(row(i0), eta(eta0), mode, torque(input)).unwrap();
+            let found = torques(set(i0), eta(eta0), mode, torque(input)).unwrap();
             let all = [found.sun, found.ring, found.carrier].map(n_m);
             let largest = all.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
             prop_assert!(all.iter().sum::<f64>().abs() <= 1e-13 * largest);
 
-            // Power in, power out and the loss of the meshes: what the central wheels leave of the
-            // relative power, computed without the efficiency.
-            let ratio = row(i0).ratio(mode).unwrap();
+            // Power in, power out and the loss of the meshes: what the central gears leave of the
+            // rolling power, computed without the efficiency.
+            let ratio = set(i0).ratio(mode).unwrap();
             let speed = Member::ALL.map(|m| {
                 if m == mode.input() { 1.0 } else if m == mode.output() { 1.0 / ratio } else { 0.0 }
             });
@@ -237,7 +237,7 @@ mod tests {
             let loss = all[0] * (speed[0] - speed[2]) + all[1] * (speed[1] - speed[2]);
             prop_assert!(loss >= -1e-12 * largest);
             prop_assert!((power_in - power_out - loss).abs() <= 1e-12 * largest.max(power_out.abs()));
-            let eta = efficiency(row(i0), eta(eta0), mode).unwrap();
+            let eta = efficiency(set(i0), eta(eta0), mode).unwrap();
             prop_assert!((eta * power_in - power_out).abs() <= 1e-12 * largest.max(power_out.abs()));
             prop_assert!(eta <= 1.0 + 1e-12);
         }

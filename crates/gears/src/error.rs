@@ -1,35 +1,35 @@
 //! What this crate refuses.
 
-use crate::geometry::Toothing;
-use crate::row::{Member, Mode};
+use crate::geometry::GearKind;
+use crate::simple_set::{Member, Mode};
 
-/// An input that describes no gear, or a demand that no gear meets.
+/// An input that describes no gear, or a requirement that no gear meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A wheel without teeth.
-    #[error("a tooth count of 0: a wheel has at least 1 tooth")]
+    /// A gear without teeth.
+    #[error("a tooth count of 0: a gear has at least 1 tooth")]
     NoTeeth,
-    /// A row parameter that no simple row has.
-    #[error("row parameter k = {k}: k = z_b/z_a of a simple row is finite and greater than 1")]
-    RowParameter {
+    /// A ring-to-sun ratio that no simple set has.
+    #[error("ring-to-sun ratio k = {k}: k = z_b/z_a of a simple set is finite and greater than 1")]
+    RingToSunRatio {
         /// The value given.
         k: f64,
     },
-    /// A stationary ratio that no row has.
-    #[error("stationary ratio {i0}: it is finite and not 0")]
-    StationaryRatio {
+    /// A basic ratio that no gear set has.
+    #[error("basic ratio {i0}: it is finite and not 0")]
+    BasicRatio {
         /// The value given.
         i0: f64,
     },
     /// Input and output on one member.
     #[error("the {0} cannot be both input and output: name two different members")]
     SameMember(Member),
-    /// A carrier speed or torque asked of a row whose central wheels turn alike.
-    #[error("stationary ratio 1: the central wheels always turn alike and say nothing of the carrier")]
+    /// A carrier speed or torque asked of a gear set whose central gears turn alike.
+    #[error("basic ratio 1: the central gears always turn alike and say nothing of the carrier")]
     CarrierUndetermined,
     /// A number of known speeds other than two.
-    #[error("{known} of the three speeds of a row are known: exactly 2 determine the third")]
+    #[error("{known} of the three speeds of a gear set are known: exactly 2 determine the third")]
     KnownSpeeds {
         /// How many were given.
         known: usize,
@@ -48,11 +48,11 @@ pub enum Error {
         /// The least taken.
         least: f64,
     },
-    /// A range of teeth that holds no wheel.
-    #[error("{wheel} teeth from {from} to {to}: write the smaller first, and at most {most}")]
+    /// A range of teeth that holds no gear.
+    #[error("{gear} teeth from {from} to {to}: write the smaller first, and at most {most}")]
     ToothRange {
-        /// The wheel concerned.
-        wheel: &'static str,
+        /// The gear concerned.
+        gear: &'static str,
         /// Lower end.
         from: u32,
         /// Upper end.
@@ -70,9 +70,9 @@ pub enum Error {
         /// The greatest number allowed.
         most: u32,
     },
-    /// A range of row parameters that holds no simple row.
-    #[error("row parameter from {from} to {to}: above 1, finite, the smaller first")]
-    RowParameterRange {
+    /// A range of ring-to-sun ratios that holds no simple set.
+    #[error("ring-to-sun ratio from {from} to {to}: above 1, finite, the smaller first")]
+    RingToSunRange {
         /// Lower end.
         from: f64,
         /// Upper end.
@@ -84,15 +84,15 @@ pub enum Error {
         /// The value given.
         tolerance: f64,
     },
-    /// A ratio of speeds that no row has.
+    /// A ratio of speeds that no gear set has.
     #[error("ratio {ratio}: it is finite, not 0, and not 1 with the carrier driving or driven")]
     Ratio {
         /// The value given.
         ratio: f64,
     },
-    /// A ratio that no tooth set within the bounds reaches.
+    /// A ratio that no set of tooth numbers within the bounds reaches.
     #[error(
-        "no tooth set within the bounds has the ratio {} ({mode}) within {}%{}",
+        "no set of tooth numbers within the bounds has the ratio {} ({mode}) within {}%{}",
         short(*wanted),
         (tolerance * 1e8).round() / 1e6,
         nearest.map_or(String::from("; none assembles at all: widen the bounds"),
@@ -102,14 +102,14 @@ pub enum Error {
                 format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance")
             })
     )]
-    NoToothSet {
+    NoToothNumbers {
         /// The ratio wanted.
         wanted: f64,
-        /// The mode of the row.
+        /// The mode of the gear set.
         mode: Mode,
         /// The relative tolerance.
         tolerance: f64,
-        /// The nearest ratio within the bounds, where there is any tooth set.
+        /// The nearest ratio within the bounds, where there is any set of tooth numbers.
         nearest: Option<f64>,
     },
     /// A count below its least value.
@@ -173,16 +173,16 @@ pub enum Error {
         unit: &'static str,
     },
 
-    /// A wheel with its teeth on the other side than the calculation is for.
-    #[error("the wheel is {given:?}; {wanted:?} toothing is wanted")]
-    WrongToothing {
-        /// Toothing of the wheel given.
-        given: Toothing,
-        /// The toothing that the calculation is for.
-        wanted: Toothing,
+    /// A gear with its teeth on the other side than the calculation is for.
+    #[error("the gear is {given}; an {wanted} one is wanted")]
+    WrongGearKind {
+        /// Kind of the gear given.
+        given: GearKind,
+        /// The kind that the calculation is for.
+        wanted: GearKind,
     },
 
-    /// An external wheel so small that its root circle vanishes.
+    /// An external gear so small that its root circle vanishes.
     #[error("{teeth} teeth leave a root diameter of {root_mm} mm; at least {at_least} teeth needed")]
     NoRoot {
         /// Teeth given.
@@ -193,7 +193,7 @@ pub enum Error {
         at_least: u32,
     },
 
-    /// An internal wheel so small that its teeth meet on the axis.
+    /// An internal gear so small that its teeth meet on the axis.
     #[error("{teeth} internal teeth leave a tip diameter of {tip_mm} mm; at least {at_least} teeth needed")]
     NoInternalTip {
         /// Teeth given.
@@ -204,43 +204,43 @@ pub enum Error {
         at_least: u32,
     },
 
-    /// Two wheels of different module cannot mesh.
-    #[error("modules {first_mm} and {second_mm} mm differ; wheels in mesh share one module")]
+    /// Two gears of different module cannot mesh.
+    #[error("modules {first_mm} and {second_mm} mm differ; gears in mesh share one module")]
     ModulesDiffer {
-        /// Module of the first wheel, mm.
+        /// Module of the first gear, mm.
         first_mm: f64,
-        /// Module of the second wheel, mm.
+        /// Module of the second gear, mm.
         second_mm: f64,
     },
 
-    /// Two wheels of different pressure angle cannot mesh.
-    #[error("pressure angles {first_deg}° and {second_deg}° differ; wheels in mesh share one")]
+    /// Two gears of different pressure angle cannot mesh.
+    #[error("pressure angles {first_deg}° and {second_deg}° differ; gears in mesh share one")]
     PressureAnglesDiffer {
-        /// Pressure angle of the first wheel, degrees.
+        /// Pressure angle of the first gear, degrees.
         first_deg: f64,
-        /// Pressure angle of the second wheel, degrees.
+        /// Pressure angle of the second gear, degrees.
         second_deg: f64,
     },
 
-    /// Two internal wheels cannot mesh.
+    /// Two internal gears cannot mesh.
     #[error(
-        "both wheels are internal ({first} and {second} teeth); an internal wheel meshes with an external one"
+        "both gears are internal ({first} and {second} teeth); an internal gear meshes with an external one"
     )]
     BothInternal {
-        /// Teeth of the first wheel.
+        /// Teeth of the first gear.
         first: u32,
-        /// Teeth of the second wheel.
+        /// Teeth of the second gear.
         second: u32,
     },
 
-    /// An internal wheel must have more teeth than the wheel inside it.
+    /// An internal gear must have more teeth than the gear inside it.
     #[error(
-        "internal wheel has {internal} teeth and the wheel inside it {external}; the internal one must have more"
+        "internal gear has {internal} teeth and the gear inside it {external}; the internal one must have more"
     )]
     InternalNotLarger {
-        /// Teeth of the internal wheel.
+        /// Teeth of the internal gear.
         internal: u32,
-        /// Teeth of the external wheel.
+        /// Teeth of the external gear.
         external: u32,
     },
 

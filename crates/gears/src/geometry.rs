@@ -1,7 +1,9 @@
-//! Diameters of a spur wheel from its module, teeth and basic rack; centre distance of a pair.
+//! Diameters of a spur gear from its module, teeth and basic rack; centre distance of a pair.
 //!
-//! Uncorrected wheels (no profile shift). Left out: interference, tip relief, and whether the tip of an
-//! internal wheel stays outside its base circle.
+//! Uncorrected gears (no profile shift). Left out: interference, tip relief, and whether the tip of an
+//! internal gear stays outside its base circle.
+
+use std::fmt;
 
 use uom::si::f64::Length;
 
@@ -13,16 +15,25 @@ use crate::{Error, ToothCount};
 /// different units differ by a few units in the last place.
 const SAME: f64 = 1e-12;
 
-/// On which side of the pitch circle the teeth stand.
+/// External or internal gear: on which side of the pitch circle the teeth stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Toothing {
+pub enum GearKind {
     /// Teeth point away from the axis: sun, planet.
     External,
     /// Teeth point to the axis: ring.
     Internal,
 }
 
-/// A spur wheel without profile shift, whose circles all exist.
+impl fmt::Display for GearKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::External => "external",
+            Self::Internal => "internal",
+        })
+    }
+}
+
+/// A spur gear without profile shift, whose circles all exist.
 ///
 /// ```text
 /// d = m·z    d_b = d·cos α    external: d_a = d + 2·h_a*·m,  d_f = d − 2·(h_a* + c*)·m
@@ -43,78 +54,73 @@ pub enum Toothing {
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::geometry::{BasicRack, Toothing, Wheel};
+/// use epicyclic_gears::geometry::{BasicRack, GearKind, ToothedGear};
 /// use epicyclic_gears::ToothCount;
 /// use uom::si::{f64::Length, length::millimeter};
 ///
 /// let rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
 /// let module = Length::new::<millimeter>(8.0);
-/// let sun = Wheel::new(Toothing::External, module, ToothCount::new(20)?, rack)?;
+/// let sun = ToothedGear::new(GearKind::External, module, ToothCount::new(20)?, rack)?;
 /// assert!((sun.pitch_diameter().get::<millimeter>() - 160.0).abs() < 1e-9);
 /// assert!((sun.tip_diameter().get::<millimeter>() - 176.0).abs() < 1e-9);
 /// assert!((sun.root_diameter().get::<millimeter>() - 140.8).abs() < 1e-9);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wheel {
-    toothing: Toothing,
+pub struct ToothedGear {
+    kind: GearKind,
     module: Length,
     teeth: ToothCount,
     rack: BasicRack,
 }
 
-impl Wheel {
-    /// A wheel whose pitch, tip, root and base circles are all positive.
+impl ToothedGear {
+    /// A gear whose pitch, tip, root and base circles are all positive.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the module or `h_a*`, [`Error::Negative`] for `c*`, [`Error::OutOfRange`] for a
     /// pressure angle outside 0…90°, [`Error::NoRoot`] or [`Error::NoInternalTip`] for too few teeth.
-    pub fn new(
-        toothing: Toothing,
-        module: Length,
-        teeth: ToothCount,
-        rack: BasicRack,
-    ) -> Result<Self, Error> {
+    pub fn new(kind: GearKind, module: Length, teeth: ToothCount, rack: BasicRack) -> Result<Self, Error> {
         positive_length("module", module)?;
         positive("addendum coefficient", rack.addendum, "")?;
         rack.check()?;
-        let wheel = Self { toothing, module, teeth, rack };
+        let gear = Self { kind, module, teeth, rack };
         let z = teeth.get();
-        match toothing {
-            Toothing::External if wheel.root_in_modules() <= 0.0 => Err(Error::NoRoot {
+        match kind {
+            GearKind::External if gear.root_in_modules() <= 0.0 => Err(Error::NoRoot {
                 teeth: z,
-                root_mm: millimetres(wheel.root_diameter()),
+                root_mm: millimetres(gear.root_diameter()),
                 at_least: first_above(2.0 * (rack.addendum + rack.clearance)),
             }),
-            Toothing::Internal if wheel.tip_in_modules() <= 0.0 => Err(Error::NoInternalTip {
+            GearKind::Internal if gear.tip_in_modules() <= 0.0 => Err(Error::NoInternalTip {
                 teeth: z,
-                tip_mm: millimetres(wheel.tip_diameter()),
+                tip_mm: millimetres(gear.tip_diameter()),
                 at_least: first_above(2.0 * rack.addendum),
             }),
-            Toothing::External | Toothing::Internal => Ok(wheel),
+            GearKind::External | GearKind::Internal => Ok(gear),
         }
     }
 
-    /// An external wheel on the default [`BasicRack`].
+    /// An external gear on the default [`BasicRack`].
     ///
     /// # Errors
-    /// As [`Wheel::new`].
+    /// As [`ToothedGear::new`].
     pub fn external(module: Length, teeth: ToothCount) -> Result<Self, Error> {
-        Self::new(Toothing::External, module, teeth, BasicRack::default())
+        Self::new(GearKind::External, module, teeth, BasicRack::default())
     }
 
-    /// An internal wheel on the default [`BasicRack`].
+    /// An internal gear on the default [`BasicRack`].
     ///
     /// # Errors
-    /// As [`Wheel::new`].
+    /// As [`ToothedGear::new`].
     pub fn internal(module: Length, teeth: ToothCount) -> Result<Self, Error> {
-        Self::new(Toothing::Internal, module, teeth, BasicRack::default())
+        Self::new(GearKind::Internal, module, teeth, BasicRack::default())
     }
 
     /// External or internal.
     #[must_use]
-    pub const fn toothing(&self) -> Toothing {
-        self.toothing
+    pub const fn kind(&self) -> GearKind {
+        self.kind
     }
 
     /// Module `m`.
@@ -141,7 +147,7 @@ impl Wheel {
         self.module * f64::from(self.teeth.get())
     }
 
-    /// Tip diameter `d_a`: the largest of an external wheel, the smallest of an internal one.
+    /// Tip diameter `d_a`: the largest of an external gear, the smallest of an internal one.
     #[must_use]
     pub fn tip_diameter(&self) -> Length {
         self.module * self.tip_in_modules()
@@ -161,9 +167,9 @@ impl Wheel {
 
     /// `+1` outwards for external, `−1` for internal teeth.
     fn outward(&self) -> f64 {
-        match self.toothing {
-            Toothing::External => 1.0,
-            Toothing::Internal => -1.0,
+        match self.kind {
+            GearKind::External => 1.0,
+            GearKind::Internal => -1.0,
         }
     }
 
@@ -176,36 +182,36 @@ impl Wheel {
     }
 }
 
-/// Centre distance `a` of two wheels in mesh without profile shift.
+/// Centre distance `a` of two gears in mesh without profile shift.
 ///
 /// ```text
 /// external pair: a = m·(z₁ + z₂)/2        internal pair: a = m·(z_internal − z_external)/2
 /// ```
 ///
-/// The order of the wheels does not matter.
+/// The order of the gears does not matter.
 ///
 /// # Errors
 /// [`Error::ModulesDiffer`], [`Error::PressureAnglesDiffer`], [`Error::BothInternal`],
 /// [`Error::InternalNotLarger`].
 ///
 /// # Source
-/// excavator-dynamics (1): coaxiality is this distance, taken equal for sun–planet and planet–ring.
+/// excavator-dynamics (1): coaxiality is this distance, equal for sun–planet and planet–ring.
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::geometry::{centre_distance, Wheel};
+/// use epicyclic_gears::geometry::{centre_distance, ToothedGear};
 /// use epicyclic_gears::ToothCount;
 /// use uom::si::{f64::Length, length::millimeter};
 ///
 /// let module = Length::new::<millimeter>(8.0);
-/// let sun = Wheel::external(module, ToothCount::new(20)?)?;
-/// let planet = Wheel::external(module, ToothCount::new(40)?)?;
-/// let ring = Wheel::internal(module, ToothCount::new(100)?)?;
+/// let sun = ToothedGear::external(module, ToothCount::new(20)?)?;
+/// let planet = ToothedGear::external(module, ToothCount::new(40)?)?;
+/// let ring = ToothedGear::internal(module, ToothCount::new(100)?)?;
 /// assert!((centre_distance(&sun, &planet)?.get::<millimeter>() - 240.0).abs() < 1e-9);
 /// assert!((centre_distance(&ring, &planet)?.get::<millimeter>() - 240.0).abs() < 1e-9);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
-pub fn centre_distance(first: &Wheel, second: &Wheel) -> Result<Length, Error> {
+pub fn centre_distance(first: &ToothedGear, second: &ToothedGear) -> Result<Length, Error> {
     let (first_mm, second_mm) = (millimetres(first.module), millimetres(second.module));
     if !same(first_mm, second_mm) {
         return Err(Error::ModulesDiffer { first_mm, second_mm });
@@ -220,11 +226,11 @@ pub fn centre_distance(first: &Wheel, second: &Wheel) -> Result<Length, Error> {
         Some(difference) if difference > 0 => Ok(half_module * f64::from(difference)),
         _ => Err(Error::InternalNotLarger { internal, external }),
     };
-    match (first.toothing, second.toothing) {
-        (Toothing::External, Toothing::External) => Ok(half_module * (f64::from(z1) + f64::from(z2))),
-        (Toothing::Internal, Toothing::External) => internal_pair(z1, z2),
-        (Toothing::External, Toothing::Internal) => internal_pair(z2, z1),
-        (Toothing::Internal, Toothing::Internal) => Err(Error::BothInternal { first: z1, second: z2 }),
+    match (first.kind, second.kind) {
+        (GearKind::External, GearKind::External) => Ok(half_module * (f64::from(z1) + f64::from(z2))),
+        (GearKind::Internal, GearKind::External) => internal_pair(z1, z2),
+        (GearKind::External, GearKind::Internal) => internal_pair(z2, z1),
+        (GearKind::Internal, GearKind::Internal) => Err(Error::BothInternal { first: z1, second: z2 }),
     }
 }
 
@@ -253,8 +259,8 @@ mod tests {
         BasicRack { clearance, ..BasicRack::default() }
     }
 
-    fn wheel(toothing: Toothing, count: u32) -> Wheel {
-        Wheel::new(toothing, length_from_mm(8.0), teeth(count), rack(0.2)).unwrap()
+    fn gear(kind: GearKind, count: u32) -> ToothedGear {
+        ToothedGear::new(kind, length_from_mm(8.0), teeth(count), rack(0.2)).unwrap()
     }
 
     fn assert_mm(actual: Length, expected_mm: f64) {
@@ -264,32 +270,32 @@ mod tests {
 
     #[test]
     fn diameters_of_the_excavator_drive() {
-        for (toothing, z, pitch, tip, root) in [
-            (Toothing::External, 20, 160.0, 176.0, 140.8),
-            (Toothing::External, 40, 320.0, 336.0, 300.8),
-            (Toothing::Internal, 100, 800.0, 784.0, 819.2),
+        for (kind, z, pitch, tip, root) in [
+            (GearKind::External, 20, 160.0, 176.0, 140.8),
+            (GearKind::External, 40, 320.0, 336.0, 300.8),
+            (GearKind::Internal, 100, 800.0, 784.0, 819.2),
         ] {
-            let wheel = wheel(toothing, z);
-            assert_mm(wheel.pitch_diameter(), pitch);
-            assert_mm(wheel.tip_diameter(), tip);
-            assert_mm(wheel.root_diameter(), root);
+            let gear = gear(kind, z);
+            assert_mm(gear.pitch_diameter(), pitch);
+            assert_mm(gear.tip_diameter(), tip);
+            assert_mm(gear.root_diameter(), root);
         }
         // 160·cos 20° by table: 160·0.9396926208.
-        assert_mm(wheel(Toothing::External, 20).base_diameter(), 150.350_819);
+        assert_mm(gear(GearKind::External, 20).base_diameter(), 150.350_819);
     }
 
     #[test]
     fn default_rack_has_a_quarter_module_of_clearance() {
-        let sun = Wheel::external(length_from_mm(8.0), teeth(20)).unwrap();
+        let sun = ToothedGear::external(length_from_mm(8.0), teeth(20)).unwrap();
         assert_mm(sun.root_diameter(), 140.0);
-        let ring = Wheel::internal(length_from_mm(8.0), teeth(100)).unwrap();
+        let ring = ToothedGear::internal(length_from_mm(8.0), teeth(100)).unwrap();
         assert_mm(ring.root_diameter(), 820.0);
     }
 
     #[test]
-    fn refused_wheels_say_why() {
+    fn refused_gears_say_why() {
         let z = teeth(20);
-        let of = |module_mm, rack| Wheel::new(Toothing::External, length_from_mm(module_mm), z, rack);
+        let of = |module_mm, rack| ToothedGear::new(GearKind::External, length_from_mm(module_mm), z, rack);
         for bad in [0.0, -8.0, f64::NAN, f64::INFINITY] {
             let refused = of(bad, rack(0.2));
             assert!(matches!(refused, Err(Error::NotPositive { quantity: "module", unit: "mm", .. })));
@@ -304,9 +310,9 @@ mod tests {
             let rack = BasicRack { pressure_angle: angle_from_degrees(bad), ..BasicRack::default() };
             assert!(matches!(of(8.0, rack), Err(Error::OutOfRange { quantity: "pressure angle", .. })));
         }
-        let two = Wheel::external(length_from_mm(8.0), teeth(2));
+        let two = ToothedGear::external(length_from_mm(8.0), teeth(2));
         assert!(matches!(two, Err(Error::NoRoot { teeth: 2, at_least: 3, root_mm }) if root_mm < 0.0));
-        let two = Wheel::internal(length_from_mm(8.0), teeth(2));
+        let two = ToothedGear::internal(length_from_mm(8.0), teeth(2));
         assert!(
             matches!(two, Err(Error::NoInternalTip { teeth: 2, at_least: 3, tip_mm }) if tip_mm.abs() < 1e-9)
         );
@@ -317,7 +323,7 @@ mod tests {
     fn modules_and_pressure_angles_are_the_same_to_a_part_in_1e12() {
         let with = |module: f64, alpha: f64| {
             let rack = BasicRack { pressure_angle: angle_from_degrees(alpha), ..BasicRack::default() };
-            Wheel::new(Toothing::External, length_from_mm(module), teeth(20), rack).unwrap()
+            ToothedGear::new(GearKind::External, length_from_mm(module), teeth(20), rack).unwrap()
         };
         let one = with(8.0, 20.0);
         assert!(centre_distance(&one, &with(8.0 * (1.0 + 5e-13), 20.0 * (1.0 - 5e-13))).is_ok());
@@ -329,14 +335,14 @@ mod tests {
 
     #[test]
     fn refused_pairs_say_why() {
-        let (sun, ring) = (wheel(Toothing::External, 20), wheel(Toothing::Internal, 100));
-        let finer = Wheel::new(Toothing::External, length_from_mm(6.0), teeth(40), rack(0.2)).unwrap();
+        let (sun, ring) = (gear(GearKind::External, 20), gear(GearKind::Internal, 100));
+        let finer = ToothedGear::new(GearKind::External, length_from_mm(6.0), teeth(40), rack(0.2)).unwrap();
         assert!(matches!(centre_distance(&sun, &finer), Err(Error::ModulesDiffer { .. })));
         let steeper = BasicRack { pressure_angle: angle_from_degrees(25.0), ..BasicRack::default() };
-        let steeper = Wheel::new(Toothing::External, length_from_mm(8.0), teeth(40), steeper).unwrap();
+        let steeper = ToothedGear::new(GearKind::External, length_from_mm(8.0), teeth(40), steeper).unwrap();
         assert!(matches!(centre_distance(&sun, &steeper), Err(Error::PressureAnglesDiffer { .. })));
         assert_eq!(centre_distance(&ring, &ring), Err(Error::BothInternal { first: 100, second: 100 }));
-        let planet = wheel(Toothing::External, 100);
+        let planet = gear(GearKind::External, 100);
         let refused = Err(Error::InternalNotLarger { internal: 100, external: 100 });
         assert_eq!(centre_distance(&planet, &ring), refused);
     }
@@ -346,13 +352,13 @@ mod tests {
         fn circles_are_in_order(z in 3_u32..400, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4, alpha in 10.0_f64..35.0) {
             let rack = BasicRack { addendum: 1.0, clearance, pressure_angle: angle_from_degrees(alpha) };
             let module = length_from_mm(m_mm);
-            if let Ok(wheel) = Wheel::new(Toothing::External, module, teeth(z), rack) {
-                prop_assert!(metres(wheel.root_diameter()) > 0.0);
-                prop_assert!(wheel.root_diameter() < wheel.pitch_diameter());
-                prop_assert!(wheel.pitch_diameter() < wheel.tip_diameter());
-                prop_assert!(wheel.base_diameter() < wheel.pitch_diameter());
+            if let Ok(gear) = ToothedGear::new(GearKind::External, module, teeth(z), rack) {
+                prop_assert!(metres(gear.root_diameter()) > 0.0);
+                prop_assert!(gear.root_diameter() < gear.pitch_diameter());
+                prop_assert!(gear.pitch_diameter() < gear.tip_diameter());
+                prop_assert!(gear.base_diameter() < gear.pitch_diameter());
             }
-            let ring = Wheel::new(Toothing::Internal, module, teeth(z), rack).unwrap();
+            let ring = ToothedGear::new(GearKind::Internal, module, teeth(z), rack).unwrap();
             prop_assert!(metres(ring.tip_diameter()) > 0.0);
             prop_assert!(ring.tip_diameter() < ring.pitch_diameter());
             prop_assert!(ring.pitch_diameter() < ring.root_diameter());
@@ -361,11 +367,11 @@ mod tests {
         /// At the standard centre distance tip and opposite root are `c*·m` apart, external and internal alike.
         #[test]
         fn clearance_is_left_between_tip_and_root(z in 5_u32..100, more in 1_u32..200, m_mm in 0.1_f64..40.0, clearance in 0.0_f64..0.4) {
-            let of = |toothing, z| Wheel::new(toothing, length_from_mm(m_mm), teeth(z), rack(clearance)).unwrap();
-            let (pinion, mate) = (of(Toothing::External, z), of(Toothing::External, z + more));
+            let of = |kind, z| ToothedGear::new(kind, length_from_mm(m_mm), teeth(z), rack(clearance)).unwrap();
+            let (pinion, mate) = (of(GearKind::External, z), of(GearKind::External, z + more));
             let gap = centre_distance(&pinion, &mate).unwrap() - (pinion.tip_diameter() + mate.root_diameter()) / 2.0;
             prop_assert!(((gap / pinion.module()).value - clearance).abs() < 1e-9);
-            let ring = of(Toothing::Internal, z + more);
+            let ring = of(GearKind::Internal, z + more);
             let distance = centre_distance(&pinion, &ring).unwrap();
             prop_assert_eq!(distance, centre_distance(&ring, &pinion).unwrap());
             let gap = (ring.root_diameter() - pinion.tip_diameter()) / 2.0 - distance;

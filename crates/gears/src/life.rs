@@ -6,7 +6,7 @@
 //!
 //! | symbol | argument | meaning | unit |
 //! |---|---|---|---|
-//! | `C` | `capacity` | basic dynamic load rating, of the bearings together | kN |
+//! | `C` | `load_rating` | basic dynamic load rating, of the bearings together | kN |
 //! | `P` | `load` | equivalent load; of a radial one alone the load itself | N |
 //! | `ω` | `speed` | speed of one race relative to the other | rpm |
 //!
@@ -48,7 +48,7 @@ impl Rolling {
 /// is longer than a number holds.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the capacity, [`Error::Negative`] for a load below 0 or a speed that is not finite.
+/// [`Error::NotPositive`] for the load rating, [`Error::Negative`] for a load below 0 or a speed that is not finite.
 ///
 /// # Example
 /// ```
@@ -58,22 +58,22 @@ impl Rolling {
 /// use uom::si::{force::newton, time::hour};
 ///
 /// // (10)³ million revolutions at 1000 a minute.
-/// let (capacity, load) = (Force::new::<newton>(30e3), Force::new::<newton>(3e3));
+/// let (load_rating, load) = (Force::new::<newton>(30e3), Force::new::<newton>(3e3));
 /// let speed = AngularVelocity::new::<revolution_per_minute>(1000.0);
-/// let life = basic_rating_life(Rolling::Balls, capacity, load, speed)?.unwrap();
+/// let life = basic_rating_life(Rolling::Balls, load_rating, load, speed)?.unwrap();
 /// assert!((life.get::<hour>() - 1e9 / 60e3).abs() < 1e-6);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn basic_rating_life(
     rolling: Rolling,
-    capacity: Force,
+    load_rating: Force,
     load: Force,
     speed: AngularVelocity,
 ) -> Result<Option<Time>, Error> {
-    let capacity_n = positive("capacity of the bearing", newtons(capacity), "N")?;
+    let load_rating_n = positive("basic dynamic load rating of the bearing", newtons(load_rating), "N")?;
     let load_n = not_negative("load of the bearing", newtons(load), "N")?;
     let omega_rad_s = not_negative("speed of the bearing", rad_per_s(speed).abs(), "rad/s")?;
-    let life_s = (capacity_n / load_n).powf(rolling.exponent()) * 1e6 * TAU / omega_rad_s;
+    let life_s = (load_rating_n / load_n).powf(rolling.exponent()) * 1e6 * TAU / omega_rad_s;
     Ok(life_s.is_finite().then(|| seconds(life_s)))
 }
 
@@ -98,8 +98,13 @@ mod tests {
 
     #[test]
     fn what_does_not_turn_or_carry_has_no_life() {
-        let of = |capacity_n, load_n, omega_rad_s| {
-            basic_rating_life(Rolling::Balls, force(capacity_n), force(load_n), angular_velocity(omega_rad_s))
+        let of = |load_rating_n, load_n, omega_rad_s| {
+            basic_rating_life(
+                Rolling::Balls,
+                force(load_rating_n),
+                force(load_n),
+                angular_velocity(omega_rad_s),
+            )
         };
         assert_eq!(of(1e3, 1e2, 0.0), Ok(None));
         assert_eq!(of(1e3, 0.0, 10.0), Ok(None));

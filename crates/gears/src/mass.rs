@@ -1,4 +1,4 @@
-//! Volume, mass and polar inertia of rings and of wheels with half-filled tooth zones.
+//! Volume, mass and polar inertia of rings and of gears with half-filled tooth zones.
 //!
 //! Bodies of revolution of one density about their own axis; web holes, hubs and fillets are left out.
 
@@ -8,7 +8,7 @@ use std::ops::{Add, Mul};
 use uom::si::f64::{Length, Mass, MassDensity, MomentOfInertia, Volume};
 
 use crate::Error;
-use crate::geometry::{Toothing, Wheel};
+use crate::geometry::{GearKind, ToothedGear};
 use crate::units::{inertia, length_above, length_from_to, mass, metres, positive_density, positive_length};
 use crate::units::{positive_mass, volume};
 
@@ -117,7 +117,7 @@ fn ring_of(outside_m: f64, bore_m: f64, width_m: f64, fill: f64, density_kg_m3: 
     )
 }
 
-/// A toothed wheel as two rings: the tooth zone, [`TOOTH_FILL`] of it material, and the solid body.
+/// A gear as two rings: the tooth zone, [`TOOTH_FILL`] of it material, and the solid body.
 ///
 /// ```text
 /// external: V_f = ½·π·b·(r_a² − r_f²)    V_O = π·b·(r_f² − r_bore²)
@@ -129,7 +129,7 @@ fn ring_of(outside_m: f64, bore_m: f64, width_m: f64, fill: f64, density_kg_m3: 
 ///
 /// | symbol | argument | meaning | unit |
 /// |---|---|---|---|
-/// | `r_a`, `r_f` | `wheel` | tip and root radius | mm |
+/// | `r_a`, `r_f` | `gear` | tip and root radius | mm |
 /// | `b` | `face_width` | face width | mm |
 /// | `r_bore` | `bore_diameter` | radius of the hole, 0 for none | mm |
 /// | `r_rim` | `rim_diameter` | outside radius of a ring gear | mm |
@@ -137,12 +137,12 @@ fn ring_of(outside_m: f64, bore_m: f64, width_m: f64, fill: f64, density_kg_m3: 
 ///
 /// # Source
 /// excavator-dynamics (4)–(7); it takes π = 3.14, so its volumes and masses are 3.14/π of these. The inertia is
-/// that of the same shape, not its formula (8): see [`published_wheel_inertia`].
+/// that of the same shape, not its formula (8): see [`published_gear_inertia`].
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::geometry::{BasicRack, Toothing, Wheel};
-/// use epicyclic_gears::mass::WheelBody;
+/// use epicyclic_gears::geometry::{BasicRack, GearKind, ToothedGear};
+/// use epicyclic_gears::mass::GearBody;
 /// use epicyclic_gears::ToothCount;
 /// use uom::si::f64::{Length, MassDensity};
 /// use uom::si::length::millimeter;
@@ -151,35 +151,35 @@ fn ring_of(outside_m: f64, bore_m: f64, width_m: f64, fill: f64, density_kg_m3: 
 ///
 /// let mm = Length::new::<millimeter>;
 /// let rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
-/// let sun = Wheel::new(Toothing::External, mm(8.0), ToothCount::new(20)?, rack)?;
+/// let sun = ToothedGear::new(GearKind::External, mm(8.0), ToothCount::new(20)?, rack)?;
 /// let steel = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
-/// let body = WheelBody::external(&sun, mm(60.0), mm(110.0), steel)?;
+/// let body = GearBody::external(&sun, mm(60.0), mm(110.0), steel)?;
 /// assert!((body.total().polar_inertia.get::<kilogram_square_meter>() - 0.0247).abs() < 5e-5);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct WheelBody {
+pub struct GearBody {
     /// The teeth, `V_f`.
     pub tooth_zone: MassProperties,
     /// The solid part, `V_O`.
     pub body: MassProperties,
 }
 
-impl WheelBody {
-    /// An external wheel with a bore; a `bore_diameter` of 0 is a solid wheel.
+impl GearBody {
+    /// An external gear with a bore; a `bore_diameter` of 0 is a solid gear.
     ///
     /// # Errors
-    /// [`Error::WrongToothing`] for an internal wheel, [`Error::NotPositive`] for width or density,
+    /// [`Error::WrongGearKind`] for an internal gear, [`Error::NotPositive`] for width or density,
     /// [`Error::OutOfRange`] unless the bore lies below the root diameter.
     pub fn external(
-        wheel: &Wheel,
+        gear: &ToothedGear,
         face_width: Length,
         bore_diameter: Length,
         density: MassDensity,
     ) -> Result<Self, Error> {
-        expect_toothing(wheel, Toothing::External)?;
-        let (tip_m, root_m) = (metres(wheel.tip_diameter()), metres(wheel.root_diameter()));
+        expect_kind(gear, GearKind::External)?;
+        let (tip_m, root_m) = (metres(gear.tip_diameter()), metres(gear.root_diameter()));
         let width_m = positive_length("face width", face_width)?;
         let bore_m = length_from_to("bore diameter", bore_diameter, 0.0, root_m)?;
         let density_kg_m3 = positive_density(density)?;
@@ -189,19 +189,19 @@ impl WheelBody {
         })
     }
 
-    /// An internal wheel (ring gear) inside a plain rim.
+    /// An internal gear (ring gear) inside a plain rim.
     ///
     /// # Errors
-    /// [`Error::WrongToothing`] for an external wheel, [`Error::NotPositive`] for width, rim or density,
+    /// [`Error::WrongGearKind`] for an external gear, [`Error::NotPositive`] for width, rim or density,
     /// [`Error::NotAbove`] unless the rim diameter lies above the root diameter.
     pub fn internal(
-        wheel: &Wheel,
+        gear: &ToothedGear,
         face_width: Length,
         rim_diameter: Length,
         density: MassDensity,
     ) -> Result<Self, Error> {
-        expect_toothing(wheel, Toothing::Internal)?;
-        let (tip_m, root_m) = (metres(wheel.tip_diameter()), metres(wheel.root_diameter()));
+        expect_kind(gear, GearKind::Internal)?;
+        let (tip_m, root_m) = (metres(gear.tip_diameter()), metres(gear.root_diameter()));
         let width_m = positive_length("face width", face_width)?;
         let rim_m = length_above("rim diameter", rim_diameter, root_m)?;
         let density_kg_m3 = positive_density(density)?;
@@ -218,12 +218,8 @@ impl WheelBody {
     }
 }
 
-fn expect_toothing(wheel: &Wheel, wanted: Toothing) -> Result<(), Error> {
-    if wheel.toothing() == wanted {
-        Ok(())
-    } else {
-        Err(Error::WrongToothing { given: wheel.toothing(), wanted })
-    }
+fn expect_kind(gear: &ToothedGear, wanted: GearKind) -> Result<(), Error> {
+    if gear.kind() == wanted { Ok(()) } else { Err(Error::WrongGearKind { given: gear.kind(), wanted }) }
 }
 
 /// The two readings of formula (8) of excavator-dynamics, whose print is damaged.
@@ -235,7 +231,7 @@ pub enum FormulaEight {
     Literal,
 }
 
-/// Inertia of a wheel by formula (8) of excavator-dynamics. **Physically wrong**: use [`WheelBody`] instead.
+/// Inertia of a gear by formula (8) of excavator-dynamics. **Physically wrong**: use [`GearBody`] instead.
 ///
 /// ```text
 /// J_i = ½·m·r_i²     likely: J = (J₁ + J₂)/2 − J₃     literal: J = (J₁ − J₂ + 3·J₃)/2
@@ -243,7 +239,7 @@ pub enum FormulaEight {
 ///
 /// | symbol | argument | meaning | unit |
 /// |---|---|---|---|
-/// | `m` | `wheel_mass` | mass of the wheel itself, bore already taken out | kg |
+/// | `m` | `gear_mass` | mass of the gear itself, bore already taken out | kg |
 /// | `2r₁`, `2r₂`, `2r₃` | `tip_diameter`, `root_diameter`, `bore_diameter` | diameters | mm |
 ///
 /// The mean of `J₁` and `J₂` takes the whole mass for a solid disc. Taking `½·m·r₃²` off for the bore then counts
@@ -259,24 +255,24 @@ pub enum FormulaEight {
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::mass::{published_wheel_inertia, FormulaEight};
+/// use epicyclic_gears::mass::{published_gear_inertia, FormulaEight};
 /// use uom::si::f64::{Length, Mass};
 /// use uom::si::{length::millimeter, mass::kilogram, moment_of_inertia::kilogram_square_meter};
 ///
 /// let (mm, mass) = (Length::new::<millimeter>, Mass::new::<kilogram>(4.949));
-/// let of = |reading| published_wheel_inertia(reading, mass, mm(176.0), mm(140.8), mm(110.0));
+/// let of = |reading| published_gear_inertia(reading, mass, mm(176.0), mm(140.8), mm(110.0));
 /// assert!((of(FormulaEight::Likely)?.get::<kilogram_square_meter>() - 0.00823).abs() < 5e-6);
 /// assert!((of(FormulaEight::Literal)?.get::<kilogram_square_meter>() - 0.0147).abs() < 5e-5);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
-pub fn published_wheel_inertia(
+pub fn published_gear_inertia(
     reading: FormulaEight,
-    wheel_mass: Mass,
+    gear_mass: Mass,
     tip_diameter: Length,
     root_diameter: Length,
     bore_diameter: Length,
 ) -> Result<MomentOfInertia, Error> {
-    let mass_kg = positive_mass(wheel_mass)?;
+    let mass_kg = positive_mass(gear_mass)?;
     let tip_m = positive_length("tip diameter", tip_diameter)?;
     let root_m = length_from_to("root diameter", root_diameter, 0.0, tip_m)?;
     let bore_m = length_from_to("bore diameter", bore_diameter, 0.0, root_m)?;
@@ -308,13 +304,13 @@ mod tests {
         MassDensity::new::<kilogram_per_cubic_meter>(value_kg_m3)
     }
 
-    fn wheel(toothing: Toothing, teeth: u32) -> Wheel {
+    fn gear(kind: GearKind, teeth: u32) -> ToothedGear {
         let rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
-        Wheel::new(toothing, mm(8.0), ToothCount::new(teeth).unwrap(), rack).unwrap()
+        ToothedGear::new(kind, mm(8.0), ToothCount::new(teeth).unwrap(), rack).unwrap()
     }
 
-    fn excavator_wheel(teeth: u32, bore_mm: f64) -> WheelBody {
-        WheelBody::external(&wheel(Toothing::External, teeth), mm(60.0), mm(bore_mm), density(STEEL)).unwrap()
+    fn excavator_gear(teeth: u32, bore_mm: f64) -> GearBody {
+        GearBody::external(&gear(GearKind::External, teeth), mm(60.0), mm(bore_mm), density(STEEL)).unwrap()
     }
 
     #[test]
@@ -334,11 +330,11 @@ mod tests {
         for (teeth, bore_mm, tooth_zone, body) in
             [(20, 110.0, 262_614.52, 363_830.544), (40, 130.0, 527_881.72, 3_465_648.144)]
         {
-            let wheel = excavator_wheel(teeth, bore_mm);
+            let gear = excavator_gear(teeth, bore_mm);
             let as_printed = |volume: Volume| volume.get::<cubic_millimeter>() * DOCUMENT_PI / PI;
             // Printed 262614.52 and 527881.72 are truncated from ….528 and ….728.
-            assert!((0.0..0.01).contains(&(as_printed(wheel.tooth_zone.volume) - tooth_zone)));
-            assert!((as_printed(wheel.body.volume) - body).abs() <= 0.0005);
+            assert!((0.0..0.01).contains(&(as_printed(gear.tooth_zone.volume) - tooth_zone)));
+            assert!((as_printed(gear.body.volume) - body).abs() <= 0.0005);
         }
     }
 
@@ -346,7 +342,7 @@ mod tests {
     fn inertias_of_the_shapes_of_the_excavator_drive() {
         // ½·7900·π·0.06·[(0.088⁴ + 0.0704⁴)/2 − 0.055⁴] and so for the planet, to half a unit of the last digit.
         for (teeth, bore_mm, expected) in [(20, 110.0, 0.024_657), (40, 130.0, 0.473_75)] {
-            let found = excavator_wheel(teeth, bore_mm).total().polar_inertia.get::<kilogram_square_meter>();
+            let found = excavator_gear(teeth, bore_mm).total().polar_inertia.get::<kilogram_square_meter>();
             assert!((found / expected - 1.0).abs() < 3e-5, "{found} is not {expected}");
         }
     }
@@ -354,10 +350,10 @@ mod tests {
     #[test]
     fn a_bore_raises_inertia_per_mass_where_formula_eight_lowers_it() {
         let per_mass = |bore_mm| {
-            let total = excavator_wheel(20, bore_mm).total();
+            let total = excavator_gear(20, bore_mm).total();
             let (tip, root) = (mm(176.0), mm(140.8));
             let published =
-                published_wheel_inertia(FormulaEight::Likely, total.mass, tip, root, mm(bore_mm)).unwrap();
+                published_gear_inertia(FormulaEight::Likely, total.mass, tip, root, mm(bore_mm)).unwrap();
             [total.polar_inertia, published].map(|j| (j / total.mass).value)
         };
         let (solid, bored) = (per_mass(0.0), per_mass(110.0));
@@ -366,29 +362,29 @@ mod tests {
 
     #[test]
     fn refused_bodies_say_why() {
-        let (external, internal) = (wheel(Toothing::External, 20), wheel(Toothing::Internal, 100));
+        let (external, internal) = (gear(GearKind::External, 20), gear(GearKind::Internal, 100));
         let refused = ring(mm(100.0), mm(100.0), mm(10.0), density(STEEL));
         assert!(matches!(refused, Err(Error::OutOfRange { quantity: "bore diameter", .. })));
         let refused = ring(mm(100.0), mm(50.0), mm(10.0), density(0.0));
         assert!(matches!(refused, Err(Error::NotPositive { quantity: "density", unit: "kg/m³", .. })));
         let refused = ring(mm(100.0), mm(50.0), mm(f64::NAN), density(STEEL));
         assert!(matches!(refused, Err(Error::NotPositive { quantity: "width", .. })));
-        let refused = WheelBody::external(&external, mm(60.0), mm(140.8), density(STEEL));
+        let refused = GearBody::external(&external, mm(60.0), mm(140.8), density(STEEL));
         assert!(matches!(refused, Err(Error::OutOfRange { quantity: "bore diameter", .. })));
-        let refused = WheelBody::internal(&internal, mm(60.0), mm(819.2), density(STEEL));
+        let refused = GearBody::internal(&internal, mm(60.0), mm(819.2), density(STEEL));
         assert!(matches!(refused, Err(Error::NotAbove { quantity: "rim diameter", .. })));
-        let refused = WheelBody::external(&internal, mm(60.0), mm(0.0), density(STEEL));
+        let refused = GearBody::external(&internal, mm(60.0), mm(0.0), density(STEEL));
         assert_eq!(
             refused,
-            Err(Error::WrongToothing { given: Toothing::Internal, wanted: Toothing::External })
+            Err(Error::WrongGearKind { given: GearKind::Internal, wanted: GearKind::External })
         );
-        let refused = WheelBody::internal(&external, mm(60.0), mm(900.0), density(STEEL));
+        let refused = GearBody::internal(&external, mm(60.0), mm(900.0), density(STEEL));
         assert_eq!(
             refused,
-            Err(Error::WrongToothing { given: Toothing::External, wanted: Toothing::Internal })
+            Err(Error::WrongGearKind { given: GearKind::External, wanted: GearKind::Internal })
         );
         let eight = |kg, tip, root, bore| {
-            published_wheel_inertia(
+            published_gear_inertia(
                 FormulaEight::Likely,
                 Mass::new::<kilogram>(kg),
                 mm(tip),

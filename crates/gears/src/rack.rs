@@ -75,7 +75,7 @@ impl BasicRack {
     /// nearest whole number, a half upwards.
     ///
     /// Exactly it would be the next *higher* one. Practice takes 17 teeth at 20°, where the limit is 17.1. The
-    /// nearest whole number does the same at every angle: the wheel lacks at most half a tooth, and the rack then
+    /// nearest whole number does the same at every angle: the gear lacks at most half a tooth, and the rack then
     /// reaches at most `sin²α/4` modules too deep, 0.03 modules at 20°. At 14.5°, 20° and 25° it gives 32, 17 and 11.
     #[must_use]
     pub fn least_teeth_without_undercut(&self) -> u32 {

@@ -1,4 +1,4 @@
-//! Shaft diameters by reduced torsional stress, and the standard diameters they are rounded up to.
+//! Shaft diameters by a low allowable torsional stress, and the standard diameters they are rounded up to.
 //!
 //! A first sizing: bending is not calculated but allowed for by a low allowable stress. Left out: fatigue, key seats,
 //! stiffness.
@@ -12,7 +12,7 @@ use crate::Error;
 use crate::units::{length, length_from_mm, length_from_to, metres, millimetres, positive_length};
 use crate::units::{positive_stress, positive_torque, stress};
 
-/// Usual range of the reduced allowable stress `[τ]`, MPa (excavator-dynamics (3), steels 40, 15 and St6).
+/// Usual range of the low allowable stress `[τ]`, MPa (excavator-dynamics (3), steels 40, 15 and St6).
 pub const USUAL_ALLOWABLE_STRESS_MPA: RangeInclusive<f64> = 15.0..=20.0;
 
 /// Normal linear dimensions Ra40 from 10 to 500 mm.
@@ -39,7 +39,7 @@ const ROUNDING: f64 = 1e-12;
 /// | symbol | argument | meaning | unit |
 /// |---|---|---|---|
 /// | `T` | `torque` | magnitude of the torque | N·m |
-/// | `[τ]` | `allowable_stress` | reduced allowable torsional stress | Pa |
+/// | `[τ]` | `allowable_stress` | low allowable torsional stress | Pa |
 ///
 /// # Errors
 /// [`Error::NotPositive`] for either.

@@ -13,7 +13,7 @@ use crate::units::angle;
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
-/// Slots that the planets of a simple planetary gear occupy.
+/// Slots that the planets of a simple set occupy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetSpacing {
     /// Two counts of 32 bits have a sum of 33.
@@ -65,7 +65,7 @@ impl PlanetSpacing {
         self.slots.is_multiple_of(self.count())
     }
 
-    /// The smallest angle between neighbours, `2π·⌊(z_a + z_b)/N⌋/(z_a + z_b)`.
+    /// The smallest angle between adjacent planets, `2π·⌊(z_a + z_b)/N⌋/(z_a + z_b)`.
     #[must_use]
     pub fn smallest_gap(&self) -> Angle {
         let gap = self.slots / self.count();

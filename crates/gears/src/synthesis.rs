@@ -1,9 +1,9 @@
-//! Tooth synthesis of a simple planetary gear: *every* tooth set within bounds.
+//! Tooth numbers of a simple set: *every* set of tooth numbers within bounds.
 //!
 //! ```text
-//! coaxiality   z_a + z_g = z_b − z_g
-//! neighbour    (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s        γ smallest angle between planets
-//! assembly     (z_a + z_b)/N integer, for equal spacing γ = 2π/N
+//! equal centre distances      z_a + z_g = z_b − z_g
+//! clearance between planets   (z_a + z_g)·sin(γ/2) > z_g + 2·h_a* + s        γ smallest angle between planets
+//! assembly                    (z_a + z_b)/N integer, for equal spacing γ = 2π/N
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -11,9 +11,9 @@
 //! | `z_a`, `z_g`, `z_b` | teeth of sun, planet, ring | 1 |
 //! | `N` | number of planets | 1 |
 //! | `h_a*` | addendum coefficient | modules |
-//! | `s` | least gap wanted between the tip circles of neighbours | modules |
+//! | `s` | least gap wanted between the tip circles of adjacent planets | modules |
 //!
-//! Gears without profile shift: with it a real gear may depart from coaxiality by a tooth or two.
+//! Gears without profile shift: with it a real gear set may depart from `z_b = z_a + 2·z_g` by a tooth or two.
 //!
 //! # Source
 //! excavator-dynamics (1) and the conditions after it. Its condition of assembly,
@@ -22,16 +22,16 @@
 
 use crate::Error;
 use crate::rack::BasicRack;
-use crate::row::{Fraction, Mode, StationaryRatio, exact_ratio};
+use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::teeth::ToothCount;
 use crate::units::{not_negative, radians};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Teeth and planet number of a simple planetary gear that goes together.
+/// Tooth numbers and number of planets of a simple set that goes together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ToothSet {
+pub struct ToothNumbers {
     /// Teeth of the sun, `z_a`.
     pub sun: ToothCount,
     /// Teeth of a planet, `z_g`.
@@ -42,17 +42,17 @@ pub struct ToothSet {
     pub planets: u32,
 }
 
-impl ToothSet {
-    /// Row parameter `k = z_b/z_a`.
+impl ToothNumbers {
+    /// Ring-to-sun ratio `k = z_b/z_a`.
     #[must_use]
-    pub fn row_parameter(&self) -> f64 {
+    pub fn ring_to_sun_ratio(&self) -> f64 {
         self.ring.as_f64() / self.sun.as_f64()
     }
 
-    /// Stationary ratio `−z_b/z_a`.
+    /// Basic ratio `−z_b/z_a`.
     #[must_use]
-    pub fn stationary_ratio(&self) -> StationaryRatio {
-        StationaryRatio::simple(self.sun, self.ring)
+    pub fn basic_ratio(&self) -> BasicRatio {
+        BasicRatio::simple(self.sun, self.ring)
     }
 }
 
@@ -66,7 +66,7 @@ pub enum Placement {
     LeastUnequal,
 }
 
-/// Within what the tooth sets are sought.
+/// The bounds within which sets of tooth numbers are sought.
 ///
 /// All ranges include their ends. The default is 12 teeth and more on sun and planet, a ring up to
 /// 200, `k` from 1.3 to 10, 3 to 8 equally spaced planets, standard addendum, tips that just clear.
@@ -80,11 +80,11 @@ pub struct Bounds {
     pub ring: RangeInclusive<u32>,
     /// Number of planets, from 2 to [`MOST_PLANETS`].
     pub planets: RangeInclusive<u32>,
-    /// Row parameter `k = z_b/z_a`.
-    pub row_parameter: RangeInclusive<f64>,
+    /// Ring-to-sun ratio `k = z_b/z_a`.
+    pub ring_to_sun_ratio: RangeInclusive<f64>,
     /// The basic rack: its addendum `h_a*` decides on the gap between planets, with the pressure angle on undercut.
     pub rack: BasicRack,
-    /// Least gap between the tip circles of neighbouring planets, in modules.
+    /// Least gap between the tip circles of adjacent planets, in modules.
     pub tip_gap: f64,
     /// How the planets may be placed.
     pub placement: Placement,
@@ -103,7 +103,7 @@ impl Default for Bounds {
             planet: 12..=200,
             ring: 12..=200,
             planets: 3..=8,
-            row_parameter: 1.3..=10.0,
+            ring_to_sun_ratio: 1.3..=10.0,
             rack: BasicRack::default(),
             tip_gap: 0.0,
             placement: Placement::Equal,
@@ -119,7 +119,7 @@ impl Bounds {
             }
             if range.is_empty() || *range.end() > MOST_TEETH {
                 let (from, to) = (*range.start(), *range.end());
-                return Err(Error::ToothRange { wheel: what, from, to, most: MOST_TEETH });
+                return Err(Error::ToothRange { gear: what, from, to, most: MOST_TEETH });
             }
         }
         if self.planets.is_empty() || *self.planets.start() < 2 || *self.planets.end() > MOST_PLANETS {
@@ -129,9 +129,9 @@ impl Bounds {
                 most: MOST_PLANETS,
             });
         }
-        let (from, to) = (*self.row_parameter.start(), *self.row_parameter.end());
+        let (from, to) = (*self.ring_to_sun_ratio.start(), *self.ring_to_sun_ratio.end());
         if !(from > 1.0 && from <= to && to.is_finite()) {
-            return Err(Error::RowParameterRange { from, to });
+            return Err(Error::RingToSunRange { from, to });
         }
         self.rack.check()?;
         not_negative("tip gap", self.tip_gap, "modules")?;
@@ -143,18 +143,18 @@ impl Bounds {
         f64::from(planet) + 2.0 * self.rack.addendum + self.tip_gap
     }
 
-    /// Every tooth set within the bounds, ascending by sun, planet and number of planets.
+    /// Every set of tooth numbers within the bounds, ascending by sun, planet and number of planets.
     ///
     /// ```
     /// use epicyclic_gears::synthesis::Bounds;
-    /// assert_eq!(Bounds::default().tooth_sets()?.len(), 8016);
+    /// assert_eq!(Bounds::default().tooth_numbers()?.len(), 8016);
     /// # Ok::<(), epicyclic_gears::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::NoTeeth`], [`Error::ToothRange`], [`Error::PlanetNumber`],
-    /// [`Error::RowParameterRange`], [`Error::Negative`] for bounds that are none.
-    pub fn tooth_sets(&self) -> Result<Vec<ToothSet>, Error> {
+    /// [`Error::RingToSunRange`], [`Error::Negative`] for invalid bounds.
+    pub fn tooth_numbers(&self) -> Result<Vec<ToothNumbers>, Error> {
         let mut found = Vec::new();
         self.visit(
             |_| {},
@@ -166,10 +166,10 @@ impl Bounds {
         Ok(found)
     }
 
-    /// How many tooth sets there are within the bounds, without holding them.
+    /// How many sets of tooth numbers there are within the bounds, without holding them.
     ///
     /// # Errors
-    /// As [`tooth_sets`](Self::tooth_sets).
+    /// As [`tooth_numbers`](Self::tooth_numbers).
     pub fn count(&self) -> Result<u64, Error> {
         let mut count = 0;
         self.visit(
@@ -182,15 +182,15 @@ impl Bounds {
         Ok(count)
     }
 
-    /// Each tooth set in turn, and after each sun the share of suns that are done.
+    /// Each set of tooth numbers in turn, and after each sun the share of suns that are done.
     fn visit(
         &self,
         mut done: impl FnMut(f64),
-        mut each: impl FnMut(ToothSet) -> Result<(), Error>,
+        mut each: impl FnMut(ToothNumbers) -> Result<(), Error>,
     ) -> Result<(), Error> {
         self.check()?;
-        let (low_k, high_k) = (*self.row_parameter.start(), *self.row_parameter.end());
-        // By coaxiality a ring within its range leaves the planet only these.
+        let (low_k, high_k) = (*self.ring_to_sun_ratio.start(), *self.ring_to_sun_ratio.end());
+        // By equal centre distances a ring within its range leaves the planet only these.
         let most_planet = (*self.planet.end()).min(self.ring.end().saturating_sub(*self.sun.start()) / 2);
         let half_gap_sines: Vec<(u32, f64)> =
             self.planets.clone().map(|n| (n, (PI / f64::from(n)).sin())).collect();
@@ -212,7 +212,7 @@ impl Bounds {
             let to = most_planet.min(to_k).min(to_ring);
             for planet in from..=to {
                 let ring = sun + 2 * planet;
-                if !self.row_parameter.contains(&(f64::from(ring) / z_a)) {
+                if !self.ring_to_sun_ratio.contains(&(f64::from(ring) / z_a)) {
                     continue;
                 }
                 let (centres, needed) = (z_a + f64::from(planet), self.needed(planet));
@@ -235,7 +235,7 @@ impl Bounds {
                         }
                     };
                     if assembles {
-                        each(ToothSet { sun, planet, ring, planets })?;
+                        each(ToothNumbers { sun, planet, ring, planets })?;
                     }
                 }
             }
@@ -244,11 +244,11 @@ impl Bounds {
         Ok(())
     }
 
-    /// Every tooth set whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the most
+    /// Every set of tooth numbers whose ratio in `mode` is within `tolerance` (relative) of `wanted`, the most
     /// exact first; equally exact ones by ring, sun and number of planets.
     ///
     /// # Errors
-    /// As [`tooth_sets`](Self::tooth_sets); [`Error::Tolerance`]; [`Error::NoToothSet`], with the
+    /// As [`tooth_numbers`](Self::tooth_numbers); [`Error::Tolerance`]; [`Error::NoToothNumbers`], with the
     /// nearest ratio within the bounds, where none comes close enough.
     pub fn for_ratio(&self, wanted: f64, mode: Mode, tolerance: f64) -> Result<Vec<Candidate>, Error> {
         self.for_ratio_watched(wanted, mode, tolerance, |_| {})
@@ -268,7 +268,7 @@ impl Bounds {
         Ok(self.first_for_ratio(wanted, mode, tolerance, usize::MAX, done)?.first)
     }
 
-    /// How many tooth sets there are for a ratio, and the first `most` of them in the order of
+    /// How many sets of tooth numbers there are for a ratio, and the first `most` of them in the order of
     /// [`for_ratio`](Self::for_ratio); memory holds no more than twice these. `done` as there.
     ///
     /// # Errors
@@ -300,7 +300,7 @@ impl Bounds {
         Ok(Ranked { found, first: held.into_iter().map(|near| self.candidate(near, mode)).collect() })
     }
 
-    /// Each tooth set for a ratio in turn, in no order that matters, and how many there were; nothing is held. `done` as
+    /// Each set of tooth numbers for a ratio in turn, in no order that matters, and how many there were; nothing is held. `done` as
     /// in [`for_ratio_watched`](Self::for_ratio_watched).
     ///
     /// # Errors
@@ -320,7 +320,7 @@ impl Bounds {
         let mut nearest: Option<(f64, f64)> = None;
         let mut found = 0;
         self.visit(done, |teeth| {
-            let ratio = teeth.stationary_ratio().ratio(mode)?;
+            let ratio = teeth.basic_ratio().ratio(mode)?;
             let ratio_error = ratio / wanted - 1.0;
             if nearest.is_none_or(|(_, least)| ratio_error.abs() < least) {
                 nearest = Some((ratio, ratio_error.abs()));
@@ -334,7 +334,7 @@ impl Bounds {
         })?;
         if found == 0 {
             let nearest = nearest.map(|(ratio, _)| ratio);
-            return Err(Error::NoToothSet { wanted, mode, tolerance, nearest });
+            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest });
         }
         Ok(found)
     }
@@ -380,13 +380,13 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
 }
 
-/// The neighbour condition's limit as a number, `180°/arcsin((z_g + 2·h_a*)/(z_a + z_g))`: fewer
+/// Limit of the number of planets by the clearance between them, `180°/arcsin((z_g + 2·h_a*)/(z_a + z_g))`: fewer
 /// planets than this clear each other. `None` where two already touch.
 ///
 /// # Source
-/// excavator-dynamics, condition of neighbourhood.
+/// excavator-dynamics, where it is called the condition of neighbourhood.
 #[must_use]
-pub fn neighbour_limit(sun: ToothCount, planet: ToothCount, rack: &BasicRack) -> Option<f64> {
+pub fn clearance_limit(sun: ToothCount, planet: ToothCount, rack: &BasicRack) -> Option<f64> {
     planet_number_limit((planet.as_f64() + 2.0 * rack.addendum) / (sun.as_f64() + planet.as_f64()))
 }
 
@@ -399,18 +399,18 @@ fn half_gap_sine(slots: u32, planets: u32) -> f64 {
     (PI * f64::from(slots / planets) / f64::from(slots)).sin()
 }
 
-/// A tooth set whose ratio is near a wanted one.
+/// A set of tooth numbers whose ratio is near a wanted one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
     /// The teeth and the number of planets.
-    pub teeth: ToothSet,
+    pub teeth: ToothNumbers,
     /// The ratio it has.
     pub ratio: f64,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
 }
 
-/// The tooth sets for a ratio: how many, and the first of them.
+/// The sets of tooth numbers for a ratio: how many, and the first of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranked {
     /// How many there are.
@@ -419,11 +419,11 @@ pub struct Ranked {
     pub first: Vec<Candidate>,
 }
 
-/// A tooth set that meets a wanted ratio, and what there is to know of it.
+/// A set of tooth numbers that meets a wanted ratio, and what there is to know of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// The teeth and the number of planets.
-    pub teeth: ToothSet,
+    pub teeth: ToothNumbers,
     /// The ratio it has.
     pub ratio: f64,
     /// The same as a fraction.
@@ -441,19 +441,19 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// Smallest angle between neighbouring planets, in radians.
+    /// Smallest angle between adjacent planets, in radians.
     #[must_use]
     pub fn smallest_gap_rad(&self) -> f64 {
         radians(self.spacing.smallest_gap())
     }
 }
 
-/// Tooth sets by trying every combination of teeth and planets: slow, and the oracle of
-/// [`Bounds::tooth_sets`].
+/// Sets of tooth numbers by trying every combination of teeth and planets: slow, and the oracle of
+/// [`Bounds::tooth_numbers`].
 ///
 /// # Errors
-/// As [`Bounds::tooth_sets`].
-pub fn tooth_sets_by_trial(bounds: &Bounds) -> Result<Vec<ToothSet>, Error> {
+/// As [`Bounds::tooth_numbers`].
+pub fn tooth_numbers_by_trial(bounds: &Bounds) -> Result<Vec<ToothNumbers>, Error> {
     bounds.check()?;
     let mut found = Vec::new();
     for sun in bounds.sun.clone() {
@@ -469,9 +469,9 @@ pub fn tooth_sets_by_trial(bounds: &Bounds) -> Result<Vec<ToothSet>, Error> {
                     if sun + planet == ring.wrapping_sub(planet)
                         && placed
                         && clears
-                        && bounds.row_parameter.contains(&k)
+                        && bounds.ring_to_sun_ratio.contains(&k)
                     {
-                        found.push(ToothSet { sun: a, planet: g, ring: b, planets });
+                        found.push(ToothNumbers { sun: a, planet: g, ring: b, planets });
                     }
                 }
             }
@@ -483,7 +483,7 @@ pub fn tooth_sets_by_trial(bounds: &Bounds) -> Result<Vec<ToothSet>, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::row::Member;
+    use crate::simple_set::Member;
     use crate::units::angle_from_degrees;
     use proptest::prelude::*;
 
@@ -511,39 +511,42 @@ mod tests {
         let found = bounds.for_ratio(6.0, sun_to_carrier(), 0.0).unwrap();
         assert_eq!(found.len(), 1);
         let only = &found[0];
-        assert_eq!(only.teeth, ToothSet { sun: teeth(20), planet: teeth(40), ring: teeth(100), planets: 4 });
+        assert_eq!(
+            only.teeth,
+            ToothNumbers { sun: teeth(20), planet: teeth(40), ring: teeth(100), planets: 4 }
+        );
         assert_eq!(only.exact_ratio, Fraction::from_integer(6));
         assert_eq!(only.most_planets, 4);
         assert!(!only.undercut_sun && !only.undercut_planet);
-        let limit = neighbour_limit(teeth(20), teeth(40), &BasicRack::default()).unwrap();
+        let limit = clearance_limit(teeth(20), teeth(40), &BasicRack::default()).unwrap();
         assert!((limit - 180.0 / 44.427_004).abs() < 1e-6);
     }
 
     #[test]
     fn a_ratio_out_of_reach_names_the_nearest() {
         let error = Bounds::default().for_ratio(20.0, sun_to_carrier(), 0.01).unwrap_err();
-        let Error::NoToothSet { nearest: Some(nearest), .. } = error else { panic!("{error}") };
+        let Error::NoToothNumbers { nearest: Some(nearest), .. } = error else { panic!("{error}") };
         assert!(nearest > 10.0 && nearest <= 11.0);
     }
 
     #[test]
-    fn bounds_that_are_none_are_refused() {
+    fn invalid_bounds_are_refused() {
         let base = Bounds::default;
         let cases = [
             (Bounds { sun: 0..=20, ..base() }, Error::NoTeeth),
             (
                 Bounds { sun: RangeInclusive::new(20, 19), ..base() },
-                Error::ToothRange { wheel: "sun", from: 20, to: 19, most: MOST_TEETH },
+                Error::ToothRange { gear: "sun", from: 20, to: 19, most: MOST_TEETH },
             ),
             (Bounds { planets: 1..=3, ..base() }, Error::PlanetNumber { from: 1, to: 3, most: MOST_PLANETS }),
-            (Bounds { row_parameter: 0.9..=3.0, ..base() }, Error::RowParameterRange { from: 0.9, to: 3.0 }),
+            (Bounds { ring_to_sun_ratio: 0.9..=3.0, ..base() }, Error::RingToSunRange { from: 0.9, to: 3.0 }),
             (
                 Bounds { rack: BasicRack { addendum: -1.0, ..BasicRack::default() }, ..base() },
                 Error::Negative { quantity: "addendum coefficient", value: -1.0, unit: "modules" },
             ),
         ];
         for (bounds, expected) in cases {
-            assert_eq!(bounds.tooth_sets(), Err(expected));
+            assert_eq!(bounds.tooth_numbers(), Err(expected));
         }
         for tolerance in [-0.1, 1.0, 1e308, f64::INFINITY] {
             assert_eq!(
@@ -582,15 +585,15 @@ mod tests {
     #[test]
     fn ten_thousand_teeth_are_the_most() {
         let sun = |to| Bounds { sun: 9_998..=to, planet: 1..=1, ring: 1..=10_000, ..Bounds::default() };
-        let wide = |to| Bounds { row_parameter: 1.0001..=2.0, planets: 2..=2, tip_gap: 0.0, ..sun(to) };
+        let wide = |to| Bounds { ring_to_sun_ratio: 1.0001..=2.0, planets: 2..=2, tip_gap: 0.0, ..sun(to) };
         assert_eq!(MOST_TEETH, 10_000);
-        assert_eq!(wide(10_000).tooth_sets().unwrap().len(), 1);
-        let refused = Error::ToothRange { wheel: "sun", from: 9_998, to: 10_001, most: 10_000 };
-        assert_eq!(wide(10_001).tooth_sets(), Err(refused));
+        assert_eq!(wide(10_000).tooth_numbers().unwrap().len(), 1);
+        let refused = Error::ToothRange { gear: "sun", from: 9_998, to: 10_001, most: 10_000 };
+        assert_eq!(wide(10_001).tooth_numbers(), Err(refused));
     }
 
     #[test]
-    fn planets_that_just_touch_are_not_neighbours() {
+    fn planets_that_just_touch_do_not_clear_each_other() {
         // Six planets: (z_a + z_g)/2 = z_g + 2 leaves no gap at all.
         let (sun, planet) = (teeth(24), teeth(20));
         assert_eq!(Bounds::default().most_planets(sun, planet), 5);
@@ -617,7 +620,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(32))]
 
         #[test]
-        fn tooth_sets_are_those_that_trial_finds(
+        fn tooth_numbers_are_those_that_trial_finds(
             sun in 1..30_u32, suns in 0..12_u32,
             planet in 1..30_u32, spread in 0..12_u32,
             ring in 1..90_u32, rings in 0..40_u32,
@@ -631,12 +634,12 @@ mod tests {
                 planet: planet..=planet + spread,
                 ring: ring..=ring + rings,
                 planets: planets..=(planets + more).min(8),
-                row_parameter: low_k..=low_k + wide,
+                ring_to_sun_ratio: low_k..=low_k + wide,
                 tip_gap,
                 placement: if unequal { Placement::LeastUnequal } else { Placement::Equal },
                 ..Bounds::default()
             };
-            prop_assert_eq!(bounds.tooth_sets().unwrap(), tooth_sets_by_trial(&bounds).unwrap());
+            prop_assert_eq!(bounds.tooth_numbers().unwrap(), tooth_numbers_by_trial(&bounds).unwrap());
         }
 
         #[test]

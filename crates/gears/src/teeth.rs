@@ -4,10 +4,10 @@ use crate::Error;
 use std::fmt;
 use std::num::NonZeroU32;
 
-/// Number of teeth of a wheel, at least 1.
+/// Number of teeth of a gear, at least 1.
 ///
-/// Internal wheels have positive counts too: what is internal is said by
-/// [`Toothing`](crate::geometry::Toothing), not by a sign. How many teeth a wheel *should* have is for [`crate::synthesis`]; the type only keeps a zero out
+/// Internal gears have positive counts too: what is internal is said by
+/// [`GearKind`](crate::geometry::GearKind), not by a sign. How many teeth a gear *should* have is for [`crate::synthesis`]; the type only keeps a zero out
 /// of every denominator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ToothCount(NonZeroU32);

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::carrier::{Arm, Carrier, Hole, Hub};
-use epicyclic_gears::geometry::{BasicRack, Toothing, Wheel};
-use epicyclic_gears::mass::{self, MassProperties, TOOTH_FILL, WheelBody};
+use epicyclic_gears::geometry::{BasicRack, GearKind, ToothedGear};
+use epicyclic_gears::mass::{self, GearBody, MassProperties, TOOTH_FILL};
 use proptest::prelude::*;
 use uom::si::f64::{Length, MassDensity};
 use uom::si::length::{meter, millimeter};
@@ -76,11 +76,11 @@ proptest! {
     }
 
     #[test]
-    fn external_wheels(z in 5_u32..200, module in 0.5_f64..20.0, bore in 0.0_f64..0.99, width in 1.0_f64..300.0, rho in 500.0_f64..20_000.0) {
-        let wheel = Wheel::external(mm(module), ToothCount::new(z).unwrap()).unwrap();
-        let bore = wheel.root_diameter() * bore;
-        let body = WheelBody::external(&wheel, mm(width), bore, density(rho)).unwrap();
-        let [tip, root, bore] = [wheel.tip_diameter(), wheel.root_diameter(), bore].map(|d| d.get::<meter>() / 2.0);
+    fn external_gears(z in 5_u32..200, module in 0.5_f64..20.0, bore in 0.0_f64..0.99, width in 1.0_f64..300.0, rho in 500.0_f64..20_000.0) {
+        let gear = ToothedGear::external(mm(module), ToothCount::new(z).unwrap()).unwrap();
+        let bore = gear.root_diameter() * bore;
+        let body = GearBody::external(&gear, mm(width), bore, density(rho)).unwrap();
+        let [tip, root, bore] = [gear.tip_diameter(), gear.root_diameter(), bore].map(|d| d.get::<meter>() / 2.0);
         let teeth = revolved(root, tip, TOOTH_FILL, width * 1e-3, rho);
         let solid = revolved(bore, root, 1.0, width * 1e-3, rho);
         agree(body.tooth_zone, teeth)?;
@@ -89,12 +89,12 @@ proptest! {
     }
 
     #[test]
-    fn internal_wheels(z in 3_u32..400, module in 0.5_f64..20.0, rim in 1.01_f64..2.0, width in 1.0_f64..300.0, rho in 500.0_f64..20_000.0) {
+    fn internal_gears(z in 3_u32..400, module in 0.5_f64..20.0, rim in 1.01_f64..2.0, width in 1.0_f64..300.0, rho in 500.0_f64..20_000.0) {
         let rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
-        let wheel = Wheel::new(Toothing::Internal, mm(module), ToothCount::new(z).unwrap(), rack).unwrap();
-        let rim = wheel.root_diameter() * rim;
-        let body = WheelBody::internal(&wheel, mm(width), rim, density(rho)).unwrap();
-        let [tip, root, rim] = [wheel.tip_diameter(), wheel.root_diameter(), rim].map(|d| d.get::<meter>() / 2.0);
+        let gear = ToothedGear::new(GearKind::Internal, mm(module), ToothCount::new(z).unwrap(), rack).unwrap();
+        let rim = gear.root_diameter() * rim;
+        let body = GearBody::internal(&gear, mm(width), rim, density(rho)).unwrap();
+        let [tip, root, rim] = [gear.tip_diameter(), gear.root_diameter(), rim].map(|d| d.get::<meter>() / 2.0);
         let teeth = revolved(tip, root, TOOTH_FILL, width * 1e-3, rho);
         agree(body.total(), sum(teeth, revolved(root, rim, 1.0, width * 1e-3, rho)))?;
     }

@@ -1,7 +1,7 @@
 //! A planetary gear set seen along its axis, to scale: pitch, tip and root circles.
 
 use epicyclic_drawing::{Align, Color, Error, Point, Scene, Shape, Style, Text};
-use epicyclic_gears::geometry::Wheel;
+use epicyclic_gears::geometry::ToothedGear;
 use uom::si::angle::radian;
 use uom::si::f64::{Angle, Length};
 use uom::si::length::millimeter;
@@ -10,11 +10,11 @@ use uom::si::length::millimeter;
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearSet<'a> {
     /// The sun.
-    pub sun: &'a Wheel,
+    pub sun: &'a ToothedGear,
     /// A planet.
-    pub planet: &'a Wheel,
+    pub planet: &'a ToothedGear,
     /// The ring.
-    pub ring: &'a Wheel,
+    pub ring: &'a ToothedGear,
     /// Radius of the planets' orbit.
     pub centre_distance: Length,
     /// Where the planets are.
@@ -28,11 +28,11 @@ impl GearSet<'_> {
     /// As [`Scene::check`]: for gears larger than 100 m.
     pub fn scene(&self) -> Result<Scene, Error> {
         let mm = |length: Length| length.get::<millimeter>();
-        let radius = |gear: &Wheel| 0.5 * mm(gear.tip_diameter());
+        let radius = |gear: &ToothedGear| 0.5 * mm(gear.tip_diameter());
         // Lines and letters keep their proportion to the set, whatever its size.
         let outside = 0.5 * mm(self.ring.root_diameter());
         let unit = outside / 60.0;
-        let teeth = |gear: &Wheel| gear.teeth().get();
+        let teeth = |gear: &ToothedGear| gear.teeth().get();
         let mut scene = Scene::new("The gear set along its axis");
         let axes = scene.layer("axes", Style::centre_line().width(0.15 * unit))?;
         let body = Style::line(0.35 * unit);
@@ -47,7 +47,7 @@ impl GearSet<'_> {
         let thin = Style::line(0.15 * unit);
         scene.add_styled(ring, thin, circle(centre, self.ring.root_diameter()));
         let orbit = Shape::Circle { centre, radius: mm(self.centre_distance) };
-        let mut gear = |layer, centre: Point, gear: &Wheel| {
+        let mut gear = |layer, centre: Point, gear: &ToothedGear| {
             scene.add(layer, circle(centre, gear.tip_diameter()));
             scene.add_styled(layer, thin, circle(centre, gear.root_diameter()));
             scene.add(axes, circle(centre, gear.pitch_diameter()));
@@ -93,17 +93,17 @@ fn short(value: f64) -> String {
 mod tests {
     use super::*;
     use epicyclic_drawing::text::overlaps;
-    use epicyclic_gears::geometry::{BasicRack, Toothing};
+    use epicyclic_gears::geometry::{BasicRack, GearKind};
     use epicyclic_gears::teeth::ToothCount;
 
     #[test]
     fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {
         let module = Length::new::<millimeter>(8.0);
         let gear = |toothing, teeth| {
-            Wheel::new(toothing, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
+            ToothedGear::new(toothing, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
         };
-        let [sun, planet] = [18, 36].map(|teeth| gear(Toothing::External, teeth));
-        let ring = gear(Toothing::Internal, 90);
+        let [sun, planet] = [18, 36].map(|teeth| gear(GearKind::External, teeth));
+        let ring = gear(GearKind::Internal, 90);
         let angles = [0.0, 2.0, 4.0].map(Angle::new::<radian>);
         let centre_distance = Length::new::<millimeter>(216.0);
         let set = GearSet { sun: &sun, planet: &planet, ring: &ring, centre_distance, angles: &angles };

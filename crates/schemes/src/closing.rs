@@ -39,7 +39,7 @@ use crate::DesignError;
 use crate::catalogue::row::{fraction, parameter};
 use crate::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::{Member, Mode, RowParameter};
+use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
 use epicyclic_train::Gearbox;
 use std::fmt;
 
@@ -245,7 +245,7 @@ impl Candidate {
 
     /// Ratio `i₂ = ω_D/ω_B` with T₂ braked; infinite where the output rests, 0 where the input is blocked.
     #[must_use]
-    pub fn ratio(self, k1: RowParameter, k2: RowParameter) -> f64 {
+    pub fn ratio(self, k1: RingToSunRatio, k2: RingToSunRatio) -> f64 {
         let [n, d] = self.fraction(k1.get(), k2.get());
         n / d
     }
@@ -260,7 +260,7 @@ impl Candidate {
     ///
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] with the ratios at `k₂ → 1` and `k₂ → ∞`.
-    pub fn second_parameter(self, k1: RowParameter, ratio: f64) -> Result<RowParameter, DesignError> {
+    pub fn second_parameter(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, DesignError> {
         let closing = closing_ratio(self.shaft, self.first.ratio(k1), ratio).ok();
         closing.and_then(|closing| parameter(self.mode, closing).ok()).ok_or_else(|| {
             let at = |k2: f64| {
@@ -316,8 +316,8 @@ impl Candidate {
     /// None of row parameters: what the engine would refuse is refused before.
     pub fn gearbox(
         self,
-        k1: RowParameter,
-        k2: RowParameter,
+        k1: RingToSunRatio,
+        k2: RingToSunRatio,
         eta0: MeshEfficiency,
     ) -> Result<Gearbox, DesignError> {
         let [first, second] = self.rows();
@@ -355,8 +355,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn k(value: f64) -> RowParameter {
-        RowParameter::new(value).unwrap()
+    fn k(value: f64) -> RingToSunRatio {
+        RingToSunRatio::new(value).unwrap()
     }
 
     fn counted(range: ParameterRange, wanted: impl Fn(Standing) -> bool) -> usize {

@@ -3,8 +3,8 @@
 
 #![allow(dead_code, reason = "shared by tests and benches, neither of which uses all of it")]
 
-use epicyclic_gears::row::{RowParameter, StationaryRatio};
-use epicyclic_gears::synthesis::{Bounds, ToothSet, tooth_sets_by_trial};
+use epicyclic_gears::simple_set::{BasicRatio, RingToSunRatio};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
 use epicyclic_schemes::locking::LOCKING_PAIRS;
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_selection::drawing::drawable_locks;
@@ -17,14 +17,14 @@ use epicyclic_train::{CompiledGear, Direction, Gearbox, LinkId, Solution, Values
 pub(crate) struct Design {
     pub(crate) structure: Structure,
     pub(crate) wanted: [f64; 2],
-    pub(crate) teeth: [ToothSet; 2],
+    pub(crate) teeth: [ToothNumbers; 2],
     /// Efficiency, speed, parameter, ratio error, size, as costs.
     pub(crate) costs: [f64; 5],
 }
 
 /// Every design of these structures that meets the criteria, and how many were tried.
 pub(crate) fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (Vec<Design>, u64) {
-    let sets = tooth_sets_by_trial(bounds).expect("the bounds are bounds");
+    let sets = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
     let (mut found, mut tried) = (vec![], 0);
     for &structure in structures {
         let Some(model) = Model::new(structure, demand) else { continue };
@@ -78,10 +78,10 @@ impl Model {
         Some(Self { gearbox, gears, links, locks })
     }
 
-    fn costs(&self, demand: &Demand, wanted: [f64; 2], teeth: [ToothSet; 2]) -> Option<[f64; 5]> {
+    fn costs(&self, demand: &Demand, wanted: [f64; 2], teeth: [ToothNumbers; 2]) -> Option<[f64; 5]> {
         let limits = &demand.limits;
         let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
-        let k = teeth.map(|set| set.row_parameter());
+        let k = teeth.map(|set| set.ring_to_sun_ratio());
         if !k.iter().all(|k| limits.parameter.contains(k)) {
             return None;
         }
@@ -132,7 +132,7 @@ impl Model {
 }
 
 fn values(k: [f64; 2], demand: &Demand) -> Values {
-    let ratio = |k| StationaryRatio::from(RowParameter::new(k).expect("k above 1"));
+    let ratio = |k| BasicRatio::from(RingToSunRatio::new(k).expect("k above 1"));
     Values { ratios: k.map(ratio).into(), efficiencies: vec![demand.eta0; 2] }
 }
 

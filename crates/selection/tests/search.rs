@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use epicyclic_gears::synthesis::{Bounds, ToothSet};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::search::{Found, MOST_PAIRS, MOST_TOOTH_SETS, ToothSearch};
 use epicyclic_selection::{Demand, Objective, Order, RatioSeries, SelectionError, Signs};
@@ -21,7 +21,7 @@ fn excavator() -> Demand {
     Demand::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
 }
 
-type Key = (Structure, [ToothSet; 2], bool);
+type Key = (Structure, [ToothNumbers; 2], bool);
 
 fn members(found: &Found) -> BTreeMap<Key, [f64; 5]> {
     let mut all = BTreeMap::new();

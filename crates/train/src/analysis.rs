@@ -8,7 +8,7 @@ use crate::state::Verdict;
 use crate::topology::{Topology, numbers};
 use crate::torques::{LoadCase, Scene, ideal, loaded};
 use crate::{Error, Gear, Gearbox, LinkId, State};
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::simple_set::Fraction;
 use std::sync::OnceLock;
 
 /// What the solver says of one gear.

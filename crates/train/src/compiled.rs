@@ -13,7 +13,7 @@ use crate::tolerance::PIVOT;
 use crate::topology::{Topology, bounded, exact, fractions, rationals};
 use crate::{Error, Gear, Gearbox, LinkId};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::StationaryRatio;
+use epicyclic_gears::simple_set::BasicRatio;
 
 /// The node of what is one piece with the housing.
 pub(crate) const RESTING: u16 = u16::MAX;
@@ -32,7 +32,7 @@ pub enum Direction {
 pub struct Values {
     /// Basic ratios, set by set: one of a set with two central gears, `m − 1` of one with `m`, each from its
     /// gear of reference to another.
-    pub ratios: Vec<StationaryRatio>,
+    pub ratios: Vec<BasicRatio>,
     /// Efficiencies, set by set: that of the whole set where it has two central gears; of a compound set one for
     /// each segment of meshes that carry power in the same direction.
     pub efficiencies: Vec<MeshEfficiency>,
@@ -42,7 +42,7 @@ impl Gearbox {
     /// The ratios and losses that it was described with.
     #[must_use]
     pub fn values(&self) -> Values {
-        let ratio = |one: &crate::gearbox::Equation| StationaryRatio::new(one.ratio).ok();
+        let ratio = |one: &crate::gearbox::Equation| BasicRatio::new(one.ratio).ok();
         let eta = |one: &crate::gearbox::Segment| MeshEfficiency::new(one.efficiency).ok();
         Values {
             ratios: self.equations.iter().filter_map(ratio).collect(),
@@ -55,7 +55,7 @@ impl Gearbox {
 ///
 /// ```
 /// use epicyclic_gears::efficiency::MeshEfficiency;
-/// use epicyclic_gears::row::RowParameter;
+/// use epicyclic_gears::simple_set::RingToSunRatio;
 /// use epicyclic_train::{CompiledGear, Direction, Gearbox, Solution, Values, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("scheme I")
@@ -69,7 +69,7 @@ impl Gearbox {
 /// let gear = CompiledGear::new(&gearbox, gearbox.gear("1")?)?;
 /// let mut solution = Solution::default();
 /// for k in [2.0, 2.94, 4.0] {
-///     let ratios = vec![RowParameter::new(k)?.into()];
+///     let ratios = vec![RingToSunRatio::new(k)?.into()];
 ///     let values = Values { ratios, efficiencies: vec![MeshEfficiency::new(0.97)?] };
 ///     gear.solve(&values, Direction::Drive, &mut solution)?;
 ///     assert!((solution.ratio() - (1.0 + k)).abs() < 1e-12);

@@ -17,7 +17,7 @@
 //! them depends on nothing else.
 
 use crate::tolerance::{ERROR_FACTOR, SHARP};
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::simple_set::Fraction;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};

@@ -3,7 +3,7 @@
 use crate::drawn::DrawnSet;
 use crate::names::nearest;
 use crate::{Error, GearboxBuilder, Named, PlanetSet, Warning};
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::simple_set::Fraction;
 use std::ops::Range;
 use std::sync::Arc;
 

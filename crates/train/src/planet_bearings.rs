@@ -66,10 +66,10 @@ use crate::units::{
     degrees, force, in_metres, kg_per_m3, kilograms, metres, n_m, rad_per_s, radians, torque,
 };
 use crate::{Gearbox, LinkId, LoadCase, Operation};
-use epicyclic_gears::geometry::{Toothing, Wheel};
+use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::life::{self, Rolling};
-use epicyclic_gears::mass::{self, WheelBody};
-use epicyclic_gears::pin::{self, Push};
+use epicyclic_gears::mass::{self, GearBody};
+use epicyclic_gears::planet_bearing::{self, Push};
 use epicyclic_gears::{Error, ToothCount};
 use std::fmt;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
@@ -227,7 +227,7 @@ pub struct Contact {
     /// The gear on the other side.
     pub with: GearOf,
     /// Kind of that gear: a sun or planet is external, a ring internal.
-    pub gear_kind: Toothing,
+    pub gear_kind: GearKind,
     /// Pitch radius: of a central gear its own, of a mesh with another planet that of this planet's gear.
     pub pitch_radius: Option<Length>,
     /// Towards another planet: unit vector outwards and along the positive direction of rotation.
@@ -424,14 +424,14 @@ impl PlanetSet {
                 return None;
             }
             let gear_kind = match self.meshes()[mesh].kind {
-                MeshKind::Internal => Toothing::Internal,
-                _ => Toothing::External,
+                MeshKind::Internal => GearKind::Internal,
+                _ => GearKind::External,
             };
             let in_radii = match self.kind() {
                 Some(SetKind::Simple) => {
                     let k = -self.basic_ratio().get();
                     let sun = 2.0 / (1.0 + k);
-                    Some(if gear_kind == Toothing::Internal { sun * k } else { sun })
+                    Some(if gear_kind == GearKind::Internal { sun * k } else { sun })
                 }
                 _ => teeth_of(self, GearOf::Central(central))
                     .zip(apart(self, mesh))
@@ -449,7 +449,7 @@ impl PlanetSet {
         let mut contact = Contact {
             mesh,
             with,
-            gear_kind: Toothing::External,
+            gear_kind: GearKind::External,
             pitch_radius: None,
             direction: None,
             weights: self.torque_between(planet, mesh),
@@ -544,7 +544,8 @@ impl PlanetSet {
             let Some(width) = width(0) else { return Ok(None) };
             let module = size.meshes.iter().find_map(|mesh| mesh.module).or(size.module);
             if let (Some(module), Some(teeth)) = (module, spec.coaxial_planet()) {
-                let body = WheelBody::external(&Wheel::external(module, teeth)?, width, bore, size.density)?;
+                let body =
+                    GearBody::external(&ToothedGear::external(module, teeth)?, width, bore, size.density)?;
                 return Ok(Some(body.total().mass));
             }
             let Some(radius) = places.radii[planet] else { return Ok(None) };
@@ -559,8 +560,8 @@ impl PlanetSet {
             let (Some(module), Some(teeth), Some(width)) = (module, teeth, width(gear)) else {
                 return Ok(None);
             };
-            let gear = Wheel::external(metres(module), *teeth)?;
-            mass += WheelBody::external(&gear, width, bore, size.density)?.total().mass;
+            let gear = ToothedGear::external(metres(module), *teeth)?;
+            mass += GearBody::external(&gear, width, bore, size.density)?.total().mass;
         }
         Ok(Some(mass))
     }
@@ -616,7 +617,7 @@ impl SetSize {
             life::basic_rating_life(Rolling::Balls, load_rating, load_rating, AngularVelocity::default())?;
         }
         // The angle's own limits.
-        pin::radial_force(&[], 1, self.pressure_angle)?;
+        planet_bearing::radial_force(&[], 1, self.pressure_angle)?;
         Ok(())
     }
 }
@@ -676,7 +677,7 @@ impl PlanetBearing {
     /// the carrier.
     ///
     /// # Errors
-    /// Those of [`epicyclic_gears::pin`]; [`Error::OutOfRange`] for a number of torques other than that of the
+    /// Those of [`epicyclic_gears::planet_bearing`]; [`Error::OutOfRange`] for a number of torques other than that of the
     /// members.
     pub fn forces(
         &self,
@@ -700,13 +701,13 @@ impl PlanetBearing {
                 let torque = contact.weighed(&of_centrals).map(torque);
                 let known = contact.pitch_radius.zip(torque);
                 let toothing = contact.gear_kind;
-                Some(known.map(|(pitch_radius, torque)| Push { toothing, pitch_radius, torque }))
+                Some(known.map(|(pitch_radius, torque)| Push { kind: toothing, pitch_radius, torque }))
             };
             let pushes: Option<Vec<Push>> = self.contacts.iter().filter_map(push).collect();
             // Its own limits.
-            let of_carrier = pin::tangential_force(*carrier, planets, radius)?;
+            let of_carrier = planet_bearing::tangential_force(*carrier, planets, radius)?;
             if let (Some(pushes), Some([outwards_n, _])) = (pushes, between) {
-                let of_centrals = pin::radial_force(&pushes, planets, self.pressure_angle)?;
+                let of_centrals = planet_bearing::radial_force(&pushes, planets, self.pressure_angle)?;
                 forces.radial = Some(of_centrals + force(outwards_n));
             }
             forces.tangential = if self.is_only {
@@ -725,13 +726,12 @@ impl PlanetBearing {
         }
         forces.centrifugal = match (self.mass, carrier_speed) {
             (_, Some(speed)) if rad_per_s(speed) == 0.0 => Some(Force::default()),
-            (Some(mass), Some(speed)) => Some(pin::centrifugal_force(mass, radius, speed)?),
+            (Some(mass), Some(speed)) => Some(planet_bearing::centrifugal_force(mass, radius, speed)?),
             _ => None,
         };
-        forces.total = forces
-            .tangential
-            .zip(forces.radial.zip(forces.centrifugal))
-            .map(|(tangential, (radial, centrifugal))| pin::resultant(tangential, radial + centrifugal));
+        forces.total = forces.tangential.zip(forces.radial.zip(forces.centrifugal)).map(
+            |(tangential, (radial, centrifugal))| planet_bearing::resultant(tangential, radial + centrifugal),
+        );
         Ok(forces)
     }
 
@@ -971,8 +971,8 @@ mod tests {
         let (set, size) = double();
         let size = SetSize { face_width: Some(mm(20.0)), planet_bore: Some(mm(10.0)), ..size };
         let body = |module_mm: f64| {
-            let gear = Wheel::external(mm(module_mm), teeth(20)).unwrap();
-            WheelBody::external(&gear, mm(20.0), mm(10.0), size.density).unwrap().total().mass
+            let gear = ToothedGear::external(mm(module_mm), teeth(20)).unwrap();
+            GearBody::external(&gear, mm(20.0), mm(10.0), size.density).unwrap().total().mass
         };
         let bearings = gearbox(set).planet_bearings(0, &size).unwrap().unwrap();
         assert!(bearings.iter().all(|bearing| bearing.mass == Some(body(2.0)) && bearing.lacks.is_empty()));

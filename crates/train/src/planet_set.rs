@@ -29,7 +29,7 @@ use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use crate::tolerance::BASIC_RATIO;
 use crate::{Error, LinkId};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::{Fraction, StationaryRatio};
+use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
 use std::ops::Range;
 
@@ -273,11 +273,11 @@ impl PlanetSet {
 
     /// Basic ratio `i₀ = (ω_1 − ω_H)/(ω_2 − ω_H)` of the first two central gears.
     #[must_use]
-    pub fn basic_ratio(&self) -> StationaryRatio {
+    pub fn basic_ratio(&self) -> BasicRatio {
         match self.short().map(SetSpec::ratio) {
             Some(Ok((ratio, _))) => ratio,
             // Within the limits that the tree was built under.
-            _ => StationaryRatio::new(self.ratio_between(0, 1))
+            _ => BasicRatio::new(self.ratio_between(0, 1))
                 .unwrap_or_else(|_| unreachable!("a built set has a ratio")),
         }
     }

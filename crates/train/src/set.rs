@@ -8,7 +8,7 @@
 use crate::Error;
 use crate::tolerance::BASIC_RATIO;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::{Fraction, StationaryRatio};
+use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
 use std::fmt;
 
@@ -233,7 +233,7 @@ impl SetSpec {
     }
 
     /// Basic ratio as a number, and as an exact fraction where the teeth are known.
-    pub(crate) fn ratio(&self) -> Result<(StationaryRatio, Option<Fraction>), Error> {
+    pub(crate) fn ratio(&self) -> Result<(BasicRatio, Option<Fraction>), Error> {
         let bad_ratio = |k| Error::RingToSunRatio { set: self.id.clone(), kind: self.kind, k };
         let simple_fits = |k: f64| self.kind != SetKind::Simple || k > 1.0;
         match self.gearing {
@@ -241,7 +241,7 @@ impl SetSpec {
                 if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
                     return Err(bad_ratio(k));
                 }
-                let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_ratio(k))?;
+                let ratio = BasicRatio::new(self.kind.sign() * k).map_err(|_| bad_ratio(k))?;
                 Ok((ratio, None))
             }
             Gearing::Teeth(first, second) => {
@@ -257,7 +257,7 @@ impl SetSpec {
                 if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
                     return Err(bad_ratio(k));
                 }
-                let ratio = StationaryRatio::new(self.kind.sign() * k).map_err(|_| bad_ratio(k))?;
+                let ratio = BasicRatio::new(self.kind.sign() * k).map_err(|_| bad_ratio(k))?;
                 Ok((ratio, Some(if self.kind.sign() < 0.0 { -size } else { size })))
             }
         }

@@ -3,7 +3,7 @@
 use crate::elimination::{Bounded, Scalar, big};
 use crate::groups::Groups;
 use crate::{Gear, Gearbox, LinkId};
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::simple_set::Fraction;
 use num_rational::BigRational;
 
 /// A connection that carries torque between two links: permanent, or an engaged shift element.

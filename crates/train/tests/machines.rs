@@ -7,7 +7,7 @@ mod common;
 use common::machines::{self, Machine};
 use common::plain;
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::simple_set::Fraction;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{MeshLoss, SetKind};
 use epicyclic_train::{Analysis, CompiledGear, Direction, Gearbox, Solution, State, Warning};

@@ -7,7 +7,7 @@ use epicyclic_dynamics::{lagrange, loads};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::synthesis::ToothNumbers;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque};
@@ -108,9 +108,9 @@ struct PlanetaryGiven {
     planet_ring: Number,
 }
 
-fn tooth_set(sun: u32, planet: u32, ring: u32, planets: u32) -> Result<ToothSet, Refusal> {
+fn tooth_set(sun: u32, planet: u32, ring: u32, planets: u32) -> Result<ToothNumbers, Refusal> {
     let (sun, planet, ring) = (ToothCount::new(sun)?, ToothCount::new(planet)?, ToothCount::new(ring)?);
-    Ok(ToothSet { sun, planet, ring, planets })
+    Ok(ToothNumbers { sun, planet, ring, planets })
 }
 
 fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
@@ -137,9 +137,9 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .number("planet_speed_ratio", ratios.planet)
         .number("carrier_speed_ratio", ratios.carrier)
         .quantity("kinetic_energy", kinetic_energy(&drive.bodies(given.speed.0)?))
-        .quantity("reduced_inertia", drive.reduced_inertia()?);
+        .quantity("reduced_inertia", drive.equivalent_inertia()?);
     for link in drive.links()? {
-        results.quantity(format!("share.{}", link.name), link.reduced_inertia()?);
+        results.quantity(format!("share.{}", link.name), link.equivalent_inertia()?);
     }
     results
         .quantity("reduced_load", load * ratios.carrier)
@@ -156,7 +156,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .quantity("with_losses.held.from", held_from)
         .quantity("with_losses.held.to", held_to)
         .quantity("with_losses.mesh_loss", drive.mesh_loss(&lossy, given.speed.0, sun_planet, planet_ring)?);
-    if let Ok(time) = lagrange::starting_time(given.speed.0, force, drive.reduced_inertia()?) {
+    if let Ok(time) = lagrange::starting_time(given.speed.0, force, drive.equivalent_inertia()?) {
         results.quantity("starting_time", time);
     }
     Ok(results)

@@ -5,12 +5,12 @@ use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::bearing::{self, Series, Verification};
 use epicyclic_gears::carrier::{Arm, Carrier, Hole, Hub};
 use epicyclic_gears::efficiency::{MeshEfficiency, efficiency};
-use epicyclic_gears::geometry::{Toothing, Wheel, centre_distance};
-use epicyclic_gears::mass::{FormulaEight, WheelBody, published_wheel_inertia};
+use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
+use epicyclic_gears::mass::{FormulaEight, GearBody, published_gear_inertia};
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::row::{Member, Mode, RowParameter, StationaryRatio};
+use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::{Bounds, Placement, neighbour_limit};
+use epicyclic_gears::synthesis::{Bounds, Placement, clearance_limit};
 use epicyclic_gears::{ToothCount, shaft, willis};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -127,12 +127,12 @@ struct RatioInMode {
     mode: ModeGiven,
 }
 
-impl TryFrom<RowGiven> for StationaryRatio {
+impl TryFrom<RowGiven> for BasicRatio {
     type Error = Refusal;
 
     fn try_from(given: RowGiven) -> Result<Self, Refusal> {
         match (given.k, given.teeth, given.stationary_ratio, given.ratio) {
-            (Some(k), None, None, None) => Ok(RowParameter::new(k.get())?.into()),
+            (Some(k), None, None, None) => Ok(RingToSunRatio::new(k.get())?.into()),
             (None, Some(teeth), None, None) => {
                 Ok(Self::simple(ToothCount::new(teeth.sun)?, ToothCount::new(teeth.ring)?))
             }
@@ -149,10 +149,10 @@ impl TryFrom<RowGiven> for StationaryRatio {
 }
 
 fn row(given: &RowGiven) -> Result<Results, Refusal> {
-    let row = StationaryRatio::try_from(*given)?;
+    let row = BasicRatio::try_from(*given)?;
     let mut results = Results::default();
     results.number("stationary_ratio", row.get());
-    if let Ok(k) = RowParameter::new(-row.get()) {
+    if let Ok(k) = RingToSunRatio::new(-row.get()) {
         results.number("row_parameter", k.get()).number("planet_to_sun", k.planet_to_sun());
     }
     for mode in Mode::ALL {
@@ -183,7 +183,7 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     let (sun, planet, ring) = (sun?, planet?, ring?);
     let rack = rack(given.addendum, None);
     let bounds = Bounds { rack, ..Bounds::default() };
-    let row = StationaryRatio::simple(sun, ring);
+    let row = BasicRatio::simple(sun, ring);
     let spacing = PlanetSpacing::least_unequal(sun, ring, given.planets);
     let coaxiality = i64::from(sun.get()) + 2 * i64::from(planet.get()) - i64::from(ring.get());
     let mut results = Results::default();
@@ -196,7 +196,7 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
         .answer("assembles_equally_spaced", spacing.is_equal())
         .quantity("planet_angle", Angle::new::<radian>(TAU / f64::from(given.planets.max(1))))
         .quantity("smallest_planet_angle", spacing.smallest_gap());
-    if let Some(limit) = neighbour_limit(sun, planet, &rack) {
+    if let Some(limit) = clearance_limit(sun, planet, &rack) {
         results.number("neighbour_limit", limit);
     }
     Ok(results)
@@ -268,7 +268,7 @@ struct EfficiencyGiven {
 }
 
 fn row_efficiency(given: &EfficiencyGiven) -> Result<Results, Refusal> {
-    let row = StationaryRatio::try_from(given.row)?;
+    let row = BasicRatio::try_from(given.row)?;
     let mode = Mode::try_from(given.mode)?;
     let meshes =
         given.meshes.iter().map(|eta| MeshEfficiency::new(eta.get())).collect::<Result<Vec<_>, _>>()?;
@@ -310,7 +310,7 @@ struct SpeedsGiven {
 }
 
 fn speeds(given: &SpeedsGiven) -> Result<Results, Refusal> {
-    let row = StationaryRatio::try_from(given.row)?;
+    let row = BasicRatio::try_from(given.row)?;
     let known = |speed: Option<Quantity<AngularVelocity>>| speed.map(|speed| speed.0);
     let speeds = willis::speeds(row, known(given.sun), known(given.ring), known(given.carrier))?;
     let scale = pi_factor(given.pi);
@@ -321,7 +321,7 @@ fn speeds(given: &SpeedsGiven) -> Result<Results, Refusal> {
         .quantity("carrier", speeds.carrier * scale);
     let planet_to_sun = match given.planet_to_sun {
         Some(ratio) => Some(ratio.get()),
-        None => RowParameter::new(-row.get()).ok().map(RowParameter::planet_to_sun),
+        None => RingToSunRatio::new(-row.get()).ok().map(RingToSunRatio::planet_to_sun),
     };
     if let Some(ratio) = planet_to_sun {
         let planet = willis::planet_speed(ratio, speeds.sun, speeds.carrier)?;
@@ -340,7 +340,7 @@ enum ToothingGiven {
     Internal,
 }
 
-impl From<ToothingGiven> for Toothing {
+impl From<ToothingGiven> for GearKind {
     fn from(given: ToothingGiven) -> Self {
         match given {
             ToothingGiven::External => Self::External,
@@ -379,7 +379,7 @@ fn rack(addendum: Option<Number>, clearance: Option<Number>) -> BasicRack {
 
 fn wheel(given: &WheelGiven) -> Result<Results, Refusal> {
     let rack = rack(given.addendum, given.clearance);
-    let wheel = Wheel::new(given.toothing.into(), given.module.0, ToothCount::new(given.teeth)?, rack)?;
+    let wheel = ToothedGear::new(given.toothing.into(), given.module.0, ToothCount::new(given.teeth)?, rack)?;
     let mut results = Results::default();
     results
         .quantity("pitch_diameter", wheel.pitch_diameter())
@@ -405,10 +405,10 @@ struct WheelPairGiven {
 }
 
 fn wheel_pair(given: &WheelPairGiven) -> Result<Results, Refusal> {
-    let wheel = |toothing: Toothing, teeth: u32| {
-        Wheel::new(toothing, given.module.0, ToothCount::new(teeth)?, BasicRack::default())
+    let wheel = |toothing: GearKind, teeth: u32| {
+        ToothedGear::new(toothing, given.module.0, ToothCount::new(teeth)?, BasicRack::default())
     };
-    let first = wheel(Toothing::External, given.first)?;
+    let first = wheel(GearKind::External, given.first)?;
     let second = wheel(given.second_toothing.into(), given.second)?;
     let mut results = Results::default();
     results.quantity("centre_distance", centre_distance(&first, &second)?);
@@ -487,8 +487,8 @@ struct WheelMassGiven {
 
 fn wheel_mass(given: &WheelMassGiven) -> Result<Results, Refusal> {
     let rack = rack(given.addendum, given.clearance);
-    let wheel = Wheel::new(Toothing::External, given.module.0, ToothCount::new(given.teeth)?, rack)?;
-    let body = WheelBody::external(&wheel, given.face_width.0, given.bore.0, given.density.0)?;
+    let wheel = ToothedGear::new(GearKind::External, given.module.0, ToothCount::new(given.teeth)?, rack)?;
+    let body = GearBody::external(&wheel, given.face_width.0, given.bore.0, given.density.0)?;
     // Volume, mass and inertia of a body of revolution are all proportional to π.
     let scale = pi_factor(given.pi);
     let mut results = Results::default();
@@ -518,7 +518,7 @@ struct FormulaEightGiven {
 fn wheel_inertia_by_formula_8(given: &FormulaEightGiven) -> Result<Results, Refusal> {
     let by = |reading| -> Result<MomentOfInertia, Refusal> {
         let (tip, root, bore) = (given.tip_diameter.0, given.root_diameter.0, given.bore.0);
-        Ok(published_wheel_inertia(reading, given.mass.0, tip, root, bore)?)
+        Ok(published_gear_inertia(reading, given.mass.0, tip, root, bore)?)
     };
     let mut results = Results::default();
     results

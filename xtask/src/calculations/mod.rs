@@ -92,7 +92,7 @@ impl Results {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct Refusal {
-    /// Name of the fault, as `expect_error` has it: `no-tooth-set`.
+    /// Name of the fault, as `expect_error` has it: `no-tooth-numbers`.
     pub name: String,
     /// What is wrong and what is allowed.
     pub message: String,
@@ -133,7 +133,7 @@ impl From<epicyclic_dynamics::Error> for Refusal {
     }
 }
 
-/// Name of an enum's variant in kebab case, `NoToothSet { .. }` → `no-tooth-set`, from its derived
+/// Name of an enum's variant in kebab case, `NoToothNumbers { .. }` → `no-tooth-numbers`, from its derived
 /// `Debug`, which starts with it.
 fn variant_name(error: &impl std::fmt::Debug) -> String {
     let debug = format!("{error:?}");

@@ -5,7 +5,7 @@ use epicyclic_formats::gearbox::{DescriptionError, GearboxFile};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::row::{Fraction, Mode, RowParameter};
+use epicyclic_gears::simple_set::{Fraction, Mode, RingToSunRatio};
 use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, row};
 use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
 use epicyclic_schemes::machines::{self, Table};
@@ -178,8 +178,8 @@ fn named(name: &str) -> Result<Named, Refusal> {
     Ok(Named::Three(name.parse::<ThreeSpeed>()?))
 }
 
-fn parameter(k: Number) -> Result<RowParameter, Refusal> {
-    Ok(RowParameter::new(k.get())?)
+fn parameter(k: Number) -> Result<RingToSunRatio, Refusal> {
+    Ok(RingToSunRatio::new(k.get())?)
 }
 
 /// A scheme and its parameters, or the ratios they shall give.
@@ -240,7 +240,7 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
         gearbox
             .sets()
             .iter()
-            .all(|set| RowParameter::new(-set.basic_ratio().get()).is_ok_and(|k| range.contains(k)))
+            .all(|set| RingToSunRatio::new(-set.basic_ratio().get()).is_ok_and(|k| range.contains(k)))
     };
     results
         .answer("k_within_1.7_to_7", within(ParameterRange::USED))
@@ -357,7 +357,7 @@ fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
     for k1 in GRID {
         for k2 in GRID {
             for eta0 in [0.9, 0.97, 1.0] {
-                let (first, second) = (RowParameter::new(k1)?, RowParameter::new(k2)?);
+                let (first, second) = (RingToSunRatio::new(k1)?, RingToSunRatio::new(k2)?);
                 let eta = MeshEfficiency::new(eta0)?;
                 let (gearbox, gear): (Gearbox, &str) = match scheme {
                     Named::Two(scheme) => (scheme.gearbox(first, eta)?, "1"),
@@ -430,7 +430,7 @@ fn printed_relation(given: &PrintedRelationGiven) -> Result<Results, Refusal> {
         let close = |relation: &[f64; 4]| {
             relation.iter().zip(factors).all(|(right, printed)| (right - printed).abs() < 1e-12 * k)
         };
-        is_listed &= row::speed_relations(RowParameter::new(k)?).iter().any(close);
+        is_listed &= row::speed_relations(RingToSunRatio::new(k)?).iter().any(close);
         sum = sum.max(factors.iter().sum::<f64>().abs());
     }
     let mut results = Results::default();

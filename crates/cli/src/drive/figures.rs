@@ -2,12 +2,12 @@
 
 use crate::figure::{Figure, optional, quantity};
 use crate::report::{Part, Report, Row, Section};
-use epicyclic_dynamics::drive::{Choice, DriveDesign, Motion, ShaftDesign, Start, WheelMass};
+use epicyclic_dynamics::drive::{Choice, DriveDesign, GearMass, Motion, ShaftDesign, Start};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
 use uom::si::f64::{AngularVelocity, Force, Length, MomentOfInertia, Time};
 
-const WHEELS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
+const GEARS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];
 const SHAFTS: &[(&str, &str)] =
     &[("sun", "sun's shaft"), ("planet", "planet's pin"), ("carrier", "carrier's shaft")];
 const PARTS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("carrier", "carrier")];
@@ -31,7 +31,7 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
             section("speeds", "Speeds", &[], speeds(design)),
             section("torques", "Torques", &[], torques(design)),
             section("powers", "Powers", &[], powers(design)),
-            section("wheels", "Wheels", WHEELS, wheels(design)),
+            section("wheels", "Wheels", GEARS, gears(design)),
             section("wheels", "Wheels together", &[], mesh(design)),
             Part::Facts(Section {
                 name: "forces",
@@ -48,7 +48,7 @@ pub(super) fn report(title: Option<String>, design: &DriveDesign) -> Report {
                 note: PIN,
             }),
             section("masses", "Masses and inertias", PARTS, masses(design)),
-            section("reduction", "Reduced to the sun's shaft", &[], reduction(design)),
+            section("reduction", "Reduced to the sun's shaft", &[], equivalent_inertia(design)),
             section("start", "Start", &[], starting_torques(design)),
             section("start", "Motion from rest", MOTIONS, motions(design)),
         ],
@@ -81,19 +81,19 @@ fn warnings(design: &DriveDesign) -> Vec<(&'static str, String)> {
 }
 
 fn gear(design: &DriveDesign) -> Vec<Row> {
-    let gear = &design.gear;
-    let teeth = gear.teeth;
-    let angles = gear.spacing.angles().into_iter().map(Physical::si).collect();
+    let teeth = &design.teeth;
+    let numbers = teeth.numbers;
+    let angles = teeth.spacing.angles().into_iter().map(Physical::si).collect();
     vec![
-        Row::new("sun", "teeth of the sun", "z₁", [Figure::Count(teeth.sun.get())]),
-        Row::new("planet", "teeth of a planet", "z₂", [Figure::Count(teeth.planet.get())]),
-        Row::new("ring", "teeth of the ring", "z₃", [Figure::Count(teeth.ring.get())]),
-        Row::new("planets", "planets", "N", [Figure::Count(teeth.planets)]),
+        Row::new("sun", "teeth of the sun", "z₁", [Figure::Count(numbers.sun.get())]),
+        Row::new("planet", "teeth of a planet", "z₂", [Figure::Count(numbers.planet.get())]),
+        Row::new("ring", "teeth of the ring", "z₃", [Figure::Count(numbers.ring.get())]),
+        Row::new("planets", "planets", "N", [Figure::Count(numbers.planets)]),
         Row::new(
             "most_planets",
             "planets that clear each other, at most",
             "",
-            [Figure::Count(gear.most_planets)],
+            [Figure::Count(teeth.most_planets)],
         ),
         Row::new(
             "planet_angles",
@@ -101,15 +101,15 @@ fn gear(design: &DriveDesign) -> Vec<Row> {
             "",
             [Figure::List { si: angles, dimension: Dimension::Angle }],
         ),
-        Row::new("tip_gap", "gap between their tips", "", [quantity(gear.tip_gap)]),
-        Row::new("ratio", "ratio", "U", [Figure::Number(gear.ratio)]),
-        Row::new("exact_ratio", "exactly", "", [Figure::Text(gear.exact_ratio.to_string())]),
-        Row::new("ratio_error", "off the wanted one by", "", [Figure::Share(gear.ratio_error)]),
+        Row::new("tip_gap", "gap between their tips", "", [quantity(teeth.tip_gap)]),
+        Row::new("ratio", "ratio", "U", [Figure::Number(teeth.ratio)]),
+        Row::new("exact_ratio", "exactly", "", [Figure::Text(teeth.exact_ratio.to_string())]),
+        Row::new("ratio_error", "off the wanted one by", "", [Figure::Share(teeth.ratio_error)]),
         Row::new(
             "stationary_efficiency",
             "efficiency, carrier at rest",
             "η₀",
-            [Figure::Number(design.efficiency.stationary)],
+            [Figure::Number(design.efficiency.basic)],
         ),
         Row::new("efficiency", "efficiency", "η", [Figure::Number(design.efficiency.overall)]),
     ]
@@ -149,33 +149,18 @@ fn powers(design: &DriveDesign) -> Vec<Row> {
     ]
 }
 
-fn wheels(design: &DriveDesign) -> Vec<Row> {
-    let wheels = [design.wheels.sun, design.wheels.planet, design.wheels.ring];
+fn gears(design: &DriveDesign) -> Vec<Row> {
+    let gears = [design.gear_set.sun, design.gear_set.planet, design.gear_set.ring];
     vec![
-        Row::new(
-            "pitch_diameter",
-            "pitch diameter",
-            "d",
-            wheels.map(|wheel| quantity(wheel.pitch_diameter())),
-        ),
-        Row::new("tip_diameter", "tip diameter", "d_a", wheels.map(|wheel| quantity(wheel.tip_diameter()))),
-        Row::new(
-            "root_diameter",
-            "root diameter",
-            "d_f",
-            wheels.map(|wheel| quantity(wheel.root_diameter())),
-        ),
-        Row::new(
-            "base_diameter",
-            "base diameter",
-            "d_b",
-            wheels.map(|wheel| quantity(wheel.base_diameter())),
-        ),
+        Row::new("pitch_diameter", "pitch diameter", "d", gears.map(|gear| quantity(gear.pitch_diameter()))),
+        Row::new("tip_diameter", "tip diameter", "d_a", gears.map(|gear| quantity(gear.tip_diameter()))),
+        Row::new("root_diameter", "root diameter", "d_f", gears.map(|gear| quantity(gear.root_diameter()))),
+        Row::new("base_diameter", "base diameter", "d_b", gears.map(|gear| quantity(gear.base_diameter()))),
     ]
 }
 
 fn mesh(design: &DriveDesign) -> Vec<Row> {
-    let rack = design.wheels.sun.rack();
+    let rack = design.gear_set.sun.rack();
     vec![
         Row {
             remark: format!("2·h_a*/sin²α = {}", trimmed(rack.undercut_limit(), 4)),
@@ -186,9 +171,9 @@ fn mesh(design: &DriveDesign) -> Vec<Row> {
                 [Figure::Count(rack.least_teeth_without_undercut())],
             )
         },
-        Row::new("module", "module", "m", [quantity(design.wheels.sun.module())]),
-        Row::new("face_width", "face width", "b", [quantity(design.wheels.face_width)]),
-        Row::new("centre_distance", "centre distance", "a_w", [quantity(design.wheels.centre_distance)]),
+        Row::new("module", "module", "m", [quantity(design.gear_set.sun.module())]),
+        Row::new("face_width", "face width", "b", [quantity(design.gear_set.face_width)]),
+        Row::new("centre_distance", "centre distance", "a_w", [quantity(design.gear_set.centre_distance)]),
     ]
 }
 
@@ -201,10 +186,20 @@ fn forces(design: &DriveDesign) -> Vec<Row> {
     vec![
         Row::new("sun_mesh", "tangential, at each mesh with the sun", "", [quantity(forces.sun_mesh)]),
         Row::new("ring_mesh", "tangential, at each mesh with the ring", "", [quantity(forces.ring_mesh)]),
-        Row::new("pin_tangential", "pin, from the carrier's torque", "", [quantity(forces.pin_tangential)]),
-        Row::new("pin_meshes", "pin, radial of both meshes, outwards", "", [quantity(forces.pin_meshes)]),
-        Row::new("pin_centrifugal", "pin, centrifugal", "", [quantity(forces.pin_centrifugal)]),
-        Row::new("pin", "pin, together", "", [quantity(forces.pin)]),
+        Row::new(
+            "pin_tangential",
+            "pin, from the carrier's torque",
+            "",
+            [quantity(forces.planet_bearing_tangential)],
+        ),
+        Row::new(
+            "pin_meshes",
+            "pin, radial of both meshes, outwards",
+            "",
+            [quantity(forces.planet_bearing_meshes)],
+        ),
+        Row::new("pin_centrifugal", "pin, centrifugal", "", [quantity(forces.planet_bearing_centrifugal)]),
+        Row::new("pin", "pin, together", "", [quantity(forces.planet_bearing)]),
         nominal(
             "sun_nominal",
             "nominal, of a tooth of the sun, 2·T₁/(N·d₁)",
@@ -251,26 +246,26 @@ fn shafts(design: &DriveDesign) -> Vec<Row> {
 
 fn masses(design: &DriveDesign) -> Vec<Row> {
     let masses = &design.masses;
-    let wheels = |figure: fn(&WheelMass) -> Figure, carrier: Figure| {
+    let gears = |figure: fn(&GearMass) -> Figure, carrier: Figure| {
         [figure(&masses.sun), figure(&masses.planet), carrier]
     };
     let carrier = optional(masses.carrier);
     vec![
-        Row::new("bore", "bore", "", wheels(|wheel| quantity(wheel.bore), optional::<Length>(None))),
-        Row::new("mass", "mass", "m", wheels(|wheel| quantity(wheel.body.total().mass), carrier)),
+        Row::new("bore", "bore", "", gears(|gear| quantity(gear.bore), optional::<Length>(None))),
+        Row::new("mass", "mass", "m", gears(|gear| quantity(gear.body.total().mass), carrier)),
         Row::new(
             "inertia",
             "inertia about its axis",
             "J",
-            wheels(|wheel| quantity(wheel.body.total().polar_inertia), quantity(masses.carrier_inertia)),
+            gears(|gear| quantity(gear.body.total().polar_inertia), quantity(masses.carrier_inertia)),
         ),
     ]
 }
 
-fn reduction(design: &DriveDesign) -> Vec<Row> {
-    let parts = &design.reduction;
+fn equivalent_inertia(design: &DriveDesign) -> Vec<Row> {
+    let parts = &design.equivalent_inertia;
     let row = |name, label, symbol, part: MomentOfInertia| Row {
-        remark: format!("{:.1} %", 100.0 * part.si() / parts.reduced_inertia.si()),
+        remark: format!("{:.1} %", 100.0 * part.si() / parts.total.si()),
         ..Row::new(name, label, symbol, [quantity(part)])
     };
     vec![
@@ -280,7 +275,7 @@ fn reduction(design: &DriveDesign) -> Vec<Row> {
         row("planets_turning", "planets, about their axes", "", parts.planets_turning),
         row("carrier", "carrier", "", parts.carrier),
         row("machine", "driven machine", "", parts.machine),
-        row("reduced_inertia", "reduced inertia", "J_pr", parts.reduced_inertia),
+        row("reduced_inertia", "reduced inertia", "J_pr", parts.total),
         Row::new("kinetic_energy", "kinetic energy at full speed", "T", [quantity(parts.kinetic_energy)]),
     ]
 }

@@ -13,13 +13,13 @@ use uom::si::time::second;
 pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure> {
     let (title, design) = drive::calculate(document)?;
     let picture = |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(Failure::from);
-    let wheels = &design.wheels;
-    let angles = design.gear.spacing.angles();
+    let gear_set = &design.gear_set;
+    let angles = design.teeth.spacing.angles();
     let set = GearSet {
-        sun: &wheels.sun,
-        planet: &wheels.planet,
-        ring: &wheels.ring,
-        centre_distance: wheels.centre_distance,
+        sun: &gear_set.sun,
+        planet: &gear_set.planet,
+        ring: &gear_set.ring,
+        centre_distance: gear_set.centre_distance,
         angles: &angles,
     };
     let mut plots = vec![Block::picture(
@@ -32,10 +32,10 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
             "Start from rest under constant torques: the sun's speed until it reaches the nominal one.",
         ));
     }
-    let teeth = design.gear.teeth;
+    let teeth = design.teeth.numbers;
     let about = format!(
         "Planetary drive {}-{}-{} with {} planets, ratio {:.4}, efficiency {:.4}",
-        teeth.sun, teeth.planet, teeth.ring, teeth.planets, design.gear.ratio, design.efficiency.overall
+        teeth.sun, teeth.planet, teeth.ring, teeth.planets, design.teeth.ratio, design.efficiency.overall
     );
     Ok(Sheet {
         title: title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
@@ -80,13 +80,13 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
 
 /// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
 fn efficiency_over_ratio(design: &DriveDesign) -> Plot {
-    let stationary = design.efficiency.stationary;
-    let most = (1.5 * design.gear.ratio).max(10.0);
+    let basic = design.efficiency.basic;
+    let most = (1.5 * design.teeth.ratio).max(10.0);
     let points = (0..=100).map(|i| 2.2 + (most - 2.2) * f64::from(i) / 100.0);
-    let points = points.map(|ratio| [ratio, (1.0 + (ratio - 1.0) * stationary) / ratio]).collect();
+    let points = points.map(|ratio| [ratio, (1.0 + (ratio - 1.0) * basic) / ratio]).collect();
     Plot::new("Efficiency over ratio", "ratio U", "efficiency η")
-        .with(Curve::new(format!("η₀ = {stationary:.4}"), points))
-        .mark("this drive", design.gear.ratio)
+        .with(Curve::new(format!("η₀ = {basic:.4}"), points))
+        .mark("this drive", design.teeth.ratio)
 }
 
 /// Speed of the sun from rest, without and with losses; `None` where it never starts.

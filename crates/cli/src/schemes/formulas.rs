@@ -53,7 +53,7 @@ pub(super) fn efficiency(scheme: Scheme) -> &'static str {
 mod tests {
     use super::*;
     use epicyclic_gears::efficiency::MeshEfficiency;
-    use epicyclic_gears::row::RowParameter;
+    use epicyclic_gears::simple_set::RingToSunRatio;
 
     /// The value of a formula, by a library that knows nothing of gears.
     fn value(formula: &str, [k1, k2, eta]: [f64; 3]) -> f64 {
@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn formulas_say_what_the_library_computes() {
         for (k1, k2, eta) in [(1.75, 2.5, 0.9375), (2.15, 2.354, 0.97), (6.5, 1.375, 0.9)] {
-            let [k, l] = [k1, k2].map(|k| RowParameter::new(k).unwrap());
+            let [k, l] = [k1, k2].map(|k| RingToSunRatio::new(k).unwrap());
             let eta0 = MeshEfficiency::new(eta).unwrap();
             for scheme in Scheme::all() {
                 let [i, efficient] = match scheme {

@@ -8,7 +8,7 @@ use crate::output::{Format, complain};
 use crate::progress::Progress;
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::Span;
-use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothSet};
+use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
 use epicyclic_selection::drawing::drawable_locks;
 use epicyclic_selection::search::{Counts, Found, ToothDesign, ToothSearch};
 use epicyclic_selection::{
@@ -93,13 +93,13 @@ fn bounds(args: &Args) -> Result<ToothBounds, Failure> {
     let given = &args.teeth_bounds;
     let closed =
         |option, span: Span<u32>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
-    let k = args.criteria.k.within(usual.row_parameter.clone());
+    let k = args.criteria.k.within(usual.ring_to_sun_ratio.clone());
     Ok(ToothBounds {
         sun: options::of_wheel("--sun", given.sun, usual.sun)?,
         planet: options::of_wheel("--planet", given.planet, usual.planet)?,
         ring: options::of_wheel("--ring", given.ring, usual.ring)?,
         planets: closed("--planet-count", given.planet_count, usual.planets)?,
-        row_parameter: k.map_err(|error| Failure::Range { option: "--k", error })?,
+        ring_to_sun_ratio: k.map_err(|error| Failure::Range { option: "--k", error })?,
         ..ToothBounds::default()
     })
 }
@@ -256,6 +256,6 @@ fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
 }
 
 /// `20 17 54 x4`: sun, planet, ring, planets.
-fn shown(set: &ToothSet) -> String {
+fn shown(set: &ToothNumbers) -> String {
     format!("{} {} {} x{}", set.sun.get(), set.planet.get(), set.ring.get(), set.planets)
 }

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{self, Format};
 use epicyclic_formats::quantity::format::{significant, trimmed};
-use epicyclic_gears::row::Mode;
+use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::Candidate;
 use serde::Serialize;
 use uom::si::angle::{degree, radian};

@@ -1,7 +1,7 @@
 //! Masses and inertias of the parts of a drive.
 
 use super::finite;
-use super::result::{Masses, ShaftDesign, Shafts, Wheel, WheelMass, Wheels};
+use super::result::{BoredGear, GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
 use super::spec::{Bore, CarrierSpec, DriveSpec};
 use super::warning::Warning;
 use crate::Error;
@@ -10,8 +10,8 @@ use crate::units::{inertia, kg_m2, kilograms};
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
-use epicyclic_gears::mass::WheelBody;
-use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::mass::GearBody;
+use epicyclic_gears::synthesis::ToothNumbers;
 use uom::si::f64::Length;
 use uom::si::length::millimeter;
 
@@ -20,13 +20,14 @@ const OFF_CENTRE: f64 = 1e-4;
 
 pub(super) fn masses(
     spec: &DriveSpec,
-    teeth: ToothSet,
-    wheels: &Wheels,
+    teeth: ToothNumbers,
+    gear_set: &GearSetGeometry,
     shafts: &Shafts,
     warnings: &mut Vec<Warning>,
 ) -> Result<Masses, Error> {
-    let sun = wheel(spec, Wheel::Sun, &wheels.sun, spec.wheels.sun_bore, &shafts.sun)?;
-    let planet = wheel(spec, Wheel::Planet, &wheels.planet, spec.wheels.planet_bore, &shafts.planet)?;
+    let sun = gear_mass(spec, BoredGear::Sun, &gear_set.sun, spec.gear_set.sun_bore, &shafts.sun)?;
+    let planet =
+        gear_mass(spec, BoredGear::Planet, &gear_set.planet, spec.gear_set.planet_bore, &shafts.planet)?;
     let (mass, carrier_inertia) = match spec.carrier {
         CarrierSpec::Neglected => {
             warnings.push(Warning::CarrierNeglected);
@@ -34,12 +35,12 @@ pub(super) fn masses(
         }
         CarrierSpec::Inertia(given) => (None, given),
         CarrierSpec::Shape { arm, hub } => {
-            let whole = Carrier::new(teeth.planets, arm, hub, spec.wheels.density)?.total();
+            let whole = Carrier::new(teeth.planets, arm, hub, spec.gear_set.density)?.total();
             if let Some(hole) = arm.hole {
                 let hole_mm = (hub.outer_radius + arm.length - hole.from_outer_end).get::<millimeter>();
-                let centre_distance_mm = wheels.centre_distance.get::<millimeter>();
+                let centre_distance_mm = gear_set.centre_distance.get::<millimeter>();
                 if (hole_mm / centre_distance_mm - 1.0).abs() > OFF_CENTRE {
-                    warnings.push(Warning::PinOffCentre { hole_mm, centre_distance_mm });
+                    warnings.push(Warning::PlanetPinOffCentre { hole_mm, centre_distance_mm });
                 }
             }
             finite("mass of the carrier", kilograms(whole.mass))?;
@@ -50,13 +51,13 @@ pub(super) fn masses(
     Ok(Masses { sun, planet, carrier: mass, carrier_inertia })
 }
 
-fn wheel(
+fn gear_mass(
     spec: &DriveSpec,
-    name: Wheel,
-    wheel: &geometry::Wheel,
+    name: BoredGear,
+    gear: &geometry::ToothedGear,
     bore: Bore,
     shaft: &ShaftDesign,
-) -> Result<WheelMass, Error> {
+) -> Result<GearMass, Error> {
     let bore = match bore {
         Bore::Given(bore) => bore,
         Bore::Shaft => shaft.used.diameter,
@@ -68,22 +69,22 @@ fn wheel(
             }
         },
     };
-    if bore >= wheel.root_diameter() {
+    if bore >= gear.root_diameter() {
         let in_mm = |length: Length| length.get::<millimeter>();
-        let (bore_mm, root_mm) = (in_mm(bore), in_mm(wheel.root_diameter()));
-        return Err(Error::BoreTooLarge { wheel: name, bore_mm, root_mm });
+        let (bore_mm, root_mm) = (in_mm(bore), in_mm(gear.root_diameter()));
+        return Err(Error::BoreTooLarge { gear: name, bore_mm, root_mm });
     }
-    let body = WheelBody::external(wheel, spec.wheels.face_width, bore, spec.wheels.density)?;
-    finite("mass of a wheel", kilograms(body.total().mass))?;
-    finite("inertia of a wheel", kg_m2(body.total().polar_inertia))?;
-    Ok(WheelMass { bore, body })
+    let body = GearBody::external(gear, spec.gear_set.face_width, bore, spec.gear_set.density)?;
+    finite("mass of a gear", kilograms(body.total().mass))?;
+    finite("inertia of a gear", kg_m2(body.total().polar_inertia))?;
+    Ok(GearMass { bore, body })
 }
 
 /// The drive with everything that turns on its shafts.
 pub(super) fn planetary_drive(
     spec: &DriveSpec,
-    teeth: ToothSet,
-    wheels: &Wheels,
+    teeth: ToothNumbers,
+    gear_set: &GearSetGeometry,
     masses: &Masses,
 ) -> PlanetaryDrive {
     let planet = masses.planet.body.total();
@@ -92,7 +93,7 @@ pub(super) fn planetary_drive(
         sun_inertia: masses.sun.body.total().polar_inertia + spec.motor_inertia,
         planet_inertia: planet.polar_inertia,
         planet_mass: planet.mass,
-        planet_radius: wheels.centre_distance,
+        planet_radius: gear_set.centre_distance,
         carrier_inertia: masses.carrier_inertia + spec.machine_inertia,
     }
 }

@@ -1,13 +1,13 @@
-//! Reduction and start of a drive.
+//! Equivalent inertia and start of a drive.
 
 use super::finite;
-use super::result::{Masses, Motion, Reduction, Start};
+use super::result::{EquivalentInertia, Masses, Motion, Start};
 use super::spec::DriveSpec;
 use crate::Error;
 use crate::energy::kinetic_energy;
+use crate::equivalent_inertia::{Link, Orbit};
 use crate::lagrange::starting_time;
 use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
-use crate::reduction::{Link, Orbit};
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use uom::si::f64::{MomentOfInertia, Time, Torque};
@@ -15,30 +15,30 @@ use uom::si::f64::{MomentOfInertia, Time, Torque};
 /// Part of the driving torque below which a surplus is the rounding of the calculation.
 const BALANCE: f64 = 1e-9;
 
-/// Each part's share of the reduced inertia, and the kinetic energy.
-pub(super) fn reduction(
+/// Each part's share of the equivalent inertia, and the kinetic energy.
+pub(super) fn equivalent_inertia(
     spec: &DriveSpec,
     drive: &PlanetaryDrive,
     masses: &Masses,
-) -> Result<Reduction, Error> {
+) -> Result<EquivalentInertia, Error> {
     let ratios = drive.speed_ratios()?;
-    let central = |name: &str, j: MomentOfInertia, ratio| Link::central(name, j, ratio).reduced_inertia();
+    let central = |name: &str, j: MomentOfInertia, ratio| Link::central(name, j, ratio).equivalent_inertia();
     let orbit = Orbit { mass: drive.planet_mass, radius: drive.planet_radius, speed_ratio: ratios.carrier };
     let planets =
         Link { count: drive.teeth.planets, ..Link::central("planets", inertia(0.0), ratios.planet) };
-    let reduced = Reduction {
+    let found = EquivalentInertia {
         sun: central("sun", masses.sun.body.total().polar_inertia, 1.0)?,
         motor: central("motor", spec.motor_inertia, 1.0)?,
-        planets_orbiting: Link { orbit: Some(orbit), ..planets.clone() }.reduced_inertia()?,
-        planets_turning: Link { inertia: drive.planet_inertia, ..planets }.reduced_inertia()?,
+        planets_orbiting: Link { orbit: Some(orbit), ..planets.clone() }.equivalent_inertia()?,
+        planets_turning: Link { inertia: drive.planet_inertia, ..planets }.equivalent_inertia()?,
         carrier: central("carrier", masses.carrier_inertia, ratios.carrier)?,
         machine: central("driven machine", spec.machine_inertia, ratios.carrier)?,
-        reduced_inertia: drive.reduced_inertia()?,
+        total: drive.equivalent_inertia()?,
         kinetic_energy: kinetic_energy(&drive.bodies(spec.speed)?),
     };
-    finite("reduced inertia", kg_m2(reduced.reduced_inertia))?;
-    finite("kinetic energy", joules(reduced.kinetic_energy))?;
-    Ok(reduced)
+    finite("equivalent inertia", kg_m2(found.total))?;
+    finite("kinetic energy", joules(found.kinetic_energy))?;
+    Ok(found)
 }
 
 pub(super) fn without_losses(
@@ -50,7 +50,7 @@ pub(super) fn without_losses(
     let accelerations = drive.motion(driving, load)?;
     finite("acceleration", rad_per_s2(accelerations.sun))?;
     let force = drive.generalized_force(driving, load)?;
-    let inertia = drive.reduced_inertia()?;
+    let inertia = drive.equivalent_inertia()?;
     let held = drive.held_loads(driving, MeshEfficiency::IDEAL, MeshEfficiency::IDEAL);
     let balance = BALANCE * n_m(driving);
     let start = match n_m(force) {

@@ -4,10 +4,10 @@ use super::warning::Warning;
 use crate::planetary::Accelerations;
 use epicyclic_gears::bearing::Bearing;
 use epicyclic_gears::geometry;
-use epicyclic_gears::mass::WheelBody;
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::mass::GearBody;
+use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::synthesis::ToothNumbers;
 use std::fmt;
 use uom::si::f64::{
     AngularVelocity, Energy, Force, Length, Mass, MomentOfInertia, Power, Pressure, Time, Torque,
@@ -16,8 +16,8 @@ use uom::si::f64::{
 /// A drive, calculated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveDesign {
-    /// Teeth and planets.
-    pub gear: Gear,
+    /// Tooth numbers and planets.
+    pub teeth: TeethDesign,
     /// Efficiencies.
     pub efficiency: Efficiency,
     /// Speeds.
@@ -26,21 +26,21 @@ pub struct DriveDesign {
     pub torques: Torques,
     /// Powers.
     pub powers: Powers,
-    /// The wheels.
-    pub wheels: Wheels,
+    /// Sun, planets and ring.
+    pub gear_set: GearSetGeometry,
     /// Forces at the nominal power.
     pub forces: Forces,
     /// Shafts and bearings.
     pub shafts: Shafts,
     /// Masses and inertias of the parts.
     pub masses: Masses,
-    /// The links reduced to the sun's shaft.
-    pub reduction: Reduction,
+    /// The inertia of all links referred to the sun's shaft.
+    pub equivalent_inertia: EquivalentInertia,
     /// Torque on the sun while the drive starts, `M_1`.
     pub driving_torque: Torque,
     /// Torque on the carrier against it, `M_H`.
     pub load: Torque,
-    /// The start, losses left out of the reduced load, as in the source.
+    /// The start, losses left out of the load referred to the sun's shaft, as in the source.
     pub without_losses: Motion,
     /// The start with the losses of the meshes.
     pub with_losses: Motion,
@@ -48,11 +48,11 @@ pub struct DriveDesign {
     pub warnings: Vec<Warning>,
 }
 
-/// The tooth set and how well it meets its conditions.
+/// The tooth numbers and how well they meet their conditions.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Gear {
-    /// Teeth and number of planets.
-    pub teeth: ToothSet,
+pub struct TeethDesign {
+    /// Tooth numbers and number of planets.
+    pub numbers: ToothNumbers,
     /// Ratio `U = ω_1/ω_H = 1 + z_3/z_1`.
     pub ratio: f64,
     /// The same as a fraction.
@@ -61,32 +61,32 @@ pub struct Gear {
     pub ratio_error: f64,
     /// Where the planets sit.
     pub spacing: PlanetSpacing,
-    /// The neighbour condition's limit, `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each
+    /// Limit of the number of planets by the clearance between them, `180°/arcsin((z_2 + 2·h_a*)/(z_1 + z_2))`: fewer planets clear each
     /// other. `None` where two already touch.
-    pub neighbour_limit: Option<f64>,
+    pub clearance_limit: Option<f64>,
     /// The most equally spaced planets that clear each other.
     pub most_planets: u32,
-    /// Gap between the tip circles of the nearest neighbours; negative where they overlap.
+    /// Gap between the tip circles of the planets that stand nearest to each other; negative where they overlap.
     pub tip_gap: Length,
 }
 
 /// Efficiencies by the losses of the meshes alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Efficiency {
-    /// Of the row under a resting carrier, `η_0 = η_12·η_23`.
-    pub stationary: f64,
+    /// Of the gear set with the carrier fixed, `η_0 = η_12·η_23`.
+    pub basic: f64,
     /// Of the drive, `η = (1 + k·η_0)/(1 + k)`.
     pub overall: f64,
 }
 
-/// Speeds, positive in the sense of the sun.
+/// Speeds, positive in the direction of the sun.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Speeds {
     /// Sun, `ω_1`.
     pub sun: AngularVelocity,
-    /// Planet seen from the housing, `ω_2`.
+    /// Planet speed, `ω_2`.
     pub planet: AngularVelocity,
-    /// Planet seen from the carrier, `ω_2 − ω_H`.
+    /// Planet speed relative to the carrier, `ω_2 − ω_H`.
     pub planet_relative: AngularVelocity,
     /// Carrier, `ω_H`.
     pub carrier: AngularVelocity,
@@ -98,7 +98,7 @@ pub struct Torques {
     /// On the sun, `T_1 = N_1/ω_1`.
     pub sun: Torque,
     /// On all planets together about their own axes, `T_2 = T_1·η_12·z_2/z_1`. Passed on to the ring; it
-    /// does not reach the pins.
+    /// does not reach the planet pins.
     pub planets: Torque,
     /// Delivered by the carrier, `T_H = T_1·U·η`.
     pub carrier: Torque,
@@ -111,7 +111,7 @@ pub struct Torques {
 pub struct Powers {
     /// Into the sun, `N_1`.
     pub input: Power,
-    /// Through the meshes, seen from the carrier: `T_1·(ω_1 − ω_H)`. What they lose is lost of this.
+    /// Rolling power, relative to the carrier: `T_1·(ω_1 − ω_H)`. What they lose is lost of this.
     pub mesh: Power,
     /// Lost in the meshes.
     pub lost: Power,
@@ -119,26 +119,26 @@ pub struct Powers {
     pub output: Power,
 }
 
-/// The wheels and how they stand.
+/// Sun, planets and ring, and how they stand.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wheels {
+pub struct GearSetGeometry {
     /// The sun.
-    pub sun: geometry::Wheel,
+    pub sun: geometry::ToothedGear,
     /// A planet.
-    pub planet: geometry::Wheel,
+    pub planet: geometry::ToothedGear,
     /// The ring.
-    pub ring: geometry::Wheel,
+    pub ring: geometry::ToothedGear,
     /// Centre distance `a_w`, the radius of the planets' orbit.
     pub centre_distance: Length,
     /// Face width `b`.
     pub face_width: Length,
 }
 
-/// Forces at the nominal power, the planets sharing it evenly.
+/// Forces at the nominal power, mesh load factor `K_γ` = 1.
 ///
-/// One set: the forces of both meshes add to the pin's. They hold the friction of the teeth, which gives the planet a
+/// They are one system: the forces of both meshes add to that of the planet bearings. They hold the friction of the teeth, which gives the planet a
 /// torque of its own: the nominal forces, with the whole torque at the pitch circle, would leave a planet out of balance
-/// by `1 − η` of a mesh, and their sum is larger than the pin's force, by 1.7 % with efficiencies 0.97 and 0.98 at
+/// by `1 − η` of a mesh, and their sum is larger than that of the planet bearings, by 1.7 % with efficiencies 0.97 and 0.98 at
 /// ratio 6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
@@ -150,14 +150,14 @@ pub struct Forces {
     pub sun_nominal: Force,
     /// The same of the ring: `2·T_3/(N·d_3)`.
     pub ring_nominal: Force,
-    /// Tangential force on each pin, from the carrier's torque: `T_H/(N·a_w)`.
-    pub pin_tangential: Force,
-    /// Radial force of the meshes on each pin, outwards: `(F_sun − F_ring)·tan α`.
-    pub pin_meshes: Force,
-    /// The planet's centrifugal force on its pin, outwards: `m·ω_H²·a_w`.
-    pub pin_centrifugal: Force,
+    /// Tangential force on the bearings of each planet, from the carrier's torque: `T_H/(N·a_w)`.
+    pub planet_bearing_tangential: Force,
+    /// Radial force of the meshes on the bearings of each planet, outwards: `(F_sun − F_ring)·tan α`.
+    pub planet_bearing_meshes: Force,
+    /// The planet's centrifugal force on its bearings, outwards: `m·ω_H²·a_w`.
+    pub planet_bearing_centrifugal: Force,
     /// All together, the tangential at right angles to both radial ones.
-    pub pin: Force,
+    pub planet_bearing: Force,
 }
 
 /// The three shafts.
@@ -165,14 +165,14 @@ pub struct Forces {
 pub struct Shafts {
     /// The sun's shaft.
     pub sun: ShaftDesign,
-    /// The pin of a planet. It carries no torque: the source sizes it by torsion under `T_2` all the same,
-    /// and so it is done here. Its real load is the bending by [`Forces::pin`].
+    /// The planet pin. It carries no torque: the source sizes it by torsion under `T_2` all the same,
+    /// and so it is done here. Its real load is the bending by [`Forces::planet_bearing`].
     pub planet: ShaftDesign,
     /// The carrier's shaft.
     pub carrier: ShaftDesign,
 }
 
-/// A shaft by reduced torsional stress.
+/// A shaft by a low allowable torsional stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShaftDesign {
     /// The torque it is sized for.
@@ -200,27 +200,27 @@ pub struct Choice {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Masses {
     /// The sun.
-    pub sun: WheelMass,
+    pub sun: GearMass,
     /// One planet.
-    pub planet: WheelMass,
+    pub planet: GearMass,
     /// The carrier's mass, where its shape is known.
     pub carrier: Option<Mass>,
     /// The carrier's inertia about the gearbox axis.
     pub carrier_inertia: MomentOfInertia,
 }
 
-/// A wheel's mass.
+/// Mass of a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WheelMass {
+pub struct GearMass {
     /// Diameter of the hole; 0 for none.
     pub bore: Length,
     /// Teeth and body.
-    pub body: WheelBody,
+    pub body: GearBody,
 }
 
 /// All moving parts as one inertia at the sun's shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reduction {
+pub struct EquivalentInertia {
     /// The sun, `J_1`.
     pub sun: MomentOfInertia,
     /// What else is on its shaft.
@@ -234,7 +234,7 @@ pub struct Reduction {
     /// The driven machine.
     pub machine: MomentOfInertia,
     /// The whole, `J_pr`.
-    pub reduced_inertia: MomentOfInertia,
+    pub total: MomentOfInertia,
     /// Kinetic energy at the nominal speed, `T`, summed link by link.
     pub kinetic_energy: Energy,
 }
@@ -273,7 +273,7 @@ pub enum Start {
 pub enum Shaft {
     /// The sun's.
     Sun,
-    /// A planet's pin.
+    /// A planet pin.
     Planet,
     /// The carrier's.
     Carrier,
@@ -289,16 +289,16 @@ impl fmt::Display for Shaft {
     }
 }
 
-/// A wheel of the drive with a bore.
+/// A gear of the drive with a bore.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Wheel {
+pub enum BoredGear {
     /// The sun.
     Sun,
     /// A planet.
     Planet,
 }
 
-impl fmt::Display for Wheel {
+impl fmt::Display for BoredGear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Sun => "sun",

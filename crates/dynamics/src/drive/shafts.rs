@@ -1,4 +1,4 @@
-//! Shafts by reduced torsional stress, and their bearings.
+//! Shafts by a low allowable torsional stress, and their bearings.
 
 use super::finite;
 use super::result::{Choice, Shaft, ShaftDesign, Shafts, Torques};

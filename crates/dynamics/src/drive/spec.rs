@@ -4,7 +4,7 @@ use epicyclic_gears::bearing::{Bearing, Series};
 use epicyclic_gears::carrier::{Arm, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::synthesis::{Bounds, Placement, ToothSet};
+use epicyclic_gears::synthesis::{Bounds, Placement, ToothNumbers};
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
 use uom::si::mass_density::kilogram_per_cubic_meter;
@@ -29,8 +29,8 @@ pub struct DriveSpec {
     pub sun_planet_efficiency: MeshEfficiency,
     /// Efficiency of the mesh of planet and ring, `η_23`. Default 0.98, the source's.
     pub planet_ring_efficiency: MeshEfficiency,
-    /// Shape of the wheels.
-    pub wheels: WheelSpec,
+    /// Shape of sun, planets and ring.
+    pub gear_set: GearSetSpec,
     /// Shafts and bearings.
     pub shafts: ShaftsSpec,
     /// The carrier. Default: neglected.
@@ -49,40 +49,40 @@ pub struct DriveSpec {
 /// Tooth numbers, or where to seek them.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TeethSpec {
-    /// These. A set that touches its neighbours, assembles at unequal angles only or misses the ratio is
+    /// These. A set whose planets touch each other, assembles at unequal angles only or misses the ratio is
     /// calculated nevertheless, with a [`Warning`](crate::drive::Warning).
     Given {
         /// The set.
-        teeth: ToothSet,
+        teeth: ToothNumbers,
         /// How its planets may be placed: a set that needs unequal angles is warned of unless they are allowed.
         placement: Placement,
-        /// Least gap between the tip circles of neighbouring planets, in modules; a smaller one is warned of.
+        /// Least gap between the tip circles of adjacent planets, in modules; a smaller one is warned of.
         tip_gap: f64,
     },
     /// The set within the bounds whose ratio is nearest to the wanted one; of equally near ones the one
     /// with most planets, then with the smallest ring, then with the smallest sun. The bounds' rack is that
-    /// of the wheels, whatever they say.
+    /// of the gear set, whatever they say.
     Within(Bounds),
 }
 
 impl TeethSpec {
     /// This set, its planets at equal angles, tips that just clear.
     #[must_use]
-    pub const fn given(teeth: ToothSet) -> Self {
+    pub const fn given(teeth: ToothNumbers) -> Self {
         Self::Given { teeth, placement: Placement::Equal, tip_gap: 0.0 }
     }
 }
 
-/// Shape and material of the wheels.
+/// Shape and material of sun, planets and ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WheelSpec {
+pub struct GearSetSpec {
     /// Module `m`.
     pub module: Length,
     /// Face width `b`.
     pub face_width: Length,
     /// Proportions of the teeth. Default: [`BasicRack::default`], `h_a*` 1, `c*` 0.25, 20°.
     pub rack: BasicRack,
-    /// Density `ρ` of wheels and carrier. Default 7850 kg/m³, steel.
+    /// Density `ρ` of gears and carrier. Default 7850 kg/m³, steel.
     pub density: MassDensity,
     /// Bore of the sun. Default [`Bore::Shaft`]; the source's is [`Bore::Bearing`].
     pub sun_bore: Bore,
@@ -90,27 +90,27 @@ pub struct WheelSpec {
     pub planet_bore: Bore,
 }
 
-/// The hole in a wheel.
+/// The hole in a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bore {
     /// It sits on its shaft: the hole is the shaft's diameter.
     Shaft,
     /// Its bearing sits in it: the hole is the bearing's outside diameter.
     Bearing,
-    /// This wide; 0 for a solid wheel.
+    /// This wide; 0 for a solid gear.
     Given(Length),
 }
 
 /// Shafts and bearings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShaftsSpec {
-    /// Reduced allowable torsional stress `[τ]`. Default 20 MPa; 15…20 MPa is usual.
+    /// Low allowable torsional stress `[τ]`. Default 20 MPa; 15…20 MPa is usual.
     pub allowable_stress: Pressure,
     /// Series from which bearings are taken. Default 300.
     pub bearing_series: Series,
     /// The sun's shaft.
     pub sun: ShaftSpec,
-    /// The pin of a planet.
+    /// The planet pin.
     pub planet: ShaftSpec,
     /// The carrier's shaft.
     pub carrier: ShaftSpec,
@@ -155,7 +155,7 @@ impl DriveSpec {
             teeth: TeethSpec::Within(default_bounds(rack)),
             sun_planet_efficiency: usual_efficiency(0.97),
             planet_ring_efficiency: usual_efficiency(0.98),
-            wheels: WheelSpec {
+            gear_set: GearSetSpec {
                 module,
                 face_width,
                 rack,
@@ -179,7 +179,7 @@ impl DriveSpec {
     }
 }
 
-/// Where tooth numbers are sought unless said otherwise: as [`Bounds::default`], but without undercut wheels.
+/// Where tooth numbers are sought unless said otherwise: as [`Bounds::default`], but without undercut gears.
 ///
 /// Where a flat pressure angle asks for more than 200 teeth, sun and planet have just the fewest that are not undercut.
 #[must_use]

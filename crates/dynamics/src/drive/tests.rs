@@ -24,9 +24,9 @@ fn rpm(value: f64) -> AngularVelocity {
     AngularVelocity::new::<revolution_per_minute>(value)
 }
 
-fn set(sun: u32, planet: u32, ring: u32, planets: u32) -> ToothSet {
+fn set(sun: u32, planet: u32, ring: u32, planets: u32) -> ToothNumbers {
     let z = |count| ToothCount::new(count).unwrap();
-    ToothSet { sun: z(sun), planet: z(planet), ring: z(ring), planets }
+    ToothNumbers { sun: z(sun), planet: z(planet), ring: z(ring), planets }
 }
 
 fn shaft(diameter_mm: f64, designation: &str) -> ShaftSpec {
@@ -49,9 +49,9 @@ fn excavator() -> DriveSpec {
     let mut spec = DriveSpec::new(power(106.5e3), rpm(1950.0), 6.0, mm(8.0), mm(60.0));
     spec.teeth =
         TeethSpec::Within(Bounds { sun: 20..=20, planets: 4..=4, ..default_bounds(BasicRack::default()) });
-    spec.wheels.rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
-    spec.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
-    spec.wheels.sun_bore = Bore::Bearing;
+    spec.gear_set.rack = BasicRack { clearance: 0.2, ..BasicRack::default() };
+    spec.gear_set.density = MassDensity::new::<kilogram_per_cubic_meter>(7900.0);
+    spec.gear_set.sun_bore = Bore::Bearing;
     spec.shafts.sun = shaft(50.0, "310");
     spec.shafts.planet = shaft(60.0, "312");
     spec.shafts.carrier = shaft(90.0, "318");
@@ -77,13 +77,13 @@ fn names(design: &DriveDesign) -> Vec<&'static str> {
 #[test]
 fn the_excavators_teeth_speeds_and_torques() {
     let found = design(&excavator()).unwrap();
-    assert_eq!(found.gear.teeth, set(20, 40, 100, 4));
-    assert_eq!((*found.gear.exact_ratio.numer(), *found.gear.exact_ratio.denom()), (6, 1));
-    assert_eq!((found.gear.ratio_error, found.gear.most_planets), (0.0, 4));
-    close(found.gear.neighbour_limit.unwrap(), 4.05, 0.005);
+    assert_eq!(found.teeth.numbers, set(20, 40, 100, 4));
+    assert_eq!((*found.teeth.exact_ratio.numer(), *found.teeth.exact_ratio.denom()), (6, 1));
+    assert_eq!((found.teeth.ratio_error, found.teeth.most_planets), (0.0, 4));
+    close(found.teeth.clearance_limit.unwrap(), 4.05, 0.005);
     // 2·240·sin 45° − 336
-    close(found.gear.tip_gap.get::<millimeter>(), 480.0 * 0.5_f64.sqrt() - 336.0, 1e-9);
-    close(found.efficiency.stationary, 0.9506, 1e-12);
+    close(found.teeth.tip_gap.get::<millimeter>(), 480.0 * 0.5_f64.sqrt() - 336.0, 1e-9);
+    close(found.efficiency.basic, 0.9506, 1e-12);
     close(found.efficiency.overall, 5.753 / 6.0, 1e-12);
 
     // ω = π·1950/30 = 65π; carrier a sixth, planet a quarter backwards, 5/12 against the carrier.
@@ -140,16 +140,16 @@ fn the_excavators_forces() {
     let of_ring = 0.02 / (0.98 / 0.16 - 1.0 / 0.4);
     close(found.sun_mesh.get::<newton>(), t1 / (4.0 * (0.08 + of_sun)), 1e-8);
     close(found.ring_mesh.get::<newton>(), 4.753 * t1 / (4.0 * (0.4 + of_ring)), 1e-8);
-    // The nominal forces together miss the pin's by 1.7 %.
+    // The nominal forces together miss that of the planet bearings by 1.7 %.
     let nominal = (found.sun_nominal + found.ring_nominal).get::<newton>();
     close(nominal / tangential, 1.0172, 5e-5);
     // (1597.2 − 1528.2)·tan 20°
-    close(found.pin_meshes.get::<newton>(), 25.1, 0.05);
-    close(found.pin_tangential.get::<newton>(), tangential, 1e-8);
+    close(found.planet_bearing_meshes.get::<newton>(), 25.1, 0.05);
+    close(found.planet_bearing_tangential.get::<newton>(), tangential, 1e-8);
     // 31.565 kg: the source's 31.549 with π for 3.14.
     let centrifugal = exact(31.549) * (65.0 * PI / 6.0).powi(2) * 0.24;
-    close(found.pin_centrifugal.get::<newton>(), centrifugal, 0.2);
-    close(found.pin.get::<newton>(), tangential.hypot(centrifugal + 25.1), 0.2);
+    close(found.planet_bearing_centrifugal.get::<newton>(), centrifugal, 0.2);
+    close(found.planet_bearing.get::<newton>(), tangential.hypot(centrifugal + 25.1), 0.2);
 }
 
 #[test]
@@ -162,16 +162,16 @@ fn the_excavators_inertia_is_less_than_half_of_what_is_printed() {
     let (j1, j2) = (disc(0.088, 0.0704, 0.055), disc(0.168, 0.1504, 0.065));
     let m2 = exact(31.549);
     let by_hand = j1 + (4.0 * m2 * 0.0576 + 0.144) / 36.0 + 4.0 * j2 / 16.0;
-    close(kg_m2(found.reduction.reduced_inertia), by_hand, 1e-4);
+    close(kg_m2(found.equivalent_inertia.total), by_hand, 1e-4);
     // 0.3486 with the source's rounded masses and its π = 3.14.
-    close(kg_m2(found.reduction.reduced_inertia), 0.3491, 5e-5);
+    close(kg_m2(found.equivalent_inertia.total), 0.3491, 5e-5);
     close(found.masses.sun.body.total().mass.get::<kilogram>(), exact(4.949), 5e-4);
     assert_eq!(found.masses.carrier, None);
 
     // With the shape's own 0.171 instead of 0.144.
     let shaped = design(&excavator()).unwrap();
     close(kg_m2(shaped.masses.carrier_inertia), 0.171, 5e-4);
-    close(kg_m2(shaped.reduction.reduced_inertia), by_hand + 0.027 / 36.0, 2e-4);
+    close(kg_m2(shaped.equivalent_inertia.total), by_hand + 0.027 / 36.0, 2e-4);
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn at_full_load_only_the_document_starts() {
     // The surplus of the document's sum is the lost power.
     let lost = watts(found.powers.lost) / (65.0 * PI);
     close(n_m(found.without_losses.generalized_force), lost, 1e-9);
-    let j = kg_m2(found.reduction.reduced_inertia);
+    let j = kg_m2(found.equivalent_inertia.total);
     close(rad_per_s2(found.without_losses.accelerations.sun), lost / j, 1e-9);
     match found.without_losses.start {
         Start::After(time) => close(seconds(time), 65.0 * PI * j / lost, 1e-9),
@@ -225,18 +225,18 @@ fn more_load_than_torque_is_an_answer() {
 
 #[test]
 fn attached_inertias_are_counted_where_they_turn() {
-    let alone = design(&excavator()).unwrap().reduction;
+    let alone = design(&excavator()).unwrap().equivalent_inertia;
     let attached = DriveSpec { motor_inertia: inertia(0.5), machine_inertia: inertia(36.0), ..excavator() };
-    let found = design(&attached).unwrap().reduction;
+    let found = design(&attached).unwrap().equivalent_inertia;
     close(kg_m2(found.motor), 0.5, 1e-15);
     close(kg_m2(found.machine), 1.0, 1e-12);
-    close(kg_m2(found.reduced_inertia - alone.reduced_inertia), 1.5, 1e-12);
+    close(kg_m2(found.total - alone.total), 1.5, 1e-12);
 }
 
 #[test]
 fn of_equally_near_sets_the_one_with_most_planets_is_taken() {
     let open = DriveSpec { teeth: TeethSpec::Within(default_bounds(BasicRack::default())), ..excavator() };
-    assert_eq!(design(&open).unwrap().gear.teeth, set(18, 36, 90, 4));
+    assert_eq!(design(&open).unwrap().teeth.numbers, set(18, 36, 90, 4));
 }
 
 #[test]
@@ -266,7 +266,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
         ["stress-outside-usual-range"]
     );
     assert_eq!(with(|s| s.carrier = CarrierSpec::Neglected), ["carrier-neglected"]);
-    assert_eq!(with(|s| s.wheels.module = mm(8.5)), ["pin-off-centre"]);
+    assert_eq!(with(|s| s.gear_set.module = mm(8.5)), ["pin-off-centre"]);
     assert_eq!(
         with(|s| s.teeth = TeethSpec::given(set(20, 40, 100, 5))),
         // Five arms of 80 mm fit as well.
@@ -277,7 +277,7 @@ fn doubtful_drives_are_calculated_with_warnings() {
         with(|s| {
             s.teeth = TeethSpec::given(set(13, 40, 93, 3));
             s.ratio = 106.0 / 13.0;
-            s.wheels.sun_bore = Bore::Given(mm(50.0));
+            s.gear_set.sun_bore = Bore::Given(mm(50.0));
             s.carrier = CarrierSpec::Inertia(inertia(0.1));
         }),
         // The larger ratio needs a shaft of 105 mm.
@@ -308,15 +308,15 @@ fn undercut_follows_the_pressure_angle() {
     use uom::si::angle::degree;
     let at = |alpha_deg: f64, sun: u32| {
         let mut spec = excavator();
-        spec.wheels.rack.pressure_angle = uom::si::f64::Angle::new::<degree>(alpha_deg);
-        spec.wheels.sun_bore = Bore::Given(mm(0.0));
+        spec.gear_set.rack.pressure_angle = uom::si::f64::Angle::new::<degree>(alpha_deg);
+        spec.gear_set.sun_bore = Bore::Given(mm(0.0));
         spec.teeth = TeethSpec::given(set(sun, 40, sun + 80, 3));
         let teeth = design(&spec).unwrap();
         let undercut = teeth.warnings.iter().find_map(|warning| match warning {
-            Warning::Undercut { wheel: Wheel::Sun, at_least, .. } => Some(*at_least),
+            Warning::Undercut { gear: BoredGear::Sun, at_least, .. } => Some(*at_least),
             _ => None,
         });
-        let sought = default_bounds(spec.wheels.rack).sun;
+        let sought = default_bounds(spec.gear_set.rack).sun;
         (undercut, *sought.start())
     };
     assert_eq!((at(14.5, 20), at(14.5, 32)), ((Some(32), 32), (None, 32)));
@@ -366,22 +366,22 @@ fn impossible_drives_are_refused() {
         Error::Gear(Gear::NotPositive { quantity: "driving torque", .. })
     );
     refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::NotFinite { what: "load torque", .. });
-    refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothSet { nearest: Some(_), .. }));
+    refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothNumbers { nearest: Some(_), .. }));
     refused!(
         |s| s.teeth = TeethSpec::given(set(20, 40, 101, 4)),
-        Error::NotCoaxial { sun: 20, planet: 40, ring: 101 }
+        Error::UnequalCentreDistances { sun: 20, planet: 40, ring: 101 }
     );
     refused!(
         |s| s.teeth = TeethSpec::given(set(u32::MAX, 1, 1, 4)),
-        Error::Gear(Gear::ToothRange { wheel: "sun", .. })
+        Error::Gear(Gear::ToothRange { gear: "sun", .. })
     );
     refused!(
         |s| s.teeth = TeethSpec::given(set(20, 40, 100, u32::MAX)),
         Error::Gear(Gear::PlanetNumber { .. })
     );
-    refused!(|s| s.wheels.module = mm(-8.0), Error::Gear(Gear::NotPositive { quantity: "module", .. }));
+    refused!(|s| s.gear_set.module = mm(-8.0), Error::Gear(Gear::NotPositive { quantity: "module", .. }));
     refused!(
-        |s| s.wheels.face_width = mm(0.0),
+        |s| s.gear_set.face_width = mm(0.0),
         Error::Gear(Gear::NotPositive { quantity: "face width", .. })
     );
     refused!(
@@ -393,9 +393,12 @@ fn impossible_drives_are_refused() {
         |s| s.shafts.planet = ShaftSpec { diameter: Some(mm(120.0)), bearing: None },
         Error::Gear(Gear::NoBearingForShaft { series: 300, .. })
     );
-    refused!(|s| s.wheels.sun_bore = Bore::Given(mm(141.0)), Error::BoreTooLarge { wheel: Wheel::Sun, .. });
     refused!(
-        |s| s.wheels.planet_bore = Bore::Given(mm(-1.0)),
+        |s| s.gear_set.sun_bore = Bore::Given(mm(141.0)),
+        Error::BoreTooLarge { gear: BoredGear::Sun, .. }
+    );
+    refused!(
+        |s| s.gear_set.planet_bore = Bore::Given(mm(-1.0)),
         Error::Gear(Gear::OutOfRange { quantity: "bore diameter", .. })
     );
     refused!(|s| s.motor_inertia = inertia(-1.0), Error::Impossible { what: "inertia", .. });
@@ -405,7 +408,7 @@ fn impossible_drives_are_refused() {
     );
     refused!(|s| s.speed = rpm(1e-300), Error::Gear(_));
     refused!(
-        |s| { s.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(f64::MAX) },
+        |s| { s.gear_set.density = MassDensity::new::<kilogram_per_cubic_meter>(f64::MAX) },
         Error::Overflow { .. }
     );
 }
@@ -441,9 +444,9 @@ prop_compose! {
         let mut spec = DriveSpec::new(power(1e3 * power_w), rpm(100.0 * speed), ratio, mm(module), mm(10.0 * width));
         spec.teeth = teeth;
         spec.ratio_tolerance = 0.2;
-        spec.wheels.density = MassDensity::new::<kilogram_per_cubic_meter>(1e3 * density);
-        spec.wheels.sun_bore = bores[0].map_or(Bore::Shaft, |bore| Bore::Given(mm(bore)));
-        spec.wheels.planet_bore = bores[1].map_or(Bore::Bearing, |bore| Bore::Given(mm(bore)));
+        spec.gear_set.density = MassDensity::new::<kilogram_per_cubic_meter>(1e3 * density);
+        spec.gear_set.sun_bore = bores[0].map_or(Bore::Shaft, |bore| Bore::Given(mm(bore)));
+        spec.gear_set.planet_bore = bores[1].map_or(Bore::Bearing, |bore| Bore::Given(mm(bore)));
         spec.shafts.allowable_stress = Pressure::new::<megapascal>(10.0 * stress);
         let shafts = [&mut spec.shafts.sun, &mut spec.shafts.planet, &mut spec.shafts.carrier];
         for (shaft, diameter) in shafts.into_iter().zip(diameters) {
@@ -457,7 +460,7 @@ prop_compose! {
 }
 
 prop_compose! {
-    /// Drives that can be built: shafts go into their wheels.
+    /// Drives that can be built: shafts go into their gears.
     fn sound_spec()(
         sun in 17..60_u32, planet in 17..60_u32, planets in 2..6_u32, power_w in 1e2..1e4, speed in 100.0..5000.0,
         module in 4.0..20.0, width in 10.0..200.0, load in proptest::option::of(0.0..1e4),
@@ -466,8 +469,8 @@ prop_compose! {
         let ratio = f64::from(2 * (sun + planet)) / f64::from(sun);
         let mut spec = DriveSpec::new(power(power_w), rpm(speed), ratio, mm(module), mm(width));
         spec.teeth = TeethSpec::given(set(sun, planet, sun + 2 * planet, planets));
-        spec.wheels.sun_bore = Bore::Given(length(0.0));
-        spec.wheels.planet_bore = Bore::Given(mm(module));
+        spec.gear_set.sun_bore = Bore::Given(length(0.0));
+        spec.gear_set.planet_bore = Bore::Given(mm(module));
         spec.load = load.map(torque);
         spec.carrier = CarrierSpec::Inertia(inertia(attached[0]));
         (spec.motor_inertia, spec.machine_inertia) = (inertia(attached[1]), inertia(attached[2]));
@@ -482,8 +485,8 @@ proptest! {
     fn no_drive_makes_it_panic_and_no_answer_is_no_number(spec in any_spec()) {
         if let Ok(found) = design(&spec) {
             for value in [
-                n_m(found.torques.carrier), watts(found.powers.output), kg_m2(found.reduction.reduced_inertia),
-                joules(found.reduction.kinetic_energy), found.forces.pin.get::<newton>(),
+                n_m(found.torques.carrier), watts(found.powers.output), kg_m2(found.equivalent_inertia.total),
+                joules(found.equivalent_inertia.kinetic_energy), found.forces.planet_bearing.get::<newton>(),
                 rad_per_s2(found.without_losses.accelerations.sun), rad_per_s2(found.with_losses.accelerations.sun),
                 found.shafts.sun.stress.get::<pascal>(), found.shafts.carrier.stress.get::<pascal>(),
             ] {
@@ -498,8 +501,8 @@ proptest! {
     #[test]
     fn energy_shares_and_powers_agree(spec in sound_spec()) {
         let found = design(&spec).unwrap();
-        let r = &found.reduction;
-        let j = kg_m2(r.reduced_inertia);
+        let r = &found.equivalent_inertia;
+        let j = kg_m2(r.total);
         let omega = rad_per_s(found.speeds.sun);
         prop_assert!((joules(r.kinetic_energy) / (0.5 * j * omega * omega) - 1.0).abs() < 1e-12);
         let shares = [r.sun, r.motor, r.planets_orbiting, r.planets_turning, r.carrier, r.machine];
@@ -507,15 +510,15 @@ proptest! {
         let p = &found.powers;
         let left = watts(p.input) - watts(p.output) - watts(p.lost);
         prop_assert!(left.abs() < 1e-12 * watts(p.input));
-        // Both meshes of a planet and its pin balance, with losses too.
+        // Both meshes of a planet and its bearings balance, with losses too.
         let meshes = (found.forces.sun_mesh + found.forces.ring_mesh).get::<newton>();
-        prop_assert!((meshes / found.forces.pin_tangential.get::<newton>() - 1.0).abs() < 1e-12);
+        prop_assert!((meshes / found.forces.planet_bearing_tangential.get::<newton>() - 1.0).abs() < 1e-12);
         // Nominal forces are larger, by no more than the meshes lose.
         let nominal = (found.forces.sun_nominal + found.forces.ring_nominal).get::<newton>();
-        prop_assert!(nominal > meshes && nominal / meshes - 1.0 < 1.0 - found.efficiency.stationary);
-        // The pins carry the carrier's torque.
-        let pins = found.forces.pin_tangential.get::<newton>() * meters(found.wheels.centre_distance);
-        let all = pins * f64::from(found.gear.teeth.planets);
+        prop_assert!(nominal > meshes && nominal / meshes - 1.0 < 1.0 - found.efficiency.basic);
+        // The planet pins carry the carrier's torque.
+        let pins = found.forces.planet_bearing_tangential.get::<newton>() * meters(found.gear_set.centre_distance);
+        let all = pins * f64::from(found.teeth.numbers.planets);
         prop_assert!((all / n_m(found.torques.carrier) - 1.0).abs() < 1e-12);
         // At the nominal load the losses leave nothing, and what the source's sum leaves is the lost power.
         if spec.load.is_none() {

@@ -1,6 +1,6 @@
 //! What deserves a second look in a drive that could be calculated.
 
-use super::result::{Shaft, Wheel};
+use super::result::{BoredGear, Shaft};
 use std::fmt;
 
 /// A finding about a drive that does not stop the calculation.
@@ -52,17 +52,17 @@ pub enum Warning {
         /// The stress given, MPa.
         allowable_mpa: f64,
     },
-    /// A rack undercuts the wheel.
+    /// A rack undercuts the gear.
     Undercut {
-        /// Which wheel.
-        wheel: Wheel,
+        /// Which gear.
+        gear: BoredGear,
         /// Its teeth.
         teeth: u32,
         /// The fewest that are not undercut.
         at_least: u32,
     },
-    /// The tips of neighbouring planets touch or overlap.
-    NeighbourGap {
+    /// The tips of adjacent planets touch or overlap.
+    NoPlanetClearance {
         /// Number of planets.
         planets: u32,
         /// Gap between the tip circles, mm: 0 or less.
@@ -70,7 +70,7 @@ pub enum Warning {
         /// The most equally spaced planets that clear each other.
         most_planets: u32,
     },
-    /// The tips of neighbouring planets clear each other by less than was asked for.
+    /// The tips of adjacent planets clear each other by less than was asked for.
     TipGapBelowWanted {
         /// Gap between the tip circles, mm.
         gap_mm: f64,
@@ -101,7 +101,7 @@ pub enum Warning {
         ratio: f64,
     },
     /// The holes of the carrier's arms are not where the planets' pins are.
-    PinOffCentre {
+    PlanetPinOffCentre {
         /// Radius of the holes' centres, mm.
         hole_mm: f64,
         /// Centre distance of sun and planet, mm.
@@ -122,12 +122,12 @@ impl Warning {
             Self::UnverifiedBearing { .. } => "unverified-bearing",
             Self::StressOutsideUsualRange { .. } => "stress-outside-usual-range",
             Self::Undercut { .. } => "undercut",
-            Self::NeighbourGap { .. } => "neighbour-gap",
+            Self::NoPlanetClearance { .. } => "neighbour-gap",
             Self::TipGapBelowWanted { .. } => "tip-gap-below-wanted",
             Self::UnequalSpacing { .. } => "unequal-spacing",
             Self::RatioDeparts { .. } => "ratio-departs",
             Self::RatioOutsideUsualRange { .. } => "ratio-outside-usual-range",
-            Self::PinOffCentre { .. } => "pin-off-centre",
+            Self::PlanetPinOffCentre { .. } => "pin-off-centre",
             Self::CarrierNeglected => "carrier-neglected",
         }
     }
@@ -157,17 +157,17 @@ impl fmt::Display for Warning {
             Self::StressOutsideUsualRange { allowable_mpa } => {
                 write!(f, "an allowable stress of {allowable_mpa:.1} MPa is outside the usual 15 to 20 MPa")
             }
-            Self::Undercut { wheel, teeth, at_least } => {
-                write!(f, "the {wheel} with {teeth} teeth is undercut; {at_least} teeth are not")
+            Self::Undercut { gear, teeth, at_least } => {
+                write!(f, "the {gear} with {teeth} teeth is undercut; {at_least} teeth are not")
             }
-            Self::NeighbourGap { planets, gap_mm, most_planets } => write!(
+            Self::NoPlanetClearance { planets, gap_mm, most_planets } => write!(
                 f,
                 "{planets} planets do not clear each other: their tips overlap by {:.2} mm; at most {most_planets} do",
                 -gap_mm
             ),
             Self::TipGapBelowWanted { gap_mm, wanted_mm } => write!(
                 f,
-                "the tips of neighbouring planets clear each other by {gap_mm:.2} mm; {wanted_mm:.2} mm are wanted"
+                "the tips of adjacent planets clear each other by {gap_mm:.2} mm; {wanted_mm:.2} mm are wanted"
             ),
             Self::UnequalSpacing { planets, slots, deviation_deg } => write!(
                 f,
@@ -183,7 +183,7 @@ impl fmt::Display for Warning {
             Self::RatioOutsideUsualRange { ratio } => {
                 write!(f, "a ratio of {ratio:.4} is outside the usual 3 to 10 of a single stage")
             }
-            Self::PinOffCentre { hole_mm, centre_distance_mm } => write!(
+            Self::PlanetPinOffCentre { hole_mm, centre_distance_mm } => write!(
                 f,
                 "the carrier's holes stand at a radius of {hole_mm:.2} mm, the planets at {centre_distance_mm:.2} mm"
             ),

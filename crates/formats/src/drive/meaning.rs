@@ -5,7 +5,7 @@ use epicyclic_gears::bearing::{self, Series};
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::synthesis::{Placement, ToothSet};
+use epicyclic_gears::synthesis::{Placement, ToothNumbers};
 use epicyclic_gears::{Error as GearError, ToothCount};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Ratio};
@@ -49,10 +49,11 @@ impl DriveFile {
             spec.planet_ring_efficiency =
                 eta(mesh.planet_ring, spec.planet_ring_efficiency, "mesh_efficiency.planet_ring")?;
         }
-        spec.wheels.rack = rack;
-        spec.wheels.density = or(wheels.density, spec.wheels.density);
-        spec.wheels.sun_bore = bore(wheels.sun_bore, spec.wheels.sun_bore, "wheels.sun_bore")?;
-        spec.wheels.planet_bore = bore(wheels.planet_bore, spec.wheels.planet_bore, "wheels.planet_bore")?;
+        spec.gear_set.rack = rack;
+        spec.gear_set.density = or(wheels.density, spec.gear_set.density);
+        spec.gear_set.sun_bore = bore(wheels.sun_bore, spec.gear_set.sun_bore, "wheels.sun_bore")?;
+        spec.gear_set.planet_bore =
+            bore(wheels.planet_bore, spec.gear_set.planet_bore, "wheels.planet_bore")?;
         if let Some(shafts) = &self.shafts {
             spec.shafts.allowable_stress = or(shafts.allowable_stress, spec.shafts.allowable_stress);
             spec.shafts.bearing_series = shafts.bearing_series.map_or(Series::Medium300, |given| given.0);
@@ -115,7 +116,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
         };
         let (planet, ring) = (count(planet, "teeth.planet")?, count(ring, "teeth.ring")?);
         let ratio = 1.0 + ring.as_f64() / sun.as_f64();
-        let teeth = ToothSet { sun, planet, ring, planets };
+        let teeth = ToothNumbers { sun, planet, ring, planets };
         return Ok((TeethSpec::Given { teeth, placement, tip_gap }, Some(ratio)));
     }
     let mut bounds = default_bounds(rack);

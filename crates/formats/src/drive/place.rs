@@ -2,7 +2,7 @@
 
 use crate::Path;
 use epicyclic_dynamics::Error;
-use epicyclic_dynamics::drive::Wheel;
+use epicyclic_dynamics::drive::BoredGear;
 use epicyclic_gears::Error as Gear;
 
 /// The key that an error of the design is about; the root where it is about the whole.
@@ -12,9 +12,9 @@ use epicyclic_gears::Error as Gear;
 pub fn place(error: &Error) -> Path {
     path(match error {
         Error::Gear(error) => of_gear(error),
-        Error::NotCoaxial { .. } => "teeth",
-        Error::BoreTooLarge { wheel: Wheel::Sun, .. } => "wheels.sun_bore",
-        Error::BoreTooLarge { wheel: Wheel::Planet, .. } => "wheels.planet_bore",
+        Error::UnequalCentreDistances { .. } => "teeth",
+        Error::BoreTooLarge { gear: BoredGear::Sun, .. } => "wheels.sun_bore",
+        Error::BoreTooLarge { gear: BoredGear::Planet, .. } => "wheels.planet_bore",
         Error::Impossible { link, .. } => match link.as_str() {
             "motor" => "attached.motor",
             "driven machine" => "attached.machine",
@@ -32,11 +32,11 @@ fn of_gear(error: &Gear) -> &'static str {
         | Gear::Negative { quantity, .. }
         | Gear::OutOfRange { quantity, .. }
         | Gear::NotAbove { quantity, .. } => of_quantity(quantity),
-        Gear::NoToothSet { .. } => "ratio",
+        Gear::NoToothNumbers { .. } => "ratio",
         Gear::Tolerance { .. } => "ratio_tolerance",
-        Gear::ToothRange { wheel: "sun", .. } => "teeth.sun",
-        Gear::ToothRange { wheel: "planet", .. } => "teeth.planet",
-        Gear::ToothRange { wheel: "ring", .. } => "teeth.ring",
+        Gear::ToothRange { gear: "sun", .. } => "teeth.sun",
+        Gear::ToothRange { gear: "planet", .. } => "teeth.planet",
+        Gear::ToothRange { gear: "ring", .. } => "teeth.ring",
         Gear::PlanetNumber { .. } => "teeth.planets",
         Gear::NoRoot { .. } | Gear::NoInternalTip { .. } => "teeth",
         Gear::NoStandardDiameter { .. } | Gear::NoBearingForShaft { .. } => "shafts",

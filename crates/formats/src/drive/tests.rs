@@ -31,9 +31,9 @@ fn with(old: &str, new: &str) -> String {
 #[test]
 fn the_example_is_the_excavator() {
     let found = design(&spec(EXCAVATOR).unwrap()).unwrap();
-    let teeth = found.gear.teeth;
+    let teeth = found.teeth.numbers;
     assert_eq!((teeth.sun.get(), teeth.planet.get(), teeth.ring.get(), teeth.planets), (20, 40, 100, 4));
-    assert!((found.wheels.ring.root_diameter().get::<millimeter>() - 819.2).abs() < 1e-9);
+    assert!((found.gear_set.ring.root_diameter().get::<millimeter>() - 819.2).abs() < 1e-9);
     let names: Vec<_> = found.warnings.iter().map(epicyclic_dynamics::drive::Warning::name).collect();
     assert_eq!(names, ["shaft-too-thin"; 3]);
     assert_eq!(found.with_losses.start, Start::InBalance);
@@ -42,7 +42,7 @@ fn the_example_is_the_excavator() {
 #[test]
 fn the_least_file_is_a_drive() {
     let read = spec(MINIMAL).unwrap();
-    let plain = DriveSpec::new(read.power, read.speed, 5.0, read.wheels.module, read.wheels.face_width);
+    let plain = DriveSpec::new(read.power, read.speed, 5.0, read.gear_set.module, read.gear_set.face_width);
     assert_eq!(read, plain);
     let found = design(&read).unwrap();
     let names: Vec<_> = found.warnings.iter().map(epicyclic_dynamics::drive::Warning::name).collect();
@@ -72,7 +72,7 @@ fn every_optional_key_is_understood() {
         .replace("allowable_stress: 20 MPa", "allowable_stress: 15 MPa\n  bearing_series: 300");
     let read = spec(&text).unwrap();
     assert_eq!(read.ratio_tolerance, 0.02);
-    assert_eq!(read.wheels.planet_bore, Bore::Given("120 mm".parse::<Quantity<Length>>().unwrap().0));
+    assert_eq!(read.gear_set.planet_bore, Bore::Given("120 mm".parse::<Quantity<Length>>().unwrap().0));
     assert!(matches!(design(&read).unwrap().with_losses.start, Start::After(_)));
     let inertia =
         text.split("carrier:\n  arms").next().unwrap().to_owned() + "carrier: { inertia: 0.144 kg·m² }\n";

@@ -236,7 +236,7 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
             "face width" | "width" => &["face_width"],
             "bore of a planet" | "bore diameter" => &["planet_bore"],
             "mass of a planet" => &["planet_mass"],
-            "capacity of the bearing" => &["bearing_capacity"],
+            "basic dynamic load rating of the bearing" => &["bearing_capacity"],
             _ => &[],
         },
         _ => &[],

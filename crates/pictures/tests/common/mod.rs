@@ -8,7 +8,7 @@ use epicyclic_drawing::{Color, Scene, Shape, dxf, svg};
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::TransmissionsFile;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::RowParameter;
+use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Layout, Verdict};
 use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
@@ -18,7 +18,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
 pub(crate) fn catalogue() -> Vec<Gearbox> {
-    let k = |k| RowParameter::new(k).unwrap();
+    let k = |k| RingToSunRatio::new(k).unwrap();
     let eta = MeshEfficiency::new(0.97).unwrap();
     let two = TwoSpeed::ALL.into_iter().map(|scheme| scheme.gearbox(k(2.6), eta).unwrap());
     let three = ThreeSpeed::ALL.into_iter().map(|scheme| scheme.gearbox(k(2.15), k(3.1), eta).unwrap());

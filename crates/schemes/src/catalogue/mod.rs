@@ -15,7 +15,7 @@
 //! The closed forms are fast paths; the solver is the truth they are tested against.
 //!
 //! ```
-//! use epicyclic_gears::{efficiency::MeshEfficiency, row::RowParameter};
+//! use epicyclic_gears::{efficiency::MeshEfficiency, simple_set::RingToSunRatio};
 //! use crate::catalogue::{ThreeSpeed, TwoSpeed};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! // Section 3.3, first variation: II with k₁ = 2.15, then II-3 with k₂ = 2.354.
@@ -45,7 +45,7 @@ pub use three_speed::ThreeSpeed;
 pub use two_speed::TwoSpeed;
 
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::RowParameter;
+use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_train::set::{MeshLoss, SetSpec};
 use epicyclic_train::{Error, Gearbox};
 use std::fmt;
@@ -88,7 +88,7 @@ impl fmt::Display for Role {
 /// Links `D B T1 T2`, brakes `K1`, `K2`, the locking clutch `L` between D and B.
 pub(crate) fn gearbox(
     name: &str,
-    rows: &[([Role; 3], RowParameter)],
+    rows: &[([Role; 3], RingToSunRatio)],
     eta0: MeshEfficiency,
 ) -> Result<Gearbox, Error> {
     let mut builder = Gearbox::builder(name)

@@ -1,7 +1,7 @@
 //! Which row parameters are used, and what a ratio does over them.
 
 use crate::DesignError;
-use epicyclic_gears::row::RowParameter;
+use epicyclic_gears::simple_set::RingToSunRatio;
 
 /// Row parameters from one to another, ends included.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +44,7 @@ impl ParameterRange {
 
     /// Whether a row parameter lies in it.
     #[must_use]
-    pub fn contains(self, k: RowParameter) -> bool {
+    pub fn contains(self, k: RingToSunRatio) -> bool {
         (self.low..=self.high).contains(&k.get())
     }
 
@@ -124,8 +124,8 @@ mod tests {
         assert!(ParameterRange::new(2.0, f64::INFINITY).is_err());
         let range = ParameterRange::new(1.7, 7.0).unwrap();
         assert_eq!(range, ParameterRange::USED);
-        assert!(range.contains(RowParameter::new(7.0).unwrap()));
-        assert!(!range.contains(RowParameter::new(1.5).unwrap()));
+        assert!(range.contains(RingToSunRatio::new(7.0).unwrap()));
+        assert!(!range.contains(RingToSunRatio::new(1.5).unwrap()));
     }
 
     #[test]

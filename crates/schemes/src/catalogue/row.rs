@@ -4,7 +4,7 @@
 //! multispeed-gearboxes, tables 2.2 and 2.3, (2.22)–(2.25).
 
 use super::ParameterRange;
-use epicyclic_gears::row::{Member, Mode, RowParameter, StationaryRatio};
+use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
 
 /// Ratio of a simple row in a mode as a fraction `[n, d]` of terms linear in `k`.
 ///
@@ -28,7 +28,7 @@ pub(crate) fn fraction(mode: Mode, k: f64) -> [f64; 2] {
 /// Each of the six is monotonous in `k`, so these are its extremes.
 ///
 /// ```
-/// use epicyclic_gears::row::{Member, Mode};
+/// use epicyclic_gears::simple_set::{Member, Mode};
 /// use crate::catalogue::{ParameterRange, row::ratio_range};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// let [from, to] = ratio_range(Mode::new(Member::Ring, Member::Carrier)?, ParameterRange::USED);
@@ -47,10 +47,10 @@ pub fn ratio_range(mode: Mode, range: ParameterRange) -> [f64; 2] {
 /// Row parameter of the simple row with ratio `i = ω_in/ω_out` in a mode.
 ///
 /// # Errors
-/// [`epicyclic_gears::Error::Ratio`] or [`epicyclic_gears::Error::RowParameter`] where no simple row
+/// [`epicyclic_gears::Error::Ratio`] or [`epicyclic_gears::Error::RingToSunRatio`] where no simple row
 /// has it.
-pub fn parameter(mode: Mode, ratio: f64) -> Result<RowParameter, epicyclic_gears::Error> {
-    RowParameter::new(-StationaryRatio::with_ratio(ratio, mode)?.get())
+pub fn parameter(mode: Mode, ratio: f64) -> Result<RingToSunRatio, epicyclic_gears::Error> {
+    RingToSunRatio::new(-BasicRatio::with_ratio(ratio, mode)?.get())
 }
 
 /// Factors of `ω_a`, `ω_b`, `ω_H`, `ω_g` in the four relations between the speeds of a simple row, each
@@ -63,7 +63,7 @@ pub fn parameter(mode: Mode, ratio: f64) -> Result<RowParameter, epicyclic_gears
 ///
 /// Speeds in any one unit. In the order of the table: without g, without H, without b, without a.
 #[must_use]
-pub fn speed_relations(k: RowParameter) -> [[f64; 4]; 4] {
+pub fn speed_relations(k: RingToSunRatio) -> [[f64; 4]; 4] {
     let k = k.get();
     [
         [1.0, k, -(k + 1.0), 0.0],
@@ -81,7 +81,7 @@ mod tests {
     proptest! {
         #[test]
         fn the_fractions_are_the_ratios_of_the_row(k in 1.01..20.0_f64) {
-            let row = StationaryRatio::from(RowParameter::new(k).unwrap());
+            let row = BasicRatio::from(RingToSunRatio::new(k).unwrap());
             for mode in Mode::ALL {
                 let [n, d] = fraction(mode, k);
                 let ratio = row.ratio(mode).unwrap();
@@ -94,7 +94,7 @@ mod tests {
         fn the_relations_hold_for_rolling_speeds_and_for_a_block(
             k in 1.01..20.0_f64, carrier in -5.0..5.0, sun in -5.0..5.0,
         ) {
-            let parameter = RowParameter::new(k).unwrap();
+            let parameter = RingToSunRatio::new(k).unwrap();
             let ring = ((k + 1.0) * carrier - sun) / k;
             let planet = carrier - (sun - carrier) / parameter.planet_to_sun();
             let speeds = [sun, ring, carrier, planet];

@@ -28,7 +28,7 @@ use super::{Role, TwoSpeed, gearbox};
 use crate::DesignError;
 use crate::closing::{Candidate, Shaft};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::RowParameter;
+use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
@@ -118,7 +118,7 @@ impl ThreeSpeed {
 
     /// Ratio `i₂ = ω_D/ω_B` with T₂ braked.
     #[must_use]
-    pub fn ratio(self, k1: RowParameter, k2: RowParameter) -> f64 {
+    pub fn ratio(self, k1: RingToSunRatio, k2: RingToSunRatio) -> f64 {
         let (k, l) = (k1.get(), k2.get());
         match self {
             Self::I1 => (k + 1.0) * (l + 1.0) / (k + l + 1.0),
@@ -139,7 +139,7 @@ impl ThreeSpeed {
     ///
     /// By Kreines' rule these are the ratios with each `k` times `η₀^±1`, over the ratio itself.
     #[must_use]
-    pub fn efficiency(self, k1: RowParameter, k2: RowParameter, eta0: MeshEfficiency) -> f64 {
+    pub fn efficiency(self, k1: RingToSunRatio, k2: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
         let (k, l, e) = (k1.get(), k2.get(), eta0.get());
         match self {
             Self::I1 => {
@@ -174,7 +174,7 @@ impl ThreeSpeed {
     ///
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
-    pub fn second_parameter(self, k1: RowParameter, ratio: f64) -> Result<RowParameter, DesignError> {
+    pub fn second_parameter(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, DesignError> {
         self.closing().second_parameter(k1, ratio).map_err(|error| match error {
             DesignError::RatioOutOfReach { ratio, low, high, .. } => {
                 DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
@@ -200,8 +200,8 @@ impl ThreeSpeed {
     /// None of row parameters: what the engine would refuse is refused before.
     pub fn gearbox(
         self,
-        k1: RowParameter,
-        k2: RowParameter,
+        k1: RingToSunRatio,
+        k2: RingToSunRatio,
         eta0: MeshEfficiency,
     ) -> Result<Gearbox, DesignError> {
         let [first, second] = self.rows();
@@ -231,8 +231,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn k(value: f64) -> RowParameter {
-        RowParameter::new(value).unwrap()
+    fn k(value: f64) -> RingToSunRatio {
+        RingToSunRatio::new(value).unwrap()
     }
 
     #[test]

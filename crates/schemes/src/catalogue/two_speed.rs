@@ -16,7 +16,7 @@ use super::row::{fraction, parameter, ratio_range};
 use super::{Role, gearbox};
 use crate::DesignError;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::{Member, Mode, RowParameter};
+use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
 use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
@@ -70,7 +70,7 @@ impl TwoSpeed {
 
     /// Ratio `i = ω_D/ω_B` with T₁ braked.
     #[must_use]
-    pub fn ratio(self, k: RowParameter) -> f64 {
+    pub fn ratio(self, k: RingToSunRatio) -> f64 {
         let [n, d] = self.fraction(k.get());
         n / d
     }
@@ -81,7 +81,7 @@ impl TwoSpeed {
 
     /// Efficiency with T₁ braked, the row losing `1 − η₀` of its relative power.
     #[must_use]
-    pub fn efficiency(self, k: RowParameter, eta0: MeshEfficiency) -> f64 {
+    pub fn efficiency(self, k: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
         let (k, eta0) = (k.get(), eta0.get());
         match self {
             Self::I => (1.0 + k * eta0) / (1.0 + k),
@@ -95,7 +95,7 @@ impl TwoSpeed {
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
     /// simple row would need `k ≤ 1`.
-    pub fn parameter(self, ratio: f64) -> Result<RowParameter, DesignError> {
+    pub fn parameter(self, ratio: f64) -> Result<RingToSunRatio, DesignError> {
         parameter(self.mode(), ratio).map_err(|_| {
             let (low, high) = match self {
                 Self::I => (2.0, f64::INFINITY),
@@ -116,7 +116,7 @@ impl TwoSpeed {
     ///
     /// # Errors
     /// None of a row parameter: what the engine would refuse is refused before.
-    pub fn gearbox(self, k: RowParameter, eta0: MeshEfficiency) -> Result<Gearbox, DesignError> {
+    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, DesignError> {
         Ok(gearbox(self.name(), &[(self.row(), k)], eta0)?)
     }
 }
@@ -143,8 +143,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn k(value: f64) -> RowParameter {
-        RowParameter::new(value).unwrap()
+    fn k(value: f64) -> RingToSunRatio {
+        RingToSunRatio::new(value).unwrap()
     }
 
     #[test]

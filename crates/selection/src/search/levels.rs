@@ -9,7 +9,7 @@
 use crate::demand::Limits;
 use crate::objectives::parameter_distance;
 use crate::size::{Rating, cube_of_parameter};
-use epicyclic_gears::synthesis::ToothSet;
+use epicyclic_gears::synthesis::ToothNumbers;
 
 /// Tooth sets of one row parameter.
 #[derive(Debug, Clone)]
@@ -29,21 +29,21 @@ pub(crate) struct Level {
 
 /// All levels within the limits, ascending by `k`, and the tooth sets by level.
 pub(crate) fn levels(
-    mut sets: Vec<ToothSet>,
+    mut sets: Vec<ToothNumbers>,
     limits: &Limits,
     rating: &Rating,
-) -> (Vec<Level>, Vec<ToothSet>) {
-    sets.retain(|set| limits.parameter.contains(&set.row_parameter()));
+) -> (Vec<Level>, Vec<ToothNumbers>) {
+    sets.retain(|set| limits.parameter.contains(&set.ring_to_sun_ratio()));
     // By k as a fraction: exact, and without a thought of rounding.
-    let cross = |one: &ToothSet, other: &ToothSet| {
-        let product = |a: &ToothSet, b: &ToothSet| u64::from(a.ring.get()) * u64::from(b.sun.get());
+    let cross = |one: &ToothNumbers, other: &ToothNumbers| {
+        let product = |a: &ToothNumbers, b: &ToothNumbers| u64::from(a.ring.get()) * u64::from(b.sun.get());
         product(one, other).cmp(&product(other, one))
     };
     sets.sort_by(|one, other| cross(one, other).then(one.cmp(other)));
     let mut found: Vec<Level> = vec![];
     let mut from = 0_u32;
     for alike in sets.chunk_by(|one, other| cross(one, other).is_eq()) {
-        let k = alike[0].row_parameter();
+        let k = alike[0].ring_to_sun_ratio();
         let to = from + alike.len() as u32;
         found.push(Level {
             k,

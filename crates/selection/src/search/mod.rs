@@ -65,7 +65,7 @@ use crate::front::{Entry, front, non_dominated};
 use crate::objectives::{Costs, Objectives, Order, nowhere_worse};
 use crate::units::in_metres;
 use contenders::Contenders;
-use epicyclic_gears::synthesis::{Bounds, ToothSet};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::structures::Structure;
 use levels::{Level, levels};
 use patch::{Allowed, Measured, Patch, Side};
@@ -112,7 +112,7 @@ pub struct Found {
     points: Vec<Point>,
     patches: Vec<Patch>,
     levels: Vec<Level>,
-    sets: Vec<ToothSet>,
+    sets: Vec<ToothNumbers>,
     counts: Counts,
     size: SizeLimits,
     allowed: Allowed,
@@ -149,7 +149,7 @@ pub struct ToothDesign {
     /// Row parameters.
     pub k: [f64; 2],
     /// Tooth sets of both rows, each pair a design.
-    pub pairs: Vec<[ToothSet; 2]>,
+    pub pairs: Vec<[ToothNumbers; 2]>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -307,7 +307,7 @@ impl ToothSearch {
         if counted > MOST_TOOTH_SETS {
             return Err(SelectionError::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
         }
-        let all_sets = self.bounds.tooth_sets()?;
+        let all_sets = self.bounds.tooth_numbers()?;
         let tooth_sets = all_sets.len();
         let (levels, sets) = levels(all_sets, &self.demand.limits, &self.demand.rating);
         let assignments = self.assignments()?;
@@ -465,8 +465,8 @@ impl ToothSearch {
                 if size.module.is_some() || size.ring.is_finite() {
                     let rating = &self.demand.rating;
                     shares = [0, 1].map(|row| {
-                        let share = |set: &ToothSet| rating.share(set.planets);
-                        let fits = |set: &&ToothSet| size.fits(&measured, row, at[row], set, share(set));
+                        let share = |set: &ToothNumbers| rating.share(set.planets);
+                        let fits = |set: &&ToothNumbers| size.fits(&measured, row, at[row], set, share(set));
                         at[row].of(sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
                     });
                     if shares.iter().any(|share| share.is_infinite()) {
@@ -482,7 +482,7 @@ impl ToothSearch {
 }
 
 impl SizeLimits {
-    fn fits(self, measured: &Measured, row: usize, level: &Level, set: &ToothSet, share: f64) -> bool {
+    fn fits(self, measured: &Measured, row: usize, level: &Level, set: &ToothNumbers, share: f64) -> bool {
         let ring = measured.cube(row, level, share).cbrt();
         let module = ring / set.ring.as_f64();
         ring <= self.ring && self.module.is_none_or(|[least, greatest]| module >= least && module <= greatest)
@@ -490,7 +490,7 @@ impl SizeLimits {
 }
 
 impl Level {
-    fn of<'a>(&self, sets: &'a [ToothSet]) -> &'a [ToothSet] {
+    fn of<'a>(&self, sets: &'a [ToothNumbers]) -> &'a [ToothNumbers] {
         &sets[self.sets[0] as usize..self.sets[1] as usize]
     }
 }
@@ -542,9 +542,10 @@ impl Found {
         let rows = [0, 1].map(|row| patch.side(row, levels[row]));
         let measured = patch.measure(&self.levels, pair, [&rows[0], &rows[1]], &self.allowed)?;
         let costs = entry.objectives;
-        let share = |set: &ToothSet| self.rating.share(set.planets);
+        let share = |set: &ToothNumbers| self.rating.share(set.planets);
         let mut pairs = vec![];
-        let fits = |row: usize, set: &ToothSet| self.size.fits(&measured, row, levels[row], set, share(set));
+        let fits =
+            |row: usize, set: &ToothNumbers| self.size.fits(&measured, row, levels[row], set, share(set));
         for first in levels[0].of(&self.sets).iter().filter(|set| fits(0, set)) {
             for second in levels[1].of(&self.sets).iter().filter(|set| fits(1, set)) {
                 let theirs = measured.costs(levels, [share(first), share(second)]);

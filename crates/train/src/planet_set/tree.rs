@@ -4,7 +4,7 @@ use super::{Behind, Central, Description, GearOf, Mesh};
 use crate::Error;
 use crate::error::CompoundFault;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::row::Fraction;
+use epicyclic_gears::simple_set::Fraction;
 
 /// Equations and segments of a set.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
-//! Forces on the bearing and pin of a planet: from the meshes and from its mass.
+//! Forces on the bearings and the pin of a planet: from the meshes and from its mass.
 //!
-//! The pins hand the carrier its torque, so the tangential force follows from the carrier's statics alone, with losses
+//! The planet pins hand the carrier its torque, so the tangential force follows from the carrier's statics alone, with losses
 //! or without:
 //!
 //! ```text
@@ -12,9 +12,9 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | `T_H`, `T_i` | torques on the carrier and on central wheel `i` | N·m |
+//! | `T_H`, `T_i` | torques on the carrier and on central gear `i` | N·m |
 //! | `n` | planets, all carrying alike | 1 |
-//! | `r_w`, `r_i` | radius of the planets' centres, pitch radius of wheel `i` | mm |
+//! | `r_w`, `r_i` | radius of the planets' centres, pitch radius of gear `i` | mm |
 //! | `α` | working pressure angle | deg |
 //! | `m` | mass of a planet with what turns about its pin | kg |
 //! | `ω_H` | speed of the carrier | rad/s |
@@ -32,42 +32,42 @@
 //! whole torque on the pitch circle: it leaves out the torque of friction on the planet, and its sum over both meshes is
 //! larger than `F_t` by a part of the order of the loss. `F_r` above is of the nominal forces.
 //!
-//! In a simple row without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
-//! the radial ones cancel. Left out: weight, helix angle, unequal sharing among the planets, and in a stepped planet
+//! In a simple set without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
+//! the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets (mesh load factor `K_γ` > 1), and in a stepped planet
 //! the couple of its two planes.
 
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
 
 use crate::Error;
-use crate::geometry::Toothing;
+use crate::geometry::GearKind;
 use crate::units::{
     acute_angle, force, n_m, newtons, not_negative, positive_length, positive_mass, rad_per_s,
 };
 
-/// A central wheel as a planet feels it.
+/// A central gear as a planet feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Push {
     /// A sun is external and pushes outwards, a ring internal and pushes inwards.
-    pub toothing: Toothing,
+    pub kind: GearKind,
     /// Pitch radius `r_i`.
     pub pitch_radius: Length,
-    /// Torque on the wheel, `T_i`.
+    /// Torque on the gear, `T_i`.
     pub torque: Torque,
 }
 
-/// Tangential force on the pin of each planet, `|T_H|/(n·r_w)`.
+/// Tangential force on the bearings of each planet, `|T_H|/(n·r_w)`.
 ///
 /// # Errors
 /// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the radius, [`Error::Negative`] for a torque that is not finite.
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::pin;
+/// use epicyclic_gears::planet_bearing;
 /// use uom::si::f64::{Length, Torque};
 /// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
 ///
 /// let radius = Length::new::<millimeter>(60.0);
-/// let force = pin::tangential_force(Torque::new::<newton_meter>(-540.0), 3, radius)?;
+/// let force = planet_bearing::tangential_force(Torque::new::<newton_meter>(-540.0), 3, radius)?;
 /// assert!((force.get::<newton>() - 3000.0).abs() < 1e-9);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
@@ -83,8 +83,8 @@ pub fn tangential_force(
 
 /// Tangential force of a mesh at each of `planets` planets, friction of the teeth included: `|T_1 + T_2|/(n·a)`.
 ///
-/// The torques are those on the two gears from outside the mesh, of all planets together: of one sense in an external
-/// mesh, of opposite senses in an internal one. That of a gear in mesh twice is what it hands from one mesh to the other.
+/// The torques are those on the two gears from outside the mesh, of all planets together: of one direction in an external
+/// mesh, of opposite directions in an internal one. That of a gear in mesh twice is what it hands from one mesh to the other.
 ///
 /// # Errors
 /// [`Error::TooFew`] without planets, [`Error::NotPositive`] for the distance, [`Error::Negative`] for a torque that is not
@@ -92,13 +92,13 @@ pub fn tangential_force(
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::pin;
+/// use epicyclic_gears::planet_bearing;
 /// use uom::si::f64::{Length, Torque};
 /// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
 ///
 /// // Pitch radii 20 and 40 mm: 100 N·m on the sun, 200 less 3 % arrive at the planets.
 /// let n_m = Torque::new::<newton_meter>;
-/// let force = pin::mesh_force(n_m(100.0), n_m(194.0), 4, Length::new::<millimeter>(60.0))?;
+/// let force = planet_bearing::mesh_force(n_m(100.0), n_m(194.0), 4, Length::new::<millimeter>(60.0))?;
 /// assert!((force.get::<newton>() - 1225.0).abs() < 1e-9); // nominal 1250 N
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
@@ -119,16 +119,16 @@ pub fn mesh_force(
 /// # Errors
 /// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, [`Error::Negative`] for a torque that is not finite,
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
-pub fn radial_force(wheels: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
+pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
     let count = count(planets)?;
     let alpha_rad = acute_angle("pressure angle", pressure_angle)?;
     let mut sum_n = 0.0;
-    for wheel in wheels {
-        let radius_m = positive_length("pitch radius", wheel.pitch_radius)?;
-        let torque_n_m = size("torque on a central wheel", n_m(wheel.torque), "N·m")?;
-        let outwards = match wheel.toothing {
-            Toothing::External => 1.0,
-            Toothing::Internal => -1.0,
+    for gear in gears {
+        let radius_m = positive_length("pitch radius", gear.pitch_radius)?;
+        let torque_n_m = size("torque on a central gear", n_m(gear.torque), "N·m")?;
+        let outwards = match gear.kind {
+            GearKind::External => 1.0,
+            GearKind::Internal => -1.0,
         };
         sum_n += outwards * torque_n_m / (count * radius_m);
     }
@@ -142,13 +142,13 @@ pub fn radial_force(wheels: &[Push], planets: u32, pressure_angle: Angle) -> Res
 ///
 /// # Example
 /// ```
-/// use epicyclic_gears::pin;
+/// use epicyclic_gears::planet_bearing;
 /// use uom::si::angular_velocity::radian_per_second;
 /// use uom::si::f64::{AngularVelocity, Length, Mass};
 /// use uom::si::{force::newton, length::millimeter, mass::kilogram};
 ///
 /// let (mass, radius) = (Mass::new::<kilogram>(0.5), Length::new::<millimeter>(60.0));
-/// let force = pin::centrifugal_force(mass, radius, AngularVelocity::new::<radian_per_second>(100.0))?;
+/// let force = planet_bearing::centrifugal_force(mass, radius, AngularVelocity::new::<radian_per_second>(100.0))?;
 /// assert!((force.get::<newton>() - 300.0).abs() < 1e-9);
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
@@ -184,29 +184,29 @@ fn size(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, E
 mod tests {
     use super::*;
     use crate::efficiency::{MeshEfficiency, torques};
-    use crate::row::{Member, Mode, StationaryRatio};
+    use crate::simple_set::{BasicRatio, Member, Mode};
     use crate::units::{angle_from_degrees, angular_velocity, length_from_mm as mm, mass, torque};
 
-    /// The force of the pin from the two meshes and their geometry, as vectors, without statics of the carrier.
+    /// The force on the planet bearings from the two meshes and their geometry, as vectors, without statics of the carrier.
     #[test]
     fn the_carrier_and_the_two_meshes_tell_one_force() {
         let (k, radius_mm, planets) = (3.0, 60.0, 3);
         let sun_mm = 2.0 * radius_mm / (k + 1.0);
-        let row = StationaryRatio::new(-k).unwrap();
+        let set = BasicRatio::new(-k).unwrap();
         let mode = Mode::new(Member::Sun, Member::Carrier).unwrap();
-        let found = torques(row, MeshEfficiency::IDEAL, mode, torque(100.0)).unwrap();
+        let found = torques(set, MeshEfficiency::IDEAL, mode, torque(100.0)).unwrap();
         let (sun, ring, carrier) = (found.sun, found.ring, found.carrier);
         // 2·F with F = T_a/(n·r_a).
         let of_mesh = 100.0 / (3.0 * sun_mm * 1e-3);
         let tangential = newtons(tangential_force(carrier, planets, mm(radius_mm)).unwrap());
         assert!((tangential / (2.0 * of_mesh) - 1.0).abs() < 1e-12);
-        let wheels = [
-            Push { toothing: Toothing::External, pitch_radius: mm(sun_mm), torque: sun },
-            Push { toothing: Toothing::Internal, pitch_radius: mm(k * sun_mm), torque: ring },
+        let gears = [
+            Push { kind: GearKind::External, pitch_radius: mm(sun_mm), torque: sun },
+            Push { kind: GearKind::Internal, pitch_radius: mm(k * sun_mm), torque: ring },
         ];
-        let radial = newtons(radial_force(&wheels, planets, angle_from_degrees(20.0)).unwrap());
+        let radial = newtons(radial_force(&gears, planets, angle_from_degrees(20.0)).unwrap());
         assert!(radial.abs() < 1e-9 * of_mesh, "{radial}");
-        let alone = newtons(radial_force(&wheels[..1], planets, angle_from_degrees(45.0)).unwrap());
+        let alone = newtons(radial_force(&gears[..1], planets, angle_from_degrees(45.0)).unwrap());
         assert!((alone / of_mesh - 1.0).abs() < 1e-12);
         assert_eq!(newtons(resultant(force(3.0), force(-4.0))), 5.0);
     }

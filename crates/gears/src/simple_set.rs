@@ -1,4 +1,4 @@
-//! A row: two central wheels and a carrier, joined by planets of any kind.
+//! A gear set of two central gears and a carrier, joined by planets of any kind; the simple set first of all.
 
 use crate::Error;
 use crate::teeth::ToothCount;
@@ -8,22 +8,22 @@ use std::fmt;
 /// A ratio of tooth counts, exactly.
 pub type Fraction = Ratio<i128>;
 
-/// A basic member of a row: the three that turn about its axis.
+/// A basic member of a gear set: the three that turn about its axis.
 ///
-/// In a row of two suns or two rings (stepped planets, meshing suns) and in a bevel row, `Sun` is
-/// the first central wheel and `Ring` the second.
+/// In a set of two suns or two rings (stepped planets, meshing suns) and in a bevel set, `Sun` is
+/// the first central gear and `Ring` the second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Member {
-    /// Central wheel `a`, the sun.
+    /// Central gear `a`, the sun.
     Sun,
-    /// Central wheel `b`, the ring.
+    /// Central gear `b`, the ring.
     Ring,
     /// Carrier `H`.
     Carrier,
 }
 
 impl Member {
-    /// The three members, in the order of the row's equation.
+    /// The three members, in the order of the set's equation.
     pub const ALL: [Self; 3] = [Self::Sun, Self::Ring, Self::Carrier];
 
     /// The source's letter: `a`, `b` or `H`.
@@ -47,7 +47,7 @@ impl fmt::Display for Member {
     }
 }
 
-/// One of the six ways to use a row with one member at rest: who drives and who is driven.
+/// One of the six ways to use a gear set with one member at rest: who drives and who is driven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Mode {
     input: Member,
@@ -111,19 +111,19 @@ impl fmt::Display for Mode {
     }
 }
 
-/// Row parameter `k = z_b/z_a` of a simple row, greater than 1.
+/// Ring-to-sun ratio `k = z_b/z_a` of a simple set, greater than 1.
 ///
-/// The ring encloses the sun and the planets between them, so `k ≤ 1` is no gear.
+/// The ring encloses the sun and the planets between them, so no gear set has `k ≤ 1`.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub struct RowParameter(f64);
+pub struct RingToSunRatio(f64);
 
-impl RowParameter {
-    /// A row parameter.
+impl RingToSunRatio {
+    /// A ring-to-sun ratio.
     ///
     /// # Errors
-    /// [`Error::RowParameter`] unless `1 < k < ∞`.
+    /// [`Error::RingToSunRatio`] unless `1 < k < ∞`.
     pub fn new(k: f64) -> Result<Self, Error> {
-        if k > 1.0 && k.is_finite() { Ok(Self(k)) } else { Err(Error::RowParameter { k }) }
+        if k > 1.0 && k.is_finite() { Ok(Self(k)) } else { Err(Error::RingToSunRatio { k }) }
     }
 
     /// `k` as a number.
@@ -132,29 +132,29 @@ impl RowParameter {
         self.0
     }
 
-    /// Planet to sun, `z_g/z_a = (k − 1)/2`, by coaxiality `z_b = z_a + 2·z_g`.
+    /// Planet to sun, `z_g/z_a = (k − 1)/2`, by equal centre distances `z_b = z_a + 2·z_g`.
     #[must_use]
     pub fn planet_to_sun(self) -> f64 {
         (self.0 - 1.0) / 2.0
     }
 }
 
-impl From<RowParameter> for StationaryRatio {
+impl From<RingToSunRatio> for BasicRatio {
     /// `i₀ = −k`.
-    fn from(k: RowParameter) -> Self {
+    fn from(k: RingToSunRatio) -> Self {
         Self(-k.0)
     }
 }
 
-/// Stationary ratio `i₀` of a row: speed of the first central wheel over the second, both relative
-/// to the carrier.
+/// Basic ratio `i₀` of a gear set: speed of the first central gear over the second, both relative
+/// to the carrier (the ratio with the carrier fixed).
 ///
 /// ```text
 /// i₀ = (ω_a − ω_H)/(ω_b − ω_H)
 /// ```
 ///
-/// Any finite value but 0. With `i₀ = 1` the central wheels always turn alike and the carrier is
-/// free of both (a wheel that keeps its direction, as in a south-pointing chariot): legitimate, but
+/// Any finite value but 0. With `i₀ = 1` the central gears always turn alike and the carrier is
+/// free of both (a pointer that keeps its direction, as in a south-pointing chariot): legitimate, but
 /// no speed or torque of its carrier follows from theirs.
 ///
 /// | kind | constructor | `i₀` |
@@ -166,34 +166,34 @@ impl From<RowParameter> for StationaryRatio {
 /// | two suns of meshing planets, external pair, bevel | [`external`](Self::external) | `−z_2/z_1` |
 /// | internal pair | [`internal`](Self::internal) | `+z_2/z_1` |
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StationaryRatio(f64);
+pub struct BasicRatio(f64);
 
-impl StationaryRatio {
-    /// A stationary ratio from its value.
+impl BasicRatio {
+    /// A basic ratio from its value.
     ///
     /// # Errors
-    /// [`Error::StationaryRatio`] for 0 and what is not finite.
+    /// [`Error::BasicRatio`] for 0 and what is not finite.
     pub fn new(i0: f64) -> Result<Self, Error> {
-        if i0 != 0.0 && i0.is_finite() { Ok(Self(i0)) } else { Err(Error::StationaryRatio { i0 }) }
+        if i0 != 0.0 && i0.is_finite() { Ok(Self(i0)) } else { Err(Error::BasicRatio { i0 }) }
     }
 
-    /// The row that has the ratio `i = ω_in/ω_out` in a mode.
+    /// The set that has the ratio `i = ω_in/ω_out` in a mode.
     ///
     /// ```text
     /// ab^H  i₀ = i      aH^b  i₀ = 1 − i      bH^a  i₀ = 1/(1 − i)      each inverse with 1/i
     /// ```
     ///
     /// ```
-    /// use epicyclic_gears::row::{Member, Mode, StationaryRatio};
+    /// use epicyclic_gears::simple_set::{Member, Mode, BasicRatio};
     /// # fn main() -> Result<(), epicyclic_gears::Error> {
     /// let sun_to_carrier = Mode::new(Member::Sun, Member::Carrier)?;
-    /// assert_eq!(StationaryRatio::with_ratio(6.0, sun_to_carrier)?.get(), -5.0);
+    /// assert_eq!(BasicRatio::with_ratio(6.0, sun_to_carrier)?.get(), -5.0);
     /// # Ok(())
     /// # }
     /// ```
     ///
     /// # Errors
-    /// [`Error::Ratio`] where no row has this ratio: for 0, what is not finite, and 1 with the
+    /// [`Error::Ratio`] where no set has this ratio: for 0, what is not finite, and 1 with the
     /// carrier driving or driven.
     pub fn with_ratio(ratio: f64, mode: Mode) -> Result<Self, Error> {
         let i0 = match (mode.input, mode.output) {
@@ -234,14 +234,14 @@ impl StationaryRatio {
         Self((g.as_f64() / first.as_f64()) * (second.as_f64() / f.as_f64()))
     }
 
-    /// Two wheels that turn against each other under a resting carrier: an external pair, two suns
-    /// whose planets mesh (Ravigneaux), a bevel row (`z_1 = z_2` gives −1).
+    /// Two gears that turn against each other with the carrier fixed: an external pair, two suns
+    /// whose planets mesh (Ravigneaux), a bevel set (`z_1 = z_2` gives −1).
     #[must_use]
     pub fn external(first: ToothCount, second: ToothCount) -> Self {
         Self(-second.as_f64() / first.as_f64())
     }
 
-    /// A pinion in a ring: both turn the same way under a resting carrier.
+    /// A pinion in a ring: both turn the same way with the carrier fixed.
     #[must_use]
     pub fn internal(pinion: ToothCount, ring: ToothCount) -> Self {
         Self(ring.as_f64() / pinion.as_f64())
@@ -253,8 +253,8 @@ impl StationaryRatio {
         self.0
     }
 
-    /// Factors of `ω_a`, `ω_b`, `ω_H` in the row's equation `ω_a − i₀·ω_b − (1 − i₀)·ω_H = 0`.
-    /// They sum to zero: a row that turns as a block satisfies it.
+    /// Factors of `ω_a`, `ω_b`, `ω_H` in the set's equation `ω_a − i₀·ω_b − (1 − i₀)·ω_H = 0`.
+    /// They sum to zero: a set that turns as a block satisfies it.
     #[must_use]
     pub fn coefficients(self) -> [f64; 3] {
         [1.0, -self.0, self.0 - 1.0]
@@ -262,7 +262,7 @@ impl StationaryRatio {
 
     /// Ratio of speeds `i = ω_in/ω_out` in a mode, the third member at rest.
     ///
-    /// For a simple row these are the six ratios `−k`, `1 + k`, `(1 + k)/k` and their inverses.
+    /// For a simple set these are the six ratios `−k`, `1 + k`, `(1 + k)/k` and their inverses.
     ///
     /// # Errors
     /// [`Error::CarrierUndetermined`] with the carrier driving or driven at `i₀ = 1`.
@@ -280,10 +280,10 @@ impl StationaryRatio {
     }
 }
 
-/// The ratio of a mode of a simple row as an exact fraction of its tooth counts.
+/// The ratio of a mode of a simple set as an exact fraction of its tooth counts.
 ///
 /// ```
-/// use epicyclic_gears::row::{exact_ratio, Fraction, Member, Mode};
+/// use epicyclic_gears::simple_set::{exact_ratio, Fraction, Member, Mode};
 /// use epicyclic_gears::teeth::ToothCount;
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// let ratio = exact_ratio(ToothCount::new(24)?, ToothCount::new(57)?, Mode::new(Member::Sun, Member::Carrier)?);
@@ -294,7 +294,7 @@ impl StationaryRatio {
 #[must_use]
 pub fn exact_ratio(sun: ToothCount, ring: ToothCount, mode: Mode) -> Fraction {
     let (a, b) = (i128::from(sun.get()), i128::from(ring.get()));
-    // The row's equation times z_a: z_a·ω_a + z_b·ω_b − (z_a + z_b)·ω_H = 0.
+    // The set's equation times z_a: z_a·ω_a + z_b·ω_b − (z_a + z_b)·ω_H = 0.
     let factors = [a, b, -(a + b)];
     -Fraction::new(factors[mode.output as usize], factors[mode.input as usize])
 }
@@ -308,12 +308,12 @@ mod tests {
     }
 
     #[test]
-    fn six_ratios_of_a_simple_row_are_those_of_table_2_2() {
+    fn six_ratios_of_a_simple_set_are_those_of_table_2_2() {
         let k = 1.7;
-        let row = StationaryRatio::from(RowParameter::new(k).unwrap());
+        let set = BasicRatio::from(RingToSunRatio::new(k).unwrap());
         let expected = [-k, 1.0 + k, (1.0 + k) / k, -1.0 / k, 1.0 / (1.0 + k), k / (1.0 + k)];
         for (mode, expected) in Mode::ALL.into_iter().zip(expected) {
-            let ratio = row.ratio(mode).unwrap();
+            let ratio = set.ratio(mode).unwrap();
             assert!((ratio - expected).abs() < 1e-15, "{mode}: {ratio} is not {expected}");
         }
     }
@@ -330,45 +330,45 @@ mod tests {
             let exact = exact_ratio(teeth(24), teeth(57), mode);
             #[allow(clippy::cast_precision_loss)] // far below 2⁵³
             let exact = *exact.numer() as f64 / *exact.denom() as f64;
-            let float = StationaryRatio::simple(teeth(24), teeth(57)).ratio(mode).unwrap();
+            let float = BasicRatio::simple(teeth(24), teeth(57)).ratio(mode).unwrap();
             assert!((exact - float).abs() < 1e-15);
         }
     }
 
     #[test]
-    fn kinds_of_row_have_their_stationary_ratios() {
+    fn kinds_of_set_have_their_basic_ratios() {
         let [z20, z40, z50, z100] = [20, 40, 50, 100].map(teeth);
-        assert_eq!(StationaryRatio::simple(z20, z100).get(), -5.0);
-        assert_eq!(StationaryRatio::double_planet(z20, z100).get(), 5.0);
-        assert_eq!(StationaryRatio::stepped_sun_ring(z20, z40, z20, z100).get(), -10.0);
-        assert_eq!(StationaryRatio::stepped_alike(z20, z40, z20, z50).get(), 5.0);
-        assert_eq!(StationaryRatio::external(z20, z20).get(), -1.0);
-        assert_eq!(StationaryRatio::internal(z20, z100).get(), 5.0);
+        assert_eq!(BasicRatio::simple(z20, z100).get(), -5.0);
+        assert_eq!(BasicRatio::double_planet(z20, z100).get(), 5.0);
+        assert_eq!(BasicRatio::stepped_sun_ring(z20, z40, z20, z100).get(), -10.0);
+        assert_eq!(BasicRatio::stepped_alike(z20, z40, z20, z50).get(), 5.0);
+        assert_eq!(BasicRatio::external(z20, z20).get(), -1.0);
+        assert_eq!(BasicRatio::internal(z20, z100).get(), 5.0);
     }
 
     #[test]
-    fn what_is_no_row_is_refused() {
-        assert_eq!(RowParameter::new(1.0), Err(Error::RowParameter { k: 1.0 }));
-        assert!(RowParameter::new(f64::NAN).is_err());
-        assert_eq!(StationaryRatio::new(0.0), Err(Error::StationaryRatio { i0: 0.0 }));
+    fn invalid_sets_are_refused() {
+        assert_eq!(RingToSunRatio::new(1.0), Err(Error::RingToSunRatio { k: 1.0 }));
+        assert!(RingToSunRatio::new(f64::NAN).is_err());
+        assert_eq!(BasicRatio::new(0.0), Err(Error::BasicRatio { i0: 0.0 }));
         assert_eq!(Mode::new(Member::Sun, Member::Sun), Err(Error::SameMember(Member::Sun)));
     }
 
     #[test]
-    fn a_row_is_found_by_its_ratio_in_any_mode() {
+    fn a_set_is_found_by_its_ratio_in_any_mode() {
         for mode in Mode::ALL {
-            let found = StationaryRatio::with_ratio(-2.6, mode).unwrap();
+            let found = BasicRatio::with_ratio(-2.6, mode).unwrap();
             assert!((found.ratio(mode).unwrap() - -2.6).abs() < 1e-14, "{mode}");
         }
         let sun_to_carrier = Mode::new(Member::Sun, Member::Carrier).unwrap();
         for none in [0.0, 1.0, f64::NAN] {
-            assert!(matches!(StationaryRatio::with_ratio(none, sun_to_carrier), Err(Error::Ratio { .. })));
+            assert!(matches!(BasicRatio::with_ratio(none, sun_to_carrier), Err(Error::Ratio { .. })));
         }
     }
 
     #[test]
     fn a_carrier_that_nothing_moves_has_no_ratio() {
-        let paradox = StationaryRatio::new(1.0).unwrap();
+        let paradox = BasicRatio::new(1.0).unwrap();
         let sun_to_carrier = Mode::new(Member::Sun, Member::Carrier).unwrap();
         assert_eq!(paradox.ratio(sun_to_carrier), Err(Error::CarrierUndetermined));
         assert_eq!(paradox.ratio(Mode::new(Member::Sun, Member::Ring).unwrap()), Ok(1.0));

@@ -1,4 +1,4 @@
-//! Reduction of the moving links to the driving shaft.
+//! Equivalent inertia of the moving links, referred to the driving shaft.
 //!
 //! ```text
 //! J_pr = Σ n·(J·u² + m·r²·u_H²)
@@ -15,7 +15,7 @@
 //! The ratios are constant, so `J_pr` is: gears without backlash, rigid links.
 //!
 //! # Source
-//! excavator-dynamics, reduced moment of inertia.
+//! excavator-dynamics, where it is called the reduced moment of inertia.
 
 use crate::Error;
 use crate::units::{inertia, kg_m2, kilograms, meters};
@@ -54,12 +54,12 @@ impl Link {
         Self { name: name.into(), count: 1, inertia, speed_ratio, orbit: None }
     }
 
-    /// Its share of the reduced inertia, all alike together.
+    /// Its share of the equivalent inertia, all alike together.
     ///
     /// # Errors
     /// [`Error::Impossible`] for a negative or non-finite mass, inertia or radius,
     /// [`Error::NotFinite`] for a speed ratio that is not a number.
-    pub fn reduced_inertia(&self) -> Result<MomentOfInertia, Error> {
+    pub fn equivalent_inertia(&self) -> Result<MomentOfInertia, Error> {
         let body = |what, value: f64| {
             if value >= 0.0 && value.is_finite() {
                 Ok(value)
@@ -91,21 +91,21 @@ impl Link {
 /// Inertia that all links present at the driving shaft, `J_pr`.
 ///
 /// ```
-/// use epicyclic_dynamics::reduction::{Link, reduced_inertia};
+/// use epicyclic_dynamics::equivalent_inertia::{Link, equivalent_inertia};
 /// use uom::si::f64::MomentOfInertia;
 /// use uom::si::moment_of_inertia::kilogram_square_meter;
 /// # fn main() -> Result<(), epicyclic_dynamics::Error> {
 /// let kg_m2 = MomentOfInertia::new::<kilogram_square_meter>;
 /// let links = [Link::central("rotor", kg_m2(0.5), 1.0), Link::central("drum", kg_m2(18.0), 1.0 / 6.0)];
-/// assert_eq!(reduced_inertia(&links)?.get::<kilogram_square_meter>(), 1.0);
+/// assert_eq!(equivalent_inertia(&links)?.get::<kilogram_square_meter>(), 1.0);
 /// # Ok(())
 /// # }
 /// ```
 ///
 /// # Errors
-/// As [`Link::reduced_inertia`].
-pub fn reduced_inertia(links: &[Link]) -> Result<MomentOfInertia, Error> {
-    links.iter().try_fold(inertia(0.0), |sum, link| Ok(sum + link.reduced_inertia()?))
+/// As [`Link::equivalent_inertia`].
+pub fn equivalent_inertia(links: &[Link]) -> Result<MomentOfInertia, Error> {
+    links.iter().try_fold(inertia(0.0), |sum, link| Ok(sum + link.equivalent_inertia()?))
 }
 
 #[cfg(test)]
@@ -127,19 +127,19 @@ mod tests {
             orbit: Some(Orbit { mass: mass(4.0), radius: length(0.5), speed_ratio: 0.5 }),
         };
         // 3·(0.5·4 + 4·0.25·0.25)
-        assert!((kg_m2(planets.reduced_inertia().unwrap()) - 6.75).abs() < 1e-15);
+        assert!((kg_m2(planets.equivalent_inertia().unwrap()) - 6.75).abs() < 1e-15);
     }
 
     #[test]
     fn impossible_bodies_are_refused() {
-        let with = |j: f64, u: f64| Link::central("drum", inertia(j), u).reduced_inertia().unwrap_err();
+        let with = |j: f64, u: f64| Link::central("drum", inertia(j), u).equivalent_inertia().unwrap_err();
         assert!(matches!(with(-1.0, 1.0), Error::Impossible { what: "inertia", .. }));
         assert!(matches!(with(1.0, f64::NAN), Error::NotFinite { what: "speed ratio", .. }));
         let thrown = Link {
             orbit: Some(Orbit { mass: mass(-1.0), radius: length(1.0), speed_ratio: 1.0 }),
             ..Link::central("stone", inertia(0.0), 1.0)
         };
-        assert!(matches!(thrown.reduced_inertia(), Err(Error::Impossible { what: "mass", .. })));
+        assert!(matches!(thrown.equivalent_inertia(), Err(Error::Impossible { what: "mass", .. })));
     }
 
     prop_compose! {
@@ -171,14 +171,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_mechanism_has_the_energy_of_its_reduced_inertia(
+        fn any_mechanism_has_the_energy_of_its_equivalent_inertia(
             links in proptest::collection::vec(any_link(), 1..12),
             omega in -400.0..400.0,
         ) {
             let bodies: Vec<MovingBody> = links.iter().flat_map(|link| bodies(link, omega)).collect();
             let summed = joules(kinetic_energy(&bodies));
-            let reduced = 0.5 * kg_m2(reduced_inertia(&links).unwrap()) * omega * omega;
-            prop_assert!((summed - reduced).abs() <= 1e-12 * reduced);
+            let equivalent = 0.5 * kg_m2(equivalent_inertia(&links).unwrap()) * omega * omega;
+            prop_assert!((summed - equivalent).abs() <= 1e-12 * equivalent);
         }
     }
 }

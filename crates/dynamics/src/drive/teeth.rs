@@ -1,15 +1,15 @@
-//! The tooth set of a drive and its conditions.
+//! The tooth numbers of a drive and their conditions.
 
-use super::result::{Gear, Wheel, Wheels};
+use super::result::{BoredGear, GearSetGeometry, TeethDesign};
 use super::spec::{DriveSpec, TeethSpec};
 use super::warning::Warning;
 use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
 use crate::units::{length, meters};
-use epicyclic_gears::row::exact_ratio;
+use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{
-    Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothSet, neighbour_limit,
+    Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers, clearance_limit,
 };
 use std::cmp::Reverse;
 use uom::si::angle::{degree, radian};
@@ -18,15 +18,15 @@ use uom::si::length::millimeter;
 /// Relative shortfall of a gap that is the rounding of its calculation.
 const ROUNDING: f64 = 1e-9;
 
-/// The tooth set given, or the best within the bounds.
-pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
+/// The tooth numbers given, or the best within the bounds.
+pub(super) fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
     match &spec.teeth {
         TeethSpec::Given { teeth, tip_gap, .. } => {
             check(*teeth, *tip_gap)?;
             Ok(*teeth)
         }
         TeethSpec::Within(bounds) => {
-            let bounds = Bounds { rack: spec.wheels.rack, ..bounds.clone() };
+            let bounds = Bounds { rack: spec.gear_set.rack, ..bounds.clone() };
             // By error, then most planets, smallest ring, smallest sun. One is held at a time.
             let key = |near: &Near| (Reverse(near.teeth.planets), near.teeth.ring, near.teeth.sun);
             let mut best: Option<Near> = None;
@@ -45,7 +45,7 @@ pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
                     }
                 },
             )?;
-            let nothing = epicyclic_gears::Error::NoToothSet {
+            let nothing = epicyclic_gears::Error::NoToothNumbers {
                 wanted: spec.ratio,
                 mode: mode()?,
                 tolerance: spec.ratio_tolerance,
@@ -56,12 +56,12 @@ pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
     }
 }
 
-fn check(teeth: ToothSet, tip_gap: f64) -> Result<(), Error> {
+fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
     let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
-    for (wheel, teeth) in [("sun", sun), ("planet", planet), ("ring", ring)] {
+    for (gear, teeth) in [("sun", sun), ("planet", planet), ("ring", ring)] {
         if teeth > MOST_TEETH {
             let (from, to) = (teeth, teeth);
-            return Err(epicyclic_gears::Error::ToothRange { wheel, from, to, most: MOST_TEETH }.into());
+            return Err(epicyclic_gears::Error::ToothRange { gear, from, to, most: MOST_TEETH }.into());
         }
     }
     if !(2..=MOST_PLANETS).contains(&teeth.planets) {
@@ -72,65 +72,65 @@ fn check(teeth: ToothSet, tip_gap: f64) -> Result<(), Error> {
         let (quantity, value, unit) = ("tip gap", tip_gap, "modules");
         return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
     }
-    if ring == sun + 2 * planet { Ok(()) } else { Err(Error::NotCoaxial { sun, planet, ring }) }
+    if ring == sun + 2 * planet { Ok(()) } else { Err(Error::UnequalCentreDistances { sun, planet, ring }) }
 }
 
-/// How well the tooth set meets its conditions.
+/// How well the tooth numbers meet their conditions.
 pub(super) fn conditions(
     spec: &DriveSpec,
-    teeth: ToothSet,
-    wheels: &Wheels,
+    teeth: ToothNumbers,
+    gear_set: &GearSetGeometry,
     warnings: &mut Vec<Warning>,
-) -> Result<Gear, Error> {
-    let rack = spec.wheels.rack;
+) -> Result<TeethDesign, Error> {
+    let rack = spec.gear_set.rack;
     let (placement, least_gap) = match &spec.teeth {
         TeethSpec::Given { placement, tip_gap, .. } => (*placement, *tip_gap),
         TeethSpec::Within(bounds) => (bounds.placement, bounds.tip_gap),
     };
-    let ratio = teeth.stationary_ratio().ratio(mode()?)?;
+    let ratio = teeth.basic_ratio().ratio(mode()?)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
-    let chord = 2.0 * meters(wheels.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
-    let gear = Gear {
-        teeth,
+    let chord = 2.0 * meters(gear_set.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
+    let found = TeethDesign {
+        numbers: teeth,
         ratio,
         exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode()?),
         ratio_error: ratio / spec.ratio - 1.0,
-        neighbour_limit: neighbour_limit(teeth.sun, teeth.planet, &rack),
+        clearance_limit: clearance_limit(teeth.sun, teeth.planet, &rack),
         most_planets: Bounds { rack, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
-        tip_gap: length(chord - meters(wheels.planet.tip_diameter())),
+        tip_gap: length(chord - meters(gear_set.planet.tip_diameter())),
         spacing,
     };
-    finite("error of the ratio", gear.ratio_error)?;
-    if gear.ratio_error.abs() > spec.ratio_tolerance + 4.0 * f64::EPSILON {
+    finite("error of the ratio", found.ratio_error)?;
+    if found.ratio_error.abs() > spec.ratio_tolerance + 4.0 * f64::EPSILON {
         warnings.push(Warning::RatioDeparts { wanted: spec.ratio, ratio, tolerance: spec.ratio_tolerance });
     }
     if !USUAL_RATIO.contains(&ratio) {
         warnings.push(Warning::RatioOutsideUsualRange { ratio });
     }
-    for (wheel, count) in [(Wheel::Sun, teeth.sun), (Wheel::Planet, teeth.planet)] {
+    for (gear, count) in [(BoredGear::Sun, teeth.sun), (BoredGear::Planet, teeth.planet)] {
         if rack.undercuts(count) {
             let at_least = rack.least_teeth_without_undercut();
-            warnings.push(Warning::Undercut { wheel, teeth: count.get(), at_least });
+            warnings.push(Warning::Undercut { gear, teeth: count.get(), at_least });
         }
     }
-    if meters(gear.tip_gap) <= 0.0 {
-        warnings.push(Warning::NeighbourGap {
+    if meters(found.tip_gap) <= 0.0 {
+        warnings.push(Warning::NoPlanetClearance {
             planets: teeth.planets,
-            gap_mm: gear.tip_gap.get::<millimeter>(),
-            most_planets: gear.most_planets,
+            gap_mm: found.tip_gap.get::<millimeter>(),
+            most_planets: found.most_planets,
         });
     }
-    let least_gap_mm = least_gap * spec.wheels.module.get::<millimeter>();
-    let gap_mm = gear.tip_gap.get::<millimeter>();
+    let least_gap_mm = least_gap * spec.gear_set.module.get::<millimeter>();
+    let gap_mm = found.tip_gap.get::<millimeter>();
     if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - ROUNDING) {
         warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });
     }
-    if !gear.spacing.is_equal() && placement == Placement::Equal {
+    if !found.spacing.is_equal() && placement == Placement::Equal {
         warnings.push(Warning::UnequalSpacing {
             planets: teeth.planets,
-            slots: gear.spacing.slots(),
-            deviation_deg: gear.spacing.greatest_deviation().get::<degree>(),
+            slots: found.spacing.slots(),
+            deviation_deg: found.spacing.greatest_deviation().get::<degree>(),
         });
     }
-    Ok(gear)
+    Ok(found)
 }
