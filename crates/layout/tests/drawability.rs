@@ -173,7 +173,7 @@ fn the_fourteen_schemes_are_drawn_with_and_without_direct_drive() {
         assert!(check(&scheme(&[row], Some(["D", "B"]))));
     }
     for structure in Structure::catalogue() {
-        let rows = structure.rows().map(|row| row.map(Role::symbol).join(" "));
+        let rows = structure.sets().map(|row| row.map(Role::symbol).join(" "));
         let rows = [rows[0].as_str(), rows[1].as_str()];
         assert!(check(&scheme(&rows, None)));
         assert!(check(&scheme(&rows, Some(["D", "B"]))), "{structure}");
@@ -183,7 +183,7 @@ fn the_fourteen_schemes_are_drawn_with_and_without_direct_drive() {
 #[test]
 fn all_two_row_structures_are_drawn_or_refused() {
     let drawn = Structure::all().into_iter().filter(|structure| {
-        let rows = structure.rows().map(|row| row.map(Role::symbol).join(" "));
+        let rows = structure.sets().map(|row| row.map(Role::symbol).join(" "));
         check(&scheme(&[&rows[0], &rows[1]], None))
     });
     assert_eq!(drawn.count(), 106);

@@ -167,7 +167,7 @@ fn step<const H: usize>(
 
 /// Six cells high is enough for nearly all that fits at all; a larger paper is slow.
 fn on_paper(structure: Structure, clutch: Option<[usize; 2]>, also_large: bool) -> bool {
-    let [first, second] = structure.rows().map(|row| row.map(|role| role as usize));
+    let [first, second] = structure.sets().map(|row| row.map(|role| role as usize));
     let both = [[first, second], [second, first]];
     both.iter().any(|rows| fits::<6>(&SMALL, *rows, clutch))
         || also_large && both.iter().any(|rows| fits::<7>(&LARGE, *rows, clutch))
@@ -177,7 +177,7 @@ const NAMES: [&str; LINKS] = ["D", "B", "T1", "T2"];
 
 fn gearbox(structure: Structure) -> Gearbox {
     let mut builder = Gearbox::builder("two rows").links(NAMES).brake("K1", "T1").brake("K2", "T2");
-    for (place, row) in structure.rows().iter().enumerate() {
+    for (place, row) in structure.sets().iter().enumerate() {
         builder = builder.set(SetSpec::simple(&place.to_string(), row.map(|role| NAMES[role as usize]), 2.5));
     }
     builder.input("D").output("B").build().unwrap()
