@@ -11,7 +11,7 @@ use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::DesignError;
-use epicyclic_schemes::catalogue::{ParameterRange, Role, ThreeSpeed, TwoSpeed};
+use epicyclic_schemes::catalogue::{RingToSunRange, Role, ThreeSpeed, TwoSpeed};
 use epicyclic_train::Gearbox;
 use uom::si::f64::Ratio;
 
@@ -101,16 +101,16 @@ impl Scheme {
         }
     }
 
-    /// Links of sun, ring and carrier of each row.
-    fn rows(self) -> Vec<[Role; 3]> {
+    /// Links of sun, ring and carrier of each set.
+    fn sets(self) -> Vec<[Role; 3]> {
         match self {
-            Self::Two(scheme) => vec![scheme.row()],
-            Self::Three(scheme) => scheme.rows().to_vec(),
+            Self::Two(scheme) => vec![scheme.set()],
+            Self::Three(scheme) => scheme.sets().to_vec(),
         }
     }
 
     /// Least and greatest ratio of its last braked gear over a range of k.
-    fn ratio_range(self, range: ParameterRange) -> [f64; 2] {
+    fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
         let [one, other] = match self {
             Self::Two(scheme) => scheme.ratio_range(range),
             Self::Three(scheme) => scheme.ratio_range(range),
@@ -136,10 +136,10 @@ pub(crate) struct Sizes {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let usual = ParameterRange::USED;
+    let usual = RingToSunRange::USED;
     let span = args.k.within(usual.low()..=usual.high());
     let span = span.map_err(|error| Failure::Range { option: "--k", error })?;
-    let range = ParameterRange::new(*span.start(), *span.end()).map_err(refuse("--k"))?;
+    let range = RingToSunRange::new(*span.start(), *span.end()).map_err(refuse("--k"))?;
     let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(refuse("--efficiency"))?;
     let report = match &args.scheme {
         None => list::report(range),
@@ -177,7 +177,7 @@ pub(crate) fn dimensioned(
         (Scheme::Two(_), ..) => return missing("--ratio2", &format!("scheme {} has one row", scheme.name())),
         (Scheme::Three(_), Some(k), _) => Some(RingToSunRatio::new(k.get()).map_err(refuse("--k2"))?),
         (Scheme::Three(three), None, Some(ratio)) => {
-            Some(three.second_parameter(first, ratio.get()).map_err(refuse("--ratio2"))?)
+            Some(three.second_ring_to_sun_ratio(first, ratio.get()).map_err(refuse("--ratio2"))?)
         }
         (Scheme::Three(_), None, None) => {
             return missing("--k2", &format!("{} has two rows: give --k2 or --ratio2 too", scheme.name()));

@@ -13,9 +13,10 @@ use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::structures::Structure;
-use epicyclic_selection::drawing::drawable_locks;
+use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{
-    Demand, Limits, Objective, Order, Orders, Rating, RatioSeries, SelectionError, Signs, Space, select_with,
+    Limits, Objective, Order, Orders, Rating, RatioSeries, Requirements, SelectionError, Signs, Space,
+    select_with,
 };
 use uom::si::f64::{Length, Pressure, Ratio, Velocity};
 
@@ -199,14 +200,14 @@ struct Size {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let demand = demand(args)?;
+    let requirements = requirements(args)?;
     let order = Order::new(&args.order.0).map_err(refuse)?;
     if args.teeth {
-        return teeth::run(args, &demand, order);
+        return teeth::run(args, &requirements, order);
     }
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
-    let found = select_with(&demand, &space, order, Some(&drawable_locks)).map_err(refuse)?;
-    candidates::report(args, &demand, order, &found)?.deliver(&args.output)?;
+    let found = select_with(&requirements, &space, order, Some(&drawable_direct_clutches)).map_err(refuse)?;
+    candidates::report(args, &requirements, order, &found)?.deliver(&args.output)?;
     if found.accepted.is_empty() { Err(nothing_found()) } else { Ok(()) }
 }
 
@@ -220,7 +221,7 @@ fn structures(args: &Args) -> Vec<Structure> {
     if args.all_structures { Structure::all() } else { Structure::catalogue() }
 }
 
-fn demand(args: &Args) -> Result<Demand, Failure> {
+fn requirements(args: &Args) -> Result<Requirements, Failure> {
     let series = match (&args.speeds, &args.ratios) {
         (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values()),
         (None, ratios) => {
@@ -235,7 +236,7 @@ fn demand(args: &Args) -> Result<Demand, Failure> {
     let usual = Limits::default();
     let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
-    Ok(Demand {
+    Ok(Requirements {
         tolerance: args.wanted.tolerance.0.si(),
         orders: match args.wanted.brakes {
             Brakes::Either => Orders::Both,
@@ -247,26 +248,26 @@ fn demand(args: &Args) -> Result<Demand, Failure> {
             SignChoice::AsGiven => Signs::AsGiven,
         },
         limits: Limits {
-            parameter: range("--k", criteria.k, usual.parameter)?,
+            ring_to_sun: range("--k", criteria.k, usual.ring_to_sun)?,
             preferred: range("--prefer", criteria.prefer, usual.preferred)?,
             efficiency: criteria.least_efficiency.0.si(),
             link_speed: criteria.link_speed.get(),
             planet_speed: criteria.planet_speed.get(),
             clutch_slip: criteria.clutch_slip.get(),
-            one_sense: criteria.one_sense,
+            same_direction: criteria.one_sense,
             drawable: !criteria.allow_crossing,
         },
         eta0,
         rating: rating(args)?,
-        ..Demand::new(series.map_err(refuse)?)
+        ..Requirements::new(series.map_err(refuse)?)
     })
 }
 
 fn rating(args: &Args) -> Result<Rating, Failure> {
     let size = &args.size;
     let usual = Rating::default();
-    let load_sharing = match &size.load_sharing {
-        None => usual.load_sharing,
+    let mesh_load_factors = match &size.load_sharing {
+        None => usual.mesh_load_factors,
         Some(numbers) => {
             let numbers: Vec<f64> = numbers.0.iter().map(|number| number.get()).collect();
             let count = numbers.len();
@@ -279,7 +280,7 @@ fn rating(args: &Args) -> Result<Rating, Failure> {
     Ok(Rating {
         load: args.duty.torque()?.zip(size.load_factor.map(|factor| factor.0)),
         face_width_ratio: size.face_width_ratio.get(),
-        load_sharing,
+        mesh_load_factors,
         planets: size.planets,
     })
 }
@@ -291,24 +292,24 @@ fn refuse(error: SelectionError) -> Failure {
         E::SpeedCount { .. } | E::SpeedsOutOfOrder { .. } => "--speeds",
         E::RatioCount { .. } | E::Ratio { .. } | E::EqualRatios { .. } => "--ratios",
         E::Tolerance { .. } => "--tolerance",
-        E::ParameterRange { what: "preferred", .. } => "--prefer",
-        E::ParameterRange { .. } => "--k",
+        E::RingToSunRange { what: "preferred", .. } => "--prefer",
+        E::RingToSunRange { .. } => "--k",
         E::Limit { what: "efficiency", .. } => "--least-efficiency",
         E::Limit { what: "link speed", .. } => "--link-speed",
         E::Limit { what: "planet speed", .. } => "--planet-speed",
         E::Limit { what: "clutch slip", .. } => "--clutch-slip",
         E::Limit { what: "module", .. } => "--least-module, --greatest-module",
         E::Limit { what: "ring diameter", .. } | E::SizeWithoutTorque => "--ring-diameter",
-        E::Rating { what: "load sharing", .. } => "--load-sharing",
+        E::Rating { what: "mesh load factor", .. } => "--load-sharing",
         E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",
         E::Rating { what: "load factor K", .. } => "--load-factor",
         E::PlanetNumber { .. } => "--planets",
         E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
         E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
         E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
-        E::Row(error) => match crate::options::of_teeth(error, "--planet-count") {
+        E::GearSet(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
-            None => return Failure::Selection(SelectionError::Row(error.clone())),
+            None => return Failure::Selection(SelectionError::GearSet(error.clone())),
         },
         E::RepeatedObjective { .. } | E::UnknownObjective { .. } => "--order",
         _ => return Failure::Selection(error),

@@ -175,7 +175,7 @@ fn the_fourteen_schemes_are_drawn_with_and_without_direct_drive() {
         assert!(check(&scheme(&[set], Some(["D", "B"]))));
     }
     for structure in Structure::catalogue() {
-        let sets = structure.rows().map(|set| set.map(Role::symbol).join(" "));
+        let sets = structure.sets().map(|set| set.map(Role::symbol).join(" "));
         let sets = [sets[0].as_str(), sets[1].as_str()];
         assert!(check(&scheme(&sets, None)));
         assert!(check(&scheme(&sets, Some(["D", "B"]))), "{structure}");
@@ -185,7 +185,7 @@ fn the_fourteen_schemes_are_drawn_with_and_without_direct_drive() {
 #[test]
 fn all_two_set_structures_are_drawn_or_refused() {
     let drawn = Structure::all().into_iter().filter(|structure| {
-        let sets = structure.rows().map(|set| set.map(Role::symbol).join(" "));
+        let sets = structure.sets().map(|set| set.map(Role::symbol).join(" "));
         check(&scheme(&[&sets[0], &sets[1]], None))
     });
     assert_eq!(drawn.count(), 106);

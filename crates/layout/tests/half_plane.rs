@@ -167,7 +167,7 @@ fn step<const H: usize>(
 
 /// Six cells high is enough for nearly all that fits at all; a larger paper is slow.
 fn on_paper(structure: Structure, clutch: Option<[usize; 2]>, also_large: bool) -> bool {
-    let [first, second] = structure.rows().map(|set| set.map(|role| role as usize));
+    let [first, second] = structure.sets().map(|set| set.map(|role| role as usize));
     let both = [[first, second], [second, first]];
     both.iter().any(|sets| fits::<6>(&SMALL, *sets, clutch))
         || also_large && both.iter().any(|sets| fits::<7>(&LARGE, *sets, clutch))
@@ -177,7 +177,7 @@ const NAMES: [&str; LINKS] = ["D", "B", "T1", "T2"];
 
 fn gearbox(structure: Structure) -> Gearbox {
     let mut builder = Gearbox::builder("two sets").links(NAMES).brake("K1", "T1").brake("K2", "T2");
-    for (place, set) in structure.rows().iter().enumerate() {
+    for (place, set) in structure.sets().iter().enumerate() {
         builder = builder.set(SetSpec::simple(&place.to_string(), set.map(|role| NAMES[role as usize]), 2.5));
     }
     builder.input("D").output("B").build().unwrap()

@@ -1,8 +1,8 @@
 //! What the catalogue and the machine side refuse.
 //!
-//! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are demands that no scheme meets.
+//! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are requirements that no scheme meets.
 
-/// A demand outside what it can be.
+/// An invalid input, or requirements that nothing meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DesignError {
@@ -14,15 +14,15 @@ pub enum DesignError {
         /// The names there are.
         known: String,
     },
-    /// A range of row parameters that is none.
-    #[error("row parameters from {low} to {high}: a range has 1 < low ≤ high")]
-    ParameterRange {
+    /// An invalid range of ring-to-sun ratios.
+    #[error("ring-to-sun ratios from {low} to {high}: a range has 1 < low ≤ high")]
+    RingToSunRange {
         /// The lower end given.
         low: f64,
         /// The upper end given.
         high: f64,
     },
-    /// A ratio that no row parameter gives.
+    /// A ratio that no ring-to-sun ratio gives.
     #[error(
         "{scheme} does not give i = {ratio}: with k above 1 it gives {low:.4} to {high:.4}, ends excluded"
     )]
@@ -36,12 +36,12 @@ pub enum DesignError {
         /// Upper end of what it gives.
         high: f64,
     },
-    /// A ratio that ties nothing: 0, 1, or not finite.
+    /// An invalid ratio of a connection: 0, 1, or not finite.
     #[error(
-        "i = {ratio} of the {what}: a closed stage has ratios that are finite, not 0, and not 1 in stage 1"
+        "i = {ratio} of the {what}: the ratios of gears 1 and 2 are finite and not 0, and that of gear 1 is not 1"
     )]
-    ClosingRatio {
-        /// Of which stage.
+    ConnectionRatio {
+        /// Of what: a gear or the connection.
         what: &'static str,
         /// The ratio given.
         ratio: f64,
@@ -108,10 +108,10 @@ pub enum DesignError {
         /// The nearest listed.
         nearest: Option<String>,
     },
-    /// What a row refuses.
+    /// What a gear set refuses.
     #[error(transparent)]
-    Row(#[from] epicyclic_gears::Error),
-    /// What the engine refuses.
+    GearSet(#[from] epicyclic_gears::Error),
+    /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
 }

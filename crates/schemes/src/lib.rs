@@ -5,11 +5,11 @@
 //! | module | answers |
 //! |---|---|
 //! | [`catalogue`] | the source's schemes I…III, I-1…III-3: closed forms, ranges, k from a ratio |
-//! | [`closing`] | the 36 ways to close a second row, and which of them are the eleven |
-//! | [`regimes`] | series of ratios for 2 to 4 speeds |
+//! | [`connection`] | the 36 ways to connect the second set, and which of them are the eleven |
+//! | [`ratio_series`] | series of ratios for 2 to 4 speeds |
 //! | [`machines`] | mining machines and the number of speeds recommended for them |
-//! | [`structures`], [`standing`] | all 111 two-row structures, and why the source has or lacks each |
-//! | [`locking`] | direct drive: every way to lock, its torque and slip |
+//! | [`structures`], [`standing`] | all 111 two-set structures, and why the source has or lacks each |
+//! | [`direct_drive`] | every option for the direct-drive clutch, its torque and slip |
 //! | [`cutting`], [`rotor`] | speeds that cutters and bucket wheels need |
 //!
 //! # Example
@@ -18,19 +18,19 @@
 //! use epicyclic_schemes::catalogue::TwoSpeed;
 //! # fn main() -> Result<(), epicyclic_schemes::DesignError> {
 //! // The conveyor of section 3.3: scheme I with i = 3.94 has k = 2.94.
-//! assert!((TwoSpeed::I.parameter(3.94)? - 2.94).abs() < 1e-9);
+//! assert!((TwoSpeed::I.ring_to_sun_ratio(3.94)?.get() - 2.94).abs() < 1e-9);
 //! # Ok(())
 //! # }
 //! ```
 
 pub mod catalogue;
-pub mod closing;
+pub mod connection;
 pub mod cutting;
 pub mod design_error;
-pub mod locking;
+pub mod direct_drive;
 pub mod machines;
 pub mod pair;
-pub mod regimes;
+pub mod ratio_series;
 pub mod rotor;
 pub mod standing;
 pub mod structures;

@@ -116,9 +116,9 @@ pub fn machines() -> &'static [Machine] {
 /// The machine of this name.
 ///
 /// ```
-/// let wheel = crate::machines::machine("РЕ-1")?;
+/// let wheel = epicyclic_schemes::machines::machine("РЕ-1")?;
 /// assert_eq!((wheel.steps, wheel.recommended().speeds), (Some(2), 3));
-/// # Ok::<(), crate::DesignError>(())
+/// # Ok::<(), epicyclic_schemes::DesignError>(())
 /// ```
 ///
 /// # Errors

@@ -1,6 +1,6 @@
-//! Two rows between four links, as numbers: ratios, speeds, sun torques and losses of both gears.
+//! Two sets between four links, as numbers: ratios, speeds, sun torques and losses of both gears.
 //!
-//! Row `j` has coefficients `c_j = (1, k_j, −(1 + k_j))` at the roles of its sun, ring and carrier and 0
+//! Set `j` has coefficients `c_j = (1, k_j, −(1 + k_j))` at the roles of its sun, ring and carrier and 0
 //! at the role it lacks. With the minors `[xy] = c₁x·c₂y − c₁y·c₂x`, gear 1 (T₁ at rest, `X` = T₂) and
 //! gear 2 (T₂ at rest, `X` = T₁) have by Cramer's rule
 //!
@@ -12,29 +12,29 @@
 //! quotients of bilinear functions.
 //!
 //! # Losses
-//! Torques with losses are those of rows with `k̂ = k·η₀^x`, `x` the sign of the row's relative power, so
-//! `η = î/i`, which is Kreines' rule. The sign is that of the ideal power in every two-row structure:
+//! Torques with losses are those of sets with `k̂ = k·η₀^x`, `x` the sign of the set's rolling power, so
+//! `η = î/i`, which is Kreines' rule. The sign is that of the ideal power in every two-set structure:
 //!
-//! - A row alone, or two one after the other: power runs from D to B.
-//! - Closed on B: D belongs to row 1 alone, so its torque gives all of row 1's, and through T₁ all of
-//!   row 2's, in signs that do not depend on the size of `k̂`.
-//! - Closed on D: the same from the torque on B, whose sign is that of power leaving.
+//! - A set alone, or two one after the other: power runs from D to B.
+//! - Connected to B: D belongs to set 1 alone, so its torque gives all of set 1's, and through T₁ all of
+//!   set 2's, in signs that do not depend on the size of `k̂`.
+//! - Connected to D: the same from the torque on B, whose sign is that of power leaving.
 //!
 //! And `x` is constant where `i` keeps its sign: it is the sign of `∂ln|i|/∂ln k`, and by
-//! `i₂ = i₁ + (1 − i₁)·i_c` (closed on B; closed on D the same of reciprocals) `∂i₂/∂k₁` is `(1 − i_c)·i₁′`
+//! `i₂ = i₁ + (1 − i₁)·i_c` (connected to B; connected to D the same of reciprocals) `∂i₂/∂k₁` is `(1 − i_c)·i₁′`
 //! and `∂i₂/∂k₂` is `(1 − i₁)·i_c′`, in which no factor vanishes for finite `k`. Hence also **each ratio is
-//! monotonous in each parameter** between its zeros and poles, always in the same direction.
+//! monotonous in each `k`** between its zeros and poles, always in the same direction.
 
-use crate::structures::{Role, RowRoles};
+use crate::structures::{Role, SetRoles};
 
-/// Coefficients of a row by role.
+/// Coefficients of a set by role.
 pub type Coefficients = [f64; 4];
 
-/// Coefficients of a row in the equation of its speeds.
+/// Coefficients of a set in the equation of its speeds.
 #[must_use]
-pub fn coefficients(row: RowRoles, k: f64) -> Coefficients {
+pub fn coefficients(set: SetRoles, k: f64) -> Coefficients {
     let mut found = [0.0; 4];
-    for (role, value) in row.into_iter().zip([1.0, k, -(1.0 + k)]) {
+    for (role, value) in set.into_iter().zip([1.0, k, -(1.0 + k)]) {
         found[role.index()] = value;
     }
     found
@@ -90,17 +90,17 @@ pub fn sun_torques(first: &Coefficients, second: &Coefficients, gear: usize) -> 
     [second[x] * over_d, -first[x] * over_d]
 }
 
-/// `x_j` of both rows in a gear: 1 where the row's relative power runs from sun to ring, −1 the other
-/// way, 0 where the row is idle.
+/// `x_j` of both sets in a gear: 1 where the set's rolling power runs from sun to ring, −1 the other
+/// way, 0 where the set is idle.
 #[must_use]
-pub fn exponents(rows: [RowRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2] {
-    let [first, second] = [0, 1].map(|row| coefficients(rows[row], k[row]));
+pub fn exponents(sets: [SetRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2] {
+    let [first, second] = [0, 1].map(|set| coefficients(sets[set], k[set]));
     let speeds = speeds(&first, &second, gear);
     let torques = sun_torques(&first, &second, gear);
-    [0, 1].map(|row| {
-        let [a, _, h] = rows[row].map(|role| speeds[role.index()]);
-        let power = torques[row] * (a - h);
-        // An idle row has no torque at all; one at work has a share of the power that does not vanish.
+    [0, 1].map(|set| {
+        let [a, _, h] = sets[set].map(|role| speeds[role.index()]);
+        let power = torques[set] * (a - h);
+        // An idle set has no torque at all; one at work has a share of the power that does not vanish.
         if power.abs() <= 1e-13 { 0 } else { power.signum() as i8 }
     })
 }
@@ -119,7 +119,7 @@ pub fn effective(k: f64, eta0: f64, exponent: i8) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::locking::LOCKING_PAIRS;
+    use crate::direct_drive::DIRECT_CLUTCH_PAIRS;
     use crate::structures::Structure;
     use epicyclic_gears::efficiency::MeshEfficiency;
     use proptest::prelude::*;
@@ -128,13 +128,13 @@ mod tests {
 
     /// Efficiency of a gear.
     fn efficiency(structure: Structure, k: [f64; 2], eta0: f64, gear: usize) -> f64 {
-        let rows = structure.rows();
-        let exponents = exponents(rows, k, gear);
+        let sets = structure.sets();
+        let exponents = exponents(sets, k, gear);
         let at = |k: [f64; 2]| {
-            let [n, d] = fraction(&coefficients(rows[0], k[0]), &coefficients(rows[1], k[1]), gear);
+            let [n, d] = fraction(&coefficients(sets[0], k[0]), &coefficients(sets[1], k[1]), gear);
             n / d
         };
-        at([0, 1].map(|row| effective(k[row], eta0, exponents[row]))) / at(k)
+        at([0, 1].map(|set| effective(k[set], eta0, exponents[set]))) / at(k)
     }
 
     /// A gear whose ratio is beyond 1/100 to 100, or that is not driven, has no figures to compare: counted, and few.
@@ -145,10 +145,10 @@ mod tests {
         let strategy = (1.05..12.0, 1.05..12.0, 0.85..=1.0);
         let compare = |(a, b, eta): (f64, f64, f64)| {
             for structure in Structure::all() {
-                let rows = structure.rows();
-                let (first, second) = (coefficients(rows[0], a), coefficients(rows[1], b));
+                let sets = structure.sets();
+                let (first, second) = (coefficients(sets[0], a), coefficients(sets[1], b));
                 let eta0 = MeshEfficiency::new(eta).unwrap();
-                let gearbox = structure.gearbox([a, b], eta0, LOCKING_PAIRS[0]).unwrap();
+                let gearbox = structure.gearbox([a, b], eta0, DIRECT_CLUTCH_PAIRS[0]).unwrap();
                 for (gear, name) in ["1", "2"].into_iter().enumerate() {
                     let found = gearbox.analyze(name).unwrap();
                     let Some(ratio) = found.ratio().filter(|i| i.abs() > 1e-2 && i.abs() < 1e2) else {
@@ -174,14 +174,14 @@ mod tests {
                         "{structure} {name} {ours} {driving:?}"
                     );
                     let hats: [f64; 2] =
-                        [0, 1].map(|row| effective([a, b][row], eta, exponents(rows, [a, b], gear)[row]));
+                        [0, 1].map(|set| effective([a, b][set], eta, exponents(sets, [a, b], gear)[set]));
                     let torques =
-                        sun_torques(&coefficients(rows[0], hats[0]), &coefficients(rows[1], hats[1]), gear);
-                    for (row, torque) in torques.into_iter().enumerate() {
-                        let exact = driving.members[row].as_ref().unwrap()[0];
+                        sun_torques(&coefficients(sets[0], hats[0]), &coefficients(sets[1], hats[1]), gear);
+                    for (set, torque) in torques.into_iter().enumerate() {
+                        let exact = driving.members[set].as_ref().unwrap()[0];
                         prop_assert!(
                             (torque - exact).abs() < 1e-8 * (1.0 + exact.abs()),
-                            "{structure} {name} {row}"
+                            "{structure} {name} {set}"
                         );
                     }
                     count(&compared);

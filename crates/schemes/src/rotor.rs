@@ -1,6 +1,6 @@
 //! Speeds of a bucket wheel: how fast it may turn and still empty its buckets, and how slowly.
 //!
-//! Angles are measured about the wheel's axis from the horizontal, in the sense of rotation.
+//! Angles are measured about the wheel's axis from the horizontal, in the direction of rotation.
 //!
 //! # Source
 //! multispeed-gearboxes (2.5)–(2.9).

@@ -1,7 +1,7 @@
 //! Why the document has a structure, or has it not.
 //!
-//! The document builds three speeds by a rule: row 1 alone works in gear 1 as scheme I, II or III, and
-//! row 2 ties T₁ to D or to B. That makes 3·2·6 = 36 structures, of which it lists eleven and gives no
+//! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and
+//! set 2 ties T₁ to D or to B. That makes 3·2·6 = 36 structures, of which it lists eleven and gives no
 //! reason for leaving out the other 25. Of all 111
 //!
 //! | standing | how many | why |
@@ -10,12 +10,12 @@
 //! | [`OutOfReach`](Standing::OutOfReach) | 15 | gear 2 turns against gear 1, or speeds up, for every k |
 //! | [`Missed`](Standing::Missed) | 10 | built by its rule, and fit for its purpose |
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
-//! | [`OutsideRule`](Standing::OutsideRule) | 39 | row 2 ties T₁ to neither D nor B as the rule has it |
+//! | [`OutsideRule`](Standing::OutsideRule) | 39 | set 2 ties T₁ to neither D nor B as the rule has it |
 //!
-//! No two of the 36 are equal as structures. What sets the eleven apart is that they split the power without
-//! sending any of it round: [`closing`](crate::closing). The ten missed do send some round. Fit for its purpose means: some `k₁`, `k₂` within the range
-//! give gears that both slow, in one sense. Of the ten missed five hold that for every pair of
-//! parameters with no sign change: see the test below.
+//! No two of the 36 are equal as structures. What distinguishes the eleven is that they split the power and that none of it
+//! circulates: [`connection`](crate::connection). In the ten missed some power circulates. Fit for its purpose means: some
+//! `k₁`, `k₂` within the range give gears that both slow, in the same direction of rotation. Of the ten missed five do so
+//! for every `k₁`, `k₂` with no sign change: see the test below.
 //!
 //! # Source
 //! multispeed-gearboxes, section 2.4.
@@ -25,7 +25,7 @@ use crate::structures::{Family, Structure};
 use std::fmt;
 use std::ops::RangeInclusive;
 
-/// What the ratio of a gear does while both row parameters run over a range.
+/// What the ratio of a gear does while both ring-to-sun ratios run over a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RatioReach {
     /// Every value between these.
@@ -51,18 +51,18 @@ pub enum RatioReach {
     },
 }
 
-/// What the ratios of a structure's gears do while both parameters run over a range.
+/// What the ratios of a structure's gears do while both ring-to-sun ratios run over a range.
 ///
 /// Numerator and denominator are bilinear, so over a rectangle both take their extremes, and show
 /// every change of sign, at the corners; and between zeros and poles the ratio is monotonous in each
-/// parameter, so it takes its extremes at corners too.
+/// `k`, so it takes its extremes at corners too.
 #[must_use]
 pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [RatioReach; 2] {
     let ends = [*range.start(), *range.end()];
     [0, 1].map(|gear| {
         let corner = |place: usize| {
-            let rows = structure.rows();
-            let c = [0, 1].map(|row| coefficients(rows[row], ends[place >> row & 1]));
+            let sets = structure.sets();
+            let c = [0, 1].map(|set| coefficients(sets[set], ends[place >> set & 1]));
             fraction(&c[0], &c[1], gear)
         };
         let corners = [0, 1, 2, 3].map(corner);
@@ -94,7 +94,7 @@ pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [RatioReach; 
 pub enum Standing {
     /// One of its eleven.
     Listed(&'static str),
-    /// By its rule, but gear 2 never slows in the sense of gear 1.
+    /// By its rule, but gear 2 never slows in the direction of gear 1.
     OutOfReach {
         /// What gear 2 gives instead.
         second: RatioReach,
@@ -111,15 +111,15 @@ pub enum Standing {
         /// The structure that slows in gear 1.
         of: Structure,
     },
-    /// Not by its rule: no row has both T₁ and T₂ and one of D, B beside a row of D, B, T₁.
+    /// Not by its rule: no set has both T₁ and T₂ and one of D, B beside a set of D, B, T₁.
     OutsideRule {
-        /// How the rows share the work instead.
+        /// How the sets share the work instead.
         family: Family,
     },
 }
 
 impl Standing {
-    /// Of a structure, the row parameters within a range.
+    /// Of a structure, the ring-to-sun ratios within a range.
     ///
     /// ```
     /// use epicyclic_schemes::{standing::Standing, structures::{Role::*, Structure}};
@@ -139,7 +139,7 @@ impl Standing {
         let (RatioReach::Between { least, greatest }
         | RatioReach::ThroughZero { least, greatest }
         | RatioReach::ThroughInfinity { below: least, above: greatest }) = first;
-        // Row 1 alone: its ratio is one of the six of a row, which lie all within ±1 or all outside.
+        // Set 1 alone: its ratio is one of the six of a set, which lie all within ±1 or all outside.
         if least.abs().max(greatest.abs()) < 1.0 {
             return Self::Reversed { of: structure.reversal() };
         }
@@ -168,10 +168,10 @@ impl fmt::Display for Standing {
             }
             Self::Reversed { of } => write!(f, "equal to {of} with D and B exchanged"),
             Self::OutsideRule { family: Family::Parallel } => {
-                f.write_str("outside the document's rule: row 2 ties T2, not T1, to D and B, and works alone")
+                f.write_str("outside the document's rule: set 2 ties T2, not T1, to D and B, and works alone")
             }
             Self::OutsideRule { .. } => {
-                f.write_str("outside the document's rule: no row has both D and B, the rows work in series")
+                f.write_str("outside the document's rule: no set has both D and B, the sets work in series")
             }
         }
     }
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn five_of_the_missed_slow_in_one_sense_whatever_their_parameters() {
+    fn five_of_the_missed_slow_in_the_same_direction_whatever_their_ring_to_sun_ratios() {
         let always = |standing: &Standing| match standing {
             Standing::Missed {
                 first: RatioReach::Between { least: first, .. },
@@ -253,8 +253,8 @@ mod tests {
         #[test]
         fn reach_holds_every_ratio(a in 1.3..10.0, b in 1.3..10.0) {
             for structure in Structure::all() {
-                let rows = structure.rows();
-                let ratios = crate::pair::ratios(&coefficients(rows[0], a), &coefficients(rows[1], b));
+                let sets = structure.sets();
+                let ratios = crate::pair::ratios(&coefficients(sets[0], a), &coefficients(sets[1], b));
                 for (ratio, reach) in ratios.into_iter().zip(reach(structure, &RANGE)) {
                     let slack = 1e-9 * (1.0 + ratio.abs());
                     let within = match reach {

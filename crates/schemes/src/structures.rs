@@ -1,33 +1,33 @@
-//! All two-row structures: every way to tie two simple rows by two permanent links, with D, B, T₁, T₂
+//! All two-set structures: every way to tie two simple sets by two permanent links, with D, B, T₁, T₂
 //! one each on the four links that result.
 //!
 //! # What is counted
-//! Two simple rows have six members. Two permanent links tie a member of one row to a member of the
-//! other, so that four links result: two shared by the rows, one of row 1 alone, one of row 2 alone.
+//! Two simple sets have six members. Two permanent links tie a member of one set to a member of the
+//! other, so that four links result: two shared by the sets, one of set 1 alone, one of set 2 alone.
 //! Nothing is grounded for ever. On the four links sit the driving shaft D, the driven shaft B and the
-//! braked links T₁ (gear 1) and T₂ (gear 2), one each. Hence each row holds three of the four roles, and
-//! the two rows lack different ones; a row is named by the roles of its sun, ring and carrier.
+//! braked links T₁ (gear 1) and T₂ (gear 2), one each. Hence each set holds three of the four roles, and
+//! the two sets lack different ones; a set is named by the roles of its sun, ring and carrier.
 //!
 //! # How many there are
-//! Two shared links: 3·6 = 18 ways (a pair of members of row 1, an ordered pair of row 2). Roles: 4! = 24.
-//! So 432 labelled structures. Two are equal where exchanging the rows (`σ`), the brakes (`τ`), or both
+//! Two shared links: 3·6 = 18 ways (a pair of members of set 1, an ordered pair of set 2). Roles: 4! = 24.
+//! So 432 labelled structures. Two are equal where exchanging the sets (`σ`), the brakes (`τ`), or both
 //! turns one into the other. By Burnside's lemma
 //!
 //! | exchange | left as they are | why |
 //! |---|---|---|
 //! | none | 432 | |
-//! | `σ` | 0 | the links of one row alone change places, and bear different roles |
+//! | `σ` | 0 | the links of one set alone change places, and bear different roles |
 //! | `τ` | 0 | T₁ and T₂ are different links |
-//! | `στ` | 12 | T₁, T₂ of one row alone; D and B tie *like* members: 3·2 ways, 2 labellings |
+//! | `στ` | 12 | T₁, T₂ of one set alone; D and B tie *like* members: 3·2 ways, 2 labellings |
 //!
 //! classes: `(432 + 0 + 0 + 12)/4 = 111`. Which roles are shared makes four [families](Family) of 21, 18,
 //! 36 and 36. Exchanging D and B (reversal: both ratios become their reciprocals) joins 102 of them in
 //! pairs and maps 9 onto themselves; it is [reported](Structure::reversal), not merged.
 //!
-//! Which pair of links the locking clutch joins is a choice within a structure:
-//! [`LOCKING_PAIRS`](crate::locking::LOCKING_PAIRS).
+//! Which pair of links the direct-drive clutch joins is a choice within a structure:
+//! [`DIRECT_CLUTCH_PAIRS`](crate::direct_drive::DIRECT_CLUTCH_PAIRS).
 //!
-//! # Two ratios settle both rows
+//! # Two ratios settle both sets
 //! The links have two degrees of freedom, and one of them is turning as a block. So up to a block
 //! rotation all motions are multiples of one, `u`, and with the ratios `i₁`, `i₂` of gears 1 and 2
 //!
@@ -35,9 +35,9 @@
 //! u_D = i₁     u_B = 1     u_T1 = 0     u_T2 = (i₁ − i₂)/(1 − i₂)        k = −(u_a − u_H)/(u_b − u_H)
 //! ```
 //!
-//! for each row by itself: `(i₁, 1, 0, t₂)`, `(i₂, 1, t₁, 0)` and `(1, 1, 1, 1)` lie in one plane, hence
+//! for each set by itself: `(i₁, 1, 0, t₂)`, `(i₂, 1, t₁, 0)` and `(1, 1, 1, 1)` lie in one plane, hence
 //! `t₂`. So the link speeds of both gears follow from the two ratios *whatever the structure*, and a
-//! pair of ratios has at most one pair of row parameters, never a family: the two equations, bilinear
+//! pair of ratios has at most one pair of ring-to-sun ratios, never a family: the two equations, bilinear
 //! in `k₁`, `k₂`, have one common root. (Only `i₁ = i₂ = 1`, the direct drive, is met by a family.)
 //!
 //! # Source
@@ -75,44 +75,44 @@ impl Ord for Role {
     }
 }
 
-/// Roles of sun, ring and carrier of a row.
-pub type RowRoles = [Role; 3];
+/// Roles of sun, ring and carrier of a set.
+pub type SetRoles = [Role; 3];
 
-/// How a structure's rows share the work.
+/// How a structure's sets share the work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Family {
-    /// Rows of D B T₁ and of T₁ T₂ B: gear 1 is row 1 alone, in gear 2 row 2 ties T₁ to B.
-    ClosedOnB,
-    /// Rows of D B T₁ and of T₁ T₂ D: gear 1 is row 1 alone, in gear 2 row 2 ties T₁ to D.
-    ClosedOnD,
-    /// Rows of D B T₁ and of D B T₂: each gear is one row alone.
+    /// Sets of D B T₁ and of T₁ T₂ B: gear 1 is set 1 alone, in gear 2 set 2 ties T₁ to B.
+    ConnectedToB,
+    /// Sets of D B T₁ and of T₁ T₂ D: gear 1 is set 1 alone, in gear 2 set 2 ties T₁ to D.
+    ConnectedToD,
+    /// Sets of D B T₁ and of D B T₂: each gear is one set alone.
     Parallel,
-    /// Rows of D T₁ T₂ and of B T₁ T₂: each gear is the two rows one after the other.
+    /// Sets of D T₁ T₂ and of B T₁ T₂: each gear is the two sets one after the other.
     Serial,
 }
 
-/// A two-row structure, in its canonical labelling.
+/// A two-set structure, in its canonical labelling.
 ///
 /// ```
-/// use crate::structures::{Family, Structure};
+/// use epicyclic_schemes::structures::{Family, Structure};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let structures = Structure::all();
 /// assert_eq!(structures.len(), 111);
 /// let ii_3 = structures.iter().find(|structure| structure.scheme() == Some("II-3")).unwrap();
 /// assert_eq!(ii_3.to_string(), "T1.D.B+T1.B.T2");
-/// assert_eq!(ii_3.family(), Family::ClosedOnB);
-/// let [k1, k2] = ii_3.parameters([1.465, 2.56]).unwrap();
+/// assert_eq!(ii_3.family(), Family::ConnectedToB);
+/// let [k1, k2] = ii_3.ring_to_sun_ratios([1.465, 2.56]).unwrap();
 /// assert!((k1 - 2.1505).abs() < 1e-4 && (k2 - 2.3548).abs() < 1e-4);
 /// # Ok(())
 /// # }
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Structure {
-    rows: [RowRoles; 2],
+    sets: [SetRoles; 2],
 }
 
 /// The document's eleven, as its table has them.
-const SCHEMES: [(&str, [RowRoles; 2]); 11] = {
+const SCHEMES: [(&str, [SetRoles; 2]); 11] = {
     use Role::{B, D, T1, T2};
     [
         ("I-1", [[D, T1, B], [D, T2, T1]]),
@@ -130,35 +130,35 @@ const SCHEMES: [(&str, [RowRoles; 2]); 11] = {
 };
 
 impl Structure {
-    /// The structure of two rows by the roles of their suns, rings and carriers, in its canonical
-    /// labelling; `None` where they are no such rows.
+    /// The structure of two sets by the roles of their suns, rings and carriers, in its canonical
+    /// labelling; `None` for sets that are not such.
     ///
-    /// Where one row has D and B, it is row 1, and its brake is T₁: the document's labelling. Otherwise
-    /// row 1 has D, and of the labellings that remain the least counts.
+    /// Where one set has D and B, it is set 1, and its brake is T₁: the document's labelling. Otherwise
+    /// set 1 has D, and of the labellings that remain the least counts.
     #[must_use]
-    pub fn new(rows: [RowRoles; 2]) -> Option<Self> {
-        let lacks = |row: RowRoles| {
-            let missing = Role::ALL.into_iter().find(|role| !row.contains(role))?;
-            (row[0] != row[1] && row[0] != row[2] && row[1] != row[2]).then_some(missing)
+    pub fn new(sets: [SetRoles; 2]) -> Option<Self> {
+        let lacks = |set: SetRoles| {
+            let missing = Role::ALL.into_iter().find(|role| !set.contains(role))?;
+            (set[0] != set[1] && set[0] != set[2] && set[1] != set[2]).then_some(missing)
         };
-        let (first, second) = (lacks(rows[0])?, lacks(rows[1])?);
+        let (first, second) = (lacks(sets[0])?, lacks(sets[1])?);
         if first == second {
             return None;
         }
-        let [a, b] = rows;
-        let [c, d] = rows.map(exchange_brakes);
+        let [a, b] = sets;
+        let [c, d] = sets.map(exchange_brakes);
         let canonical = [[a, b], [b, a], [c, d], [d, c]]
             .into_iter()
             .filter(|labelled| is_labelled_as_in_the_source(*labelled))
             .min()?;
-        Some(Self { rows: canonical })
+        Some(Self { sets: canonical })
     }
 
     /// All 111, by family and then in the order of their roles.
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let rows = row_roles();
-        let pairs = rows.iter().flat_map(|&first| rows.iter().map(move |&second| [first, second]));
+        let sets = set_roles();
+        let pairs = sets.iter().flat_map(|&first| sets.iter().map(move |&second| [first, second]));
         let mut found: Vec<Self> = pairs.filter_map(Self::new).collect();
         found.sort_unstable_by_key(|structure| (structure.family(), *structure));
         found.dedup();
@@ -168,47 +168,47 @@ impl Structure {
     /// The document's eleven, in its order.
     #[must_use]
     pub fn catalogue() -> Vec<Self> {
-        SCHEMES.iter().filter_map(|(_, rows)| Self::new(*rows)).collect()
+        SCHEMES.iter().filter_map(|(_, sets)| Self::new(*sets)).collect()
     }
 
-    /// Roles of sun, ring and carrier of both rows.
+    /// Roles of sun, ring and carrier of both sets.
     #[must_use]
-    pub fn rows(self) -> [RowRoles; 2] {
-        self.rows
+    pub fn sets(self) -> [SetRoles; 2] {
+        self.sets
     }
 
     /// The document's name, if it is one of its eleven.
     #[must_use]
     pub fn scheme(self) -> Option<&'static str> {
-        SCHEMES.iter().find(|(_, rows)| *rows == self.rows).map(|(name, _)| *name)
+        SCHEMES.iter().find(|(_, sets)| *sets == self.sets).map(|(name, _)| *name)
     }
 
-    /// How the rows share the work.
+    /// How the sets share the work.
     #[must_use]
     pub fn family(self) -> Family {
-        let has = |row: usize, role| self.rows[row].contains(&role);
+        let has = |set: usize, role| self.sets[set].contains(&role);
         match (has(0, Role::B), has(1, Role::D), has(1, Role::B)) {
             (true, true, true) => Family::Parallel,
-            (true, true, false) => Family::ClosedOnD,
-            (true, false, _) => Family::ClosedOnB,
+            (true, true, false) => Family::ConnectedToD,
+            (true, false, _) => Family::ConnectedToB,
             (false, ..) => Family::Serial,
         }
     }
 
-    /// Whether exchanging the brakes and the rows changes nothing: then both orders of two ratios are
+    /// Whether exchanging the brakes and the sets changes nothing: then both orders of two ratios are
     /// one design.
     #[must_use]
     pub fn is_symmetric(self) -> bool {
-        let [first, second] = self.rows.map(exchange_brakes);
-        [second, first] == self.rows
+        let [first, second] = self.sets.map(exchange_brakes);
+        [second, first] == self.sets
     }
 
     /// The structure with D and B exchanged: its ratios are the reciprocals of this one's, and what
     /// drives here is driven there.
     #[must_use]
     pub fn reversal(self) -> Self {
-        let reversed = self.rows.map(|row| {
-            row.map(|role| match role {
+        let reversed = self.sets.map(|set| {
+            set.map(|role| match role {
                 Role::D => Role::B,
                 Role::B => Role::D,
                 brake => brake,
@@ -217,35 +217,40 @@ impl Structure {
         Self::new(reversed).unwrap_or_else(|| unreachable!("renaming links keeps a structure one"))
     }
 
-    /// Row parameters for the ratios of gears 1 and 2, the only ones there are; `None` where a row would
-    /// need one that is not finite. They may be outside what a simple row can have: `k` above 1.
+    /// Ring-to-sun ratios for the ratios of gears 1 and 2, the only ones there are; `None` where a set would
+    /// need one that is not finite. They may be outside what a simple set can have: `k` above 1.
     #[must_use]
-    pub fn parameters(self, ratios: [f64; 2]) -> Option<[f64; 2]> {
+    pub fn ring_to_sun_ratios(self, ratios: [f64; 2]) -> Option<[f64; 2]> {
         let u = motion(ratios);
-        let [k1, k2] = self.rows.map(|[a, b, h]| {
+        let [k1, k2] = self.sets.map(|[a, b, h]| {
             let [a, b, h] = [a, b, h].map(|role| u[role.index()]);
             -(a - h) / (b - h)
         });
         (k1.is_finite() && k2.is_finite()).then_some([k1, k2])
     }
 
-    /// The structure as a gearbox with gears `1`, `2` and `direct`, the locking clutch between these
+    /// The structure as a gearbox with gears `1`, `2` and `direct`, the direct-drive clutch between these
     /// links.
     ///
     /// # Errors
     /// [`Error::RingToSunRatio`] for `k ≤ 1`, [`Error::ShiftElementJoinsItself`] for a clutch between a link and
     /// itself.
-    pub fn gearbox(self, k: [f64; 2], eta0: MeshEfficiency, lock: [Role; 2]) -> Result<Gearbox, Error> {
+    pub fn gearbox(
+        self,
+        k: [f64; 2],
+        eta0: MeshEfficiency,
+        direct_clutch: [Role; 2],
+    ) -> Result<Gearbox, Error> {
         let mut builder = Gearbox::builder(&self.to_string())
             .links(Role::ALL.map(Role::symbol))
             .brake("K1", "T1")
             .brake("K2", "T2")
-            .clutch("L", lock[0].symbol(), lock[1].symbol())
+            .clutch("L", direct_clutch[0].symbol(), direct_clutch[1].symbol())
             .input("D")
             .output("B");
-        for (name, (members, k)) in ["1", "2"].iter().zip(self.rows.iter().zip(k)) {
-            let row = SetSpec::simple(name, members.map(Role::symbol), k);
-            builder = builder.set(row.with_loss(MeshLoss::Set(eta0)));
+        for (name, (members, k)) in ["1", "2"].iter().zip(self.sets.iter().zip(k)) {
+            let set = SetSpec::simple(name, members.map(Role::symbol), k);
+            builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
         }
         builder.gear("1", ["K1"]).gear("2", ["K2"]).gear("direct", ["L"]).build()
     }
@@ -254,13 +259,13 @@ impl Structure {
 impl fmt::Display for Structure {
     /// `a₁.b₁.H₁+a₂.b₂.H₂`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [[a, b, h], [p, q, r]] = self.rows;
+        let [[a, b, h], [p, q, r]] = self.sets;
         f.pad(&format!("{a}.{b}.{h}+{p}.{q}.{r}"))
     }
 }
 
-/// The 24 rows.
-pub(crate) fn row_roles() -> Vec<RowRoles> {
+/// The 24 sets.
+pub(crate) fn set_roles() -> Vec<SetRoles> {
     let mut found = Vec::with_capacity(24);
     for a in Role::ALL {
         for b in Role::ALL {
@@ -277,20 +282,20 @@ pub fn motion([first, second]: [f64; 2]) -> [f64; 4] {
     [first, 1.0, 0.0, (first - second) / (1.0 - second)]
 }
 
-fn exchange_brakes(row: RowRoles) -> RowRoles {
-    row.map(|role| match role {
+fn exchange_brakes(set: SetRoles) -> SetRoles {
+    set.map(|role| match role {
         Role::T1 => Role::T2,
         Role::T2 => Role::T1,
         shaft => shaft,
     })
 }
 
-fn is_labelled_as_in_the_source([first, second]: [RowRoles; 2]) -> bool {
-    let has = |row: RowRoles, role| row.contains(&role);
+fn is_labelled_as_in_the_source([first, second]: [SetRoles; 2]) -> bool {
+    let has = |set: SetRoles, role| set.contains(&role);
     if has(first, Role::B) && has(first, Role::D) {
         has(first, Role::T1)
     } else {
-        // Neither row has both shafts, or row 2 has them and should be row 1.
+        // Neither set has both shafts, or set 2 has them and should be set 1.
         has(first, Role::D) && !(has(second, Role::B) && has(second, Role::D))
     }
 }
@@ -301,16 +306,16 @@ mod tests {
     use proptest::prelude::*;
     use std::collections::{BTreeMap, BTreeSet};
 
-    /// A structure as the partition of its members into roles, with no thought of rows having roles:
+    /// A structure as the partition of its members into roles, with no thought of sets having roles:
     /// the role of a₁ b₁ H₁ a₂ b₂ H₂.
     type Labelled = [usize; 6];
 
-    /// Every way to tie two members of row 1 to two of row 2 and to name the four links.
+    /// Every way to tie two members of set 1 to two of set 2 and to name the four links.
     fn labelled() -> BTreeSet<Labelled> {
         let mut found = BTreeSet::new();
         for code in 0..4_usize.pow(6) {
             let roles: Labelled = std::array::from_fn(|place| code / 4_usize.pow(place as u32) % 4);
-            let distinct = |row: &[usize]| row.iter().collect::<BTreeSet<_>>().len() == 3;
+            let distinct = |set: &[usize]| set.iter().collect::<BTreeSet<_>>().len() == 3;
             let used: BTreeSet<_> = roles.iter().collect();
             if distinct(&roles[..3]) && distinct(&roles[3..]) && used.len() == 4 {
                 found.insert(roles);
@@ -319,9 +324,9 @@ mod tests {
         found
     }
 
-    fn relabelled(roles: Labelled, rows: bool, brakes: bool, shafts: bool) -> Labelled {
+    fn relabelled(roles: Labelled, sets: bool, brakes: bool, shafts: bool) -> Labelled {
         std::array::from_fn(|place| {
-            let role = roles[if rows { (place + 3) % 6 } else { place }];
+            let role = roles[if sets { (place + 3) % 6 } else { place }];
             match role {
                 2 | 3 if brakes => 5 - role,
                 0 | 1 if shafts => 1 - role,
@@ -334,9 +339,9 @@ mod tests {
         let mut found = BTreeMap::new();
         for roles in labelled() {
             let mut all = vec![];
-            for rows in [false, true] {
+            for sets in [false, true] {
                 for brakes in [false, true] {
-                    all.extend(shafts.iter().map(|&shafts| relabelled(roles, rows, brakes, shafts)));
+                    all.extend(shafts.iter().map(|&shafts| relabelled(roles, sets, brakes, shafts)));
                 }
             }
             *found.entry(all.into_iter().min().unwrap()).or_default() += 1;
@@ -352,11 +357,11 @@ mod tests {
         let ours: BTreeSet<Labelled> = Structure::all()
             .into_iter()
             .map(|structure| {
-                let [first, second] = structure.rows();
+                let [first, second] = structure.sets();
                 let roles: Vec<usize> = first.into_iter().chain(second).map(Role::index).collect();
                 let roles: Labelled = roles.try_into().unwrap();
                 let all = [(false, false), (false, true), (true, false), (true, true)];
-                all.map(|(rows, brakes)| relabelled(roles, rows, brakes, false)).into_iter().min().unwrap()
+                all.map(|(sets, brakes)| relabelled(roles, sets, brakes, false)).into_iter().min().unwrap()
             })
             .collect();
         assert_eq!(ours, classes.into_keys().collect());
@@ -373,16 +378,16 @@ mod tests {
     #[test]
     fn families_have_36_36_21_and_18_members() {
         let count = |family| Structure::all().iter().filter(|s| s.family() == family).count();
-        let families = [Family::ClosedOnB, Family::ClosedOnD, Family::Parallel, Family::Serial];
+        let families = [Family::ConnectedToB, Family::ConnectedToD, Family::Parallel, Family::Serial];
         assert_eq!(families.map(count), [36, 36, 21, 18]);
         assert_eq!(Structure::all().iter().filter(|s| s.is_symmetric()).count(), 6);
     }
 
     #[test]
     fn the_documents_eleven_keep_their_labels() {
-        for (name, rows) in SCHEMES {
-            assert_eq!(Structure::new(rows).unwrap().rows(), rows, "{name}");
-            assert_eq!(Structure::new(rows).unwrap().scheme(), Some(name));
+        for (name, sets) in SCHEMES {
+            assert_eq!(Structure::new(sets).unwrap().sets(), sets, "{name}");
+            assert_eq!(Structure::new(sets).unwrap().scheme(), Some(name));
         }
         assert_eq!(Structure::catalogue().len(), 11);
     }
@@ -390,15 +395,15 @@ mod tests {
     #[test]
     fn what_is_no_structure_is_refused() {
         use Role::{B, D, T1, T2};
-        for rows in [[[D, T1, B], [B, D, T1]], [[D, D, B], [T1, T2, B]], [[D, B, T2], [D, T1, T1]]] {
-            assert_eq!(Structure::new(rows), None);
+        for sets in [[[D, T1, B], [B, D, T1]], [[D, D, B], [T1, T2, B]], [[D, B, T2], [D, T1, T1]]] {
+            assert_eq!(Structure::new(sets), None);
         }
     }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
         #[test]
-        fn two_ratios_give_the_parameters_back(a in 1.05..12.0, b in 1.05..12.0) {
+        fn two_ratios_give_the_ring_to_sun_ratios_back(a in 1.05..12.0, b in 1.05..12.0) {
             let eta0 = MeshEfficiency::IDEAL;
             for structure in Structure::all() {
                 let gearbox = structure.gearbox([a, b], eta0, [Role::D, Role::B]).unwrap();
@@ -408,7 +413,7 @@ mod tests {
                 if [first, second].iter().any(|i| (i - 1.0).abs() < 1e-3 || i.abs() > 1e3 || i.abs() < 1e-3) {
                     continue;
                 }
-                let k = structure.parameters([first, second]).unwrap();
+                let k = structure.ring_to_sun_ratios([first, second]).unwrap();
                 prop_assert!((k[0] - a).abs() < 1e-6 * a && (k[1] - b).abs() < 1e-6 * b, "{structure}: {k:?}");
             }
         }

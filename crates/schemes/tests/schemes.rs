@@ -15,7 +15,7 @@ type Closed = fn(f64, f64, f64) -> f64;
 struct Scheme {
     name: &'static str,
     /// Links of a₁ b₁ H₁ and of a₂ b₂ H₂.
-    rows: [&'static str; 2],
+    sets: [&'static str; 2],
     ratio: Closed,
     efficiency: Closed,
 }
@@ -24,24 +24,24 @@ struct Scheme {
 const SINGLE: [Scheme; 3] = [
     Scheme {
         name: "I",
-        rows: ["D T1 B", ""],
+        sets: ["D T1 B", ""],
         ratio: |k, _, _| 1.0 + k,
         efficiency: |k, _, e| (1.0 + k * e) / (1.0 + k),
     },
     Scheme {
         name: "II",
-        rows: ["T1 D B", ""],
+        sets: ["T1 D B", ""],
         ratio: |k, _, _| (1.0 + k) / k,
         efficiency: |k, _, e| (k + e) / (1.0 + k),
     },
-    Scheme { name: "III", rows: ["D B T1", ""], ratio: |k, _, _| -k, efficiency: |_, _, e| e },
+    Scheme { name: "III", sets: ["D B T1", ""], ratio: |k, _, _| -k, efficiency: |_, _, e| e },
 ];
 
 /// The second gear of I-1…III-3, brake T₂.
 const DOUBLE: [Scheme; 11] = [
     Scheme {
         name: "I-1",
-        rows: ["D T1 B", "D T2 T1"],
+        sets: ["D T1 B", "D T2 T1"],
         ratio: |k, l, _| (k + 1.0) * (l + 1.0) / (k + l + 1.0),
         efficiency: |k, l, e| {
             (k * e + 1.0) * (l * e + 1.0) * (k + l + 1.0) / ((k + 1.0) * (l + 1.0) * (k * e + l * e + 1.0))
@@ -49,7 +49,7 @@ const DOUBLE: [Scheme; 11] = [
     },
     Scheme {
         name: "I-2",
-        rows: ["D T1 B", "T2 D T1"],
+        sets: ["D T1 B", "T2 D T1"],
         ratio: |k, l, _| (k + 1.0) * (l + 1.0) / (l * (k + 1.0) + 1.0),
         efficiency: |k, l, e| {
             (k * e + 1.0) * (l + e) * (l * (k + 1.0) + 1.0)
@@ -58,19 +58,19 @@ const DOUBLE: [Scheme; 11] = [
     },
     Scheme {
         name: "I-3",
-        rows: ["D T1 B", "B T1 T2"],
+        sets: ["D T1 B", "B T1 T2"],
         ratio: |k, l, _| (l * (k + 1.0) + k) / l,
         efficiency: |k, l, e| (l * (k * e + 1.0) + k * e * e) / (l * (k + 1.0) + k),
     },
     Scheme {
         name: "I-4",
-        rows: ["D T1 B", "T1 B T2"],
+        sets: ["D T1 B", "T1 B T2"],
         ratio: |k, l, _| k * (l + 1.0) + 1.0,
         efficiency: |k, l, e| (k * (l * e + 1.0) * e + 1.0) / (k * (l + 1.0) + 1.0),
     },
     Scheme {
         name: "II-1",
-        rows: ["T1 D B", "D T2 T1"],
+        sets: ["T1 D B", "D T2 T1"],
         ratio: |k, l, _| (k + 1.0) * (l + 1.0) / (k * (l + 1.0) + 1.0),
         efficiency: |k, l, e| {
             (k + e) * (l * e + 1.0) * (k * (l + 1.0) + 1.0)
@@ -79,7 +79,7 @@ const DOUBLE: [Scheme; 11] = [
     },
     Scheme {
         name: "II-2",
-        rows: ["T1 D B", "T2 D T1"],
+        sets: ["T1 D B", "T2 D T1"],
         ratio: |k, l, _| (k + 1.0) * (l + 1.0) / ((k + 1.0) * (l + 1.0) - 1.0),
         efficiency: |k, l, e| {
             (k + e) * (l + e) * (k * (l + 1.0) + l) / ((k + 1.0) * (l + 1.0) * (k * (l + e) + l * e))
@@ -87,31 +87,31 @@ const DOUBLE: [Scheme; 11] = [
     },
     Scheme {
         name: "II-3",
-        rows: ["T1 D B", "T1 B T2"],
+        sets: ["T1 D B", "T1 B T2"],
         ratio: |k, l, _| (k + l + 1.0) / k,
         efficiency: |k, l, e| (k + (l * e + 1.0) * e) / (k + l + 1.0),
     },
     Scheme {
         name: "II-4",
-        rows: ["T1 D B", "B T1 T2"],
+        sets: ["T1 D B", "B T1 T2"],
         ratio: |k, l, _| (l * (k + 1.0) + 1.0) / (k * l),
         efficiency: |k, l, e| (l * (k + e) + e * e) / (l * (k + 1.0) + 1.0),
     },
     Scheme {
         name: "III-1",
-        rows: ["D B T1", "D T1 T2"],
+        sets: ["D B T1", "D T1 T2"],
         ratio: |k, l, _| -k * l / (k + l + 1.0),
         efficiency: |k, l, e| e * e * (k + l + 1.0) / ((k + l) * e + 1.0),
     },
     Scheme {
         name: "III-2",
-        rows: ["D B T1", "T1 B T2"],
+        sets: ["D B T1", "T1 B T2"],
         ratio: |k, l, _| -(k * (l + 1.0) + l),
         efficiency: |k, l, e| (k * (l * e + 1.0) + l) * e / (k * (l + 1.0) + l),
     },
     Scheme {
         name: "III-3",
-        rows: ["D B T1", "B T1 T2"],
+        sets: ["D B T1", "B T1 T2"],
         ratio: |k, l, _| -(k * (l + 1.0) + 1.0) / l,
         efficiency: |k, l, e| (k * (l + e) + 1.0) * e / (k * (l + 1.0) + 1.0),
     },
@@ -127,13 +127,13 @@ fn build(scheme: &Scheme, k: [f64; 2], eta: f64) -> Gearbox {
         .output("B")
         .gear("1", ["K1"])
         .gear("direct", ["direct"]);
-    for (row, (members, k)) in scheme.rows.iter().zip(k).enumerate() {
+    for (set, (members, k)) in scheme.sets.iter().zip(k).enumerate() {
         let members: Vec<&str> = members.split_whitespace().collect();
         if let [a, b, h] = members[..] {
-            builder = builder.set(SetSpec::simple(&row.to_string(), [a, b, h], k).with_loss(loss));
+            builder = builder.set(SetSpec::simple(&set.to_string(), [a, b, h], k).with_loss(loss));
         }
     }
-    if !scheme.rows[1].is_empty() {
+    if !scheme.sets[1].is_empty() {
         builder = builder.brake("K2", "T2").gear("2", ["K2"]);
     }
     builder.build().unwrap()
@@ -163,14 +163,14 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn single_row_schemes_follow_their_closed_forms(k in 1.3..10.0, eta in 0.9..1.0) {
+    fn single_set_schemes_follow_their_closed_forms(k in 1.3..10.0, eta in 0.9..1.0) {
         for scheme in &SINGLE {
             holds(scheme, "1", k, 2.0, eta);
         }
     }
 
     #[test]
-    fn two_row_schemes_follow_their_closed_forms(k in 1.3..10.0, l in 1.3..10.0, eta in 0.9..1.0) {
+    fn two_set_schemes_follow_their_closed_forms(k in 1.3..10.0, l in 1.3..10.0, eta in 0.9..1.0) {
         for scheme in &DOUBLE {
             holds(scheme, "2", k, l, eta);
         }
@@ -184,7 +184,7 @@ proptest! {
             prop_assert!(found.state().has_ratio());
             prop_assert_eq!(found.ratio(), Some(1.0));
             for (link, speed) in gearbox.links().iter().zip(found.speeds()).skip(1) {
-                if link != "T2" || !scheme.rows[1].is_empty() {
+                if link != "T2" || !scheme.sets[1].is_empty() {
                     prop_assert!((speed.unwrap() - 1.0).abs() < 1e-12, "{} {}", scheme.name, link);
                 }
             }
@@ -212,7 +212,7 @@ fn the_scheme_of_the_excavator_wheel_turns_as_table_3_2_says() {
 
 /// Fig. 1.14 a: b₁ and H₁ of a differential tied by an ordinary train b₂-g₂-a₂ with H₂ at rest.
 #[test]
-fn a_gear_closed_by_an_ordinary_train_has_one_ratio() {
+fn a_differential_connected_by_an_ordinary_train_has_one_ratio() {
     let (k, l) = (3.0, 2.5);
     let gearbox = Gearbox::builder("Fig. 1.14 a")
         .links(["a1", "b1", "H1", "H2"])
@@ -221,20 +221,20 @@ fn a_gear_closed_by_an_ordinary_train_has_one_ratio() {
         .ground("H2")
         .input("a1")
         .output("H1")
-        .gear("closed", [""; 0])
+        .gear("connected", [""; 0])
         .build()
         .unwrap();
     // a₂ is b₁, b₂ is H₁: ω_b1 = −l·ω_H1, so i = 1 + k + k·l.
-    let found = gearbox.analyze("closed").unwrap();
+    let found = gearbox.analyze("connected").unwrap();
     assert!((found.ratio().unwrap() - (1.0 + k + k * l)).abs() < 1e-13);
     assert!(found.ideal().unwrap().power.circulating.abs() < 1e-12);
 }
 
 /// Fig. 1.14 b: b₁ and H₁ tied by a simple planetary gear with sun a₂ at rest.
 #[test]
-fn a_gear_closed_by_a_planetary_gear_has_one_ratio() {
+fn a_differential_connected_by_a_planetary_set_has_one_ratio() {
     let (k, l) = (3.0, 2.5);
-    let closed_by = |ring: &str, carrier: &str| {
+    let connected_by = |ring: &str, carrier: &str| {
         Gearbox::builder("Fig. 1.14 b")
             .links(["a1", "b1", "H1", "a2"])
             .set(SetSpec::simple("1", ["a1", "b1", "H1"], k))
@@ -242,25 +242,25 @@ fn a_gear_closed_by_a_planetary_gear_has_one_ratio() {
             .ground("a2")
             .input("a1")
             .output("H1")
-            .gear("closed", [""; 0])
+            .gear("connected", [""; 0])
             .build()
             .unwrap()
     };
     // b₂ is H₁, H₂ is b₁: ω_b1 = ω_H1·l/(1 + l).
-    let gearbox = closed_by("H1", "b1");
-    let found = gearbox.analyze("closed").unwrap();
+    let gearbox = connected_by("H1", "b1");
+    let found = gearbox.analyze("connected").unwrap();
     assert!((found.ratio().unwrap() - (1.0 + k - k * l / (1.0 + l))).abs() < 1e-13);
     // b₂ is b₁, H₂ is H₁: ω_b1 = ω_H1·(1 + l)/l, and the ratio falls to 1 − k/l: power circulates.
-    let gearbox = closed_by("b1", "H1");
-    let found = gearbox.analyze("closed").unwrap();
+    let gearbox = connected_by("b1", "H1");
+    let found = gearbox.analyze("connected").unwrap();
     let i = 1.0 + k - k * (1.0 + l) / l;
     assert!((found.ratio().unwrap() - i).abs() < 1e-13);
-    // The ring takes T_b·ω_b = k·(1 + l)/l/i of power out of row 1 or into it: |1.2·3.5/…| by hand.
+    // The ring takes T_b·ω_b = k·(1 + l)/l/i of power out of set 1 or into it: |1.2·3.5/…| by hand.
     let through_ring = (k * (1.0 + l) / l / i).abs();
     let ideal = found.ideal().unwrap();
     assert!((ideal.power.sets[0].as_ref().unwrap().members[1].abs() - through_ring).abs() < 1e-11);
     assert!(ideal.power.circulating > 1.0);
-    // One loop, from the ring of one row to that of the other and back by the carriers; nothing of it in the suns.
+    // One loop, from the ring of one set to that of the other and back by the carriers; nothing of it in the suns.
     let loop_power = ideal.power.circulating;
     for set in 0..2 {
         let [sun, ring, carrier] = [0, 1, 2].map(|member| ideal.power.circulating_member(set, member));

@@ -9,17 +9,17 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::search::ToothSearch;
-use epicyclic_selection::{Demand, RatioSeries, Space, select};
+use epicyclic_selection::{RatioSeries, Requirements, Space, select};
 use std::hint::black_box;
 
 #[path = "../tests/brute.rs"]
 mod brute;
 
-fn excavator() -> Demand {
-    Demand::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).expect("two ratios"))
+fn excavator() -> Requirements {
+    Requirements::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).expect("two ratios"))
 }
 
-/// Rings up to 48 teeth: a few dozen tooth sets a row.
+/// Rings up to 48 teeth: a few dozen combinations of tooth numbers a set.
 fn reduced() -> ToothSearch {
     let mut search = ToothSearch::new(excavator());
     search.bounds = Bounds { ring: 12..=48, ..Bounds::default() };
@@ -27,14 +27,14 @@ fn reduced() -> ToothSearch {
 }
 
 fn structures(criterion: &mut Criterion) {
-    let demand = excavator();
-    let found = select(&demand, &Space::All).expect("the demand is one");
+    let requirements = excavator();
+    let found = select(&requirements, &Space::All).expect("valid requirements");
     assert_eq!(found.accepted.len() + found.rejected.len(), 15);
     let mut group = criterion.benchmark_group("search/three_speed_structures");
     group.sample_size(20);
-    group.bench_function("all", |bencher| bencher.iter(|| select(black_box(&demand), &Space::All)));
+    group.bench_function("all", |bencher| bencher.iter(|| select(black_box(&requirements), &Space::All)));
     group.bench_function("brute_force", |bencher| {
-        bencher.iter(|| brute::nearest_on_a_grid(black_box(&demand), &Structure::all(), 24));
+        bencher.iter(|| brute::nearest_on_a_grid(black_box(&requirements), &Structure::all(), 24));
     });
     group.finish();
 }
@@ -44,7 +44,7 @@ fn teeth(criterion: &mut Criterion) {
     let (whole, small) = (ToothSearch::new(excavator()), reduced());
 
     // The answers once: brute force and search agree on the reduced space.
-    let (designs, tried) = brute::designs(&small.demand, &small.structures, &small.bounds);
+    let (designs, tried) = brute::designs(&small.requirements, &small.structures, &small.bounds);
     let exact = brute::front(&designs);
     let found = small.front().expect("the search is one");
     let members = found.entries().iter().flat_map(|entry| found.designs(entry));
@@ -60,7 +60,8 @@ fn teeth(criterion: &mut Criterion) {
         bencher.iter(|| pool.install(|| black_box(&small).front()));
     });
     group.bench_function("reduced/brute_force", |bencher| {
-        bencher.iter(|| brute::front(&brute::designs(&small.demand, &small.structures, &small.bounds).0));
+        bencher
+            .iter(|| brute::front(&brute::designs(&small.requirements, &small.structures, &small.bounds).0));
     });
     group.finish();
 }

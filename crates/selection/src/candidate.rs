@@ -1,11 +1,11 @@
-//! A mechanism at given row parameters, measured and judged.
+//! A mechanism at given ring-to-sun ratios, measured and judged.
 
-use super::demand::{Demand, Limits};
 use super::mechanism::{Mechanism, largest_error};
-use super::objectives::{Objectives, parameter_distance};
+use super::objectives::{Objectives, ring_to_sun_distance};
+use super::requirements::{Limits, Requirements};
 use super::size::relative_ring_diameter;
 use super::{Drawing, SelectionError};
-use epicyclic_schemes::locking::Lock;
+use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::structures::Role;
 use epicyclic_train::Gearbox;
 use epicyclic_train::speeds::PlanetMotion;
@@ -20,11 +20,11 @@ pub struct GearReport {
     pub wanted: f64,
     /// Ratio it has.
     pub ratio: f64,
-    /// Efficiency; `None` where the gear locks itself.
+    /// Efficiency; `None` where the gear is self-locking.
     pub efficiency: Option<f64>,
     /// Speeds of the links.
     pub links: Vec<(Role, f64)>,
-    /// Speeds of the planets of each row.
+    /// Speeds of the planets of each set.
     pub planets: Vec<PlanetMotion>,
     /// Torque of the brake on the link it holds, with losses.
     pub brake_torque: Option<f64>,
@@ -34,12 +34,12 @@ pub struct GearReport {
     pub sun_torques: Vec<f64>,
 }
 
-/// A line of the shift table.
+/// A line of the engagement table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shift {
+pub struct Engagement {
     /// Name of the gear: `1`, `2`, `direct`.
     pub gear: &'static str,
-    /// The one control engaged: `K1`, `K2`, `L`.
+    /// The one shift element engaged: `K1`, `K2`, `L`.
     pub engaged: &'static str,
     /// Ratio of speeds.
     pub ratio: f64,
@@ -53,18 +53,18 @@ pub struct Shift {
 pub enum Criterion {
     /// Ratios within tolerance.
     Ratio,
-    /// Row parameters within the range allowed.
-    Parameter,
+    /// Ring-to-sun ratios within the range allowed.
+    RingToSun,
     /// Efficiency of every braked gear.
     Efficiency,
     /// Speeds of all links.
     LinkSpeed,
     /// Planet speeds relative to the carriers.
     PlanetSpeed,
-    /// Slip of the open locking clutch.
+    /// Slip of the open direct-drive clutch.
     ClutchSlip,
     /// Output turns alike in all gears, direct drive among them.
-    OneSense,
+    SameDirection,
     /// No self-crossing: the scheme can be drawn in the half-plane.
     Drawable,
 }
@@ -73,12 +73,12 @@ impl fmt::Display for Criterion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Ratio => "ratio error",
-            Self::Parameter => "row parameter",
+            Self::RingToSun => "ring-to-sun ratio",
             Self::Efficiency => "efficiency",
             Self::LinkSpeed => "link speed",
             Self::PlanetSpeed => "planet speed",
             Self::ClutchSlip => "clutch slip",
-            Self::OneSense => "one sense of rotation",
+            Self::SameDirection => "same direction of rotation",
             Self::Drawable => "no self-crossing",
         })
     }
@@ -109,20 +109,20 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// A mechanism at given row parameters, measured and judged.
+/// A mechanism at given ring-to-sun ratios, measured and judged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// Which mechanism.
     pub mechanism: Mechanism,
-    /// Row parameters `k₁`, `k₂`.
+    /// Ring-to-sun ratios `k₁`, `k₂`.
     pub k: Vec<f64>,
     /// The braked gears.
     pub gears: Vec<GearReport>,
-    /// Every way to lock, the least torque first.
-    pub locks: Vec<Lock>,
-    /// Place in `locks` of the one chosen: the least torque among those that can be drawn and slip within
+    /// Every option for the direct-drive clutch, the least torque first.
+    pub direct_clutches: Vec<DirectClutch>,
+    /// Place in `direct_clutches` of the one chosen: the least torque among those that can be drawn and slip within
     /// limits; where none does, the least that can be drawn, or the least of all.
-    pub lock: usize,
+    pub direct_clutch: usize,
     /// What the criteria say, each once.
     pub verdicts: Vec<Verdict>,
     /// What it is measured by.
@@ -141,92 +141,94 @@ impl Candidate {
         self.verdicts.iter().filter(|verdict| !verdict.met)
     }
 
-    /// Whether gears, direct drive among them, turn the output in both senses.
+    /// Whether gears, direct drive among them, turn the output in both directions.
     #[must_use]
-    pub fn mixes_senses(&self) -> bool {
+    pub fn mixes_directions(&self) -> bool {
         self.gears.iter().any(|gear| gear.ratio < 0.0)
     }
 
     /// Gears and what engages them, the slowest output first.
     #[must_use]
-    pub fn shift_table(&self) -> Vec<Shift> {
+    pub fn engagement_table(&self) -> Vec<Engagement> {
         let braked = self.gears.iter().zip(["K1", "K2"]);
-        let mut table: Vec<Shift> = braked
-            .map(|(gear, engaged)| Shift {
+        let mut table: Vec<Engagement> = braked
+            .map(|(gear, engaged)| Engagement {
                 gear: gear.name,
                 engaged,
                 ratio: gear.ratio,
                 reverses: gear.ratio < 0.0,
             })
             .collect();
-        table.push(Shift { gear: "direct", engaged: "L", ratio: 1.0, reverses: false });
+        table.push(Engagement { gear: "direct", engaged: "L", ratio: 1.0, reverses: false });
         table.sort_by(|one, other| other.ratio.abs().total_cmp(&one.ratio.abs()));
         table
     }
 
-    /// The candidate as a gearbox, locked in the chosen way.
+    /// The candidate as a gearbox, with the direct-drive clutch chosen.
     ///
     /// # Errors
     /// None of a candidate of [`select`](super::select).
-    pub fn gearbox(&self, demand: &Demand) -> Result<Gearbox, SelectionError> {
-        let pair = self.locks.get(self.lock).map_or([Role::D, Role::B], |lock| lock.pair);
-        self.mechanism.gearbox(&self.k, demand.eta0, pair)
+    pub fn gearbox(&self, requirements: &Requirements) -> Result<Gearbox, SelectionError> {
+        let pair =
+            self.direct_clutches.get(self.direct_clutch).map_or([Role::D, Role::B], |clutch| clutch.pair);
+        self.mechanism.gearbox(&self.k, requirements.eta0, pair)
     }
 
-    /// Measures and judges a mechanism at row parameters above 1.
+    /// Measures and judges a mechanism at ring-to-sun ratios above 1.
     pub(crate) fn new(
         mechanism: Mechanism,
         k: Vec<f64>,
         wanted: &[f64],
-        demand: &Demand,
+        requirements: &Requirements,
         drawing: Option<&Drawing>,
     ) -> Result<Self, SelectionError> {
-        let gearbox = mechanism.gearbox(&k, demand.eta0, [Role::D, Role::B])?;
+        let gearbox = mechanism.gearbox(&k, requirements.eta0, [Role::D, Role::B])?;
         let gears = ["1", "2"]
             .into_iter()
             .zip(wanted)
             .map(|(name, &wanted)| gear_report(&gearbox, name, wanted))
             .collect::<Result<Vec<_>, _>>()?;
         let ratios: Vec<f64> = gears.iter().map(|gear| gear.ratio).collect();
-        let locks = mechanism.locks(&ratios);
-        let limits = &demand.limits;
+        let direct_clutches = mechanism.direct_clutch_options(&ratios);
+        let limits = &requirements.limits;
         let drawing = drawing.map(|drawing| drawing(mechanism));
-        let drawn = |lock: &Lock| match &drawing {
-            Some(Ok(pairs)) if limits.drawable => pairs.contains(&lock.pair),
+        let drawn = |clutch: &DirectClutch| match &drawing {
+            Some(Ok(pairs)) if limits.drawable => pairs.contains(&clutch.pair),
             _ => true,
         };
-        let slips = |lock: &Lock| slip(lock, gears.len()) > limits.clutch_slip * (1.0 + 1e-9);
-        let lock = locks.iter().position(|lock| drawn(lock) && !slips(lock));
-        let lock = lock.or_else(|| locks.iter().position(drawn)).unwrap_or(0);
+        let slips = |clutch: &DirectClutch| slip(clutch, gears.len()) > limits.clutch_slip * (1.0 + 1e-9);
+        let chosen = direct_clutches.iter().position(|clutch| drawn(clutch) && !slips(clutch));
+        let direct_clutch = chosen.or_else(|| direct_clutches.iter().position(drawn)).unwrap_or(0);
         let worst = worst_speeds(&gears);
         let objectives = Objectives {
             efficiency: least_efficiency(&gears).0,
             speed: worst[0].0.max(worst[1].0),
-            parameter: k
+            ring_to_sun: k
                 .iter()
-                .map(|k| parameter_distance(*k, *limits.preferred.start(), *limits.preferred.end()))
+                .map(|k| ring_to_sun_distance(*k, *limits.preferred.start(), *limits.preferred.end()))
                 .sum(),
             ratio_error: largest_error(&ratios, wanted),
             size: (0..k.len())
-                .map(|row| {
-                    let torque = gears.iter().fold(0.0_f64, |m, gear| m.max(gear.sun_torques[row].abs()));
-                    relative_ring_diameter(k[row], torque, demand.rating.planets, &demand.rating)
+                .map(|set| {
+                    let torque = gears.iter().fold(0.0_f64, |m, gear| m.max(gear.sun_torques[set].abs()));
+                    relative_ring_diameter(k[set], torque, requirements.rating.planets, &requirements.rating)
                 })
                 .fold(0.0, f64::max),
         };
-        let mut candidate = Self { mechanism, k, gears, locks, lock, verdicts: vec![], objectives };
-        candidate.verdicts = candidate.judge(demand, worst, drawing);
+        let mut candidate =
+            Self { mechanism, k, gears, direct_clutches, direct_clutch, verdicts: vec![], objectives };
+        candidate.verdicts = candidate.judge(requirements, worst, drawing);
         Ok(candidate)
     }
 
     fn judge(
         &self,
-        demand: &Demand,
+        requirements: &Requirements,
         [links, planets]: [(f64, String); 2],
         drawing: Option<Result<Vec<[Role; 2]>, String>>,
     ) -> Vec<Verdict> {
-        let Limits { parameter, .. } = &demand.limits;
-        let limits = &demand.limits;
+        let Limits { ring_to_sun, .. } = &requirements.limits;
+        let limits = &requirements.limits;
         let within = |criterion, (value, place): (f64, String), [least, greatest]: [f64; 2]| {
             // What was chosen to lie at a limit may miss it by rounding.
             let slack = 1e-9 * (1.0 + value.abs());
@@ -236,33 +238,40 @@ impl Candidate {
         let preferred = f64::midpoint(limits.preferred.start().ln(), limits.preferred.end().ln());
         let far = |k: f64| (k.ln() - preferred).abs();
         let odd = (0..self.k.len()).max_by(|a, b| far(self.k[*a]).total_cmp(&far(self.k[*b]))).unwrap_or(0);
-        let of_row = |row: usize| format!("row {}", row + 1);
+        let of_set = |set: usize| format!("set {}", set + 1);
         let error = |gear: &GearReport| (gear.ratio / gear.wanted - 1.0).abs();
         let off = self.gears.iter().max_by(|a, b| error(a).total_cmp(&error(b)));
         let off = off.map_or_else(String::new, |gear| format!("gear {}", gear.name));
-        let lock = self.locks.get(self.lock);
-        let (slipping, pair) = lock.map_or((f64::INFINITY, "no way to lock".into()), |lock| {
-            (slip(lock, self.gears.len()), format!("{}–{}", lock.pair[0], lock.pair[1]))
+        let chosen = self.direct_clutches.get(self.direct_clutch);
+        let (slipping, pair) = chosen.map_or((f64::INFINITY, "no direct-drive clutch".into()), |clutch| {
+            (slip(clutch, self.gears.len()), format!("{}–{}", clutch.pair[0], clutch.pair[1]))
         });
         let backward: Vec<&str> = self.gears.iter().filter(|g| g.ratio < 0.0).map(|g| g.name).collect();
-        let senses = if backward.is_empty() {
+        let directions = if backward.is_empty() {
             (1.0, "all gears forward".to_owned())
         } else {
             (0.0, format!("gears {} turn against direct drive", backward.join(", ")))
         };
         let mut verdicts = vec![
-            within(Criterion::Ratio, (self.objectives.ratio_error, off), [0.0, demand.tolerance]),
-            within(Criterion::Parameter, (self.k[odd], of_row(odd)), [*parameter.start(), *parameter.end()]),
+            within(Criterion::Ratio, (self.objectives.ratio_error, off), [0.0, requirements.tolerance]),
+            within(
+                Criterion::RingToSun,
+                (self.k[odd], of_set(odd)),
+                [*ring_to_sun.start(), *ring_to_sun.end()],
+            ),
             within(Criterion::Efficiency, least_efficiency(&self.gears), [limits.efficiency, 1.0]),
             within(Criterion::LinkSpeed, links, [0.0, limits.link_speed]),
             within(Criterion::PlanetSpeed, planets, [0.0, limits.planet_speed]),
             within(Criterion::ClutchSlip, (slipping, pair), [0.0, limits.clutch_slip]),
-            Verdict { required: limits.one_sense, ..within(Criterion::OneSense, senses, [1.0, 1.0]) },
+            Verdict {
+                required: limits.same_direction,
+                ..within(Criterion::SameDirection, directions, [1.0, 1.0])
+            },
         ];
         if let Some(drawing) = drawing {
             let found = drawing.map_or_else(
                 |witness| (0.0, witness),
-                |pairs| (1.0, format!("drawn, {} ways to lock", pairs.len())),
+                |pairs| (1.0, format!("drawn, {} options for the direct-drive clutch", pairs.len())),
             );
             let verdict = within(Criterion::Drawable, found, [1.0, 1.0]);
             verdicts.push(Verdict { required: limits.drawable, ..verdict });
@@ -294,11 +303,11 @@ fn gear_report(gearbox: &Gearbox, name: &'static str, wanted: f64) -> Result<Gea
 }
 
 /// The largest slip of an open clutch over the braked gears.
-pub(crate) fn slip(lock: &Lock, gears: usize) -> f64 {
-    lock.slip[..gears].iter().fold(0.0, |m, slip| m.max(slip.abs()))
+pub(crate) fn slip(clutch: &DirectClutch, gears: usize) -> f64 {
+    clutch.slip[..gears].iter().fold(0.0, |m, slip| m.max(slip.abs()))
 }
 
-/// A gear without an efficiency locks itself: it has none worth having.
+/// Efficiency 0 stands for a self-locking gear, which has none.
 fn least_efficiency(gears: &[GearReport]) -> (f64, String) {
     let of = |gear: &GearReport| (gear.efficiency.unwrap_or(0.0), format!("gear {}", gear.name));
     gears.iter().map(of).min_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or((1.0, String::new()))
@@ -310,7 +319,7 @@ fn worst_speeds(gears: &[GearReport]) -> [(f64, String); 2] {
     for gear in gears {
         let links = gear.links.iter().map(|(role, speed)| (0, *speed, role.to_string()));
         let planets = gear.planets.iter().enumerate();
-        let planets = planets.map(|(row, planet)| (1, planet.relative, format!("planet {}", row + 1)));
+        let planets = planets.map(|(set, planet)| (1, planet.relative, format!("planet {}", set + 1)));
         for (kind, speed, name) in links.chain(planets) {
             if speed.abs() > worst[kind].0 {
                 worst[kind] = (speed.abs(), format!("{name} in gear {}", gear.name));

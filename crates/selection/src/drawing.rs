@@ -1,17 +1,17 @@
-//! Which mechanisms, and which of their locking clutches, can be drawn without self-crossing.
+//! Which mechanisms, and which of their direct-drive clutches, can be drawn without self-crossing.
 //!
-//! Brakes, input and output are drawn always; of the ways to lock only the one chosen is built, so a
+//! Brakes, input and output are drawn always; of the options for that clutch only the one chosen is built, so a
 //! mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
 
 use super::mechanism::Mechanism;
 use epicyclic_layout::{Options, Verdict, direct_clutch_options, draw, is_drawable};
 use epicyclic_schemes::structures::Role;
 
-/// The pairs of links between which a locking clutch can be drawn; where there are none, what cannot be
+/// The pairs of links between which a direct-drive clutch can be drawn; where there are none, what cannot be
 /// drawn together.
-pub fn drawable_locks(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, String> {
+pub fn drawable_direct_clutches(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, String> {
     // Whether a scheme can be drawn does not depend on k.
-    let gearbox = mechanism.without_lock(3.0).map_err(|error| error.to_string())?;
+    let gearbox = mechanism.without_direct_clutch(3.0).map_err(|error| error.to_string())?;
     if !is_drawable(&gearbox) {
         return match draw(&gearbox, Options { attempts: 1, ..Options::default() }) {
             Verdict::SelfCrossing(witness) => Err(witness.describe(&gearbox)),
@@ -21,7 +21,7 @@ pub fn drawable_locks(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, String> {
     let role = |link| Role::ALL.into_iter().find(|role| gearbox.link(role.symbol()) == Some(link));
     let pairs = direct_clutch_options(&gearbox).into_iter();
     let pairs: Vec<[Role; 2]> = pairs.filter_map(|[x, y]| Some([role(x)?, role(y)?])).collect();
-    if pairs.is_empty() { Err("no locking clutch can be drawn with the rest".into()) } else { Ok(pairs) }
+    if pairs.is_empty() { Err("no direct-drive clutch can be drawn with the rest".into()) } else { Ok(pairs) }
 }
 
 #[cfg(test)]
@@ -30,9 +30,9 @@ mod tests {
     use epicyclic_schemes::structures::Structure;
 
     #[test]
-    fn every_scheme_of_the_catalogue_can_be_drawn_and_locked() {
+    fn every_scheme_of_the_catalogue_can_be_drawn_with_a_direct_drive_clutch() {
         for structure in Structure::catalogue() {
-            assert!(drawable_locks(Mechanism::Rows(structure)).is_ok(), "{structure}");
+            assert!(drawable_direct_clutches(Mechanism::TwoSets(structure)).is_ok(), "{structure}");
         }
     }
 }

@@ -2,12 +2,12 @@
 
 use super::objectives::Objective;
 
-/// A demand that is none.
+/// Invalid requirements, or a search too large.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SelectionError {
     /// Too few or too many speeds.
-    #[error("{}: gearboxes of one row have 2, of two rows 3", counted(*count, "speed"))]
+    #[error("{}: gearboxes of one set have 2, of two sets 3", counted(*count, "speed"))]
     SpeedCount {
         /// How many were given.
         count: usize,
@@ -37,7 +37,7 @@ pub enum SelectionError {
         d: f64,
     },
     /// Too few or too many ratios.
-    #[error("{}: beside direct drive one row gives 1, two rows give 2", counted(*count, "ratio"))]
+    #[error("{}: beside direct drive one set gives 1, two sets give 2", counted(*count, "ratio"))]
     RatioCount {
         /// How many were given.
         count: usize,
@@ -54,15 +54,15 @@ pub enum SelectionError {
         /// Their ratio.
         ratio: f64,
     },
-    /// A tolerance that is none.
+    /// An invalid tolerance.
     #[error("tolerance {tolerance}: at least 0 and below 1; 0.1 means ten per cent")]
     Tolerance {
         /// The value given.
         tolerance: f64,
     },
-    /// A range of row parameters that is none.
-    #[error("{what} row parameters from {from} to {to}: above 1, finite, the smaller first")]
-    ParameterRange {
+    /// An invalid range of ring-to-sun ratios.
+    #[error("{what} ring-to-sun ratios from {from} to {to}: above 1, finite, the smaller first")]
+    RingToSunRange {
         /// Allowed or preferred.
         what: &'static str,
         /// Lower end.
@@ -70,7 +70,7 @@ pub enum SelectionError {
         /// Upper end.
         to: f64,
     },
-    /// A limit that is none.
+    /// An invalid limit.
     #[error("limit of {what} {value}: a number, not below 0")]
     Limit {
         /// Of what.
@@ -78,7 +78,7 @@ pub enum SelectionError {
         /// The value given.
         value: f64,
     },
-    /// A datum of the size that is none.
+    /// An invalid datum of the size.
     #[error("{what} {value}{}{unit}: finite and above 0", if unit.is_empty() { "" } else { " " })]
     Rating {
         /// Which.
@@ -88,7 +88,7 @@ pub enum SelectionError {
         /// Its unit; empty of a plain number.
         unit: &'static str,
     },
-    /// A number of planets whose load sharing is not stated.
+    /// A number of planets whose mesh load factor is not stated.
     #[error("{}: from 2 to {most}", counted(*planets as usize, "planet"))]
     PlanetNumber {
         /// The number given.
@@ -113,44 +113,44 @@ pub enum SelectionError {
     /// Limits in millimetres without what settles millimetres.
     #[error("limits of module or ring diameter need an input torque and a load factor K")]
     SizeWithoutTorque,
-    /// More tooth sets than a search takes.
+    /// More combinations of tooth numbers than a search takes.
     #[error(
-        "{tooth_sets} tooth sets a row, {} pairs of them a structure: a search takes at most {most} a row; narrow the \
-         ranges of teeth or of the row parameter",
+        "{tooth_sets} combinations of tooth numbers a set, {} pairs of them a structure: a search takes at most {most} a set; narrow the \
+         ranges of teeth or of the ring-to-sun ratio",
         pairs_of(*tooth_sets)
     )]
     TooManyToothSets {
-        /// Tooth sets of a row within the bounds.
+        /// Combinations of tooth numbers of a set within the bounds.
         tooth_sets: u64,
         /// The most that a search takes.
         most: u64,
     },
-    /// More structures and row parameters than a search goes through.
+    /// More structures and ring-to-sun ratios than a search goes through.
     #[error(
-        "{tooth_sets} tooth sets a row of {parameters} row parameters, in {structures} structures with their ratios: \
-         parameters times structures are at most {most}; narrow the ranges of teeth or of the row parameter, or \
+        "{tooth_sets} combinations of tooth numbers a set, with {ring_to_sun_ratios} ring-to-sun ratios, in {structures} structures with their ratios: \
+         ring-to-sun ratios times structures are at most {most}; narrow the ranges of teeth or of the ring-to-sun ratio, or \
          search fewer structures"
     )]
     TooManyWindows {
-        /// Tooth sets of a row within the bounds.
+        /// Combinations of tooth numbers of a set within the bounds.
         tooth_sets: u64,
-        /// Distinct row parameters among them.
-        parameters: usize,
+        /// Distinct ring-to-sun ratios among them.
+        ring_to_sun_ratios: usize,
         /// Structures with an assignment of ratios.
         structures: usize,
         /// The most that a search takes.
         most: u64,
     },
-    /// More pairs of row parameters within the windows than are tried.
+    /// More pairs of ring-to-sun ratios within the windows than are tried.
     #[error(
-        "{tooth_sets} tooth sets a row of {parameters} row parameters: {pairs} pairs of these come near the ratios; a \
-         search tries at most {most}; narrow the ranges of teeth, of the row parameter, or the tolerance"
+        "{tooth_sets} combinations of tooth numbers a set, with {ring_to_sun_ratios} ring-to-sun ratios: {pairs} pairs of these come near the ratios; a \
+         search tries at most {most}; narrow the ranges of teeth, of the ring-to-sun ratio, or the tolerance"
     )]
     TooManyPairs {
-        /// Tooth sets of a row within the bounds.
+        /// Combinations of tooth numbers of a set within the bounds.
         tooth_sets: u64,
-        /// Distinct row parameters among them.
-        parameters: usize,
+        /// Distinct ring-to-sun ratios among them.
+        ring_to_sun_ratios: usize,
         /// Pairs to be tried.
         pairs: u64,
         /// The most that a search tries.
@@ -169,10 +169,10 @@ pub enum SelectionError {
     /// Stopped by the caller.
     #[error("the search was cancelled")]
     Cancelled,
-    /// What a row refuses.
+    /// What a gear set refuses.
     #[error(transparent)]
-    Row(#[from] epicyclic_gears::Error),
-    /// What the engine refuses.
+    GearSet(#[from] epicyclic_gears::Error),
+    /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
 }

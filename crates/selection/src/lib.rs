@@ -2,26 +2,26 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`demand`] | what is wanted: ratios, tolerance, limits |
-//! | [`mechanism`] | what is chosen among, and which row parameters give the ratios |
+//! | [`requirements`] | what is wanted: ratios, tolerance, limits |
+//! | [`mechanism`] | what is chosen among, and which `k` give the ratios wanted |
 //! | [`candidate`] | a mechanism measured and judged, criterion by criterion |
 //! | [`objectives`] | the five objectives, and the order that picks the best |
-//! | [`drawing`] | whether it, and which way to lock, can be drawn without self-crossing |
-//! | [`size`] | how large a row is for its load |
+//! | [`drawing`] | whether it can be drawn without self-crossing, and with which direct-drive clutch |
+//! | [`size`] | how large a set is for its load |
 //! | [`front`] | which designs nothing dominates |
 //! | [`search`] | the same over all tooth numbers of both sets: exact front, nothing missed |
 //!
-//! Row parameters follow from the ratios, one pair from one pair: [`structures`](epicyclic_schemes::structures). Where
+//! Ring-to-sun ratios follow from the ratios, one pair from one pair: [`structures`](epicyclic_schemes::structures). Where
 //! they lie outside the range allowed, the point of the range is taken that comes nearest to the ratios,
 //! and the tolerance says whether that is near enough. [`search`](crate::search) goes on from here to teeth.
 //!
 //! ```
-//! use epicyclic_selection::{Demand, RatioSeries, Space, select};
+//! use epicyclic_selection::{Requirements, RatioSeries, Space, select};
 //! use uom::si::{f64::Velocity, velocity::meter_per_second};
 //! # fn main() -> Result<(), epicyclic_selection::SelectionError> {
 //! // The conveyor of section 3.3: scheme I wins over III.
 //! let speeds = [0.8, 3.15].map(Velocity::new::<meter_per_second>);
-//! let found = select(&Demand::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
+//! let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
 //! let best = &found.accepted[found.best[0]];
 //! assert_eq!(best.mechanism.scheme(), Some("I"));
 //! assert!((best.k[0] - 2.9375).abs() < 1e-12);
@@ -33,38 +33,38 @@
 //! multispeed-gearboxes, sections 3.1 to 3.3.
 
 pub mod candidate;
-pub mod demand;
 pub mod drawing;
 mod error;
 pub mod front;
 pub mod mechanism;
 pub mod objectives;
+pub mod requirements;
 pub mod search;
 pub mod size;
 mod units;
 
-pub use candidate::{Candidate, Criterion, GearReport, Shift, Verdict};
-pub use demand::{Demand, Limits, Orders, RatioSeries, Signs};
+pub use candidate::{Candidate, Criterion, Engagement, GearReport, Verdict};
 pub use error::SelectionError;
 pub use mechanism::{Mechanism, Space};
 pub use objectives::{Objective, Objectives, Order};
+pub use requirements::{Limits, Orders, RatioSeries, Requirements, Signs};
 pub use size::Rating;
 
 use epicyclic_schemes::structures::Role;
 use front::Entry;
 
-/// Between which links a mechanism's locking clutch can be drawn; if there are none, or the mechanism
-/// itself cannot be drawn without self-crossing, the witness in words. As [`drawing::drawable_locks`].
+/// Between which links a mechanism's direct-drive clutch can be drawn; if there are none, or the mechanism
+/// itself cannot be drawn without self-crossing, the witness in words. As [`drawing::drawable_direct_clutches`].
 pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, String> + Sync + 'a;
 
-/// A mechanism that has no row parameters for the ratios, so that there is nothing to judge.
+/// A mechanism that has no ring-to-sun ratios for the ratios, so that there is nothing to judge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unreachable {
     /// Which mechanism.
     pub mechanism: Mechanism,
     /// Ratios wanted of its gears.
     pub wanted: Vec<f64>,
-    /// Row parameters that the ratios would need, where they need finite ones.
+    /// Ring-to-sun ratios that the ratios would need, where they need finite ones.
     pub needed: Option<Vec<f64>>,
     /// Why these are out of reach.
     pub reason: String,
@@ -89,8 +89,8 @@ pub struct Selection {
 ///
 /// # Errors
 /// As [`select_with`].
-pub fn select(demand: &Demand, space: &Space) -> Result<Selection, SelectionError> {
-    select_with(demand, space, Order::default(), Some(&drawing::drawable_locks))
+pub fn select(requirements: &Requirements, space: &Space) -> Result<Selection, SelectionError> {
+    select_with(requirements, space, Order::default(), Some(&drawing::drawable_direct_clutches))
 }
 
 /// Every mechanism of a space for every assignment of the ratios: measured, judged, compared.
@@ -98,28 +98,29 @@ pub fn select(demand: &Demand, space: &Space) -> Result<Selection, SelectionErro
 /// # Errors
 /// Those [`SelectionError`]s that speak of tolerance, limits and rating.
 pub fn select_with(
-    demand: &Demand,
+    requirements: &Requirements,
     space: &Space,
     order: Order,
     drawing: Option<&Drawing>,
 ) -> Result<Selection, SelectionError> {
-    demand.check()?;
-    let targets = demand.targets();
+    requirements.check()?;
+    let targets = requirements.targets();
     let mut found =
         Selection { accepted: vec![], rejected: vec![], unreachable: vec![], front: vec![], best: vec![] };
-    for mechanism in space.mechanisms(demand.series.ratios().len()) {
+    for mechanism in space.mechanisms(requirements.series.ratios().len()) {
         for (place, wanted) in targets.iter().enumerate() {
             // Of a symmetric structure the other order is the same design.
             let mirrored: Vec<f64> = wanted.iter().rev().copied().collect();
             if mechanism.is_symmetric() && targets[..place].contains(&mirrored) {
                 continue;
             }
-            let range = &demand.limits.parameter;
+            let range = &requirements.limits.ring_to_sun;
             let nearest = mechanism.nearest(wanted, range);
-            let in_tolerance =
-                |k: &Vec<f64>| mechanism::largest_error(&mechanism.ratios(k), wanted) <= demand.tolerance;
-            let exact = mechanism.parameters(wanted);
-            // Beyond the tolerance the exact parameters tell more, if a simple row can have them.
+            let in_tolerance = |k: &Vec<f64>| {
+                mechanism::largest_error(&mechanism.ratios(k), wanted) <= requirements.tolerance
+            };
+            let exact = mechanism.ring_to_sun_ratios(wanted);
+            // Beyond the tolerance the exact ring-to-sun ratios tell more, if a simple set can have them.
             let simple = exact.clone().filter(|k| k.iter().all(|k| *k > 1.0));
             let Some(k) = nearest.filter(in_tolerance).or(simple) else {
                 let reason = reason(exact.as_deref());
@@ -127,7 +128,7 @@ pub fn select_with(
                 found.unreachable.push(Unreachable { mechanism, wanted, needed: exact, reason });
                 continue;
             };
-            let candidate = Candidate::new(mechanism, k, wanted, demand, drawing)?;
+            let candidate = Candidate::new(mechanism, k, wanted, requirements, drawing)?;
             if candidate.is_accepted() { &mut found.accepted } else { &mut found.rejected }.push(candidate);
         }
     }
@@ -139,8 +140,8 @@ pub fn select_with(
 }
 
 fn reason(needed: Option<&[f64]>) -> String {
-    let Some(needed) = needed else { return "a row would need an infinite k".into() };
-    let bad = |(row, k): (usize, &f64)| (*k <= 1.0).then(|| format!("k{} = {k:.3}", row + 1));
+    let Some(needed) = needed else { return "a set would need an infinite k".into() };
+    let bad = |(set, k): (usize, &f64)| (*k <= 1.0).then(|| format!("k{} = {k:.3}", set + 1));
     let bad: Vec<String> = needed.iter().enumerate().filter_map(bad).collect();
-    format!("{} needed, and k of a simple row is above 1", bad.join(" and "))
+    format!("{} needed, and k of a simple set is above 1", bad.join(" and "))
 }

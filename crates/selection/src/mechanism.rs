@@ -1,22 +1,22 @@
-//! What selection chooses among: one row of two speeds, or two rows of three.
+//! What selection chooses among: one set of two speeds, or two sets of three.
 
 use super::SelectionError;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::locking::{Lock, locks, locks_of_row};
+use epicyclic_schemes::direct_drive::{DirectClutch, direct_clutch_options, direct_clutch_options_of_set};
 use epicyclic_schemes::pair::{coefficients, ratios};
-use epicyclic_schemes::structures::{Role, RowRoles, Structure};
+use epicyclic_schemes::structures::{Role, SetRoles, Structure};
 use epicyclic_train::set::{MeshLoss, SetSpec};
 use epicyclic_train::{Error, Gearbox};
 use std::fmt;
 use std::ops::RangeInclusive;
 
-/// A mechanism whose row parameters are to be found.
+/// A mechanism whose ring-to-sun ratios are to be found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Mechanism {
-    /// One row of D, B and T₁: two speeds.
-    Row(RowRoles),
-    /// Two rows: three speeds.
-    Rows(Structure),
+    /// One set of D, B and T₁: two speeds.
+    OneSet(SetRoles),
+    /// Two sets: three speeds.
+    TwoSets(Structure),
 }
 
 /// From what to select.
@@ -24,7 +24,7 @@ pub enum Mechanism {
 pub enum Space {
     /// Schemes I, II, III for two speeds, I-1…III-3 for three.
     Catalogue,
-    /// All six ways to use one row, all 111 two-row structures.
+    /// All six ways to use one set, all 111 two-set structures.
     All,
     /// These structures, for three speeds.
     Structures(Vec<Structure>),
@@ -34,11 +34,12 @@ impl Space {
     /// The mechanisms of so many braked gears.
     pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
         use Role::{B, D, T1};
-        let rows = [[D, T1, B], [T1, D, B], [D, B, T1], [B, T1, D], [T1, B, D], [B, D, T1]];
-        let structures = |structures: Vec<Structure>| structures.into_iter().map(Mechanism::Rows).collect();
+        let sets = [[D, T1, B], [T1, D, B], [D, B, T1], [B, T1, D], [T1, B, D], [B, D, T1]];
+        let structures =
+            |structures: Vec<Structure>| structures.into_iter().map(Mechanism::TwoSets).collect();
         match (self, gears) {
-            (Self::Catalogue, 1) => rows[..3].iter().copied().map(Mechanism::Row).collect(),
-            (Self::All, 1) => rows.into_iter().map(Mechanism::Row).collect(),
+            (Self::Catalogue, 1) => sets[..3].iter().copied().map(Mechanism::OneSet).collect(),
+            (Self::All, 1) => sets.into_iter().map(Mechanism::OneSet).collect(),
             (Self::Structures(_), 1) => vec![],
             (Self::Catalogue, _) => structures(Structure::catalogue()),
             (Self::All, _) => structures(Structure::all()),
@@ -53,73 +54,73 @@ impl Mechanism {
     pub fn scheme(self) -> Option<&'static str> {
         use Role::{B, D, T1};
         match self {
-            Self::Row([D, T1, B]) => Some("I"),
-            Self::Row([T1, D, B]) => Some("II"),
-            Self::Row([D, B, T1]) => Some("III"),
-            Self::Row(_) => None,
-            Self::Rows(structure) => structure.scheme(),
+            Self::OneSet([D, T1, B]) => Some("I"),
+            Self::OneSet([T1, D, B]) => Some("II"),
+            Self::OneSet([D, B, T1]) => Some("III"),
+            Self::OneSet(_) => None,
+            Self::TwoSets(structure) => structure.scheme(),
         }
     }
 
-    /// Roles of sun, ring and carrier of each row.
+    /// Roles of sun, ring and carrier of each set.
     #[must_use]
-    pub fn rows(self) -> Vec<RowRoles> {
+    pub fn sets(self) -> Vec<SetRoles> {
         match self {
-            Self::Row(row) => vec![row],
-            Self::Rows(structure) => structure.rows().to_vec(),
+            Self::OneSet(set) => vec![set],
+            Self::TwoSets(structure) => structure.sets().to_vec(),
         }
     }
 
     /// Whether both orders of the ratios are one design.
     pub(crate) fn is_symmetric(self) -> bool {
-        matches!(self, Self::Rows(structure) if structure.is_symmetric())
+        matches!(self, Self::TwoSets(structure) if structure.is_symmetric())
     }
 
-    /// Row parameters that give these ratios exactly; they may be none of a simple row.
+    /// Ring-to-sun ratios that give these ratios exactly; they may be below what a simple set can have, `k` above 1.
     #[must_use]
-    pub fn parameters(self, wanted: &[f64]) -> Option<Vec<f64>> {
+    pub fn ring_to_sun_ratios(self, wanted: &[f64]) -> Option<Vec<f64>> {
         match (self, wanted) {
-            (Self::Row(row), &[i]) => {
+            (Self::OneSet(set), &[i]) => {
                 let u = |role: Role| match role {
                     Role::D => i,
                     Role::B => 1.0,
                     _ => 0.0,
                 };
-                let [a, b, h] = row.map(u);
+                let [a, b, h] = set.map(u);
                 let k = -(a - h) / (b - h);
                 k.is_finite().then(|| vec![k])
             }
-            (Self::Rows(structure), &[first, second]) => {
-                structure.parameters([first, second]).map(|k| k.to_vec())
+            (Self::TwoSets(structure), &[first, second]) => {
+                structure.ring_to_sun_ratios([first, second]).map(|k| k.to_vec())
             }
             _ => None,
         }
     }
 
-    /// Ratios of the braked gears at these row parameters.
+    /// Ratios of the braked gears at these ring-to-sun ratios.
     pub(crate) fn ratios(self, k: &[f64]) -> Vec<f64> {
         match (self, k) {
-            (Self::Row(row), &[k]) => {
-                let c = coefficients(row, k);
+            (Self::OneSet(set), &[k]) => {
+                let c = coefficients(set, k);
                 vec![-c[Role::B.index()] / c[Role::D.index()]]
             }
-            (Self::Rows(structure), &[first, second]) => {
-                let [one, two] = structure.rows();
+            (Self::TwoSets(structure), &[first, second]) => {
+                let [one, two] = structure.sets();
                 ratios(&coefficients(one, first), &coefficients(two, second)).to_vec()
             }
             _ => vec![],
         }
     }
 
-    /// Row parameters within a range that come nearest to the ratios: the least largest relative error.
+    /// Ring-to-sun ratios within a range that come nearest to the ratios: the least largest relative error.
     ///
     /// Exact where the exact ones lie within the range. Otherwise on the edge of the range: ratios and
-    /// parameters correspond one to one, so from an inner point a step straight towards the wanted ratios
+    /// `k` correspond one to one, so from an inner point a step straight towards the wanted ratios
     /// lessens both errors. Along an edge each ratio is monotonous, hence the largest error falls and then
     /// rises, and a section search finds its least. `None` where no point of the range gives ratios of the
     /// wanted signs.
     pub(crate) fn nearest(self, wanted: &[f64], range: &RangeInclusive<f64>) -> Option<Vec<f64>> {
-        let exact = self.parameters(wanted);
+        let exact = self.ring_to_sun_ratios(wanted);
         if let Some(exact) = exact.filter(|k| k.iter().all(|k| range.contains(k))) {
             return Some(exact);
         }
@@ -134,8 +135,8 @@ impl Mechanism {
         };
         for end in ends {
             match self {
-                Self::Row(_) => consider(vec![end]),
-                Self::Rows(_) => {
+                Self::OneSet(_) => consider(vec![end]),
+                Self::TwoSets(_) => {
                     consider(section(ends, |k| error(&[end, k])).map_or(vec![end, end], |k| vec![end, k]));
                     consider(section(ends, |k| error(&[k, end])).map_or(vec![end, end], |k| vec![k, end]));
                 }
@@ -144,29 +145,29 @@ impl Mechanism {
         found.map(|(_, k)| k)
     }
 
-    /// Every way to lock, the least torque first.
-    pub(crate) fn locks(self, ratios: &[f64]) -> Vec<Lock> {
+    /// Every option for the direct-drive clutch, the least torque first.
+    pub(crate) fn direct_clutch_options(self, ratios: &[f64]) -> Vec<DirectClutch> {
         match (self, ratios) {
-            (Self::Row(_), &[i]) => locks_of_row(i),
-            (_, &[first, second]) => locks([first, second]),
+            (Self::OneSet(_), &[i]) => direct_clutch_options_of_set(i),
+            (_, &[first, second]) => direct_clutch_options([first, second]),
             _ => vec![],
         }
     }
 
-    /// The mechanism with its brakes and without a locking clutch, rows without losses at this `k`.
-    pub(crate) fn without_lock(self, k: f64) -> Result<Gearbox, Error> {
+    /// The mechanism with its brakes and without a direct-drive clutch, sets without losses at this `k`.
+    pub(crate) fn without_direct_clutch(self, k: f64) -> Result<Gearbox, Error> {
         let mut builder = Gearbox::builder(&self.to_string()).input("D").output("B").brake("K1", "T1");
         builder = match self {
-            Self::Row(_) => builder.links(["D", "B", "T1"]),
-            Self::Rows(_) => builder.links(["D", "B", "T1", "T2"]).brake("K2", "T2"),
+            Self::OneSet(_) => builder.links(["D", "B", "T1"]),
+            Self::TwoSets(_) => builder.links(["D", "B", "T1", "T2"]).brake("K2", "T2"),
         };
-        for (name, row) in ["1", "2"].iter().zip(self.rows()) {
-            builder = builder.set(SetSpec::simple(name, row.map(Role::symbol), k));
+        for (name, set) in ["1", "2"].iter().zip(self.sets()) {
+            builder = builder.set(SetSpec::simple(name, set.map(Role::symbol), k));
         }
         builder.build()
     }
 
-    /// The mechanism as a gearbox with gears `1`, `2` (of two rows) and `direct`, the locking clutch `L`
+    /// The mechanism as a gearbox with gears `1`, `2` (of two sets) and `direct`, the direct-drive clutch `L`
     /// between these links.
     ///
     /// # Errors
@@ -175,17 +176,17 @@ impl Mechanism {
         self,
         k: &[f64],
         eta0: MeshEfficiency,
-        lock: [Role; 2],
+        direct_clutch: [Role; 2],
     ) -> Result<Gearbox, SelectionError> {
         match (self, k) {
-            (Self::Rows(structure), &[first, second]) => {
-                Ok(structure.gearbox([first, second], eta0, lock)?)
+            (Self::TwoSets(structure), &[first, second]) => {
+                Ok(structure.gearbox([first, second], eta0, direct_clutch)?)
             }
-            (Self::Row(row), &[k]) => Ok(Gearbox::builder(&self.to_string())
+            (Self::OneSet(set), &[k]) => Ok(Gearbox::builder(&self.to_string())
                 .links(["D", "B", "T1"])
-                .set(SetSpec::simple("1", row.map(Role::symbol), k).with_loss(MeshLoss::Set(eta0)))
+                .set(SetSpec::simple("1", set.map(Role::symbol), k).with_loss(MeshLoss::Set(eta0)))
                 .brake("K1", "T1")
-                .clutch("L", lock[0].symbol(), lock[1].symbol())
+                .clutch("L", direct_clutch[0].symbol(), direct_clutch[1].symbol())
                 .input("D")
                 .output("B")
                 .gear("1", ["K1"])
@@ -194,7 +195,7 @@ impl Mechanism {
             _ => Err(Error::ValueCount {
                 what: "ring-to-sun ratios",
                 given: k.len(),
-                expected: self.rows().len(),
+                expected: self.sets().len(),
             }
             .into()),
         }
@@ -204,8 +205,8 @@ impl Mechanism {
 impl fmt::Display for Mechanism {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Row([a, b, h]) => f.pad(&format!("{a}.{b}.{h}")),
-            Self::Rows(structure) => structure.fmt(f),
+            Self::OneSet([a, b, h]) => f.pad(&format!("{a}.{b}.{h}")),
+            Self::TwoSets(structure) => structure.fmt(f),
         }
     }
 }

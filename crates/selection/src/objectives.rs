@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | [`Efficiency`](Objective::Efficiency) | more | the least η over the braked gears |
 //! | [`Speed`](Objective::Speed) | less | the largest \|ω\| of links and relative planet speed, over the input's |
-//! | [`Parameter`](Objective::Parameter) | less | Σ distance of ln k from [ln 2.5, ln 3] |
+//! | [`RingToSun`](Objective::RingToSun) | less | Σ distance of ln k from [ln 2.5, ln 3] |
 //! | [`RatioError`](Objective::RatioError) | less | the largest relative error of a ratio |
 //! | [`Size`](Objective::Size) | less | the largest ring diameter, [`size`](super::size) |
 //!
@@ -25,7 +25,7 @@ pub enum Objective {
     /// The largest speed of links, and of planets relative to their carriers.
     Speed,
     /// Σ distance of ln k from the preferred range.
-    Parameter,
+    RingToSun,
     /// The largest relative error of a ratio.
     RatioError,
     /// The largest ring.
@@ -34,7 +34,7 @@ pub enum Objective {
 
 impl Objective {
     /// All of them, in the order of [`Order::default`].
-    pub const ALL: [Self; 5] = [Self::Efficiency, Self::Speed, Self::Parameter, Self::RatioError, Self::Size];
+    pub const ALL: [Self; 5] = [Self::Efficiency, Self::Speed, Self::RingToSun, Self::RatioError, Self::Size];
 
     /// Its name.
     #[must_use]
@@ -42,7 +42,7 @@ impl Objective {
         match self {
             Self::Efficiency => "efficiency",
             Self::Speed => "speed",
-            Self::Parameter => "parameter",
+            Self::RingToSun => "parameter",
             Self::RatioError => "error",
             Self::Size => "size",
         }
@@ -103,7 +103,7 @@ impl Order {
 }
 
 impl Default for Order {
-    /// Efficiency, speed, parameter, error, size.
+    /// Efficiency, speed, ring-to-sun ratio, error, size.
     fn default() -> Self {
         Self(Objective::ALL)
     }
@@ -117,7 +117,7 @@ pub struct Objectives {
     /// The largest speed over the input's: of links, and of planets relative to their carriers.
     pub speed: f64,
     /// Σ distance of ln k from the preferred range.
-    pub parameter: f64,
+    pub ring_to_sun: f64,
     /// The largest relative error of a ratio.
     pub ratio_error: f64,
     /// The largest ring's relative diameter; times [`Rating::unit`](super::size::Rating::unit) in metres.
@@ -138,11 +138,11 @@ pub(crate) fn on_grid(value: f64) -> f64 {
 impl Objectives {
     pub(crate) fn costs(&self) -> Costs {
         let cube = self.size * self.size * self.size;
-        [-self.efficiency, self.speed, self.parameter, self.ratio_error, cube].map(on_grid)
+        [-self.efficiency, self.speed, self.ring_to_sun, self.ratio_error, cube].map(on_grid)
     }
 
-    pub(crate) fn of_costs([efficiency, speed, parameter, ratio_error, cube]: Costs) -> Self {
-        Self { efficiency: -efficiency, speed, parameter, ratio_error, size: cube.cbrt() }
+    pub(crate) fn of_costs([efficiency, speed, ring_to_sun, ratio_error, cube]: Costs) -> Self {
+        Self { efficiency: -efficiency, speed, ring_to_sun, ratio_error, size: cube.cbrt() }
     }
 
     /// Whether this is nowhere worse than the other and somewhere better.
@@ -169,7 +169,7 @@ pub(crate) fn dominates(one: &Costs, other: &Costs) -> bool {
 
 /// Distance of `ln k` from the preferred range.
 #[inline]
-pub(crate) fn parameter_distance(k: f64, low: f64, high: f64) -> f64 {
+pub(crate) fn ring_to_sun_distance(k: f64, low: f64, high: f64) -> f64 {
     if k < low {
         (low / k).ln()
     } else if k > high {

@@ -1,7 +1,7 @@
-//! Size of a row from its load: the ring's pitch diameter at one load factor K of the sun–planet mesh.
+//! Size of a set from its load: the ring's pitch diameter at one load factor K of the sun–planet mesh.
 //!
 //! ```text
-//! K = F_t/(b·d₁)·(u + 1)/u = (F_t/b)·(1/d_a + 1/d_g)      F_t = 2·T_a·γ/(N·d_a)      b = ψ·d₁
+//! K = F_t/(b·d₁)·(u + 1)/u = (F_t/b)·(1/d_a + 1/d_g)      F_t = 2·T_a·K_γ/(N·d_a)      b = ψ·d₁
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -10,29 +10,29 @@
 //! | `F_t`, `b` | tangential force, face width | N, m |
 //! | `d₁`, `u` | pitch diameter of the smaller of sun and planet, the larger over it | m, 1 |
 //! | `T_a` | the largest torque on the sun over the braked gears, with losses | N·m |
-//! | `N`, `γ` | planets; how much more than its share the most loaded mesh carries | 1 |
+//! | `N`, `K_γ` | planets; mesh load factor: how much more than its share the most loaded mesh carries | 1 |
 //! | `ψ` | face-width ratio `b/d₁` | 1 |
 //!
-//! By coaxiality `d_g = r·d_a` with `r = (k − 1)/2`, so with `T_a = τ·T_in` the ring has
+//! By equal centre distances `d_g = r·d_a` with `r = (k − 1)/2`, so with `T_a = τ·T_in` the ring has
 //!
 //! ```text
-//! d_b³ = k³·(1 + 1/r)/min(1, r)·τ·(γ/N) · 2·T_in/(ψ·K)
+//! d_b³ = k³·(1 + 1/r)/min(1, r)·τ·(K_γ/N) · 2·T_in/(ψ·K)
 //! ```
 //!
-//! The last factor is common to all rows and gearboxes at one input torque: without it the cube root is
+//! The last factor is common to all sets and gearboxes at one input torque: without it the cube root is
 //! the *relative* size, and `∛(2·T_in/(ψ·K))` turns that into metres. So the size depends on `k` and the
-//! number of planets, not on the teeth beyond these. In direct drive the rows stand still within
+//! number of planets, not on the teeth beyond these. In direct drive the sets stand still within
 //! themselves, and their teeth, loaded but not rolling, do not count.
 //!
 //! Left out: the planet–ring mesh, whose flanks are conformal and carry more; bending, which settles the
-//! module within a diameter; shafts, bearings and controls.
+//! module within a diameter; shafts, bearings and shift elements.
 
 use super::SelectionError;
 use crate::units::{metres, n_m, pascal};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Pressure, Torque};
 
-/// The largest number of planets whose load sharing is stated.
+/// The largest number of planets whose mesh load factor is stated.
 pub const MOST_PLANETS: u32 = epicyclic_gears::synthesis::MOST_PLANETS;
 
 /// What sizes are measured by.
@@ -42,16 +42,16 @@ pub struct Rating {
     pub load: Option<(Torque, Pressure)>,
     /// Face-width ratio `ψ = b/d₁`.
     pub face_width_ratio: f64,
-    /// Load sharing `γ` with 2, 3, … 8 planets: 1 where all carry alike.
-    pub load_sharing: [f64; (MOST_PLANETS - 1) as usize],
-    /// Planets of each row where no teeth say.
+    /// Mesh load factor `K_γ` with 2, 3, … 8 planets: 1 where all carry alike.
+    pub mesh_load_factors: [f64; (MOST_PLANETS - 1) as usize],
+    /// Planets of each set where no teeth say.
     pub planets: u32,
 }
 
 impl Default for Rating {
     /// Relative sizes, all planets carrying alike, three of them.
     fn default() -> Self {
-        Self { load: None, face_width_ratio: 1.0, load_sharing: [1.0; 7], planets: 3 }
+        Self { load: None, face_width_ratio: 1.0, mesh_load_factors: [1.0; 7], planets: 3 }
     }
 }
 
@@ -65,8 +65,8 @@ impl Rating {
             }
         };
         check("face-width ratio", self.face_width_ratio, "")?;
-        for gamma in self.load_sharing {
-            check("load sharing", gamma, "")?;
+        for factor in self.mesh_load_factors {
+            check("mesh load factor", factor, "")?;
         }
         if !PLANETS.contains(&self.planets) {
             return Err(SelectionError::PlanetNumber { planets: self.planets, most: MOST_PLANETS });
@@ -78,10 +78,10 @@ impl Rating {
         Ok(())
     }
 
-    /// `γ/N`: the share of the sun's force that the most loaded planet carries.
+    /// `K_γ/N`: the share of the sun's force that the most loaded planet carries.
     pub(crate) fn share(&self, planets: u32) -> f64 {
         let place = planets.clamp(*PLANETS.start(), *PLANETS.end()) - PLANETS.start();
-        self.load_sharing[place as usize] / f64::from(planets)
+        self.mesh_load_factors[place as usize] / f64::from(planets)
     }
 
     /// `∛(2·T_in/(ψ·K))`; `None` where sizes are relative.
@@ -94,22 +94,22 @@ impl Rating {
 
 const PLANETS: RangeInclusive<u32> = 2..=MOST_PLANETS;
 
-/// `k³·(1 + 1/r)/min(1, r)`, what a row parameter does to the cube of the size.
-pub(crate) fn cube_of_parameter(k: f64) -> f64 {
+/// `k³·(1 + 1/r)/min(1, r)`, what the ring-to-sun ratio does to the cube of the size.
+pub(crate) fn cube_of_ring_to_sun_ratio(k: f64) -> f64 {
     let r = (k - 1.0) / 2.0;
     k * k * k * (1.0 + 1.0 / r) / r.min(1.0)
 }
 
-/// Relative ring diameter of a row: [`Rating::unit`] times this is its ring's pitch diameter.
+/// Relative ring diameter of a set: [`Rating::unit`] times this is its ring's pitch diameter.
 ///
 /// | symbol | argument | meaning |
 /// |---|---|---|
-/// | `k` | `k` | row parameter |
+/// | `k` | `k` | ring-to-sun ratio |
 /// | `τ` | `sun_torque` | largest torque on the sun over the input torque |
-/// | `γ/N` | `rating`, `planets` | share of the most loaded planet |
+/// | `K_γ/N` | `rating`, `planets` | share of the most loaded planet |
 #[must_use]
 pub fn relative_ring_diameter(k: f64, sun_torque: f64, planets: u32, rating: &Rating) -> f64 {
-    (cube_of_parameter(k) * sun_torque.abs() * rating.share(planets)).cbrt()
+    (cube_of_ring_to_sun_ratio(k) * sun_torque.abs() * rating.share(planets)).cbrt()
 }
 
 #[cfg(test)]
@@ -123,7 +123,7 @@ mod tests {
         let rating = Rating {
             load: Some((torque(1200.0), pressure(2.5e6))),
             face_width_ratio: 0.8,
-            load_sharing: [1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6],
+            mesh_load_factors: [1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6],
             planets: 4,
         };
         for k in [1.6, 2.5, 3.0, 4.5] {

@@ -1,15 +1,15 @@
-//! Search over teeth by brute force: every pair of tooth sets through the solver of any gearbox, every
+//! Search over teeth by brute force: every pair of tooth numbers through the solver of any gearbox, every
 //! pair of designs compared. The oracle of the search, and what its speed is measured against.
 
 #![allow(dead_code, reason = "shared by tests and benches, neither of which uses all of it")]
 
-use epicyclic_gears::simple_set::{BasicRatio, RingToSunRatio};
-use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
-use epicyclic_schemes::locking::LOCKING_PAIRS;
+use epicyclic_gears::row::{RingToSunRatio, BasicRatio};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_sets_by_trial};
+use epicyclic_schemes::direct_drive::DIRECT_CLUTCH_PAIRS;
 use epicyclic_schemes::structures::{Role, Structure};
-use epicyclic_selection::drawing::drawable_locks;
+use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::size::relative_ring_diameter;
-use epicyclic_selection::{Demand, Mechanism};
+use epicyclic_selection::{Mechanism, Requirements};
 use epicyclic_train::{CompiledGear, Direction, Gearbox, LinkId, Solution, Values};
 
 /// A design that meets the criteria.
@@ -18,26 +18,30 @@ pub(crate) struct Design {
     pub(crate) structure: Structure,
     pub(crate) wanted: [f64; 2],
     pub(crate) teeth: [ToothNumbers; 2],
-    /// Efficiency, speed, parameter, ratio error, size, as costs.
+    /// Efficiency, speed, ring-to-sun ratio, ratio error, size, as costs.
     pub(crate) costs: [f64; 5],
 }
 
 /// Every design of these structures that meets the criteria, and how many were tried.
-pub(crate) fn designs(demand: &Demand, structures: &[Structure], bounds: &Bounds) -> (Vec<Design>, u64) {
-    let sets = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
+pub(crate) fn designs(
+    requirements: &Requirements,
+    structures: &[Structure],
+    bounds: &Bounds,
+) -> (Vec<Design>, u64) {
+    let tooth_sets = tooth_sets_by_trial(bounds).expect("the bounds are bounds");
     let (mut found, mut tried) = (vec![], 0);
     for &structure in structures {
-        let Some(model) = Model::new(structure, demand) else { continue };
-        let targets: Vec<[f64; 2]> = demand.targets().into_iter().map(|t| [t[0], t[1]]).collect();
+        let Some(model) = Model::new(structure, requirements) else { continue };
+        let targets: Vec<[f64; 2]> = requirements.targets().into_iter().map(|t| [t[0], t[1]]).collect();
         for (place, wanted) in targets.iter().enumerate() {
             if structure.is_symmetric() && targets[..place].contains(&[wanted[1], wanted[0]]) {
                 continue;
             }
-            for first in &sets {
-                for second in &sets {
+            for first in &tooth_sets {
+                for second in &tooth_sets {
                     tried += 1;
                     let teeth = [*first, *second];
-                    if let Some(costs) = model.costs(demand, *wanted, teeth) {
+                    if let Some(costs) = model.costs(requirements, *wanted, teeth) {
                         found.push(Design { structure, wanted: *wanted, teeth, costs });
                     }
                 }
@@ -61,39 +65,39 @@ struct Model {
     gearbox: Gearbox,
     gears: [CompiledGear; 2],
     links: [LinkId; 4],
-    locks: Vec<[Role; 2]>,
+    direct_clutches: Vec<[Role; 2]>,
 }
 
 impl Model {
-    fn new(structure: Structure, demand: &Demand) -> Option<Self> {
-        let gearbox = structure.gearbox([2.37, 3.19], demand.eta0, [Role::D, Role::B]).ok()?;
+    fn new(structure: Structure, requirements: &Requirements) -> Option<Self> {
+        let gearbox = structure.gearbox([2.37, 3.19], requirements.eta0, [Role::D, Role::B]).ok()?;
         let compile = |name| CompiledGear::new(&gearbox, gearbox.gear(name).ok()?).ok();
         let gears = [compile("1")?, compile("2")?];
         let links = Role::ALL.map(|role| gearbox.link(role.symbol()).expect("a link of the structure"));
-        let locks = if demand.limits.drawable {
-            drawable_locks(Mechanism::Rows(structure)).ok()?
+        let direct_clutches = if requirements.limits.drawable {
+            drawable_direct_clutches(Mechanism::TwoSets(structure)).ok()?
         } else {
-            LOCKING_PAIRS.to_vec()
+            DIRECT_CLUTCH_PAIRS.to_vec()
         };
-        Some(Self { gearbox, gears, links, locks })
+        Some(Self { gearbox, gears, links, direct_clutches })
     }
 
-    fn costs(&self, demand: &Demand, wanted: [f64; 2], teeth: [ToothNumbers; 2]) -> Option<[f64; 5]> {
-        let limits = &demand.limits;
+    fn costs(&self, requirements: &Requirements, wanted: [f64; 2], teeth: [ToothNumbers; 2]) -> Option<[f64; 5]> {
+        let limits = &requirements.limits;
         let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
-        let k = teeth.map(|set| set.ring_to_sun_ratio());
-        if !k.iter().all(|k| limits.parameter.contains(k)) {
+        let k = teeth.map(|teeth| teeth.row_parameter());
+        if !k.iter().all(|k| limits.ring_to_sun.contains(k)) {
             return None;
         }
-        let values = values(k, demand);
+        let values = values(k, requirements);
         let mut solution = Solution::default();
         let (mut error, mut efficiency) = (0.0_f64, f64::INFINITY);
         let (mut links, mut planets, mut torques) = (0.0_f64, 0.0_f64, [0.0_f64; 2]);
-        let mut slips = vec![0.0_f64; self.locks.len()];
+        let mut slips = vec![0.0_f64; self.direct_clutches.len()];
         for (gear, wanted) in self.gears.iter().zip(wanted) {
             gear.solve(&values, Direction::Drive, &mut solution).ok()?;
             error = error.max((solution.ratio() / wanted - 1.0).abs());
-            if !within(error, demand.tolerance) {
+            if !within(error, requirements.tolerance) {
                 return None;
             }
             efficiency = efficiency.min(solution.efficiency()?);
@@ -102,8 +106,8 @@ impl Model {
                 *speed = gear.link_speed(&solution, link)?;
                 links = links.max(speed.abs());
             }
-            for (row, k) in self.gearbox.sets().iter().zip(k) {
-                let of = |member: usize| gear.link_speed(&solution, row.members()[member]);
+            for (set, k) in self.gearbox.sets().iter().zip(k) {
+                let of = |member: usize| gear.link_speed(&solution, set.members()[member]);
                 let (a, h) = (of(0), of(2));
                 planets = planets.max(((a? - h?) * 2.0 / (k - 1.0)).abs());
             }
@@ -111,7 +115,7 @@ impl Model {
                 let largest = &mut torques[set];
                 *largest = largest.max(torque.abs());
             }
-            for (slip, [x, y]) in slips.iter_mut().zip(self.locks.iter().copied()) {
+            for (slip, [x, y]) in slips.iter_mut().zip(self.direct_clutches.iter().copied()) {
                 *slip = slip.max((speeds[x as usize] - speeds[y as usize]).abs());
             }
         }
@@ -125,34 +129,35 @@ impl Model {
         }
         let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
         let distance: f64 = k.iter().map(|k| (k.ln() - k.clamp(low, high).ln()).abs()).sum();
-        let size =
-            |row: usize| relative_ring_diameter(k[row], torques[row], teeth[row].planets, &demand.rating);
+        let size = |set: usize| {
+            relative_ring_diameter(k[set], torques[set], teeth[set].planets, &requirements.rating)
+        };
         Some([-efficiency, links.max(planets), distance, error, size(0).max(size(1))])
     }
 }
 
-fn values(k: [f64; 2], demand: &Demand) -> Values {
+fn values(k: [f64; 2], requirements: &Requirements) -> Values {
     let ratio = |k| BasicRatio::from(RingToSunRatio::new(k).expect("k above 1"));
-    Values { ratios: k.map(ratio).into(), efficiencies: vec![demand.eta0; 2] }
+    Values { ratios: k.map(ratio).into(), efficiencies: vec![requirements.eta0; 2] }
 }
 
-/// For each structure and assignment of ratios the point of a grid of row parameters, so many a side,
+/// For each structure and assignment of ratios the point of a grid of ring-to-sun ratios, so many a side,
 /// whose ratios come nearest.
 pub(crate) fn nearest_on_a_grid(
-    demand: &Demand,
+    requirements: &Requirements,
     structures: &[Structure],
     side: u32,
 ) -> Vec<(Structure, [f64; 2], f64)> {
-    let (low, high) = (*demand.limits.parameter.start(), *demand.limits.parameter.end());
+    let (low, high) = (*requirements.limits.ring_to_sun.start(), *requirements.limits.ring_to_sun.end());
     let rung = |step: u32| low * (high / low).powf(f64::from(step) / f64::from(side - 1));
     let mut found = vec![];
     for &structure in structures {
-        let Some(model) = Model::new(structure, demand) else { continue };
-        for target in demand.targets() {
+        let Some(model) = Model::new(structure, requirements) else { continue };
+        for target in requirements.targets() {
             let mut best = (structure, [0.0; 2], f64::INFINITY);
             for step in 0..side * side {
                 let k = [rung(step / side), rung(step % side)];
-                let values = values(k, demand);
+                let values = values(k, requirements);
                 let mut error = 0.0_f64;
                 let mut solution = Solution::default();
                 for (gear, wanted) in model.gears.iter().zip(&target) {

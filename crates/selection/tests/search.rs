@@ -5,7 +5,7 @@
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::search::{Found, MOST_PAIRS, MOST_TOOTH_SETS, ToothSearch};
-use epicyclic_selection::{Demand, Objective, Order, RatioSeries, SelectionError, Signs};
+use epicyclic_selection::{Objective, Order, RatioSeries, Requirements, SelectionError, Signs};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -17,8 +17,8 @@ use uom::si::torque::newton_meter;
 #[path = "brute.rs"]
 mod brute;
 
-fn excavator() -> Demand {
-    Demand::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
+fn excavator() -> Requirements {
+    Requirements::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
 }
 
 type Key = (Structure, [ToothNumbers; 2], bool);
@@ -29,7 +29,7 @@ fn members(found: &Found) -> BTreeMap<Key, [f64; 5]> {
         let o = entry.objectives;
         for design in found.designs(entry) {
             for teeth in design.pairs {
-                let costs = [-o.efficiency, o.speed, o.parameter, o.ratio_error, o.size];
+                let costs = [-o.efficiency, o.speed, o.ring_to_sun, o.ratio_error, o.size];
                 all.insert((design.structure, teeth, design.wanted[0] > design.wanted[1]), costs);
             }
         }
@@ -38,7 +38,7 @@ fn members(found: &Found) -> BTreeMap<Key, [f64; 5]> {
 }
 
 fn equals_brute_force(search: &ToothSearch) -> Result<usize, TestCaseError> {
-    let (designs, _) = brute::designs(&search.demand, &search.structures, &search.bounds);
+    let (designs, _) = brute::designs(&search.requirements, &search.structures, &search.bounds);
     let exact: BTreeMap<Key, [f64; 5]> = brute::front(&designs)
         .into_iter()
         .map(|d| ((d.structure, d.teeth, d.wanted[0] > d.wanted[1]), d.costs))
@@ -82,16 +82,16 @@ proptest! {
         objective in 0..5_usize,
         some in proptest::collection::vec(0..111_usize, 12),
     ) {
-        let mut demand = Demand::new(RatioSeries::new(&[q, q * step]).unwrap());
-        demand.tolerance = tolerance;
-        (demand.limits.efficiency, demand.limits.link_speed) = (limits.0, limits.1);
-        (demand.limits.planet_speed, demand.limits.clutch_slip) = (limits.2, limits.3);
-        demand.limits.drawable = switches.0;
-        demand.signs = if switches.1 { Signs::Any } else { Signs::Alike };
+        let mut requirements = Requirements::new(RatioSeries::new(&[q, q * step]).unwrap());
+        requirements.tolerance = tolerance;
+        (requirements.limits.efficiency, requirements.limits.link_speed) = (limits.0, limits.1);
+        (requirements.limits.planet_speed, requirements.limits.clutch_slip) = (limits.2, limits.3);
+        requirements.limits.drawable = switches.0;
+        requirements.signs = if switches.1 { Signs::Any } else { Signs::Alike };
         if switches.2 {
-            demand.rating.load_sharing = [1.0, 1.0, 1.3, 1.9, 2.2, 2.4, 2.5];
+            requirements.rating.mesh_load_factors = [1.0, 1.0, 1.3, 1.9, 2.2, 2.4, 2.5];
         }
-        let mut search = ToothSearch::new(demand);
+        let mut search = ToothSearch::new(requirements);
         let all = Structure::all();
         search.structures = some.into_iter().map(|place| all[place]).collect();
         search.structures.sort();
@@ -169,7 +169,7 @@ fn a_space_beyond_all_memory_is_refused_with_its_size() {
     }
     let range = 1..=600;
     (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (range.clone(), range.clone(), range);
-    search.demand.tolerance = 0.5;
+    search.requirements.tolerance = 0.5;
     match search.best(1) {
         Err(SelectionError::TooManyPairs { tooth_sets: 80_313, pairs, most: MOST_PAIRS, .. }) => {
             assert!(pairs > MOST_PAIRS);
@@ -211,8 +211,9 @@ fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
     let mm = Length::new::<millimeter>;
     search.ring_diameter = Some(mm(300.0));
     assert!(matches!(search.front(), Err(SelectionError::SizeWithoutTorque)));
-    search.demand.rating.load = Some((Torque::new::<newton_meter>(800.0), Pressure::new::<megapascal>(2.0)));
-    let unit = search.demand.rating.unit().unwrap();
+    search.requirements.rating.load =
+        Some((Torque::new::<newton_meter>(800.0), Pressure::new::<megapascal>(2.0)));
+    let unit = search.requirements.rating.unit().unwrap();
     let free = ToothSearch { ring_diameter: None, ..search.clone() }.front().unwrap();
     let limit = free.entries().iter().map(|e| e.objectives.size).fold(0.0, f64::max) * 0.7;
     search.ring_diameter = Some(unit * limit);
@@ -225,28 +226,28 @@ fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
         assert!(designs.iter().all(|design| !design.pairs.is_empty()));
         // The larger ring is the entry's size; its module is within limits.
         for pair in designs.iter().flat_map(|design| &design.pairs) {
-            let modules = pair.map(|set| unit * entry.objectives.size / set.ring.as_f64());
+            let modules = pair.map(|teeth| unit * entry.objectives.size / teeth.ring.as_f64());
             assert!(modules.iter().any(|m| *m >= mm(3.0 - 1e-9) && *m <= mm(5.0 + 1e-9)), "{modules:?}");
         }
     }
 }
 
 #[test]
-fn bad_demands_are_refused() {
-    let one = ToothSearch::new(Demand::new(RatioSeries::new(&[2.0]).unwrap()));
+fn invalid_requirements_are_refused() {
+    let one = ToothSearch::new(Requirements::new(RatioSeries::new(&[2.0]).unwrap()));
     assert_eq!(one.front().unwrap_err(), SelectionError::RatioCount { count: 1 });
     let mut empty = ToothSearch::new(excavator());
     #[allow(clippy::reversed_empty_ranges, reason = "the bad input")]
     {
         empty.bounds.ring = 60..=50;
     }
-    assert!(matches!(empty.front().unwrap_err(), SelectionError::Row(_)));
+    assert!(matches!(empty.front().unwrap_err(), SelectionError::GearSet(_)));
     let mut odd = ToothSearch::new(excavator());
-    odd.demand.tolerance = f64::NAN;
+    odd.requirements.tolerance = f64::NAN;
     assert!(matches!(odd.best(1).unwrap_err(), SelectionError::Tolerance { .. }));
-    assert!(odd.demand.tolerance.is_nan());
+    assert!(odd.requirements.tolerance.is_nan());
     let mut none = ToothSearch::new(excavator());
     none.bounds = Bounds { sun: 12..=12, planet: 12..=12, ring: 36..=36, ..Bounds::default() };
-    none.demand.tolerance = 1e-3;
+    none.requirements.tolerance = 1e-3;
     assert!(none.front().unwrap().entries().is_empty());
 }

@@ -7,19 +7,19 @@ use epicyclic_schemes::catalogue::ThreeSpeed;
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
 use epicyclic_selection::{
-    Candidate, Criterion, Demand, Mechanism, Objective, Order, RatioSeries, Selection, Space, select,
+    Candidate, Criterion, Mechanism, Objective, Order, RatioSeries, Requirements, Selection, Space, select,
     select_with,
 };
 use uom::si::f64::Velocity;
 use uom::si::velocity::meter_per_second;
 
-fn demand(speeds: &[f64]) -> Demand {
+fn requirements(speeds: &[f64]) -> Requirements {
     let speeds: Vec<Velocity> = speeds.iter().map(|v| Velocity::new::<meter_per_second>(*v)).collect();
-    Demand::new(RatioSeries::of_speeds(&speeds).unwrap())
+    Requirements::new(RatioSeries::of_speeds(&speeds).unwrap())
 }
 
-fn excavator() -> Demand {
-    demand(&[0.76, 1.33, 1.95])
+fn excavator() -> Requirements {
+    requirements(&[0.76, 1.33, 1.95])
 }
 
 fn all(found: &Selection) -> impl Iterator<Item = &Candidate> {
@@ -36,7 +36,7 @@ fn objections(candidate: &Candidate) -> Vec<Criterion> {
 
 #[test]
 fn the_conveyor_takes_scheme_i() {
-    let found = select(&demand(&[0.8, 3.15]), &Space::Catalogue).unwrap();
+    let found = select(&requirements(&[0.8, 3.15]), &Space::Catalogue).unwrap();
     let names: Vec<_> = found.best.iter().map(|&place| found.accepted[place].mechanism.scheme()).collect();
     assert_eq!(names, [Some("I"), Some("III")]);
     let best = &found.accepted[found.best[0]];
@@ -58,12 +58,12 @@ fn the_excavator_wheel_has_the_documents_two_and_the_objections_to_both() {
 
     let iii_1 = scheme(&found, "III-1")[0];
     assert!((iii_1.k[0] - 2.566).abs() < 1e-3 && (iii_1.k[1] - 4.754).abs() < 1e-3, "{:?}", iii_1.k);
-    assert_eq!(objections(iii_1), [Criterion::OneSense]);
-    assert!(iii_1.mixes_senses() && found.accepted.contains(iii_1));
+    assert_eq!(objections(iii_1), [Criterion::SameDirection]);
+    assert!(iii_1.mixes_directions() && found.accepted.contains(iii_1));
     assert!(iii_1.objectives.speed < 1.56 && (iii_1.objectives.efficiency - 0.9666).abs() < 1e-4);
 
     let mut strict = excavator();
-    strict.limits.one_sense = true;
+    strict.limits.same_direction = true;
     let found = select(&strict, &Space::Catalogue).unwrap();
     assert!(scheme(&found, "III-1")[0].objections().all(|verdict| verdict.required));
     assert!(found.accepted.is_empty());
@@ -71,7 +71,7 @@ fn the_excavator_wheel_has_the_documents_two_and_the_objections_to_both() {
 
 #[test]
 fn the_document_rounds_its_ratios_and_gets_k_of_2_15_2_35_and_4_76() {
-    let mut rounded = Demand::new(RatioSeries::new(&[1.465, 2.56]).unwrap());
+    let mut rounded = Requirements::new(RatioSeries::new(&[1.465, 2.56]).unwrap());
     rounded.eta0 = MeshEfficiency::new(0.97).unwrap();
     let found = select(&rounded, &Space::Catalogue).unwrap();
     let [ii_3] = scheme(&found, "II-3")[..] else { unreachable!("one order of ratios fits II-3") };
@@ -83,12 +83,12 @@ fn the_document_rounds_its_ratios_and_gets_k_of_2_15_2_35_and_4_76() {
 }
 
 #[test]
-fn the_document_missed_a_structure_of_both_rows_with_positive_ratios_and_more_than_98_per_cent() {
+fn the_document_missed_a_structure_of_both_sets_with_positive_ratios_and_more_than_98_per_cent() {
     use Role::{B, D, T1, T2};
     let found = select(&excavator(), &Space::All).unwrap();
     let missed: Vec<&Candidate> = all(&found)
         .filter(|candidate| {
-            let Mechanism::Rows(structure) = candidate.mechanism else { return false };
+            let Mechanism::TwoSets(structure) = candidate.mechanism else { return false };
             structure.scheme().is_none()
                 && structure.family() != Family::Parallel
                 && candidate.gears.iter().all(|gear| gear.ratio > 0.0 && gear.efficiency.unwrap() > 0.98)
@@ -97,7 +97,7 @@ fn the_document_missed_a_structure_of_both_rows_with_positive_ratios_and_more_th
         .collect();
     let [best] = missed[..] else { unreachable!("one: {missed:?}") };
     let structure = Structure::new([[D, T1, B], [T2, B, T1]]).unwrap();
-    assert_eq!(best.mechanism, Mechanism::Rows(structure));
+    assert_eq!(best.mechanism, Mechanism::TwoSets(structure));
     assert!(matches!(Standing::of(structure, &(1.3..=10.0)), Standing::Missed { .. }));
     // Scheme I in gear 1, k₁ = d − 1; gear 2 by (2.37) with i_c = k₂/(1 + k₂).
     assert!((best.k[0] - (1.95 / 0.76 - 1.0)).abs() < 1e-12 && (best.k[1] - 2.359).abs() < 1e-3);
@@ -118,7 +118,7 @@ fn the_document_left_iii_3_unexamined() {
 }
 
 #[test]
-fn brake_torques_are_those_of_the_ratio_and_the_least_lock_is_named() {
+fn brake_torques_are_those_of_the_ratio_and_the_direct_clutch_of_least_torque_is_named() {
     let found = select(&excavator(), &Space::All).unwrap();
     for candidate in all(&found) {
         for gear in &candidate.gears {
@@ -129,25 +129,25 @@ fn brake_torques_are_those_of_the_ratio_and_the_least_lock_is_named() {
         let gearbox = candidate.gearbox(&excavator()).unwrap();
         let direct = gearbox.analyze("direct").unwrap();
         assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-12);
-        let lock = &candidate.locks[candidate.lock];
-        let torque = direct.ideal().unwrap().shift_elements[2].unwrap();
-        assert!((torque - lock.torque).abs() < 1e-9, "{}: {torque} {lock:?}", candidate.mechanism);
-        assert!(candidate.locks[0].torque.abs() <= lock.torque.abs() + 1e-12);
-        let table = candidate.shift_table();
+        let clutch = &candidate.direct_clutches[candidate.direct_clutch];
+        let torque = direct.ideal().unwrap().controls[2].unwrap();
+        assert!((torque - clutch.torque).abs() < 1e-9, "{}: {torque} {clutch:?}", candidate.mechanism);
+        assert!(candidate.direct_clutches[0].torque.abs() <= clutch.torque.abs() + 1e-12);
+        let table = candidate.engagement_table();
         assert_eq!(table.last().unwrap().engaged, "L");
-        assert_eq!(table.iter().any(|shift| shift.reverses), candidate.mixes_senses());
+        assert_eq!(table.iter().any(|line| line.reverses), candidate.mixes_directions());
     }
 }
 
 #[test]
-fn parameters_are_the_catalogues() {
+fn ring_to_sun_ratios_are_the_catalogues() {
     let found = select(&excavator(), &Space::Catalogue).unwrap();
     for candidate in all(&found) {
         let exact = candidate.objectives.ratio_error < 1e-9;
         let scheme: ThreeSpeed = candidate.mechanism.scheme().unwrap().parse().unwrap();
         let [first, second] = [0, 1].map(|gear: usize| candidate.gears[gear].ratio);
-        let k1 = scheme.first_stage().parameter(first).unwrap();
-        let k2 = scheme.second_parameter(k1, second).unwrap();
+        let k1 = scheme.first_stage().ring_to_sun_ratio(first).unwrap();
+        let k2 = scheme.second_ring_to_sun_ratio(k1, second).unwrap();
         assert!((k1.get() - candidate.k[0]).abs() < 1e-9 && (k2.get() - candidate.k[1]).abs() < 1e-9);
         assert!(exact || candidate.k.iter().any(|k| *k == 1.3 || *k == 10.0), "{:?}", candidate.k);
     }
@@ -173,11 +173,11 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
 #[test]
 fn drawing_is_a_criterion_that_can_be_lifted() {
     let no = |_: Mechanism| Err("nothing can".to_owned());
-    let mut demand = excavator();
-    let found = select_with(&demand, &Space::All, Order::default(), Some(&no)).unwrap();
+    let mut requirements = excavator();
+    let found = select_with(&requirements, &Space::All, Order::default(), Some(&no)).unwrap();
     assert!(found.accepted.is_empty());
-    demand.limits.drawable = false;
-    let found = select_with(&demand, &Space::All, Order::default(), Some(&no)).unwrap();
+    requirements.limits.drawable = false;
+    let found = select_with(&requirements, &Space::All, Order::default(), Some(&no)).unwrap();
     let objection = found.accepted[0].objections().find(|v| v.criterion == Criterion::Drawable).unwrap();
     assert_eq!(objection.place, "nothing can");
 }

@@ -9,7 +9,7 @@ use epicyclic_gears::simple_set::{Fraction, Mode, RingToSunRatio};
 use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, row};
 use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
 use epicyclic_schemes::machines::{self, Table};
-use epicyclic_schemes::regimes::{PrintedSeries, RatioSeries};
+use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
 use epicyclic_schemes::{DesignError, cutting, rotor};
 use epicyclic_train::{Gearbox, mobility};
 use schemars::JsonSchema;
@@ -37,9 +37,9 @@ pub(super) fn calculations() -> Vec<Calculation> {
             "whether a printed relation of speeds holds in a row, and the sum of its factors",
             printed_relation,
         ),
-        Calculation::new("schemes.closing", "closing ratio and power of a pair of ratios", closing_of),
+        Calculation::new("schemes.closing", "closing ratio and power of a pair of ratios", connection_of),
         Calculation::new("schemes.superposition", "ratio of a closed differential", superposition),
-        Calculation::new("schemes.candidates", "the 36 ways to close a second row, sorted", candidates),
+        Calculation::new("schemes.candidates", "the 36 ways to close a second row, sorted", connections),
         Calculation::new(
             "schemes.ratio_series",
             "ratios of 2 to 4 speeds beside a printed series",
@@ -67,7 +67,7 @@ pub(super) fn calculations() -> Vec<Calculation> {
 impl From<DesignError> for Refusal {
     fn from(error: DesignError) -> Self {
         match error {
-            DesignError::Row(error) => error.into(),
+            DesignError::GearSet(error) => error.into(),
             DesignError::Gearbox(error) => error.into(),
             error => Self::of(&error),
         }
@@ -217,7 +217,7 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
     };
     let k1 = match (given.k1, given.ratio1) {
         (Some(k), None) => parameter(k)?,
-        (None, Some(ratio)) => first.parameter(ratio.get())?,
+        (None, Some(ratio)) => first.ring_to_sun_ratio(ratio.get())?,
         _ => return Err(one_way("1")),
     };
     let mut results = Results::default();
@@ -227,7 +227,7 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
         Named::Three(scheme) => {
             let k2 = match (given.k2, given.ratio2) {
                 (Some(k), None) => parameter(k)?,
-                (None, Some(ratio)) => scheme.second_parameter(k1, ratio.get())?,
+                (None, Some(ratio)) => scheme.second_ring_to_sun_ratio(k1, ratio.get())?,
                 _ => return Err(one_way("2")),
             };
             results.number("k2", k2.get());
@@ -236,15 +236,15 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
             scheme.gearbox(k1, k2, eta0)?
         }
     };
-    let within = |range: ParameterRange| {
+    let within = |range: RingToSunRange| {
         gearbox
             .sets()
             .iter()
             .all(|set| RingToSunRatio::new(-set.basic_ratio().get()).is_ok_and(|k| range.contains(k)))
     };
     results
-        .answer("k_within_1.7_to_7", within(ParameterRange::USED))
-        .answer("k_within_1.3_to_10", within(ParameterRange::RECOMMENDED));
+        .answer("k_within_1.7_to_7", within(RingToSunRange::USED))
+        .answer("k_within_1.3_to_10", within(RingToSunRange::RECOMMENDED));
     let mut fastest_planet: f64 = 0.0;
     let mut fastest_link: f64 = 0.0;
     for gear in gearbox.gears().iter().filter(|gear| gear.name() != "direct") {
@@ -293,15 +293,15 @@ struct RangeGiven {
     high: Number,
 }
 
-fn parameter_range(given: RangeGiven) -> Result<ParameterRange, Refusal> {
-    Ok(ParameterRange::new(given.low.get(), given.high.get())?)
+fn parameter_range(given: RangeGiven) -> Result<RingToSunRange, Refusal> {
+    Ok(RingToSunRange::new(given.low.get(), given.high.get())?)
 }
 
 fn scheme_range(given: &SchemeRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
     let (ends, rows) = match named(&given.scheme)? {
-        Named::Two(scheme) => (scheme.ratio_range(range), vec![scheme.row()]),
-        Named::Three(scheme) => (scheme.ratio_range(range), scheme.rows().to_vec()),
+        Named::Two(scheme) => (scheme.ratio_range(range), vec![scheme.set()]),
+        Named::Three(scheme) => (scheme.ratio_range(range), scheme.sets().to_vec()),
     };
     let [smallest, largest] = [ends[0].abs().min(ends[1].abs()), ends[0].abs().max(ends[1].abs())];
     let mut results = Results::default();
@@ -393,7 +393,7 @@ fn row_range(given: &RowRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
     let mut results = Results::default();
     for mode in Mode::ALL {
-        let [from, to] = row::ratio_range(mode, range);
+        let [from, to] = simple_set::ratio_range(mode, range);
         results.number(format!("{mode}.from"), from).number(format!("{mode}.to"), to);
     }
     Ok(results)
@@ -457,7 +457,7 @@ impl From<ShaftGiven> for Shaft {
 /// Ratios of gears 1 and 2, and the shaft to which row 2 ties T₁.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct ClosingGiven {
+struct ConnectionGiven {
     /// The shaft.
     onto: ShaftGiven,
     /// Ratio of gear 1.
@@ -466,16 +466,16 @@ struct ClosingGiven {
     ratio2: Number,
 }
 
-fn closing_of(given: &ClosingGiven) -> Result<Results, Refusal> {
+fn connection_of(given: &ConnectionGiven) -> Result<Results, Refusal> {
     let (shaft, first, second) = (given.onto.into(), given.ratio1.get(), given.ratio2.get());
-    let closing = closing::closing_ratio(shaft, first, second)?;
+    let needed = connection::connection_ratio(shaft, first, second)?;
     let mut results = Results::default();
     results
-        .number("closing_ratio", closing)
-        .number("ratio2_again", closing::second_ratio(shaft, first, closing)?)
-        .number("circulating_power", closing::circulating_power(shaft, first, second));
+        .number("closing_ratio", needed)
+        .number("ratio2_again", connection::second_ratio(shaft, first, needed)?)
+        .number("circulating_power", connection::circulating_power(shaft, first, second));
     for mode in Mode::ALL {
-        if let Ok(k) = row::parameter(mode, closing) {
+        if let Ok(k) = simple_set::ring_to_sun_ratio(mode, needed) {
             results.number(format!("k2.{mode}"), k.get());
         }
     }
@@ -498,16 +498,16 @@ fn superposition(given: &SuperpositionGiven) -> Result<Results, Refusal> {
     let (from_a, a, b) = (given.from_a.get(), given.a_tie.get(), given.b_tie.get());
     let mut results = Results::default();
     results
-        .number("ratio", closing::superposed_ratio(from_a, a, b))
+        .number("ratio", connection::superposed_ratio(from_a, a, b))
         .number("with_b_at_rest", from_a * a)
         .number("with_a_at_rest", (1.0 - from_a) * b);
     Ok(results)
 }
 
-fn candidates(given: &RowRangeGiven) -> Result<Results, Refusal> {
+fn connections(given: &RowRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
-    let all = Candidate::all();
-    let count = |wanted: &dyn Fn(&Candidate) -> bool| all.iter().filter(|c| wanted(c)).count() as i64;
+    let all = Connection::all();
+    let count = |wanted: &dyn Fn(&Connection) -> bool| all.iter().filter(|c| wanted(c)).count() as i64;
     let mut results = Results::default();
     results
         .count("candidates", count(&|_| true))
@@ -518,13 +518,13 @@ fn candidates(given: &RowRangeGiven) -> Result<Results, Refusal> {
             count(&|c| matches!(c.standing(range), Standing::Listed(_) | Standing::Circulates(Use::Slows))),
         )
         .count("missed", count(&|c| c.standing(range) == Standing::Circulates(Use::Slows)));
-    for candidate in all {
-        let ratios = match candidate.reach(range) {
+    for connection in all {
+        let ratios = match connection.reach(range) {
             Reach::Between { least, greatest } => format!("{least:.3} to {greatest:.3}"),
             Reach::ThroughZero => "through 0".into(),
             Reach::ThroughInfinity => "through infinity".into(),
         };
-        results.text(format!("{candidate}"), format!("{ratios}, {}", candidate.standing(range)));
+        results.text(format!("{connection}"), format!("{ratios}, {}", connection.standing(range)));
     }
     Ok(results)
 }

@@ -8,7 +8,7 @@ use epicyclic_layout::{Options, Verdict};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
 use epicyclic_selection::{
-    Candidate, Demand, Mechanism, RatioSeries, Selection, SelectionError, Space, select,
+    Candidate, Mechanism, RatioSeries, Requirements, Selection, SelectionError, Space, select,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -69,12 +69,12 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
             return Err(Refusal { name: "speeds-or-ratios".into(), message });
         }
     };
-    let mut demand = Demand::new(series);
+    let mut requirements = Requirements::new(series);
     if let Some(eta) = given.efficiency {
-        demand.eta0 = MeshEfficiency::new(eta.get())?;
+        requirements.eta0 = MeshEfficiency::new(eta.get())?;
     }
     let space = if given.all_structures { Space::All } else { Space::Catalogue };
-    let found = select(&demand, &space)?;
+    let found = select(&requirements, &space)?;
     let accepted: Vec<String> =
         found.best.iter().map(|&place| name(found.accepted[place].mechanism)).collect();
     let mut results = Results::default();
@@ -86,7 +86,7 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     if !given.all_structures {
         results.text("accepted_schemes", accepted.join(", "));
     }
-    if demand.series.ratios().len() == 2 {
+    if requirements.series.ratios().len() == 2 {
         results.count("unlisted_above_98_per_cent", unlisted_above(&found, 0.98) as i64);
     }
     if let Some(wanted) = &given.candidate {
@@ -106,7 +106,7 @@ fn unlisted_above(found: &Selection, efficiency: f64) -> usize {
     let all = found.accepted.iter().chain(&found.rejected);
     let mut structures: Vec<Structure> = all
         .filter_map(|candidate| {
-            let Mechanism::Rows(structure) = candidate.mechanism else { return None };
+            let Mechanism::TwoSets(structure) = candidate.mechanism else { return None };
             let fits = structure.scheme().is_none()
                 && structure.family() != Family::Parallel
                 && candidate.k.iter().all(|k| (1.3..=10.0).contains(k))
@@ -136,8 +136,8 @@ fn numbers(candidate: &Candidate, results: &mut Results) {
         }
         results.number(format!("ideal_brake_torque.{}", gear.name), gear.ideal_brake_torque);
     }
-    if let Some(lock) = candidate.locks.first() {
-        results.text("least_lock", lock.pair.map(Role::symbol).join(" "));
+    if let Some(clutch) = candidate.direct_clutches.first() {
+        results.text("least_lock", clutch.pair.map(Role::symbol).join(" "));
     }
     let objections: Vec<String> =
         candidate.objections().map(|verdict| verdict.criterion.to_string()).collect();

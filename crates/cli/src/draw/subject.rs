@@ -86,7 +86,7 @@ fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
     let number = |number: Option<Number>| number.map(Number::get);
     let k = match ([args.k1, args.k2].map(number), [args.ratio1, args.ratio2].map(number)) {
         ([Some(k1), Some(k2)], _) => Some([k1, k2]),
-        ([None, None], [Some(first), Some(second)]) => match structure.parameters([first, second]) {
+        ([None, None], [Some(first), Some(second)]) => match structure.ring_to_sun_ratios([first, second]) {
             None => {
                 return option(
                     "--ratio1",

@@ -5,7 +5,7 @@ use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_schemes::DesignError;
 use epicyclic_schemes::machines::recommended_speeds;
-use epicyclic_schemes::regimes::{PrintedSeries, RatioSeries, Regime, step};
+use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries, Regime, step};
 use uom::si::f64::Velocity;
 
 /// How far members of a printed series may be off and still count as the right ones.
@@ -54,7 +54,7 @@ fn line(speeds: &[Velocity], direct: usize) -> Result<Vec<Figure>, DesignError> 
     let series = RatioSeries::of_speeds(speeds, direct)?;
     let regime = match series.regime() {
         Regime::Reduction => Figure::Answer("reduction", "reduction"),
-        Regime::Multiplication => Figure::Answer("multiplication", "multiplication"),
+        Regime::Overdrive => Figure::Answer("multiplication", "multiplication"),
         Regime::Combined => Figure::Answer("combined", "combined"),
     };
     let count = speeds.len();

@@ -4,10 +4,10 @@ use super::{Scheme, formulas};
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_schemes::catalogue::{ParameterRange, Role};
+use epicyclic_schemes::catalogue::{RingToSunRange, Role};
 
 /// All schemes over a range of row parameters.
-pub(super) fn report(range: ParameterRange) -> Report {
+pub(super) fn report(range: RingToSunRange) -> Report {
     let title = format!("Schemes; k from {} to {}", trimmed(range.low(), 5), trimmed(range.high(), 5));
     let note = "a sun, b ring, H carrier: the shafts D and B, or the brakes T1 and T2 that they belong to. i: ratio \
                 of gear 1 of I, II, III, of gear 2 of the others, whose gear 1 is that of I, II or III. Gear 3 is \
@@ -39,16 +39,16 @@ pub(super) fn report(range: ParameterRange) -> Report {
     Report { title: Some(title), parts: vec![Part::Records(records)], warnings: None }
 }
 
-fn row(scheme: Scheme, range: ParameterRange) -> Vec<Figure> {
-    let rows = scheme.rows();
-    let links = |row: Option<&[Role; 3]>| {
-        Figure::Texts(row.into_iter().flatten().map(|role| role.symbol().to_owned()).collect())
+fn row(scheme: Scheme, range: RingToSunRange) -> Vec<Figure> {
+    let sets = scheme.sets();
+    let links = |set: Option<&[Role; 3]>| {
+        Figure::Texts(set.into_iter().flatten().map(|role| role.symbol().to_owned()).collect())
     };
     let [least, greatest] = scheme.ratio_range(range);
     vec![
         text(scheme.name()),
-        links(rows.first()),
-        links(rows.get(1)),
+        links(sets.first()),
+        links(sets.get(1)),
         text(formulas::ratio(scheme)),
         text(formulas::efficiency(scheme)),
         Figure::Multiple(least),

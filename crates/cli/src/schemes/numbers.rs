@@ -7,7 +7,7 @@ use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::ParameterRange;
+use epicyclic_schemes::catalogue::RingToSunRange;
 use epicyclic_train::Analysis;
 
 /// Parts of an answer, and what to watch.
@@ -101,7 +101,7 @@ fn results(dimensioned: &Dimensioned, gears: &[Analysis<'_>]) -> Records {
 /// As the source's tables 3.1 and 3.2 have them.
 fn speeds(scheme: Scheme, gears: &[Analysis<'_>]) -> Records {
     let mut rows = vec![];
-    for (place, links) in scheme.rows().iter().enumerate() {
+    for (place, links) in scheme.sets().iter().enumerate() {
         for (member, (symbol, role)) in ["a", "b", "H"].into_iter().zip(links).enumerate() {
             let of = |gear: &Analysis<'_>| gear.sets()[place].members[member];
             rows.push(line(format!("{symbol}{}", place + 1), role.symbol(), gears, of));
@@ -133,7 +133,7 @@ fn line(name: String, link: &str, gears: &[Analysis], of: impl Fn(&Analysis) -> 
 /// What section 3.1 of the source would object to.
 fn warnings(dimensioned: &Dimensioned, gears: &[Analysis<'_>]) -> Vec<(&'static str, String)> {
     let mut all = vec![];
-    let recommended = ParameterRange::RECOMMENDED;
+    let recommended = RingToSunRange::RECOMMENDED;
     for (place, k) in dimensioned.k.iter().enumerate().filter(|(_, k)| !recommended.contains(**k)) {
         let (row, k) = (place + 1, trimmed(k.get(), 5));
         let (low, high) = (recommended.low(), recommended.high());

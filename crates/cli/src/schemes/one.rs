@@ -6,12 +6,12 @@ use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::{ParameterRange, Role};
+use epicyclic_schemes::catalogue::{RingToSunRange, Role};
 
 /// The whole answer.
 pub(super) fn report(
     scheme: Scheme,
-    range: ParameterRange,
+    range: RingToSunRange,
     eta0: MeshEfficiency,
     dimensioned: Option<&Dimensioned>,
 ) -> Result<Report, Failure> {
@@ -33,18 +33,18 @@ fn structure(scheme: Scheme) -> Section {
     };
     let mut rows = vec![];
     let labels = [("row_1", "row 1: sun a, ring b, carrier H"), ("row_2", "row 2")];
-    for ((name, label), row) in labels.into_iter().zip(&scheme.rows()) {
+    for ((name, label), row) in labels.into_iter().zip(&scheme.sets()) {
         rows.push(Row::new(name, label, "", [links(row)]));
     }
     if let Scheme::Three(three) = scheme {
-        let closing = three.closing();
-        let words = format!("row 2 ties T1 to {} by i_{}", closing.shaft().role(), closing.mode());
+        let connection = three.connection();
+        let words = format!("row 2 ties T1 to {} by i_{}", connection.shaft().role(), connection.mode());
         rows.push(Row::new("closing", "in gear 2", "", [text(words)]));
     }
     Section { name: "structure", title: "Structure", columns: &[], rows, note: "" }
 }
 
-fn gears(scheme: Scheme, range: ParameterRange) -> Records {
+fn gears(scheme: Scheme, range: RingToSunRange) -> Records {
     let of = |gear: &str, brake: &str, scheme: Scheme| {
         let [least, greatest] = scheme.ratio_range(range);
         vec![

@@ -7,9 +7,9 @@ use crate::figure::{Figure, multiple, text};
 use crate::output::Format;
 use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_schemes::locking::Lock;
+use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_selection::{
-    Candidate, Criterion, Demand, Mechanism, Objective, Order, Selection, Unreachable,
+    Candidate, Criterion, Mechanism, Objective, Order, Requirements, Selection, Unreachable,
 };
 use std::fmt::Write as _;
 
@@ -36,7 +36,7 @@ impl<'a> Ranked<'a> {
 /// The whole answer.
 pub(super) fn report(
     args: &Args,
-    demand: &Demand,
+    requirements: &Requirements,
     order: Order,
     found: &Selection,
 ) -> Result<Report, Failure> {
@@ -52,29 +52,29 @@ pub(super) fn report(
     let mut parts = vec![];
     let is_table = args.output.format == Format::Table;
     if is_table {
-        parts.extend(lists(demand, &ranked, accepted, rejected));
+        parts.extend(lists(requirements, &ranked, accepted, rejected));
         parts.push(Part::Words(why::words(order, &ranked, found, accepted)));
         if let Some(best) = ranked.all.first().filter(|_| ranked.accepted > 0) {
-            parts.extend(winner::parts(demand, &[(1, best)]));
-            parts.extend(duty::parts(args, demand, &[(1, best)])?);
+            parts.extend(winner::parts(requirements, &[(1, best)]));
+            parts.extend(duty::parts(args, requirements, &[(1, best)])?);
         }
     } else {
-        parts.push(Part::Records(candidates(demand, &ranked, &shown, vec![])));
+        parts.push(Part::Records(candidates(requirements, &ranked, &shown, vec![])));
         let all: Vec<Numbered> = shown.iter().map(|&place| (place as u32 + 1, ranked.all[place])).collect();
-        parts.extend(winner::parts(demand, &all));
-        parts.extend(duty::parts(args, demand, &all)?);
+        parts.extend(winner::parts(requirements, &all));
+        parts.extend(duty::parts(args, requirements, &all)?);
         parts.push(Part::Records(verdicts(&all)));
         parts.push(Part::Records(unreachable(&found.unreachable)));
     }
-    Ok(Report { title: Some(title(demand)), parts, warnings: None })
+    Ok(Report { title: Some(title(requirements)), parts, warnings: None })
 }
 
 /// What is wanted.
-pub(super) fn title(demand: &Demand) -> String {
-    let ratios: Vec<String> = demand.series.ratios().iter().map(|ratio| trimmed(*ratio, 5)).collect();
+pub(super) fn title(requirements: &Requirements) -> String {
+    let ratios: Vec<String> = requirements.series.ratios().iter().map(|ratio| trimmed(*ratio, 5)).collect();
     let (name, braked) =
         if ratios.len() == 1 { ("Ratio", "the braked gear") } else { ("Ratios", "the braked gears") };
-    let tolerance = trimmed(100.0 * demand.tolerance, 4);
+    let tolerance = trimmed(100.0 * requirements.tolerance, 4);
     format!("{name} {} of {braked}, within {tolerance} %", ratios.join(" and "))
 }
 
@@ -83,9 +83,9 @@ pub(super) fn name(mechanism: Mechanism) -> String {
     mechanism.scheme().map_or_else(|| mechanism.to_string(), str::to_owned)
 }
 
-fn lists(demand: &Demand, ranked: &Ranked, accepted: usize, rejected: usize) -> Vec<Part> {
+fn lists(requirements: &Requirements, ranked: &Ranked, accepted: usize, rejected: usize) -> Vec<Part> {
     let mut parts = vec![];
-    let two = demand.series.ratios().len() == 2;
+    let two = requirements.series.ratios().len() == 2;
     let main: &[&str] = if two {
         &["no", "scheme", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"]
     } else {
@@ -98,10 +98,10 @@ fn lists(demand: &Demand, ranked: &Ranked, accepted: usize, rejected: usize) -> 
             all => format!("The best {accepted} of {all} that meet every criterion"),
         };
         let views = vec![
-            View { note: note(demand, ranked), ..View::new(heading, main) },
+            View { note: note(requirements, ranked), ..View::new(heading, main) },
             View {
-                note: objectives_note(demand),
-                ..View::new("Objectives", &["no", "efficiency", "speed", "parameter", "error", size_column(demand), "front"])
+                note: objectives_note(requirements),
+                ..View::new("Objectives", &["no", "efficiency", "speed", "parameter", "error", size_column(requirements), "front"])
             },
             View {
                 note: "Slip: of the open locking clutch. Torques: on the brakes, with losses, and on the clutch that \
@@ -117,7 +117,12 @@ fn lists(demand: &Demand, ranked: &Ranked, accepted: usize, rejected: usize) -> 
                 "meets_sense", "meets_drawing",
             ]),
         ];
-        parts.push(Part::Records(candidates(demand, ranked, &(0..accepted).collect::<Vec<_>>(), views)));
+        parts.push(Part::Records(candidates(
+            requirements,
+            ranked,
+            &(0..accepted).collect::<Vec<_>>(),
+            views,
+        )));
     }
     if rejected > 0 {
         let all = ranked.all.len() - ranked.accepted;
@@ -129,14 +134,21 @@ fn lists(demand: &Demand, ranked: &Ranked, accepted: usize, rejected: usize) -> 
         } else {
             &["scheme", "ratio_1", "k1", "because"]
         };
-        parts.push(Part::Records(candidates(demand, ranked, &shown, vec![View::new(heading, columns)])));
+        parts.push(Part::Records(candidates(
+            requirements,
+            ranked,
+            &shown,
+            vec![View::new(heading, columns)],
+        )));
     }
     parts
 }
 
-fn note(demand: &Demand, ranked: &Ranked) -> String {
+fn note(requirements: &Requirements, ranked: &Ranked) -> String {
     let mut note = String::from("η: of the gears");
-    if demand.limits.one_sense || ranked.all[..ranked.accepted].iter().all(|one| !one.mixes_senses()) {
+    if requirements.limits.same_direction
+        || ranked.all[..ranked.accepted].iter().all(|one| !one.mixes_directions())
+    {
         note += ".";
     } else {
         note += ". A negative ratio: the output reverses against direct drive.";
@@ -147,29 +159,29 @@ fn note(demand: &Demand, ranked: &Ranked) -> String {
     note
 }
 
-fn objectives_note(demand: &Demand) -> String {
-    let (low, high) = (demand.limits.preferred.start(), demand.limits.preferred.end());
+fn objectives_note(requirements: &Requirements) -> String {
+    let (low, high) = (requirements.limits.preferred.start(), requirements.limits.preferred.end());
     format!(
         "Efficiency: the least of the gears. Speed: the largest of links and of planets on their carriers. Parameter: \
          distance of ln k from {low} to {high}. {} Front: no other is better in one and worse in none.",
-        size_note(demand)
+        size_note(requirements)
     )
 }
 
 /// What a size is.
-pub(super) fn size_note(demand: &Demand) -> &'static str {
-    match demand.rating.load {
+pub(super) fn size_note(requirements: &Requirements) -> &'static str {
+    match requirements.rating.load {
         Some(_) => "Ring: the largest one's pitch diameter at the load factor.",
         None => "Size: the largest ring, relative.",
     }
 }
 
 /// The column of sizes: lengths where the load is given.
-pub(super) fn size_column(demand: &Demand) -> &'static str {
-    if demand.rating.load.is_some() { "ring_diameter" } else { "size" }
+pub(super) fn size_column(requirements: &Requirements) -> &'static str {
+    if requirements.rating.load.is_some() { "ring_diameter" } else { "size" }
 }
 
-fn candidates(demand: &Demand, ranked: &Ranked, shown: &[usize], views: Vec<View>) -> Records {
+fn candidates(requirements: &Requirements, ranked: &Ranked, shown: &[usize], views: Vec<View>) -> Records {
     let criterion = |name, heading: &str| Column::words(name, heading);
     Records {
         name: "candidates",
@@ -207,13 +219,13 @@ fn candidates(demand: &Demand, ranked: &Ranked, shown: &[usize], views: Vec<View
         .into_iter()
         .flatten()
         .collect(),
-        rows: shown.iter().map(|&place| row(demand, ranked, place)).collect(),
+        rows: shown.iter().map(|&place| row(requirements, ranked, place)).collect(),
         views,
         is_answer: true,
     }
 }
 
-fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
+fn row(requirements: &Requirements, ranked: &Ranked, place: usize) -> Vec<Figure> {
     let one = ranked.all[place];
     let of_gear = |gear: usize, of: fn(&epicyclic_selection::GearReport) -> Option<f64>| {
         multiple(one.gears.get(gear).and_then(of))
@@ -225,7 +237,7 @@ fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
         Some(verdict) => Figure::YesNo(verdict.met),
     };
     let objectives = &one.objectives;
-    let lock = winner::lock(one);
+    let clutch = winner::direct_clutch(one);
     let mut figures = vec![
         Figure::Count(place as u32 + 1),
         text(name(one.mechanism)),
@@ -234,33 +246,35 @@ fn row(demand: &Demand, ranked: &Ranked, place: usize) -> Vec<Figure> {
         of_gear(0, |gear| Some(gear.wanted)),
         of_gear(1, |gear| Some(gear.wanted)),
     ];
-    figures.extend(measures::figures(demand, &one.gears, &one.k, objectives));
+    figures.extend(measures::figures(requirements, &one.gears, &one.k, objectives));
     figures.extend([
         Figure::YesNo(ranked.front.contains(&place)),
         multiple(value(Criterion::LinkSpeed)),
         multiple(value(Criterion::PlanetSpeed)),
-        multiple(lock.map(slip)),
+        multiple(clutch.map(slip)),
         of_gear(0, |gear| gear.brake_torque),
         of_gear(1, |gear| gear.brake_torque),
-        text(lock.map_or_else(|| "-".to_owned(), |lock| format!("{}-{}", lock.pair[0], lock.pair[1]))),
-        multiple(lock.map(|lock| lock.torque)),
-        Figure::YesNo(one.mixes_senses()),
+        text(
+            clutch.map_or_else(|| "-".to_owned(), |clutch| format!("{}-{}", clutch.pair[0], clutch.pair[1])),
+        ),
+        multiple(clutch.map(|clutch| clutch.torque)),
+        Figure::YesNo(one.mixes_directions()),
         met(Criterion::Ratio),
-        met(Criterion::Parameter),
+        met(Criterion::RingToSun),
         met(Criterion::Efficiency),
         met(Criterion::LinkSpeed),
         met(Criterion::PlanetSpeed),
         met(Criterion::ClutchSlip),
-        met(Criterion::OneSense),
+        met(Criterion::SameDirection),
         met(Criterion::Drawable),
         text(objections(one)),
     ]);
     figures
 }
 
-/// The largest slip of an open lock.
-fn slip(lock: &Lock) -> f64 {
-    lock.slip.iter().fold(0.0, |largest, slip| largest.max(slip.abs()))
+/// The largest slip of an open direct-drive clutch.
+fn slip(clutch: &DirectClutch) -> f64 {
+    clutch.slip.iter().fold(0.0, |largest, slip| largest.max(slip.abs()))
 }
 
 /// Required criteria that a candidate does not meet, in words.
@@ -270,14 +284,14 @@ pub(super) fn objections(one: &Candidate) -> String {
         let [least, greatest] = verdict.limits.map(|limit| trimmed(limit, 4));
         let value = trimmed(verdict.value, 4);
         let objection = match verdict.criterion {
-            Criterion::OneSense | Criterion::Drawable => verdict.place.clone(),
+            Criterion::SameDirection | Criterion::Drawable => verdict.place.clone(),
             Criterion::Ratio => format!(
                 "ratio of {} {} % off, {} allowed",
                 verdict.place,
                 trimmed(100.0 * verdict.value, 3),
                 trimmed(100.0 * verdict.limits[1], 3),
             ),
-            Criterion::Parameter => {
+            Criterion::RingToSun => {
                 format!("k = {value} of {} outside {least} to {greatest}", verdict.place)
             }
             Criterion::Efficiency => format!("efficiency {value} in {}, least {least}", verdict.place),
@@ -358,7 +372,7 @@ pub(super) fn value(objective: Objective, one: &Candidate) -> f64 {
     match objective {
         Objective::Efficiency => of.efficiency,
         Objective::Speed => of.speed,
-        Objective::Parameter => of.parameter,
+        Objective::RingToSun => of.ring_to_sun,
         Objective::RatioError => of.ratio_error,
         Objective::Size => of.size,
     }

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::figure::{Figure, column, text};
 use crate::report::{Column, Part, Records, View};
 use epicyclic_formats::{Dimension, Physical, Quantity};
-use epicyclic_selection::Demand;
+use epicyclic_selection::Requirements;
 use epicyclic_train::{Error, Gearbox, InputLoad, Operation};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
@@ -53,16 +53,20 @@ impl Duty {
 }
 
 /// Speeds, torques and powers of these candidates; nothing where neither speed nor load is given.
-pub(super) fn parts(args: &Args, demand: &Demand, all: &[Numbered]) -> Result<Vec<Part>, Failure> {
+pub(super) fn parts(
+    args: &Args,
+    requirements: &Requirements,
+    all: &[Numbered],
+) -> Result<Vec<Part>, Failure> {
     let (speed, torque) = (args.duty.input.map(|speed| speed.0), args.duty.torque()?);
     if speed.is_none() && torque.is_none() {
         return Ok(vec![]);
     }
     let (mut gears, mut members) = (vec![], vec![]);
     for &(no, one) in all {
-        let gearbox = one.gearbox(demand).map_err(super::refuse)?;
-        for shift in one.shift_table() {
-            let analysis = gearbox.analyze(shift.gear)?;
+        let gearbox = one.gearbox(requirements).map_err(super::refuse)?;
+        for line in one.engagement_table() {
+            let analysis = gearbox.analyze(line.gear)?;
             // Torques alone do not hang on the speed; powers are shown only where it is known.
             let turning = speed.unwrap_or(AngularVelocity::new::<radian_per_second>(1.0));
             let operation = match torque.map(|torque| analysis.at(turning, InputLoad::Torque(torque))) {
@@ -73,8 +77,8 @@ pub(super) fn parts(args: &Args, demand: &Demand, all: &[Numbered]) -> Result<Ve
             let powered = operation.as_ref().filter(|_| speed.is_some());
             let mut row = vec![
                 Figure::Count(no),
-                text(shift.gear),
-                column(speed.map(|speed| speed / shift.ratio)),
+                text(line.gear),
+                column(speed.map(|speed| speed / line.ratio)),
                 column(operation.as_ref().map(|at| at.input)),
                 column(operation.as_ref().map(|at| at.output)),
             ];
@@ -92,7 +96,7 @@ pub(super) fn parts(args: &Args, demand: &Demand, all: &[Numbered]) -> Result<Ve
             ]);
             gears.push(row);
             if let Some(at) = &operation {
-                members.extend(of_members(no, shift.gear, &gearbox, at));
+                members.extend(of_members(no, line.gear, &gearbox, at));
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::figure::{Figure, column, multiple};
 use crate::report::Column;
 use epicyclic_formats::Dimension;
-use epicyclic_selection::{Demand, GearReport, Objectives};
+use epicyclic_selection::{GearReport, Objectives, Requirements};
 
 /// The columns.
 pub(super) fn columns() -> Vec<Column> {
@@ -25,7 +25,7 @@ pub(super) fn columns() -> Vec<Column> {
 
 /// The same of one design; a single row has no second gear and no second `k`.
 pub(super) fn figures(
-    demand: &Demand,
+    requirements: &Requirements,
     gears: &[GearReport],
     k: &[f64],
     objectives: &Objectives,
@@ -40,9 +40,9 @@ pub(super) fn figures(
         of_gear(1, |gear| gear.efficiency),
         Figure::Multiple(objectives.efficiency),
         Figure::Multiple(objectives.speed),
-        Figure::Multiple(objectives.parameter),
+        Figure::Multiple(objectives.ring_to_sun),
         Figure::Multiple(objectives.ratio_error),
         Figure::Multiple(objectives.size),
-        column(demand.rating.unit().map(|unit| unit * objectives.size)),
+        column(requirements.rating.unit().map(|unit| unit * objectives.size)),
     ]
 }

@@ -9,10 +9,10 @@ use crate::progress::Progress;
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
-use epicyclic_selection::drawing::drawable_locks;
+use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Counts, Found, ToothDesign, ToothSearch};
 use epicyclic_selection::{
-    Candidate, Demand, Objectives, Order, Orders, RatioSeries, Signs, Space, select_with,
+    Candidate, Objectives, Order, Orders, RatioSeries, Requirements, Signs, Space, select_with,
 };
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
@@ -46,8 +46,8 @@ pub(super) struct Bounds {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Failure> {
-    if demand.series.ratios().len() != 2 {
+pub(super) fn run(args: &Args, requirements: &Requirements, order: Order) -> Result<(), Failure> {
+    if requirements.series.ratios().len() != 2 {
         return Err(Failure::Option {
             option: "--teeth",
             message: "two rows are searched, so three speeds or two ratios are due; `epicyclic teeth` finds the tooth \
@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
         structures: structures(args),
         ring_diameter: args.size.ring_diameter.map(|diameter| diameter.0),
         module: module(args)?,
-        ..ToothSearch::new(demand.clone())
+        ..ToothSearch::new(requirements.clone())
     };
     let shown = Progress::new();
     let found = search.best_watched(limit.max(1), &|progress| {
@@ -78,7 +78,7 @@ pub(super) fn run(args: &Args, demand: &Demand, order: Order) -> Result<(), Fail
     });
     drop(shown);
     let found = found.map_err(refuse)?;
-    report(args, demand, &found, limit)?.deliver(&args.output)?;
+    report(args, requirements, &found, limit)?.deliver(&args.output)?;
     if found.entries().is_empty() {
         return Err(nothing_found());
     }
@@ -128,7 +128,7 @@ struct Measured {
     candidate: Candidate,
 }
 
-fn report(args: &Args, demand: &Demand, found: &Found, limit: usize) -> Result<Report, Failure> {
+fn report(args: &Args, requirements: &Requirements, found: &Found, limit: usize) -> Result<Report, Failure> {
     let measured = found
         .entries()
         .iter()
@@ -136,47 +136,48 @@ fn report(args: &Args, demand: &Demand, found: &Found, limit: usize) -> Result<R
         .filter_map(|entry| {
             let (first, count) = found.first_design(entry)?;
             let others = count.saturating_sub(1);
-            Some(measure(demand, &first).map(|candidate| {
+            Some(measure(requirements, &first).map(|candidate| {
                 candidate.map(|candidate| Measured { objectives: entry.objectives, first, others, candidate })
             }))
         })
         .filter_map(Result::transpose)
         .collect::<Result<Vec<Measured>, Failure>>()?;
-    let mut parts = vec![Part::Records(designs(demand, &measured))];
+    let mut parts = vec![Part::Records(designs(requirements, &measured))];
     if let Some(first) = measured.first() {
         if args.output.format == Format::Table {
             parts.push(Part::Words(counts(found.counts(), measured.len())));
-            parts.extend(winner::parts(demand, &[(1, &first.candidate)]));
-            parts.extend(duty::parts(args, demand, &[(1, &first.candidate)])?);
+            parts.extend(winner::parts(requirements, &[(1, &first.candidate)]));
+            parts.extend(duty::parts(args, requirements, &[(1, &first.candidate)])?);
         } else {
             let all: Vec<winner::Numbered> = (1..).zip(measured.iter().map(|one| &one.candidate)).collect();
-            parts.extend(winner::parts(demand, &all));
-            parts.extend(duty::parts(args, demand, &all)?);
+            parts.extend(winner::parts(requirements, &all));
+            parts.extend(duty::parts(args, requirements, &all)?);
         }
     } else {
         parts =
             vec![Part::Words(format!("No design meets every criterion.\n\n{}", counts(found.counts(), 0)))];
     }
-    Ok(Report { title: Some(candidates::title(demand)), parts, warnings: None })
+    Ok(Report { title: Some(candidates::title(requirements)), parts, warnings: None })
 }
 
 /// The design judged as it is: the ratios that its teeth give are the ones wanted.
-fn measure(demand: &Demand, design: &ToothDesign) -> Result<Option<Candidate>, Failure> {
-    let lock = [epicyclic_schemes::structures::Role::D, epicyclic_schemes::structures::Role::B];
-    let gearbox = design.structure.gearbox(design.k, demand.eta0, lock)?;
+fn measure(requirements: &Requirements, design: &ToothDesign) -> Result<Option<Candidate>, Failure> {
+    let direct_clutch = [epicyclic_schemes::structures::Role::D, epicyclic_schemes::structures::Role::B];
+    let gearbox = design.structure.gearbox(design.k, requirements.eta0, direct_clutch)?;
     let ratios = ["1", "2"]
         .into_iter()
         .map(|gear| Ok(gearbox.analyze(gear)?.ratio()))
         .collect::<Result<Option<Vec<f64>>, Failure>>()?;
     let Some(ratios) = ratios else { return Ok(None) };
-    let exactly = Demand {
+    let exactly = Requirements {
         series: RatioSeries::new(&ratios).map_err(refuse)?,
         orders: Orders::AsGiven,
         signs: Signs::AsGiven,
-        ..demand.clone()
+        ..requirements.clone()
     };
     let space = Space::Structures(vec![design.structure]);
-    let found = select_with(&exactly, &space, Order::default(), Some(&drawable_locks)).map_err(refuse)?;
+    let found =
+        select_with(&exactly, &space, Order::default(), Some(&drawable_direct_clutches)).map_err(refuse)?;
     Ok(found.accepted.into_iter().chain(found.rejected).next())
 }
 
@@ -194,7 +195,7 @@ fn counts(counts: Counts, shown: usize) -> String {
     crate::report::wrapped("", &(searched + &shown))
 }
 
-fn designs(demand: &Demand, all: &[Measured]) -> Records {
+fn designs(requirements: &Requirements, all: &[Measured]) -> Records {
     let views = vec![
         View {
             note: "Rows: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
@@ -208,11 +209,11 @@ fn designs(demand: &Demand, all: &[Measured]) -> Records {
         View {
             note: format!(
                 "On the front: no other design is better in one and worse in none. {}",
-                candidates::size_note(demand)
+                candidates::size_note(requirements)
             ),
             ..View::new(
                 "Objectives",
-                &["no", "efficiency", "speed", "parameter", "error", candidates::size_column(demand)],
+                &["no", "efficiency", "speed", "parameter", "error", candidates::size_column(requirements)],
             )
         },
     ];
@@ -233,13 +234,13 @@ fn designs(demand: &Demand, all: &[Measured]) -> Records {
         .into_iter()
         .flatten()
         .collect(),
-        rows: all.iter().enumerate().map(|(place, one)| row(demand, place, one)).collect(),
+        rows: all.iter().enumerate().map(|(place, one)| row(requirements, place, one)).collect(),
         views,
         is_answer: true,
     }
 }
 
-fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
+fn row(requirements: &Requirements, place: usize, one: &Measured) -> Vec<Figure> {
     let first = &one.first;
     let teeth = |row: usize| first.pairs.first().map_or_else(String::new, |pair| shown(&pair[row]));
     let mut figures = vec![
@@ -250,8 +251,8 @@ fn row(demand: &Demand, place: usize, one: &Measured) -> Vec<Figure> {
         text(teeth(1)),
         Figure::Count(u32::try_from(one.others).unwrap_or(u32::MAX)),
     ];
-    figures.extend(measures::figures(demand, &one.candidate.gears, &first.k, &one.objectives));
-    figures.push(Figure::YesNo(one.candidate.mixes_senses()));
+    figures.extend(measures::figures(requirements, &one.candidate.gears, &first.k, &one.objectives));
+    figures.push(Figure::YesNo(one.candidate.mixes_directions()));
     figures
 }
 

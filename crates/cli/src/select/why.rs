@@ -72,7 +72,7 @@ fn extreme(objective: Objective, best: &Candidate) -> String {
         Objective::Speed => {
             format!("its fastest link or planet is the slowest, {shown} of the input's speed")
         }
-        Objective::Parameter => format!("its row parameters are nearest to the preferred ones, {shown} away"),
+        Objective::RingToSun => format!("its row parameters are nearest to the preferred ones, {shown} away"),
         Objective::RatioError => format!("its ratios are nearest to the wanted ones, {shown} off"),
         Objective::Size => format!("its largest ring is the smallest, {shown}"),
     }
@@ -93,11 +93,12 @@ fn behind(order: Order, best: &Candidate, other: &Candidate) -> String {
     let (what, than) = match objective {
         Objective::Efficiency => ("efficiency", "less than"),
         Objective::Speed => ("speed", "above"),
-        Objective::Parameter => ("distance of the row parameters", "above"),
+        Objective::RingToSun => ("distance of the row parameters", "above"),
         Objective::RatioError => ("error of the ratio", "above"),
         Objective::Size => ("size", "above"),
     };
-    let reversed = if other.mixes_senses() { "; and its output reverses against direct drive" } else { "" };
+    let reversed =
+        if other.mixes_directions() { "; and its output reverses against direct drive" } else { "" };
     format!("{name}: {what} {}, {than} {}{reversed}", shown(objective, other), shown(objective, best))
 }
 

@@ -1,38 +1,38 @@
-//! A candidate in full: its speeds, its ways to lock, its shift table.
+//! A candidate in full: its speeds, its options for the direct-drive clutch, its engagement table.
 
 use super::candidates::name;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, View, wrapped};
-use epicyclic_schemes::locking::Lock;
+use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Role;
-use epicyclic_selection::drawing::drawable_locks;
-use epicyclic_selection::{Candidate, Demand, GearReport, Mechanism};
+use epicyclic_selection::drawing::drawable_direct_clutches;
+use epicyclic_selection::{Candidate, GearReport, Mechanism, Requirements};
 
 /// A candidate with its number in the list.
 pub(super) type Numbered<'a> = (u32, &'a Candidate);
 
-/// The lock chosen: of those that slip within the limit and can be drawn the one of the least torque.
-pub(super) fn lock(one: &Candidate) -> Option<&Lock> {
-    one.locks.get(one.lock)
+/// The direct-drive clutch chosen: of those that slip within the limit and can be drawn the one of the least torque.
+pub(super) fn direct_clutch(one: &Candidate) -> Option<&DirectClutch> {
+    one.direct_clutches.get(one.direct_clutch)
 }
 
 /// The parts that show candidates in full.
-pub(super) fn parts(demand: &Demand, all: &[Numbered]) -> Vec<Part> {
+pub(super) fn parts(requirements: &Requirements, all: &[Numbered]) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
     if let [(_, one)] = all {
-        parts.extend(standing(demand, one.mechanism));
+        parts.extend(standing(requirements, one.mechanism));
     }
     parts.push(Part::Records(speeds(all)));
-    parts.push(Part::Records(locks(all)));
-    parts.push(Part::Records(shifts(all)));
+    parts.push(Part::Records(direct_clutches(all)));
+    parts.push(Part::Records(engagements(all)));
     parts
 }
 
 /// Whether the source has the winner, and why not.
-fn standing(demand: &Demand, mechanism: Mechanism) -> Option<Part> {
-    let Mechanism::Rows(structure) = mechanism else { return None };
-    let standing = Standing::of(structure, &demand.limits.parameter);
+fn standing(requirements: &Requirements, mechanism: Mechanism) -> Option<Part> {
+    let Mechanism::TwoSets(structure) = mechanism else { return None };
+    let standing = Standing::of(structure, &requirements.limits.ring_to_sun);
     let words = wrapped("In the source:", &format!("{}: {standing}", name(mechanism)));
     (!matches!(standing, Standing::Listed(_))).then_some(Part::Words(words))
 }
@@ -46,7 +46,7 @@ fn speeds(all: &[Numbered]) -> Records {
             let cells = [Figure::Count(no), Figure::Text(member), Figure::Text(link)];
             rows.push(cells.into_iter().chain(gears.map(multiple)).collect());
         };
-        for (row, roles) in one.mechanism.rows().iter().enumerate() {
+        for (row, roles) in one.mechanism.sets().iter().enumerate() {
             for (member, &role) in ["a", "b", "H"].into_iter().zip(roles) {
                 let of =
                     |gear: &GearReport| gear.links.iter().find(|(link, _)| *link == role).map(|(_, s)| *s);
@@ -80,20 +80,20 @@ pub(super) fn heading(what: &str, all: &[Numbered]) -> String {
     all.first().map_or_else(String::new, |(_, one)| format!("{}: {what}", name(one.mechanism)))
 }
 
-fn locks(all: &[Numbered]) -> Records {
+fn direct_clutches(all: &[Numbered]) -> Records {
     let mut rows = vec![];
     for &(no, one) in all {
-        let chosen = lock(one);
-        let drawable = drawable_locks(one.mechanism).unwrap_or_default();
-        for lock in &one.locks {
+        let chosen = direct_clutch(one);
+        let drawable = drawable_direct_clutches(one.mechanism).unwrap_or_default();
+        for clutch in &one.direct_clutches {
             rows.push(vec![
                 Figure::Count(no),
-                text(format!("{}-{}", lock.pair[0], lock.pair[1])),
-                Figure::Multiple(lock.torque),
-                Figure::Multiple(lock.slip[0]),
-                if one.gears.len() == 1 { Figure::None } else { Figure::Multiple(lock.slip[1]) },
-                Figure::YesNo(drawable.contains(&lock.pair)),
-                Figure::YesNo(chosen.is_some_and(|chosen| chosen.pair == lock.pair)),
+                text(format!("{}-{}", clutch.pair[0], clutch.pair[1])),
+                Figure::Multiple(clutch.torque),
+                Figure::Multiple(clutch.slip[0]),
+                if one.gears.len() == 1 { Figure::None } else { Figure::Multiple(clutch.slip[1]) },
+                Figure::YesNo(drawable.contains(&clutch.pair)),
+                Figure::YesNo(chosen.is_some_and(|chosen| chosen.pair == clutch.pair)),
             ]);
         }
     }
@@ -120,19 +120,19 @@ fn locks(all: &[Numbered]) -> Records {
     }
 }
 
-fn shifts(all: &[Numbered]) -> Records {
+fn engagements(all: &[Numbered]) -> Records {
     let mut rows = vec![];
     for &(no, one) in all {
-        for shift in one.shift_table() {
+        for shift in one.engagement_table() {
             let at = |shift_element| Figure::Mark(shift.engaged == shift_element);
             rows.push(vec![
                 Figure::Count(no),
-                text(shift.gear),
-                Figure::Multiple(shift.ratio),
+                text(line.gear),
+                Figure::Multiple(line.ratio),
                 at("K1"),
                 if one.gears.len() == 1 { Figure::None } else { at("K2") },
                 at("L"),
-                if shift.reverses {
+                if line.reverses {
                     Figure::Answer("backward", "backward")
                 } else {
                     Figure::Answer("forward", "forward")

@@ -2,12 +2,12 @@
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`row`] | the six ratios of a row and its four relations of speeds |
+//! | [`simple_set`] | the six ratios of a set and its four relations of speeds |
 //! | [`range`] | which k are used, and what a quantity does over them |
 //! | [`two_speed`] | I, II, III: ratio, efficiency, k from a ratio |
 //! | [`three_speed`] | I-1…III-3: the same of the second gear |
 //!
-//! A scheme says which link each member of its rows belongs to: driving shaft D, driven shaft B, the
+//! A scheme says which link each member of its sets belongs to: driving shaft D, driven shaft B, the
 //! braked links T₁, T₂. Gear 1 brakes T₁, gear 2 of a three-speed scheme brakes T₂, and a clutch between
 //! D and B gives direct drive. Any two links could be joined for that; the choice changes the clutch's
 //! torque, not the ratio.
@@ -15,13 +15,13 @@
 //! The closed forms are fast paths; the solver is the truth they are tested against.
 //!
 //! ```
-//! use epicyclic_gears::{efficiency::MeshEfficiency, simple_set::RingToSunRatio};
-//! use crate::catalogue::{ThreeSpeed, TwoSpeed};
+//! use epicyclic_gears::{efficiency::MeshEfficiency, row::RingToSunRatio};
+//! use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! // Section 3.3, first variation: II with k₁ = 2.15, then II-3 with k₂ = 2.354.
 //! let scheme: ThreeSpeed = "II-3".parse()?;
-//! let k1 = scheme.first_stage().parameter(1.465)?;
-//! let k2 = scheme.second_parameter(k1, 2.56)?;
+//! let k1 = scheme.first_stage().ring_to_sun_ratio(1.465)?;
+//! let k2 = scheme.second_ring_to_sun_ratio(k1, 2.56)?;
 //! assert!((k1.get() - 2.1505).abs() < 1e-4 && (k2.get() - 2.3548).abs() < 1e-4);
 //! let eta0 = MeshEfficiency::new(0.97)?;
 //! let gearbox = scheme.gearbox(k1, k2, eta0)?;
@@ -36,11 +36,11 @@
 //! multispeed-gearboxes, sections 2.3 and 2.4.
 
 pub mod range;
-pub mod row;
+pub mod simple_set;
 pub mod three_speed;
 pub mod two_speed;
 
-pub use range::{ParameterRange, Reach};
+pub use range::{Reach, RingToSunRange};
 pub use three_speed::ThreeSpeed;
 pub use two_speed::TwoSpeed;
 
@@ -82,13 +82,13 @@ impl fmt::Display for Role {
     }
 }
 
-/// The gearbox of one or two simple rows whose members `[a, b, H]` belong to these links: gears `1`,
-/// `2` (with two rows) and `direct`.
+/// The gearbox of one or two simple sets whose members `[a, b, H]` belong to these links: gears `1`,
+/// `2` (with two sets) and `direct`.
 ///
-/// Links `D B T1 T2`, brakes `K1`, `K2`, the locking clutch `L` between D and B.
+/// Links `D B T1 T2`, brakes `K1`, `K2`, the direct-drive clutch `L` between D and B.
 pub(crate) fn gearbox(
     name: &str,
-    rows: &[([Role; 3], RingToSunRatio)],
+    sets: &[([Role; 3], RingToSunRatio)],
     eta0: MeshEfficiency,
 ) -> Result<Gearbox, Error> {
     let mut builder = Gearbox::builder(name)
@@ -98,12 +98,12 @@ pub(crate) fn gearbox(
         .input("D")
         .output("B")
         .gear("1", ["K1"]);
-    if rows.len() > 1 {
+    if sets.len() > 1 {
         builder = builder.links(["T2"]).brake("K2", "T2").gear("2", ["K2"]);
     }
-    for (place, (members, k)) in rows.iter().enumerate() {
-        let row = SetSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
-        builder = builder.set(row.with_loss(MeshLoss::Set(eta0)));
+    for (place, (members, k)) in sets.iter().enumerate() {
+        let set = SetSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
+        builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
     }
     builder.gear("direct", ["L"]).build()
 }

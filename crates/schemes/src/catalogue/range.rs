@@ -1,16 +1,16 @@
-//! Which row parameters are used, and what a ratio does over them.
+//! Which ring-to-sun ratios are used, and what a ratio does over them.
 
 use crate::DesignError;
 use epicyclic_gears::simple_set::RingToSunRatio;
 
-/// Row parameters from one to another, ends included.
+/// Ring-to-sun ratios from one to another, ends included.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ParameterRange {
+pub struct RingToSunRange {
     low: f64,
     high: f64,
 }
 
-impl ParameterRange {
+impl RingToSunRange {
     /// What the source computes its ranges of ratios over: 1.7 to 7.
     pub const USED: Self = Self { low: 1.7, high: 7.0 };
     /// What it recommends: 1.3 to 10. Below, planets are too small for their bearings; above, the sun.
@@ -21,12 +21,12 @@ impl ParameterRange {
     /// A range.
     ///
     /// # Errors
-    /// [`DesignError::ParameterRange`] unless `1 < low ≤ high`, both finite.
+    /// [`DesignError::RingToSunRange`] unless `1 < low ≤ high`, both finite.
     pub fn new(low: f64, high: f64) -> Result<Self, DesignError> {
         if low > 1.0 && low <= high && high.is_finite() {
             Ok(Self { low, high })
         } else {
-            Err(DesignError::ParameterRange { low, high })
+            Err(DesignError::RingToSunRange { low, high })
         }
     }
 
@@ -42,7 +42,7 @@ impl ParameterRange {
         self.high
     }
 
-    /// Whether a row parameter lies in it.
+    /// Whether a ring-to-sun ratio lies in it.
     #[must_use]
     pub fn contains(self, k: RingToSunRatio) -> bool {
         (self.low..=self.high).contains(&k.get())
@@ -53,7 +53,7 @@ impl ParameterRange {
     }
 }
 
-/// What a ratio does while the row parameters run over a range.
+/// What a ratio does while the ring-to-sun ratios run over a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reach {
     /// It takes every value between these, ends included.
@@ -70,12 +70,12 @@ pub enum Reach {
 }
 
 impl Reach {
-    /// Of a ratio `N(k₁, k₂)/D(k₁, k₂)` with `N` and `D` linear in each parameter.
+    /// Of a ratio `N(k₁, k₂)/D(k₁, k₂)` with `N` and `D` linear in `k₁` and in `k₂`.
     ///
     /// A function linear in each of two variables takes its extremes over a rectangle at the corners,
     /// so corners show every change of sign of `N` and `D`. Without one the ratio is monotonous along
     /// each edge direction, and its extremes are at corners too: the answer is exact.
-    pub(crate) fn of(fraction: impl Fn(f64, f64) -> [f64; 2], range: ParameterRange) -> Self {
+    pub(crate) fn of(fraction: impl Fn(f64, f64) -> [f64; 2], range: RingToSunRange) -> Self {
         let mut corners = [[0.0; 2]; 4];
         for (place, corner) in corners.iter_mut().enumerate() {
             *corner = fraction(range.ends()[place / 2], range.ends()[place % 2]);
@@ -119,18 +119,18 @@ mod tests {
 
     #[test]
     fn a_range_starts_above_one_and_ends_above_its_start() {
-        assert!(ParameterRange::new(1.0, 2.0).is_err());
-        assert!(ParameterRange::new(3.0, 2.0).is_err());
-        assert!(ParameterRange::new(2.0, f64::INFINITY).is_err());
-        let range = ParameterRange::new(1.7, 7.0).unwrap();
-        assert_eq!(range, ParameterRange::USED);
+        assert!(RingToSunRange::new(1.0, 2.0).is_err());
+        assert!(RingToSunRange::new(3.0, 2.0).is_err());
+        assert!(RingToSunRange::new(2.0, f64::INFINITY).is_err());
+        let range = RingToSunRange::new(1.7, 7.0).unwrap();
+        assert_eq!(range, RingToSunRange::USED);
         assert!(range.contains(RingToSunRatio::new(7.0).unwrap()));
         assert!(!range.contains(RingToSunRatio::new(1.5).unwrap()));
     }
 
     #[test]
     fn a_change_of_sign_shows_at_the_corners() {
-        let used = ParameterRange::USED;
+        let used = RingToSunRange::USED;
         assert_eq!(Reach::of(|k, l| [l - k, l], used), Reach::ThroughZero);
         assert_eq!(Reach::of(|k, l| [l, l - k], used), Reach::ThroughInfinity);
         let Reach::Between { least, greatest } = Reach::of(|k, l| [k, l], used) else { unreachable!() };

@@ -1,4 +1,4 @@
-//! Schemes I-1…III-3: a second row that ties T₁ to D or to B when T₂ is braked.
+//! Schemes I-1…III-3: a second set that ties T₁ to D or to B when T₂ is braked.
 //!
 //! | scheme | `a₁ b₁ H₁` | `a₂ b₂ H₂` | `i₂` |
 //! |---|---|---|---|
@@ -23,10 +23,10 @@
 //! # Source
 //! multispeed-gearboxes (2.39)–(2.61); the number (2.55) does not exist.
 
-use super::range::{ParameterRange, Reach};
+use super::range::{Reach, RingToSunRange};
 use super::{Role, TwoSpeed, gearbox};
 use crate::DesignError;
-use crate::closing::{Candidate, Shaft};
+use crate::connection::{Connection, Shaft};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_train::Gearbox;
@@ -84,7 +84,7 @@ impl ThreeSpeed {
         }
     }
 
-    /// The scheme of its gear 1, in which row 1 works alone.
+    /// The scheme of its gear 1, in which set 1 works alone.
     #[must_use]
     pub const fn first_stage(self) -> TwoSpeed {
         match self {
@@ -94,9 +94,9 @@ impl ThreeSpeed {
         }
     }
 
-    /// Links of `a b H` of rows 1 and 2.
+    /// Links of `a b H` of sets 1 and 2.
     #[must_use]
-    pub fn rows(self) -> [[Role; 3]; 2] {
+    pub fn sets(self) -> [[Role; 3]; 2] {
         use Role::{B, D, T1, T2};
         let second = match self {
             Self::I1 | Self::II1 => [D, T2, T1],
@@ -105,15 +105,15 @@ impl ThreeSpeed {
             Self::I4 | Self::II3 | Self::III2 => [T1, B, T2],
             Self::III1 => [D, T1, T2],
         };
-        [self.first_stage().row(), second]
+        [self.first_stage().set(), second]
     }
 
-    /// How row 2 closes the gear: see [`crate::closing`].
+    /// How set 2 is connected: see [`crate::connection`].
     #[must_use]
-    pub fn closing(self) -> Candidate {
-        let second = self.rows()[1];
+    pub fn connection(self) -> Connection {
+        let second = self.sets()[1];
         let shaft = if second.contains(&Role::D) { Shaft::Driving } else { Shaft::Driven };
-        Candidate::of_row(self.first_stage(), shaft, second)
+        Connection::of_set(self.first_stage(), shaft, second)
     }
 
     /// Ratio `i₂ = ω_D/ω_B` with T₂ braked.
@@ -135,7 +135,7 @@ impl ThreeSpeed {
         }
     }
 
-    /// Efficiency with T₂ braked, each row losing `1 − η₀` of its relative power.
+    /// Efficiency with T₂ braked, each set losing `1 − η₀` of its rolling power.
     ///
     /// By Kreines' rule these are the ratios with each `k` times `η₀^±1`, over the ratio itself.
     #[must_use]
@@ -167,15 +167,15 @@ impl ThreeSpeed {
         }
     }
 
-    /// Parameter of row 2 for a ratio of gear 2, row 1 being known.
+    /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
     ///
-    /// The closing ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
+    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
     /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
     ///
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
-    pub fn second_parameter(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, DesignError> {
-        self.closing().second_parameter(k1, ratio).map_err(|error| match error {
+    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, DesignError> {
+        self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
             DesignError::RatioOutOfReach { ratio, low, high, .. } => {
                 DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
             }
@@ -183,10 +183,10 @@ impl ThreeSpeed {
         })
     }
 
-    /// Least and greatest ratio of gear 2 while both parameters run over a range.
+    /// Least and greatest ratio of gear 2 while both ring-to-sun ratios run over a range.
     #[must_use]
-    pub fn ratio_range(self, range: ParameterRange) -> [f64; 2] {
-        match self.closing().reach(range) {
+    pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
+        match self.connection().reach(range) {
             Reach::Between { least, greatest } => [least, greatest],
             Reach::ThroughZero | Reach::ThroughInfinity => {
                 unreachable!("numerators and denominators of the eleven keep their sign for k above 1")
@@ -197,14 +197,14 @@ impl ThreeSpeed {
     /// The scheme as a gearbox with gears `1`, `2` and `direct`.
     ///
     /// # Errors
-    /// None of row parameters: what the engine would refuse is refused before.
+    /// None of ring-to-sun ratios: what the solver would refuse is refused before.
     pub fn gearbox(
         self,
         k1: RingToSunRatio,
         k2: RingToSunRatio,
         eta0: MeshEfficiency,
     ) -> Result<Gearbox, DesignError> {
-        let [first, second] = self.rows();
+        let [first, second] = self.sets();
         Ok(gearbox(self.name(), &[(first, k1), (second, k2)], eta0)?)
     }
 }
@@ -237,19 +237,19 @@ mod tests {
 
     #[test]
     fn the_excavator_wheel_of_section_3_3() {
-        let k2 = ThreeSpeed::II3.second_parameter(k(2.15), 2.56).unwrap();
+        let k2 = ThreeSpeed::II3.second_ring_to_sun_ratio(k(2.15), 2.56).unwrap();
         assert!((k2.get() - 2.354).abs() < 1e-12);
-        let k2 = ThreeSpeed::III1.second_parameter(k(2.56), -1.465).unwrap();
+        let k2 = ThreeSpeed::III1.second_ring_to_sun_ratio(k(2.56), -1.465).unwrap();
         assert!((k2.get() - 1.465 * 3.56 / 1.095).abs() < 1e-12);
     }
 
     #[test]
     fn a_ratio_out_of_reach_says_what_is_in_reach() {
         // With k₁ = 1.56 scheme I-1 gives (k₁+1)·2/(k₁+2) to k₁+1: 1.465 is not among them.
-        let refused = ThreeSpeed::I1.second_parameter(k(1.56), 1.4);
+        let refused = ThreeSpeed::I1.second_ring_to_sun_ratio(k(1.56), 1.4);
         let Err(DesignError::RatioOutOfReach { low, high, .. }) = refused else { panic!("{refused:?}") };
         assert!((low - 2.56 * 2.0 / 3.56).abs() < 1e-12 && (high - 2.56).abs() < 1e-12);
-        assert!(ThreeSpeed::III1.second_parameter(k(2.0), f64::NAN).is_err());
+        assert!(ThreeSpeed::III1.second_ring_to_sun_ratio(k(2.0), f64::NAN).is_err());
     }
 
     proptest! {
@@ -272,9 +272,9 @@ mod tests {
         }
 
         #[test]
-        fn a_ratio_gives_its_parameter_back(a in 1.3..10.0, b in 1.3..10.0) {
+        fn a_ratio_gives_its_ring_to_sun_ratio_back(a in 1.3..10.0, b in 1.3..10.0) {
             for scheme in ThreeSpeed::ALL {
-                let found = scheme.second_parameter(k(a), scheme.ratio(k(a), k(b))).unwrap();
+                let found = scheme.second_ring_to_sun_ratio(k(a), scheme.ratio(k(a), k(b))).unwrap();
                 prop_assert!((found.get() - b).abs() < 1e-10 * b, "{} {}", scheme, found.get());
             }
         }
@@ -282,7 +282,7 @@ mod tests {
         #[test]
         fn ranges_hold_every_ratio(a in 1.7..7.0, b in 1.7..7.0) {
             for scheme in ThreeSpeed::ALL {
-                let [least, greatest] = scheme.ratio_range(ParameterRange::USED);
+                let [least, greatest] = scheme.ratio_range(RingToSunRange::USED);
                 let ratio = scheme.ratio(k(a), k(b));
                 prop_assert!(least - 1e-12 <= ratio && ratio <= greatest + 1e-12);
             }

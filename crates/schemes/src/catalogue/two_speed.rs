@@ -1,4 +1,4 @@
-//! Schemes I, II, III: one row, one brake, direct drive.
+//! Schemes I, II, III: one set, one brake, direct drive.
 //!
 //! | scheme | `a₁ b₁ H₁` | `i` | `η` |
 //! |---|---|---|---|
@@ -6,13 +6,13 @@
 //! | II | T₁ D B | `(1 + k₁)/k₁` | `(k₁ + η₀)/(1 + k₁)` |
 //! | III | D B T₁ | `−k₁` | `η₀` |
 //!
-//! The other three ways to use a row are these with D and B exchanged; they speed up.
+//! The other three ways to use a set are these with D and B exchanged; they speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.26)–(2.31).
 
-use super::range::ParameterRange;
-use super::row::{fraction, parameter, ratio_range};
+use super::range::RingToSunRange;
+use super::simple_set::{self, fraction, ratio_range};
 use super::{Role, gearbox};
 use crate::DesignError;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -46,7 +46,7 @@ impl TwoSpeed {
         }
     }
 
-    /// Driving and driven member of the row.
+    /// Driving and driven member of the set.
     #[must_use]
     pub fn mode(self) -> Mode {
         let place = match self {
@@ -59,7 +59,7 @@ impl TwoSpeed {
 
     /// Links of `a₁`, `b₁`, `H₁`.
     #[must_use]
-    pub fn row(self) -> [Role; 3] {
+    pub fn set(self) -> [Role; 3] {
         let mode = self.mode();
         Member::ALL.map(|member| match member {
             _ if member == mode.input() => Role::D,
@@ -79,7 +79,7 @@ impl TwoSpeed {
         fraction(self.mode(), k)
     }
 
-    /// Efficiency with T₁ braked, the row losing `1 − η₀` of its relative power.
+    /// Efficiency with T₁ braked, the set losing `1 − η₀` of its rolling power.
     #[must_use]
     pub fn efficiency(self, k: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
         let (k, eta0) = (k.get(), eta0.get());
@@ -90,13 +90,13 @@ impl TwoSpeed {
         }
     }
 
-    /// Row parameter for a ratio: `k = i − 1`, `1/(i − 1)`, `−i`.
+    /// Ring-to-sun ratio for a ratio: `k = i − 1`, `1/(i − 1)`, `−i`.
     ///
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
-    /// simple row would need `k ≤ 1`.
-    pub fn parameter(self, ratio: f64) -> Result<RingToSunRatio, DesignError> {
-        parameter(self.mode(), ratio).map_err(|_| {
+    /// simple set would need `k ≤ 1`.
+    pub fn ring_to_sun_ratio(self, ratio: f64) -> Result<RingToSunRatio, DesignError> {
+        simple_set::ring_to_sun_ratio(self.mode(), ratio).map_err(|_| {
             let (low, high) = match self {
                 Self::I => (2.0, f64::INFINITY),
                 Self::II => (1.0, 2.0),
@@ -108,16 +108,16 @@ impl TwoSpeed {
 
     /// Ratios at the lower and at the upper end of a range of `k`.
     #[must_use]
-    pub fn ratio_range(self, range: ParameterRange) -> [f64; 2] {
+    pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
         ratio_range(self.mode(), range)
     }
 
     /// The scheme as a gearbox with gears `1` and `direct`.
     ///
     /// # Errors
-    /// None of a row parameter: what the engine would refuse is refused before.
+    /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
     pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, DesignError> {
-        Ok(gearbox(self.name(), &[(self.row(), k)], eta0)?)
+        Ok(gearbox(self.name(), &[(self.set(), k)], eta0)?)
     }
 }
 
@@ -150,18 +150,18 @@ mod tests {
     #[test]
     fn the_conveyor_of_section_3_3() {
         let eta0 = MeshEfficiency::new(0.97).unwrap();
-        assert!((TwoSpeed::I.parameter(3.94).unwrap().get() - 2.94).abs() < 1e-12);
+        assert!((TwoSpeed::I.ring_to_sun_ratio(3.94).unwrap().get() - 2.94).abs() < 1e-12);
         assert!((TwoSpeed::I.efficiency(k(2.94), eta0) - 0.977_614).abs() < 1e-6);
-        assert!((TwoSpeed::III.parameter(-3.94).unwrap().get() - 3.94).abs() < 1e-12);
-        assert_eq!(TwoSpeed::I.row(), [Role::D, Role::T1, Role::B]);
-        assert_eq!(TwoSpeed::II.row(), [Role::T1, Role::D, Role::B]);
-        assert_eq!(TwoSpeed::III.row(), [Role::D, Role::B, Role::T1]);
+        assert!((TwoSpeed::III.ring_to_sun_ratio(-3.94).unwrap().get() - 3.94).abs() < 1e-12);
+        assert_eq!(TwoSpeed::I.set(), [Role::D, Role::T1, Role::B]);
+        assert_eq!(TwoSpeed::II.set(), [Role::T1, Role::D, Role::B]);
+        assert_eq!(TwoSpeed::III.set(), [Role::D, Role::B, Role::T1]);
     }
 
     #[test]
     fn what_needs_a_ring_no_larger_than_the_sun_is_refused() {
         for (scheme, ratio) in [(TwoSpeed::I, 2.0), (TwoSpeed::II, 2.0), (TwoSpeed::III, 2.56)] {
-            let refused = scheme.parameter(ratio);
+            let refused = scheme.ring_to_sun_ratio(ratio);
             assert!(matches!(refused, Err(DesignError::RatioOutOfReach { .. })), "{scheme} {ratio}");
         }
         assert!("IV".parse::<TwoSpeed>().is_err());
@@ -178,7 +178,7 @@ mod tests {
                 let ratio = scheme.ratio(k(value));
                 prop_assert!((gear.ratio().unwrap() - ratio).abs() <= 1e-12 * ratio.abs());
                 prop_assert!((gear.efficiency().unwrap() - scheme.efficiency(k(value), eta0)).abs() < 1e-12);
-                prop_assert!((scheme.parameter(ratio).unwrap().get() - value).abs() < 1e-12 * value * value);
+                prop_assert!((scheme.ring_to_sun_ratio(ratio).unwrap().get() - value).abs() < 1e-12 * value * value);
                 prop_assert_eq!(gearbox.analyze("direct").unwrap().ratio(), Some(1.0));
             }
         }

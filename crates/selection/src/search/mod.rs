@@ -1,20 +1,21 @@
-//! Search over teeth: for wanted ratios, all tooth sets of both rows and all two-row structures, the
+//! Search over teeth: for wanted ratios, all tooth numbers of both sets and all two-set structures, the
 //! exact Pareto front and the best, with nothing missed.
 //!
 //! # Why nothing is missed
-//! 6.4·10⁷ pairs of tooth sets a structure, 111 structures, both orders and signs of the ratios make
+//! 6.4·10⁷ pairs of tooth numbers a structure, 111 structures, both orders and signs of the ratios make
 //! 2.8·10¹⁰ designs. What is left out is left out for a reason that holds for each:
 //!
 //! 1. **Levels.** Objectives and criteria depend on `k₁`, `k₂` and, of the size, on the number of planets.
-//!    Tooth sets of one `k` are one level, the best share of planets stands for it; others of the level are
+//!    Tooth numbers of one `k` are one level, the best share of planets stands for it; others of the level are
 //!    no better, and where they are equal they are listed as members of the same entry.
 //! 2. **Reach.** A structure is left out where, by the corners of the range of `k`, a ratio cannot come
 //!    within tolerance: a quotient of bilinear functions, monotonous in each between zeros and poles.
 //! 3. **Windows.** Beside each `k₁` only the interval of `k₂` is tried outside which a ratio, a link speed
 //!    or a planet speed breaks its limit: quotients of linear functions of `k₂`.
 //! 4. **Drawing.** Unless the limits lift that criterion, structures that cannot be drawn without
-//!    self-crossing are left out, and of the ways to lock those that cannot be drawn with the rest.
-//! 5. **Symmetry.** Of the six structures that are their own mirror image under exchange of rows and
+//!    self-crossing are left out, and of the options for the direct-drive clutch those
+//!    that cannot be drawn with the rest.
+//! 5. **Symmetry.** Of the six structures that are their own mirror image under exchange of sets and
 //!    brakes only one order of the ratios is tried: the other is the same design.
 //!
 //! All that remains is measured and judged in full; the front is found by asking of each design whether
@@ -23,12 +24,12 @@
 //!
 //! # What it costs
 //! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to try
-//! and 1.5·10⁶ pairs of parameters are tried; 1.2·10⁶ meet the criteria, and of these 215 089 entries are on
-//! the front: five objectives over two parameters leave much that nothing dominates. Trying takes some
+//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 089 entries are on
+//! the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Trying takes some
 //! 45 ms on one core, the front of all the rest; the first of it ([`ToothSearch::best`]) needs a sort.
 //!
 //! # What it refuses
-//! More than [`MOST_TOOTH_SETS`] tooth sets a row, [`MOST_WINDOWS`] windows or [`MOST_PAIRS`] pairs of row parameters, all
+//! More than [`MOST_TOOTH_SETS`] combinations of tooth numbers a set, [`MOST_WINDOWS`] windows or [`MOST_PAIRS`] pairs of ring-to-sun ratios, all
 //! counted before anything is tried, with their numbers. Within these limits a search takes less than 1 GiB: one patch
 //! is tried after another, and where the designs held become more than 4·10⁶ those that cannot be among the first
 //! entries are left out ([`ToothSearch::best`]), or those that others dominate ([`ToothSearch::front`]). Where that
@@ -38,12 +39,12 @@
 //! their order. Run it within a `rayon::ThreadPool` of your own to choose their number.
 //!
 //! ```
-//! use crate::search::ToothSearch;
-//! use crate::{Demand, RatioSeries};
+//! use epicyclic_selection::search::ToothSearch;
+//! use epicyclic_selection::{Requirements, RatioSeries};
 //! use epicyclic_gears::synthesis::Bounds;
-//! # fn main() -> Result<(), crate::SelectionError> {
-//! let demand = Demand::new(RatioSeries::of_range(2.566, Some(1.466))?);
-//! let mut search = ToothSearch::new(demand);
+//! # fn main() -> Result<(), epicyclic_selection::SelectionError> {
+//! let requirements = Requirements::new(RatioSeries::of_range(2.566, Some(1.466))?);
+//! let mut search = ToothSearch::new(requirements);
 //! search.bounds = Bounds { ring: 12..=80, ..Bounds::default() };
 //! let found = search.best(3)?;
 //! let best = found.entries()[0].clone();
@@ -60,9 +61,9 @@ mod patch;
 mod window;
 
 use crate::SelectionError;
-use crate::demand::Demand;
 use crate::front::{Entry, front, non_dominated};
 use crate::objectives::{Costs, Objectives, Order, nowhere_worse};
+use crate::requirements::Requirements;
 use crate::units::in_metres;
 use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
@@ -90,14 +91,14 @@ pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 #[derive(Debug, Clone)]
 pub struct ToothSearch {
     /// What is wanted: two ratios.
-    pub demand: Demand,
+    pub requirements: Requirements,
     /// Structures to search, all 111 by default.
     pub structures: Vec<Structure>,
-    /// Tooth sets of both rows.
+    /// Bounds of the tooth numbers of both sets.
     pub bounds: Bounds,
     /// Order of objectives by which entries are sorted.
     pub order: Order,
-    /// Module that each row needs at the load factor K, limits included.
+    /// Module that each set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
     /// Greatest pitch diameter of a ring.
     pub ring_diameter: Option<Length>,
@@ -112,7 +113,7 @@ pub struct Found {
     points: Vec<Point>,
     patches: Vec<Patch>,
     levels: Vec<Level>,
-    sets: Vec<ToothNumbers>,
+    tooth_sets: Vec<ToothNumbers>,
     counts: Counts,
     size: SizeLimits,
     allowed: Allowed,
@@ -122,23 +123,23 @@ pub struct Found {
 /// How many designs there were.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
-    /// Tooth sets of a row.
+    /// Combinations of tooth numbers of a set.
     pub tooth_sets: usize,
-    /// Distinct row parameters among them.
+    /// Distinct ring-to-sun ratios among them.
     pub levels: usize,
     /// Structures with an assignment of ratios.
     pub patches: usize,
     /// Those with anything to try.
     pub patches_tried: usize,
-    /// Designs in all: pairs of tooth sets, times `patches`.
+    /// Designs in all: pairs of combinations of tooth numbers, times `patches`.
     pub designs: u128,
-    /// Pairs of row parameters tried in full.
+    /// Pairs of ring-to-sun ratios tried in full.
     pub tried: u64,
     /// Of these, pairs that meet every required criterion.
     pub feasible: u64,
 }
 
-/// Designs of one structure that share objectives: any of these sets in row 1 with any in row 2, except
+/// Designs of one structure that share objectives: any of these tooth numbers in set 1 with any in set 2, except
 /// where [`pairs`](Self::pairs) says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToothDesign {
@@ -146,9 +147,9 @@ pub struct ToothDesign {
     pub structure: Structure,
     /// Ratios wanted of gears 1 and 2.
     pub wanted: [f64; 2],
-    /// Row parameters.
+    /// Ring-to-sun ratios.
     pub k: [f64; 2],
-    /// Tooth sets of both rows, each pair a design.
+    /// Tooth numbers of both sets, each pair a design.
     pub pairs: Vec<[ToothNumbers; 2]>,
 }
 
@@ -175,13 +176,13 @@ const BATCH_PAIRS: u64 = 1 << 21;
 /// The most designs held at a time unless said otherwise.
 const MOST_HELD: usize = 1 << 22;
 
-/// The most tooth sets of a row that a search takes.
+/// The most combinations of tooth numbers of a set that a search takes.
 pub const MOST_TOOTH_SETS: u64 = 1_000_000;
 
-/// The most windows: row parameters times structures with their ratios.
+/// The most windows: ring-to-sun ratios times structures with their ratios.
 pub const MOST_WINDOWS: u64 = 20_000_000;
 
-/// The most pairs of row parameters that are tried, a minute or two of work.
+/// The most pairs of ring-to-sun ratios that are tried, a minute or two of work.
 pub const MOST_PAIRS: u64 = 1_000_000_000;
 
 /// Leaves out some of the designs held.
@@ -218,9 +219,9 @@ fn batches(strips: &[[u32; 3]]) -> Vec<Vec<&[[u32; 3]]>> {
 impl ToothSearch {
     /// All structures, default tooth bounds and order, no limits of size.
     #[must_use]
-    pub fn new(demand: Demand) -> Self {
+    pub fn new(requirements: Requirements) -> Self {
         Self {
-            demand,
+            requirements,
             structures: Structure::all(),
             bounds: Bounds::default(),
             order: Order::default(),
@@ -233,7 +234,7 @@ impl ToothSearch {
     /// The whole Pareto front, the best first by the order.
     ///
     /// # Errors
-    /// Bounds, limits and ratios that are none, [`SelectionError::RatioCount`] unless two ratios are
+    /// Invalid bounds, limits and ratios, [`SelectionError::RatioCount`] unless two ratios are
     /// wanted, [`SelectionError::SizeWithoutTorque`].
     pub fn front(&self) -> Result<Found, SelectionError> {
         self.front_watched(&|_| ControlFlow::Continue(()))
@@ -301,50 +302,54 @@ impl ToothSearch {
 
     /// Levels, patches and windows: all that comes before trying.
     fn prepared(&self) -> Result<Found, SelectionError> {
-        self.demand.check()?;
+        self.requirements.check()?;
         let size = self.size_limits()?;
         let counted = self.bounds.count()?;
         if counted > MOST_TOOTH_SETS {
             return Err(SelectionError::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
         }
-        let all_sets = self.bounds.tooth_numbers()?;
-        let tooth_sets = all_sets.len();
-        let (levels, sets) = levels(all_sets, &self.demand.limits, &self.demand.rating);
+        let all = self.bounds.tooth_sets()?;
+        let count = all.len();
+        let (levels, tooth_sets) = levels(all, &self.requirements.limits, &self.requirements.rating);
         let assignments = self.assignments()?;
         let of = assignments.len();
         if levels.len() as u64 * of as u64 > MOST_WINDOWS {
             return Err(SelectionError::TooManyWindows {
                 tooth_sets: counted,
-                parameters: levels.len(),
+                ring_to_sun_ratios: levels.len(),
                 structures: of,
                 most: MOST_WINDOWS,
             });
         }
         let patches: Vec<Patch> = assignments
             .into_par_iter()
-            .map(|(structure, ratios)| Patch::new(structure, ratios, &self.demand, &levels))
+            .map(|(structure, ratios)| Patch::new(structure, ratios, &self.requirements, &levels))
             .collect::<Vec<_>>()
             .into_iter()
             .flatten()
             .collect();
         let pairs = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
         if pairs > MOST_PAIRS {
-            let (tooth_sets, parameters) = (counted, levels.len());
-            return Err(SelectionError::TooManyPairs { tooth_sets, parameters, pairs, most: MOST_PAIRS });
+            return Err(SelectionError::TooManyPairs {
+                tooth_sets: counted,
+                ring_to_sun_ratios: levels.len(),
+                pairs,
+                most: MOST_PAIRS,
+            });
         }
         let counts = Counts {
-            tooth_sets,
+            tooth_sets: count,
             levels: levels.len(),
             patches: of,
             patches_tried: patches.len(),
-            designs: tooth_sets as u128 * tooth_sets as u128 * of as u128,
+            designs: count as u128 * count as u128 * of as u128,
             tried: 0,
             feasible: 0,
         };
-        let allowed = Allowed::new(&self.demand);
-        let rating = self.demand.rating.clone();
+        let allowed = Allowed::new(&self.requirements);
+        let rating = self.requirements.rating.clone();
         let (entries, points) = (vec![], vec![]);
-        Ok(Found { entries, points, patches, levels, sets, counts, size, allowed, rating })
+        Ok(Found { entries, points, patches, levels, tooth_sets, counts, size, allowed, rating })
     }
 
     /// Offers every pair of levels that meets the criteria to the contenders of its piece of work, and puts these
@@ -405,11 +410,11 @@ impl ToothSearch {
     /// Structures with the ratios of their gears, each design once.
     fn assignments(&self) -> Result<Vec<(Structure, [f64; 2])>, SelectionError> {
         let mut targets: Vec<[f64; 2]> = vec![];
-        for target in self.demand.targets() {
+        for target in self.requirements.targets() {
             let [first, second] = target[..] else {
                 return Err(SelectionError::RatioCount { count: target.len() });
             };
-            if !(self.demand.limits.one_sense && (first < 0.0 || second < 0.0)) {
+            if !(self.requirements.limits.same_direction && (first < 0.0 || second < 0.0)) {
                 targets.push([first, second]);
             }
         }
@@ -429,7 +434,7 @@ impl ToothSearch {
         if self.module.is_none() && self.ring_diameter.is_none() {
             return Ok(SizeLimits { module: None, ring: f64::INFINITY });
         }
-        let unit = in_metres(self.demand.rating.unit().ok_or(SelectionError::SizeWithoutTorque)?);
+        let unit = in_metres(self.requirements.rating.unit().ok_or(SelectionError::SizeWithoutTorque)?);
         let relative = |what, length: Length| {
             let value = in_metres(length);
             if value > 0.0 { Ok(value / unit) } else { Err(SelectionError::Limit { what, value }) }
@@ -451,23 +456,24 @@ impl ToothSearch {
         strips: &[[u32; 3]],
         into: &mut Contenders,
     ) -> [u64; 2] {
-        let Found { patches, levels, sets, allowed, size, .. } = found;
+        let Found { patches, levels, tooth_sets, allowed, size, .. } = found;
         let patch = &patches[place as usize];
         let [mut tried, mut feasible] = [0, 0];
         for &[one, from, to] in strips {
             tried += u64::from(to - from);
             for two in from..to {
                 let pair = [one as usize, two as usize];
-                let rows = [&sides[0][pair[0]], &sides[1][pair[1]]];
-                let Some(measured) = patch.measure(levels, pair, rows, allowed) else { continue };
+                let sides = [&sides[0][pair[0]], &sides[1][pair[1]]];
+                let Some(measured) = patch.measure(levels, pair, sides, allowed) else { continue };
                 let at = pair.map(|place| &levels[place]);
                 let mut shares = at.map(|level| level.share);
                 if size.module.is_some() || size.ring.is_finite() {
-                    let rating = &self.demand.rating;
-                    shares = [0, 1].map(|row| {
-                        let share = |set: &ToothNumbers| rating.share(set.planets);
-                        let fits = |set: &&ToothNumbers| size.fits(&measured, row, at[row], set, share(set));
-                        at[row].of(sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
+                    let rating = &self.requirements.rating;
+                    shares = [0, 1].map(|set| {
+                        let share = |teeth: &ToothNumbers| rating.share(teeth.planets);
+                        let fits =
+                            |teeth: &&ToothNumbers| size.fits(&measured, set, at[set], teeth, share(teeth));
+                        at[set].of(tooth_sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
                     });
                     if shares.iter().any(|share| share.is_infinite()) {
                         continue;
@@ -482,16 +488,16 @@ impl ToothSearch {
 }
 
 impl SizeLimits {
-    fn fits(self, measured: &Measured, row: usize, level: &Level, set: &ToothNumbers, share: f64) -> bool {
-        let ring = measured.cube(row, level, share).cbrt();
-        let module = ring / set.ring.as_f64();
+    fn fits(self, measured: &Measured, set: usize, level: &Level, teeth: &ToothNumbers, share: f64) -> bool {
+        let ring = measured.cube(set, level, share).cbrt();
+        let module = ring / teeth.ring.as_f64();
         ring <= self.ring && self.module.is_none_or(|[least, greatest]| module >= least && module <= greatest)
     }
 }
 
 impl Level {
-    fn of<'a>(&self, sets: &'a [ToothNumbers]) -> &'a [ToothNumbers] {
-        &sets[self.sets[0] as usize..self.sets[1] as usize]
+    fn of<'a>(&self, tooth_sets: &'a [ToothNumbers]) -> &'a [ToothNumbers] {
+        &tooth_sets[self.tooth_sets[0] as usize..self.tooth_sets[1] as usize]
     }
 }
 
@@ -509,13 +515,13 @@ impl Found {
         self.counts
     }
 
-    /// The designs of an entry: every pair of tooth sets with its objectives.
+    /// The designs of an entry: every pair of tooth numbers with its objectives.
     #[must_use]
     pub fn designs(&self, entry: &Entry) -> Vec<ToothDesign> {
         entry.members.iter().filter_map(|&member| self.design(self.points.get(member)?, entry)).collect()
     }
 
-    /// The first design of an entry, with its first pair of tooth sets alone, and how many pairs the entry has in all;
+    /// The first design of an entry, with its first pair of tooth numbers alone, and how many pairs the entry has in all;
     /// never more than one design is held. `None` of an entry of another search.
     #[must_use]
     pub fn first_design(&self, entry: &Entry) -> Option<(ToothDesign, u64)> {
@@ -539,15 +545,15 @@ impl Found {
         let patch = &self.patches[point.patch as usize];
         let pair = point.levels.map(|level| level as usize);
         let levels = pair.map(|level| &self.levels[level]);
-        let rows = [0, 1].map(|row| patch.side(row, levels[row]));
-        let measured = patch.measure(&self.levels, pair, [&rows[0], &rows[1]], &self.allowed)?;
+        let sides = [0, 1].map(|set| patch.side(set, levels[set]));
+        let measured = patch.measure(&self.levels, pair, [&sides[0], &sides[1]], &self.allowed)?;
         let costs = entry.objectives;
-        let share = |set: &ToothNumbers| self.rating.share(set.planets);
+        let share = |teeth: &ToothNumbers| self.rating.share(teeth.planets);
         let mut pairs = vec![];
         let fits =
-            |row: usize, set: &ToothNumbers| self.size.fits(&measured, row, levels[row], set, share(set));
-        for first in levels[0].of(&self.sets).iter().filter(|set| fits(0, set)) {
-            for second in levels[1].of(&self.sets).iter().filter(|set| fits(1, set)) {
+            |set: usize, teeth: &ToothNumbers| self.size.fits(&measured, set, levels[set], teeth, share(teeth));
+        for first in levels[0].of(&self.tooth_sets).iter().filter(|teeth| fits(0, teeth)) {
+            for second in levels[1].of(&self.tooth_sets).iter().filter(|teeth| fits(1, teeth)) {
                 let theirs = measured.costs(levels, [share(first), share(second)]);
                 if Objectives::of_costs(theirs) == costs {
                     pairs.push([*first, *second]);

@@ -1,31 +1,31 @@
-//! One structure with one assignment of the ratios: all its pairs of row parameters, measured.
+//! One structure with one assignment of the ratios: all its pairs of ring-to-sun ratios, measured.
 
 use super::levels::Level;
 use super::window::{Wanted, window};
 use crate::Mechanism;
-use crate::demand::{Demand, Limits};
-use crate::drawing::drawable_locks;
+use crate::drawing::drawable_direct_clutches;
 use crate::objectives::{Costs, on_grid};
-use epicyclic_schemes::locking::{LOCKING_PAIRS, link_speeds};
+use crate::requirements::{Limits, Requirements};
+use epicyclic_schemes::direct_drive::{DIRECT_CLUTCH_PAIRS, link_speeds};
 use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
-use epicyclic_schemes::structures::{Role, RowRoles, Structure};
+use epicyclic_schemes::structures::{Role, SetRoles, Structure};
 
 /// A structure with an assignment of the ratios.
 #[derive(Debug, Clone)]
 pub(crate) struct Patch {
     pub(crate) structure: Structure,
     pub(crate) wanted: [f64; 2],
-    rows: [RowRoles; 2],
-    /// Ways to lock, drawn ones unless that does not matter.
-    locks: Vec<[Role; 2]>,
-    /// Senses of the relative powers, by gear and row.
+    sets: [SetRoles; 2],
+    /// Options for the direct-drive clutch; only those that can be drawn, unless that does not matter.
+    direct_clutches: Vec<[Role; 2]>,
+    /// Directions of the rolling powers, by gear and set.
     exponents: [[i8; 2]; 2],
     eta0: f64,
     /// Windows of `k₂` as places of levels: place of `k₁`, first, end.
     pub(crate) strips: Vec<[u32; 3]>,
 }
 
-/// A row at one level: coefficients without losses, and with those of gears 1 and 2.
+/// A set at one level: coefficients without losses, and with those of gears 1 and 2.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Side {
     ideal: Coefficients,
@@ -60,10 +60,10 @@ pub(crate) struct Allowed {
 }
 
 impl Allowed {
-    pub(crate) fn new(demand: &Demand) -> Self {
-        let limits = &demand.limits;
+    pub(crate) fn new(requirements: &Requirements) -> Self {
+        let limits = &requirements.limits;
         Self {
-            ratio_error: allowed(demand.tolerance),
+            ratio_error: allowed(requirements.tolerance),
             link_speed: allowed(limits.link_speed),
             planet_speed: allowed(limits.planet_speed),
             clutch_slip: allowed(limits.clutch_slip),
@@ -77,59 +77,59 @@ impl Patch {
     pub(crate) fn new(
         structure: Structure,
         ratio: [f64; 2],
-        demand: &Demand,
+        requirements: &Requirements,
         levels: &[Level],
     ) -> Option<Self> {
-        let rows = structure.rows();
-        let limits: &Limits = &demand.limits;
+        let sets = structure.sets();
+        let limits: &Limits = &requirements.limits;
         let (first, last) = (levels.first()?, levels.last()?);
-        let wanted = Wanted { ratios: ratio, tolerance: demand.tolerance };
+        let wanted = Wanted { ratios: ratio, tolerance: requirements.tolerance };
         if !in_reach(structure, wanted, [first.k, last.k]) {
             return None;
         }
-        let locks = if limits.drawable {
-            drawable_locks(Mechanism::Rows(structure)).ok()?
+        let direct_clutches = if limits.drawable {
+            drawable_direct_clutches(Mechanism::TwoSets(structure)).ok()?
         } else {
-            LOCKING_PAIRS.to_vec()
+            DIRECT_CLUTCH_PAIRS.to_vec()
         };
         let mut strips = vec![];
         for (place, level) in levels.iter().enumerate() {
-            let first_row = coefficients(rows[0], level.k);
+            let first_set = coefficients(sets[0], level.k);
             let range = [first.k, last.k];
-            let Some([from, to]) = window(rows, &first_row, level.k, wanted, limits, range) else { continue };
+            let Some([from, to]) = window(sets, &first_set, level.k, wanted, limits, range) else { continue };
             let from = levels.partition_point(|level| level.k < from);
             let to = levels.partition_point(|level| level.k <= to);
             if from < to {
                 strips.push([place as u32, from as u32, to as u32]);
             }
         }
-        // Signs of relative powers are those of any pair whose ratios have the wanted signs.
+        // Signs of rolling powers are those of any pair whose ratios have the wanted signs.
         let witness = strips.iter().find_map(|&[one, from, to]| {
             let signs_fit = |&two: &u32| {
                 let k = [levels[one as usize].k, levels[two as usize].k];
-                let found = ratios(&coefficients(rows[0], k[0]), &coefficients(rows[1], k[1]));
+                let found = ratios(&coefficients(sets[0], k[0]), &coefficients(sets[1], k[1]));
                 found[0] * ratio[0] > 0.0 && found[1] * ratio[1] > 0.0
             };
             (from..to).find(signs_fit).map(|two| [levels[one as usize].k, levels[two as usize].k])
         })?;
-        let exponents = [0, 1].map(|gear| exponents(rows, witness, gear));
-        let eta0 = demand.eta0.get();
-        Some(Self { structure, wanted: ratio, rows, locks, exponents, eta0, strips })
+        let exponents = [0, 1].map(|gear| exponents(sets, witness, gear));
+        let eta0 = requirements.eta0.get();
+        Some(Self { structure, wanted: ratio, sets, direct_clutches, exponents, eta0, strips })
     }
 
-    /// A row at a level.
-    pub(crate) fn side(&self, row: usize, level: &Level) -> Side {
+    /// A set at a level.
+    pub(crate) fn side(&self, set: usize, level: &Level) -> Side {
         let loaded = |gear: usize| {
-            let k = effective(level.k, self.eta0, self.exponents[gear][row]);
-            coefficients(self.rows[row], k)
+            let k = effective(level.k, self.eta0, self.exponents[gear][set]);
+            coefficients(self.sets[set], k)
         };
-        Side { ideal: coefficients(self.rows[row], level.k), loaded: [0, 1].map(loaded) }
+        Side { ideal: coefficients(self.sets[set], level.k), loaded: [0, 1].map(loaded) }
     }
 
-    /// Row 1 at each level, and row 2. They take more memory than all else of a patch, so they are kept while it is
+    /// Set 1 at each level, and set 2. They take more memory than all else of a patch, so they are kept while it is
     /// tried and no longer.
     pub(crate) fn sides(&self, levels: &[Level]) -> [Vec<Side>; 2] {
-        [0, 1].map(|row| levels.iter().map(|level| self.side(row, level)).collect())
+        [0, 1].map(|set| levels.iter().map(|level| self.side(set, level)).collect())
     }
 
     /// Pairs of levels within the windows of some strips.
@@ -168,17 +168,17 @@ impl Patch {
             links = links.max(speeds[gear][B].abs()).max(speeds[gear][free[gear]].abs());
         }
         let mut planets = 0.0_f64;
-        for (row, [a, _, h]) in self.rows.iter().enumerate() {
+        for (set, [a, _, h]) in self.sets.iter().enumerate() {
             let relative = |gear: usize| (speeds[gear][a.index()] - speeds[gear][h.index()]).abs();
-            planets = planets.max(relative(0).max(relative(1)) * levels[pair[row]].planet);
+            planets = planets.max(relative(0).max(relative(1)) * levels[pair[set]].planet);
         }
         if links > allowed.link_speed || planets > allowed.planet_speed {
             return None;
         }
-        let [x, y] = self.locks[0].map(Role::index);
+        let [x, y] = self.direct_clutches[0].map(Role::index);
         let slip =
             |x: usize, y: usize| (speeds[0][x] - speeds[0][y]).abs().max((speeds[1][x] - speeds[1][y]).abs());
-        if slip(x, y) > allowed.clutch_slip && !self.locks_otherwise(ratio, allowed) {
+        if slip(x, y) > allowed.clutch_slip && !self.another_direct_clutch_fits(ratio, allowed) {
             return None;
         }
         let mut efficiency = f64::INFINITY;
@@ -199,10 +199,10 @@ impl Patch {
     }
 
     #[cold]
-    fn locks_otherwise(&self, ratio: [f64; 2], allowed: &Allowed) -> bool {
+    fn another_direct_clutch_fits(&self, ratio: [f64; 2], allowed: &Allowed) -> bool {
         let speeds = link_speeds(ratio);
         let u = epicyclic_schemes::structures::motion(ratio);
-        self.locks.iter().any(|pair| {
+        self.direct_clutches.iter().any(|pair| {
             let [x, y] = pair.map(Role::index);
             let slip = speeds.iter().fold(0.0_f64, |m, speed| m.max((speed[x] - speed[y]).abs()));
             ((u[0] - u[1]) / (u[x] - u[y])).is_finite() && slip <= allowed.clutch_slip
@@ -211,18 +211,18 @@ impl Patch {
 }
 
 impl Measured {
-    /// Costs of a pair of levels with the shares `γ/N` of its rows.
+    /// Costs of a pair of levels with the shares `K_γ/N` of its sets.
     #[inline]
     pub(crate) fn costs(&self, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
-        let cube = |row: usize| levels[row].cube * self.sun_torques[row] * shares[row];
+        let cube = |set: usize| levels[set].cube * self.sun_torques[set] * shares[set];
         let distance = levels[0].distance + levels[1].distance;
         [-self.efficiency, self.speed, distance, self.ratio_error, cube(0).max(cube(1))].map(on_grid)
     }
 
-    /// Cube of the relative ring diameter of a row.
+    /// Cube of the relative ring diameter of a set.
     #[inline]
-    pub(crate) fn cube(&self, row: usize, level: &Level, share: f64) -> f64 {
-        level.cube * self.sun_torques[row] * share
+    pub(crate) fn cube(&self, set: usize, level: &Level, share: f64) -> f64 {
+        level.cube * self.sun_torques[set] * share
     }
 }
 

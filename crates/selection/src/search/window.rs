@@ -1,4 +1,4 @@
-//! Which row parameters `k₂` are worth a look beside a given `k₁`: every bound that prunes.
+//! Which ring-to-sun ratios `k₂` are worth a look beside a given `k₁`: every bound that prunes.
 //!
 //! With `k₁` given every minor of [`pair`](epicyclic_schemes::pair) is linear in `k₂`, so ratios and link speeds are
 //! quotients of linear functions of `k₂`. Such a quotient is monotonous on either side of its pole and
@@ -8,16 +8,16 @@
 //!
 //! 1. both ratios within tolerance;
 //! 2. both free braked links within the limit of link speeds (D has 1, and B the reciprocal of a ratio);
-//! 3. planets of row 1 within theirs: `(ω_a − ω_H)·2/(k₁ − 1)`, of the same kind;
-//! 4. planets of row 2: for `k₂` up to the window's end `e`, `|ω_a − ω_H| ≤ limit·(e − 1)/2` must hold.
+//! 3. planets of set 1 within theirs: `(ω_a − ω_H)·2/(k₁ − 1)`, of the same kind;
+//! 4. planets of set 2: for `k₂` up to the window's end `e`, `|ω_a − ω_H| ≤ limit·(e − 1)/2` must hold.
 //!
 //! Outside the window some required criterion fails; inside, every pair is tried in full. Limits are
 //! widened by 2·10⁻⁹ of themselves, twice what the trial allows for rounding, so rounding can only let
 //! too much through.
 
-use crate::demand::Limits;
+use crate::requirements::Limits;
 use epicyclic_schemes::pair::{Coefficients, minor};
-use epicyclic_schemes::structures::{Role, RowRoles};
+use epicyclic_schemes::structures::{Role, SetRoles};
 
 /// `[m, n]` of `m + n·k`.
 type Linear = [f64; 2];
@@ -31,9 +31,9 @@ pub(crate) struct Wanted {
 
 const WIDER: f64 = 2e-9;
 
-/// The window of `k₂` within `range`, beside a row 1 of these coefficients.
+/// The window of `k₂` within `range`, beside a set 1 of these coefficients.
 pub(crate) fn window(
-    rows: [RowRoles; 2],
+    sets: [SetRoles; 2],
     first: &Coefficients,
     k1: f64,
     wanted: Wanted,
@@ -41,7 +41,7 @@ pub(crate) fn window(
     range: [f64; 2],
 ) -> Option<[f64; 2]> {
     let (mut at_zero, mut slope) = ([0.0; 4], [0.0; 4]);
-    for (role, [zero, one]) in rows[1].into_iter().zip([[1.0, 0.0], [0.0, 1.0], [-1.0, -1.0]]) {
+    for (role, [zero, one]) in sets[1].into_iter().zip([[1.0, 0.0], [0.0, 1.0], [-1.0, -1.0]]) {
         (at_zero[role.index()], slope[role.index()]) = (zero, one);
     }
     let linear = |x: Role, y: Role| {
@@ -73,9 +73,9 @@ pub(crate) fn window(
             braked if braked == link => d_b,
             _ => [0.0; 2],
         };
-        for (row, [a, _, h]) in rows.into_iter().enumerate() {
+        for (set, [a, _, h]) in sets.into_iter().enumerate() {
             let (a, h) = (speed(a), speed(h));
-            let largest = if row == 0 { k1 } else { window[1] };
+            let largest = if set == 0 { k1 } else { window[1] };
             let limit = wide(limits.planet_speed) * (largest - 1.0) / 2.0;
             if limit.is_finite() {
                 window = part_within([a[0] - h[0], a[1] - h[1]], on_b[gear], [-limit, limit], window)?;

@@ -106,9 +106,9 @@ pub enum Signs {
 /// Limits of section 3.1; infinity (of an efficiency 0) lifts one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
-    /// Row parameters allowed, 1.3 to 10.
-    pub parameter: RangeInclusive<f64>,
-    /// Row parameters preferred, 2.5 to 3: best in size and mass.
+    /// Ring-to-sun ratios allowed, 1.3 to 10.
+    pub ring_to_sun: RangeInclusive<f64>,
+    /// Ring-to-sun ratios preferred, 2.5 to 3: best in size and mass.
     pub preferred: RangeInclusive<f64>,
     /// Least efficiency of a gear, 0.9.
     pub efficiency: f64,
@@ -116,11 +116,11 @@ pub struct Limits {
     pub link_speed: f64,
     /// Greatest speed of a planet relative to its carrier over the input's, 2.
     pub planet_speed: f64,
-    /// Greatest slip of the open locking clutch over the input's speed, 2.
+    /// Greatest slip of the open direct-drive clutch over the input's speed, 2.
     pub clutch_slip: f64,
-    /// Whether all gears, direct drive among them, must turn the output alike. Off: mixed senses are
-    /// reported.
-    pub one_sense: bool,
+    /// Whether all gears, direct drive among them, must turn the output alike. Off: mixed
+    /// directions are reported.
+    pub same_direction: bool,
     /// Whether the scheme must be drawable without self-crossing, where that is examined.
     pub drawable: bool,
 }
@@ -128,13 +128,13 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         Self {
-            parameter: 1.3..=10.0,
+            ring_to_sun: 1.3..=10.0,
             preferred: 2.5..=3.0,
             efficiency: 0.9,
             link_speed: 2.0,
             planet_speed: 2.0,
             clutch_slip: 2.0,
-            one_sense: false,
+            same_direction: false,
             drawable: true,
         }
     }
@@ -142,7 +142,7 @@ impl Default for Limits {
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Demand {
+pub struct Requirements {
     /// Ratios of the braked gears.
     pub series: RatioSeries,
     /// Relative tolerance of each, 0.1.
@@ -153,13 +153,13 @@ pub struct Demand {
     pub signs: Signs,
     /// Limits.
     pub limits: Limits,
-    /// Efficiency `η₀` of each row under a resting carrier, 0.98·0.99.
+    /// Efficiency `η₀` of each set with the carrier fixed, 0.98·0.99.
     pub eta0: MeshEfficiency,
     /// What sizes are measured by.
     pub rating: Rating,
 }
 
-impl Demand {
+impl Requirements {
     /// These ratios with the source's tolerance, limits and losses, both orders, signs alike.
     #[must_use]
     pub fn new(series: RatioSeries) -> Self {
@@ -195,7 +195,7 @@ impl Demand {
             }
             for sign in signs {
                 let target: Vec<f64> = order.iter().zip(sign).map(|(i, sign)| i.abs() * sign).collect();
-                // Ratios given as ±1, or of equal size, make none with some signs.
+                // Ratios given as ±1, or of equal size, are invalid with some signs.
                 let is_one = RatioSeries::new(&target).is_err();
                 if !is_one && !found.contains(&target) {
                     found.push(target);
@@ -210,10 +210,10 @@ impl Demand {
             return Err(SelectionError::Tolerance { tolerance: self.tolerance });
         }
         let limits = &self.limits;
-        for (what, range) in [("allowed", &limits.parameter), ("preferred", &limits.preferred)] {
+        for (what, range) in [("allowed", &limits.ring_to_sun), ("preferred", &limits.preferred)] {
             let (from, to) = (*range.start(), *range.end());
             if !(from > 1.0 && from <= to && to.is_finite()) {
-                return Err(SelectionError::ParameterRange { what, from, to });
+                return Err(SelectionError::RingToSunRange { what, from, to });
             }
         }
         for (what, value) in [
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_series_is_refused() {
+    fn an_invalid_series_is_refused() {
         assert_eq!(speeds(&[1.0]), Err(SelectionError::SpeedCount { count: 1 }));
         let refused = SelectionError::SpeedsOutOfOrder { place: 2, speed: 1.0, before: 1.0 };
         assert_eq!(speeds(&[1.0, 1.0]), Err(refused));
@@ -267,18 +267,18 @@ mod tests {
     }
 
     #[test]
-    fn limits_that_are_none_are_refused() {
-        let demand = Demand::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
-        assert_eq!(demand.check(), Ok(()));
-        let with = |change: &dyn Fn(&mut Demand)| {
-            let mut demand = demand.clone();
-            change(&mut demand);
-            demand.check()
+    fn invalid_limits_are_refused() {
+        let requirements = Requirements::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
+        assert_eq!(requirements.check(), Ok(()));
+        let with = |change: &dyn Fn(&mut Requirements)| {
+            let mut requirements = requirements.clone();
+            change(&mut requirements);
+            requirements.check()
         };
         assert!(matches!(with(&|d| d.tolerance = f64::NAN), Err(SelectionError::Tolerance { .. })));
         assert!(matches!(
-            with(&|d| d.limits.parameter = 1.0..=10.0),
-            Err(SelectionError::ParameterRange { .. })
+            with(&|d| d.limits.ring_to_sun = 1.0..=10.0),
+            Err(SelectionError::RingToSunRange { .. })
         ));
         assert!(matches!(with(&|d| d.limits.link_speed = f64::NAN), Err(SelectionError::Limit { .. })));
         assert!(matches!(with(&|d| d.rating.planets = 0), Err(SelectionError::PlanetNumber { .. })));
@@ -286,11 +286,11 @@ mod tests {
 
     #[test]
     fn both_orders_and_both_signs_are_four_targets() {
-        let mut demand = Demand::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
-        assert_eq!(demand.targets().len(), 4);
-        demand.signs = Signs::Any;
-        assert_eq!(demand.targets().len(), 8);
-        (demand.signs, demand.orders) = (Signs::AsGiven, Orders::AsGiven);
-        assert_eq!(demand.targets(), [[1.5, 2.5]]);
+        let mut requirements = Requirements::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
+        assert_eq!(requirements.targets().len(), 4);
+        requirements.signs = Signs::Any;
+        assert_eq!(requirements.targets().len(), 8);
+        (requirements.signs, requirements.orders) = (Signs::AsGiven, Orders::AsGiven);
+        assert_eq!(requirements.targets(), [[1.5, 2.5]]);
     }
 }

@@ -1,7 +1,7 @@
 //! Series of ratios for 2 to 4 speeds of a machine, and where direct drive stands among them.
 //!
 //! A gearbox of λ speeds has λ − 1 braked gears and direct drive. Where direct drive serves decides the regime:
-//! *reduction* (the fastest speed), *multiplication* (the slowest), *combined* (one between). Series list the
+//! *reduction* (the fastest speed), *overdrive* (the slowest; "multiplication" in the source), *combined* (one between). Series list the
 //! fastest output first, so ratios rise.
 //!
 //! # Where this departs from the print
@@ -11,7 +11,7 @@
 //! | regime | printed | right |
 //! |---|---|---|
 //! | reduction (2.13), (2.33) | 1, q, d | 1, q, d |
-//! | multiplication (2.14), (2.34) | 1/d, 1/q, 1 | 1/d, **q/d**, 1 |
+//! | overdrive (2.14), (2.34) | 1/d, 1/q, 1 | 1/d, **q/d**, 1 |
 //! | combined (2.15), (2.35) | 1/q, 1, q | 1/q, 1, **d/q** |
 //!
 //! and the two agree only for `d = q²`. [`RatioSeries::of_speeds`] gives the right ones for any speeds;
@@ -30,7 +30,7 @@ pub enum Regime {
     /// Direct drive is the fastest: all ratios at least 1.
     Reduction,
     /// Direct drive is the slowest: all ratios at most 1.
-    Multiplication,
+    Overdrive,
     /// Direct drive is between; undesirable.
     Combined,
 }
@@ -51,10 +51,10 @@ impl RatioSeries {
     /// ```
     ///
     /// ```
-    /// use crate::regimes::RatioSeries;
+    /// use epicyclic_schemes::ratio_series::RatioSeries;
     /// use uom::si::f64::Velocity;
     /// use uom::si::velocity::meter_per_second;
-    /// # fn main() -> Result<(), crate::DesignError> {
+    /// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
     /// let speeds = [0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>);
     /// let series = RatioSeries::of_speeds(&speeds, 1)?;
     /// assert!((series.ratios()[1] - 1.466).abs() < 1e-3 && (series.ratios()[2] - 2.566).abs() < 1e-3);
@@ -112,7 +112,7 @@ impl RatioSeries {
     pub fn regime(&self) -> Regime {
         match self.direct {
             0 => Regime::Reduction,
-            last if last + 1 == self.ratios.len() => Regime::Multiplication,
+            last if last + 1 == self.ratios.len() => Regime::Overdrive,
             _ => Regime::Combined,
         }
     }
@@ -244,7 +244,7 @@ mod tests {
     fn the_middle_of_the_excavators_series_is_not_the_printed_one() {
         let wheel = speeds(&[0.76, 1.33, 1.95]);
         let series = RatioSeries::of_speeds(&wheel, 3).unwrap();
-        assert_eq!(series.regime(), Regime::Multiplication);
+        assert_eq!(series.regime(), Regime::Overdrive);
         assert!((series.ratios()[1] - 0.76 / 1.33).abs() < 1e-15);
         let serves = |number| PrintedSeries::numbered(number).unwrap().serves(&wheel, 1e-9).unwrap();
         assert!(serves("(2.13)") && serves("(2.33)"));

@@ -1,11 +1,11 @@
-//! Direct drive of a two-row structure: what the locking clutch carries, for every pair of links.
+//! Direct drive of a two-set structure: the torque of the direct-drive clutch, for every pair of links.
 //!
 //! Joining any two of the four links stops all relative motion. The clutch then carries what statics
-//! asks for: rows give torques `s·(1, k, −(1 + k))` on sun, ring, carrier, and every link is in balance
+//! asks for: sets give torques `s·(1, k, −(1 + k))` on sun, ring, carrier, and every link is in balance
 //! with 1 entering at D and 1 leaving at B.
 //!
 //! ```text
-//! s₁·c₁ + s₂·c₂ = e_D − e_B + t·(e_x − e_y)        c_j the row's coefficients by role, clutch between x, y
+//! s₁·c₁ + s₂·c₂ = e_D − e_B + t·(e_x − e_y)        c_j the set's coefficients by role, clutch between x, y
 //! ```
 //!
 //! Since every motion of the links is a block rotation and a multiple of one other motion `u`
@@ -16,15 +16,16 @@
 //! ```
 //!
 //! so the torque too follows from the two ratios, whatever the structure; losses have no part in it,
-//! since nothing moves relative to anything. A pair with `u_x = u_y` does not lock.
+//! since nothing moves relative to anything. A clutch between a pair with `u_x = u_y`
+//! does not give direct drive.
 //!
 //! # Source
-//! multispeed-gearboxes, section 3.1: the smallest blocking moment among the ways to lock.
+//! multispeed-gearboxes, section 3.1: the smallest "blocking moment" among the options for the direct-drive clutch.
 
 use crate::structures::{Role, motion};
 
 /// The six pairs of links that a clutch may join.
-pub const LOCKING_PAIRS: [[Role; 2]; 6] = [
+pub const DIRECT_CLUTCH_PAIRS: [[Role; 2]; 6] = [
     [Role::D, Role::B],
     [Role::D, Role::T1],
     [Role::D, Role::T2],
@@ -33,9 +34,9 @@ pub const LOCKING_PAIRS: [[Role; 2]; 6] = [
     [Role::T1, Role::T2],
 ];
 
-/// One way to lock.
+/// One option for the direct-drive clutch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lock {
+pub struct DirectClutch {
     /// The links joined.
     pub pair: [Role; 2],
     /// Torque of the clutch over the input torque, on the first link.
@@ -44,39 +45,41 @@ pub struct Lock {
     pub slip: [f64; 2],
 }
 
-/// Every way to lock the structure whose gears have these ratios, the least torque first; of equal
-/// torques the order of [`LOCKING_PAIRS`] holds.
+/// Every option for the direct-drive clutch of a structure whose gears have these ratios, the least torque first; of equal
+/// torques the order of [`DIRECT_CLUTCH_PAIRS`] holds.
 #[must_use]
-pub fn locks(ratios: [f64; 2]) -> Vec<Lock> {
+pub fn direct_clutch_options(ratios: [f64; 2]) -> Vec<DirectClutch> {
     let u = motion(ratios);
     let speeds = link_speeds(ratios);
-    ascending(LOCKING_PAIRS.into_iter().map(|pair| {
+    ascending(DIRECT_CLUTCH_PAIRS.into_iter().map(|pair| {
         let [x, y] = pair.map(Role::index);
         let torque = -(u[0] - u[1]) / (u[x] - u[y]);
-        Lock { pair, torque, slip: speeds.map(|speed| speed[x] - speed[y]) }
+        DirectClutch { pair, torque, slip: speeds.map(|speed| speed[x] - speed[y]) }
     }))
 }
 
-/// Every way to lock a single row whose braked gear has this ratio, as [`locks`]; its slip in gear 2,
-/// which there is none, is 0.
+/// Every option for the direct-drive clutch of a single set whose braked gear has this ratio, as
+/// [`direct_clutch_options`]; there is no gear 2, and the slip in it is 0.
 #[must_use]
-pub fn locks_of_row(ratio: f64) -> Vec<Lock> {
+pub fn direct_clutch_options_of_set(ratio: f64) -> Vec<DirectClutch> {
     let speed = [1.0, 1.0 / ratio, 0.0, 0.0];
-    let lock = |pair: [Role; 2]| {
+    let option = |pair: [Role; 2]| {
         let [x, y] = pair.map(Role::index);
-        Lock {
+        DirectClutch {
             pair,
             torque: -(speed[0] - speed[1]) / (speed[x] - speed[y]),
             slip: [speed[x] - speed[y], 0.0],
         }
     };
-    ascending([LOCKING_PAIRS[0], LOCKING_PAIRS[1], LOCKING_PAIRS[3]].into_iter().map(lock))
+    ascending(
+        [DIRECT_CLUTCH_PAIRS[0], DIRECT_CLUTCH_PAIRS[1], DIRECT_CLUTCH_PAIRS[3]].into_iter().map(option),
+    )
 }
 
-fn ascending(locks: impl Iterator<Item = Lock>) -> Vec<Lock> {
-    let mut found: Vec<Lock> = locks.filter(|lock| lock.torque.is_finite()).collect();
-    // To 12 digits: rounding is no reason to prefer a way to lock.
-    let size = |lock: &Lock| (lock.torque.abs() * 1e12).round();
+fn ascending(options: impl Iterator<Item = DirectClutch>) -> Vec<DirectClutch> {
+    let mut found: Vec<DirectClutch> = options.filter(|option| option.torque.is_finite()).collect();
+    // To 12 digits: rounding is no reason to prefer an option.
+    let size = |option: &DirectClutch| (option.torque.abs() * 1e12).round();
     found.sort_by(|one, other| size(one).total_cmp(&size(other)));
     found
 }
@@ -107,7 +110,8 @@ mod tests {
         let count = |counter: &Cell<u32>| counter.set(counter.get() + 1);
         let compare = |(a, b): (f64, f64)| {
             for structure in Structure::all() {
-                let gearbox = structure.gearbox([a, b], MeshEfficiency::IDEAL, LOCKING_PAIRS[0]).unwrap();
+                let gearbox =
+                    structure.gearbox([a, b], MeshEfficiency::IDEAL, DIRECT_CLUTCH_PAIRS[0]).unwrap();
                 let ratio = |gear| gearbox.analyze(gear).unwrap().ratio();
                 let ratios = ratio("1").zip(ratio("2")).filter(|(first, second)| {
                     [first, second]
@@ -118,19 +122,19 @@ mod tests {
                     count(&skipped);
                     continue;
                 };
-                for lock in locks([first, second]) {
-                    if lock.torque.abs() >= 100.0 {
+                for clutch in direct_clutch_options([first, second]) {
+                    if clutch.torque.abs() >= 100.0 {
                         count(&loaded);
                         continue;
                     }
-                    let gearbox = structure.gearbox([a, b], MeshEfficiency::IDEAL, lock.pair).unwrap();
+                    let gearbox = structure.gearbox([a, b], MeshEfficiency::IDEAL, clutch.pair).unwrap();
                     let direct = gearbox.analyze("direct").unwrap();
                     prop_assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-9);
-                    let torque = direct.ideal().unwrap().shift_elements[2].unwrap();
-                    prop_assert!((torque - lock.torque).abs() < 1e-6, "{structure} {lock:?} {torque}");
-                    for (gear, slip) in ["1", "2"].into_iter().zip(lock.slip) {
+                    let torque = direct.ideal().unwrap().controls[2].unwrap();
+                    prop_assert!((torque - clutch.torque).abs() < 1e-6, "{structure} {clutch:?} {torque}");
+                    for (gear, slip) in ["1", "2"].into_iter().zip(clutch.slip) {
                         let found = gearbox.analyze(gear).unwrap().slips()[2].unwrap();
-                        prop_assert!((found - slip).abs() < 1e-6, "{structure} {lock:?} {found}");
+                        prop_assert!((found - slip).abs() < 1e-6, "{structure} {clutch:?} {found}");
                     }
                     count(&compared);
                 }

@@ -1,12 +1,12 @@
-//! A simple row by itself: its six ratios over a range of k, and the four relations of its speeds.
+//! A simple set by itself: its six ratios over a range of k, and the four relations of its speeds.
 //!
 //! # Source
 //! multispeed-gearboxes, tables 2.2 and 2.3, (2.22)–(2.25).
 
-use super::ParameterRange;
-use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
+use super::RingToSunRange;
+use epicyclic_gears::row::{Member, Mode, RingToSunRatio, BasicRatio};
 
-/// Ratio of a simple row in a mode as a fraction `[n, d]` of terms linear in `k`.
+/// Ratio of a simple set in a mode as a fraction `[n, d]` of terms linear in `k`.
 ///
 /// ```text
 /// ab^H −k/1     aH^b (1+k)/1     bH^a (1+k)/k     ba^H −1/k     Ha^b 1/(1+k)     Hb^a k/(1+k)
@@ -23,37 +23,37 @@ pub(crate) fn fraction(mode: Mode, k: f64) -> [f64; 2] {
     if d < 0.0 { [-n, -d] } else { [n, d] }
 }
 
-/// Ratio of a row in a mode at both ends of a range of `k`, the lower end first: a row of table 2.2.
+/// Ratio of a set in a mode at both ends of a range of `k`, the lower end first: a row of table 2.2.
 ///
 /// Each of the six is monotonous in `k`, so these are its extremes.
 ///
 /// ```
-/// use epicyclic_gears::simple_set::{Member, Mode};
-/// use crate::catalogue::{ParameterRange, row::ratio_range};
+/// use epicyclic_gears::row::{Member, Mode};
+/// use epicyclic_schemes::catalogue::{RingToSunRange, simple_set::ratio_range};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
-/// let [from, to] = ratio_range(Mode::new(Member::Ring, Member::Carrier)?, ParameterRange::USED);
+/// let [from, to] = ratio_range(Mode::new(Member::Ring, Member::Carrier)?, RingToSunRange::USED);
 /// assert!((from - 2.7 / 1.7).abs() < 1e-15 && (to - 8.0 / 7.0).abs() < 1e-15); // printed 1.58 – 1.4
 /// # Ok(())
 /// # }
 /// ```
 #[must_use]
-pub fn ratio_range(mode: Mode, range: ParameterRange) -> [f64; 2] {
+pub fn ratio_range(mode: Mode, range: RingToSunRange) -> [f64; 2] {
     range.ends().map(|k| {
         let [n, d] = fraction(mode, k);
         n / d
     })
 }
 
-/// Row parameter of the simple row with ratio `i = ω_in/ω_out` in a mode.
+/// Ring-to-sun ratio of the simple set with ratio `i = ω_in/ω_out` in a mode.
 ///
 /// # Errors
-/// [`epicyclic_gears::Error::Ratio`] or [`epicyclic_gears::Error::RingToSunRatio`] where no simple row
+/// [`epicyclic_gears::Error::Ratio`] or [`epicyclic_gears::Error::RingToSunRatio`] where no simple set
 /// has it.
-pub fn parameter(mode: Mode, ratio: f64) -> Result<RingToSunRatio, epicyclic_gears::Error> {
+pub fn ring_to_sun_ratio(mode: Mode, ratio: f64) -> Result<RingToSunRatio, epicyclic_gears::Error> {
     RingToSunRatio::new(-BasicRatio::with_ratio(ratio, mode)?.get())
 }
 
-/// Factors of `ω_a`, `ω_b`, `ω_H`, `ω_g` in the four relations between the speeds of a simple row, each
+/// Factors of `ω_a`, `ω_b`, `ω_H`, `ω_g` in the four relations between the speeds of a simple set, each
 /// of three links: table 2.3. Each relation is `Σ factor·ω = 0`, and its factors sum to 0.
 ///
 /// ```text
@@ -80,13 +80,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_fractions_are_the_ratios_of_the_row(k in 1.01..20.0_f64) {
-            let row = BasicRatio::from(RingToSunRatio::new(k).unwrap());
+        fn the_fractions_are_the_ratios_of_the_set(k in 1.01..20.0_f64) {
+            let set = BasicRatio::from(RingToSunRatio::new(k).unwrap());
             for mode in Mode::ALL {
                 let [n, d] = fraction(mode, k);
-                let ratio = row.ratio(mode).unwrap();
+                let ratio = set.ratio(mode).unwrap();
                 prop_assert!(d > 0.0 && (n / d - ratio).abs() <= 1e-14 * ratio.abs());
-                prop_assert!((parameter(mode, ratio).unwrap().get() - k).abs() < 1e-12 * k * k);
+                prop_assert!((ring_to_sun_ratio(mode, ratio).unwrap().get() - k).abs() < 1e-12 * k * k);
             }
         }
 
@@ -94,11 +94,11 @@ mod tests {
         fn the_relations_hold_for_rolling_speeds_and_for_a_block(
             k in 1.01..20.0_f64, carrier in -5.0..5.0, sun in -5.0..5.0,
         ) {
-            let parameter = RingToSunRatio::new(k).unwrap();
+            let ring_to_sun = RingToSunRatio::new(k).unwrap();
             let ring = ((k + 1.0) * carrier - sun) / k;
-            let planet = carrier - (sun - carrier) / parameter.planet_to_sun();
+            let planet = carrier - (sun - carrier) / ring_to_sun.planet_to_sun();
             let speeds = [sun, ring, carrier, planet];
-            for relation in speed_relations(parameter) {
+            for relation in speed_relations(ring_to_sun) {
                 let parts = relation.iter().zip(speeds).map(|(factor, speed)| factor * speed);
                 let scale = parts.clone().map(f64::abs).fold(1.0, f64::max);
                 prop_assert!(parts.sum::<f64>().abs() < 1e-13 * scale);
