@@ -165,7 +165,7 @@ pub(crate) fn dimensioned(
     let missing = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     let first = match (sizes.k1, sizes.ratio1) {
         (Some(k), _) => RingToSunRatio::new(k.get()).map_err(refuse("--k1"))?,
-        (None, Some(ratio)) => scheme.first().parameter(ratio.get()).map_err(refuse("--ratio1"))?,
+        (None, Some(ratio)) => scheme.first().ring_to_sun_ratio(ratio.get()).map_err(refuse("--ratio1"))?,
         (None, None) if sizes.ratio2.is_some() => return missing("--ratio2", "give --ratio1 or --k1 too"),
         (None, None) => return Ok(None),
     };

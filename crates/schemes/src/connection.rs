@@ -261,7 +261,11 @@ impl Connection {
     ///
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] with the ratios at `k₂ → 1` and `k₂ → ∞`.
-    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, DesignError> {
+    pub fn second_ring_to_sun_ratio(
+        self,
+        k1: RingToSunRatio,
+        ratio: f64,
+    ) -> Result<RingToSunRatio, DesignError> {
         let needed = connection_ratio(self.shaft, self.first.ratio(k1), ratio).ok();
         needed.and_then(|needed| ring_to_sun_ratio(self.mode, needed).ok()).ok_or_else(|| {
             let at = |k2: f64| {

@@ -130,7 +130,7 @@ mod tests {
                     let gearbox = structure.gearbox([a, b], MeshEfficiency::IDEAL, clutch.pair).unwrap();
                     let direct = gearbox.analyze("direct").unwrap();
                     prop_assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-9);
-                    let torque = direct.ideal().unwrap().controls[2].unwrap();
+                    let torque = direct.ideal().unwrap().shift_elements[2].unwrap();
                     prop_assert!((torque - clutch.torque).abs() < 1e-6, "{structure} {clutch:?} {torque}");
                     for (gear, slip) in ["1", "2"].into_iter().zip(clutch.slip) {
                         let found = gearbox.analyze(gear).unwrap().slips()[2].unwrap();

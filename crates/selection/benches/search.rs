@@ -12,7 +12,7 @@ use epicyclic_selection::search::ToothSearch;
 use epicyclic_selection::{RatioSeries, Requirements, Space, select};
 use std::hint::black_box;
 
-#[path = "../tests/brute.rs"]
+#[path = "../tests/brute_common/mod.rs"]
 mod brute;
 
 fn excavator() -> Requirements {

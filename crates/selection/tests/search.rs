@@ -14,7 +14,7 @@ use uom::si::length::millimeter;
 use uom::si::pressure::megapascal;
 use uom::si::torque::newton_meter;
 
-#[path = "brute.rs"]
+#[path = "brute_common/mod.rs"]
 mod brute;
 
 fn excavator() -> Requirements {

@@ -130,7 +130,7 @@ fn brake_torques_are_those_of_the_ratio_and_the_direct_clutch_of_least_torque_is
         let direct = gearbox.analyze("direct").unwrap();
         assert!((direct.ratio().unwrap() - 1.0).abs() < 1e-12);
         let clutch = &candidate.direct_clutches[candidate.direct_clutch];
-        let torque = direct.ideal().unwrap().controls[2].unwrap();
+        let torque = direct.ideal().unwrap().shift_elements[2].unwrap();
         assert!((torque - clutch.torque).abs() < 1e-9, "{}: {torque} {clutch:?}", candidate.mechanism);
         assert!(candidate.direct_clutches[0].torque.abs() <= clutch.torque.abs() + 1e-12);
         let table = candidate.engagement_table();

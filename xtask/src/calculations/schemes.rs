@@ -6,8 +6,8 @@ use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Fraction, Mode, RingToSunRatio};
-use epicyclic_schemes::catalogue::{ParameterRange, Reach, Role, ThreeSpeed, TwoSpeed, row};
-use epicyclic_schemes::closing::{self, Candidate, Shaft, Standing, Use};
+use epicyclic_schemes::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, simple_set};
+use epicyclic_schemes::connection::{self, Connection, Shaft, Standing, Use};
 use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
 use epicyclic_schemes::{DesignError, cutting, rotor};
@@ -430,7 +430,7 @@ fn printed_relation(given: &PrintedRelationGiven) -> Result<Results, Refusal> {
         let close = |relation: &[f64; 4]| {
             relation.iter().zip(factors).all(|(right, printed)| (right - printed).abs() < 1e-12 * k)
         };
-        is_listed &= row::speed_relations(RingToSunRatio::new(k)?).iter().any(close);
+        is_listed &= simple_set::speed_relations(RingToSunRatio::new(k)?).iter().any(close);
         sum = sum.max(factors.iter().sum::<f64>().abs());
     }
     let mut results = Results::default();

@@ -123,8 +123,8 @@ fn direct_clutches(all: &[Numbered]) -> Records {
 fn engagements(all: &[Numbered]) -> Records {
     let mut rows = vec![];
     for &(no, one) in all {
-        for shift in one.engagement_table() {
-            let at = |shift_element| Figure::Mark(shift.engaged == shift_element);
+        for line in one.engagement_table() {
+            let at = |shift_element| Figure::Mark(line.engaged == shift_element);
             rows.push(vec![
                 Figure::Count(no),
                 text(line.gear),

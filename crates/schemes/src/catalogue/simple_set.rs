@@ -4,7 +4,7 @@
 //! multispeed-gearboxes, tables 2.2 and 2.3, (2.22)–(2.25).
 
 use super::RingToSunRange;
-use epicyclic_gears::row::{Member, Mode, RingToSunRatio, BasicRatio};
+use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
 
 /// Ratio of a simple set in a mode as a fraction `[n, d]` of terms linear in `k`.
 ///
@@ -28,7 +28,7 @@ pub(crate) fn fraction(mode: Mode, k: f64) -> [f64; 2] {
 /// Each of the six is monotonous in `k`, so these are its extremes.
 ///
 /// ```
-/// use epicyclic_gears::row::{Member, Mode};
+/// use epicyclic_gears::simple_set::{Member, Mode};
 /// use epicyclic_schemes::catalogue::{RingToSunRange, simple_set::ratio_range};
 /// # fn main() -> Result<(), epicyclic_gears::Error> {
 /// let [from, to] = ratio_range(Mode::new(Member::Ring, Member::Carrier)?, RingToSunRange::USED);

@@ -174,7 +174,11 @@ impl ThreeSpeed {
     ///
     /// # Errors
     /// [`DesignError::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
-    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, DesignError> {
+    pub fn second_ring_to_sun_ratio(
+        self,
+        k1: RingToSunRatio,
+        ratio: f64,
+    ) -> Result<RingToSunRatio, DesignError> {
         self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
             DesignError::RatioOutOfReach { ratio, low, high, .. } => {
                 DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }

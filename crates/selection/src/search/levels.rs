@@ -33,7 +33,7 @@ pub(crate) fn levels(
     limits: &Limits,
     rating: &Rating,
 ) -> (Vec<Level>, Vec<ToothNumbers>) {
-    tooth_sets.retain(|teeth| limits.ring_to_sun.contains(&teeth.row_parameter()));
+    tooth_sets.retain(|teeth| limits.ring_to_sun.contains(&teeth.ring_to_sun_ratio()));
     // By k as a fraction: exact, and without a thought of rounding.
     let cross = |one: &ToothNumbers, other: &ToothNumbers| {
         let product = |a: &ToothNumbers, b: &ToothNumbers| u64::from(a.ring.get()) * u64::from(b.sun.get());
@@ -43,7 +43,7 @@ pub(crate) fn levels(
     let mut found: Vec<Level> = vec![];
     let mut from = 0_u32;
     for alike in tooth_sets.chunk_by(|one, other| cross(one, other).is_eq()) {
-        let k = alike[0].row_parameter();
+        let k = alike[0].ring_to_sun_ratio();
         let to = from + alike.len() as u32;
         found.push(Level {
             k,

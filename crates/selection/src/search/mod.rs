@@ -308,7 +308,7 @@ impl ToothSearch {
         if counted > MOST_TOOTH_SETS {
             return Err(SelectionError::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
         }
-        let all = self.bounds.tooth_sets()?;
+        let all = self.bounds.tooth_numbers()?;
         let count = all.len();
         let (levels, tooth_sets) = levels(all, &self.requirements.limits, &self.requirements.rating);
         let assignments = self.assignments()?;
@@ -550,8 +550,9 @@ impl Found {
         let costs = entry.objectives;
         let share = |teeth: &ToothNumbers| self.rating.share(teeth.planets);
         let mut pairs = vec![];
-        let fits =
-            |set: usize, teeth: &ToothNumbers| self.size.fits(&measured, set, levels[set], teeth, share(teeth));
+        let fits = |set: usize, teeth: &ToothNumbers| {
+            self.size.fits(&measured, set, levels[set], teeth, share(teeth))
+        };
         for first in levels[0].of(&self.tooth_sets).iter().filter(|teeth| fits(0, teeth)) {
             for second in levels[1].of(&self.tooth_sets).iter().filter(|teeth| fits(1, teeth)) {
                 let theirs = measured.costs(levels, [share(first), share(second)]);

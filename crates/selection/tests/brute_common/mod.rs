@@ -3,8 +3,8 @@
 
 #![allow(dead_code, reason = "shared by tests and benches, neither of which uses all of it")]
 
-use epicyclic_gears::row::{RingToSunRatio, BasicRatio};
-use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_sets_by_trial};
+use epicyclic_gears::simple_set::{BasicRatio, RingToSunRatio};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
 use epicyclic_schemes::direct_drive::DIRECT_CLUTCH_PAIRS;
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_selection::drawing::drawable_direct_clutches;
@@ -28,7 +28,7 @@ pub(crate) fn designs(
     structures: &[Structure],
     bounds: &Bounds,
 ) -> (Vec<Design>, u64) {
-    let tooth_sets = tooth_sets_by_trial(bounds).expect("the bounds are bounds");
+    let tooth_sets = tooth_numbers_by_trial(bounds).expect("the bounds are bounds");
     let (mut found, mut tried) = (vec![], 0);
     for &structure in structures {
         let Some(model) = Model::new(structure, requirements) else { continue };
@@ -82,10 +82,15 @@ impl Model {
         Some(Self { gearbox, gears, links, direct_clutches })
     }
 
-    fn costs(&self, requirements: &Requirements, wanted: [f64; 2], teeth: [ToothNumbers; 2]) -> Option<[f64; 5]> {
+    fn costs(
+        &self,
+        requirements: &Requirements,
+        wanted: [f64; 2],
+        teeth: [ToothNumbers; 2],
+    ) -> Option<[f64; 5]> {
         let limits = &requirements.limits;
         let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
-        let k = teeth.map(|teeth| teeth.row_parameter());
+        let k = teeth.map(|teeth| teeth.ring_to_sun_ratio());
         if !k.iter().all(|k| limits.ring_to_sun.contains(k)) {
             return None;
         }
