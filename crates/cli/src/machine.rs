@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Quantity};
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
 /// Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
@@ -198,9 +198,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The option that a refusal speaks of.
-fn refuse(error: DesignError) -> Failure {
+fn refuse(error: Error) -> Failure {
     let option = match &error {
-        DesignError::NotPositive { quantity, .. } => match *quantity {
+        Error::NotPositive { quantity, .. } => match *quantity {
             "pick spacing" => "--pick-spacing",
             "feed" => "--feed",
             "mean chip thickness" | "greatest chip thickness" => "--chip",
@@ -217,8 +217,8 @@ fn refuse(error: DesignError) -> Failure {
             "Ω" => "--discharge",
             _ => return error.into(),
         },
-        DesignError::SpeedCount { .. } | DesignError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
-        DesignError::NoFlight { .. } => "--release, --chute",
+        Error::SpeedCount { .. } | Error::SpeedsOutOfOrder { .. } => "<SPEEDS>",
+        Error::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };
     Failure::Option { option, message: error.to_string() }

@@ -10,7 +10,7 @@ use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error;
 use epicyclic_schemes::catalogue::{RingToSunRange, Role, ThreeSpeed, TwoSpeed};
 use epicyclic_train::Gearbox;
 use uom::si::f64::Ratio;
@@ -82,7 +82,7 @@ impl Scheme {
     pub(crate) fn named(name: &str) -> Result<Self, Failure> {
         Self::all().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
             let known = Self::all().map(Self::name).collect::<Vec<_>>().join(", ");
-            DesignError::UnknownScheme { name: name.to_owned(), known }.into()
+            Error::UnknownScheme { name: name.to_owned(), known }.into()
         })
     }
 

@@ -15,8 +15,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{
-    Limits, Objective, Order, Orders, Rating, RatioSeries, Requirements, SelectionError, Signs, Space,
-    select_with,
+    Limits, Objective, Order, Orders, Rating, RatioSeries, Requirements, Signs, Space, select_with,
 };
 use uom::si::f64::{Length, Pressure, Ratio, Velocity};
 
@@ -286,8 +285,8 @@ fn rating(args: &Args) -> Result<Rating, Failure> {
 }
 
 /// The option that a refusal speaks of.
-fn refuse(error: SelectionError) -> Failure {
-    use SelectionError as E;
+fn refuse(error: epicyclic_selection::Error) -> Failure {
+    use epicyclic_selection::Error as E;
     let option = match &error {
         E::SpeedCount { .. } | E::SpeedsOutOfOrder { .. } => "--speeds",
         E::RatioCount { .. } | E::Ratio { .. } | E::EqualRatios { .. } => "--ratios",
@@ -309,7 +308,7 @@ fn refuse(error: SelectionError) -> Failure {
         E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
         E::GearSet(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
-            None => return Failure::Selection(SelectionError::GearSet(error.clone())),
+            None => return Failure::Selection(E::GearSet(error.clone())),
         },
         E::RepeatedObjective { .. } | E::UnknownObjective { .. } => "--order",
         _ => return Failure::Selection(error),

@@ -35,7 +35,7 @@
 //! # Source
 //! multispeed-gearboxes (2.36)–(2.38), section 2.4.
 
-use crate::DesignError;
+use crate::Error;
 use crate::catalogue::simple_set::{fraction, ring_to_sun_ratio};
 use crate::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -88,9 +88,9 @@ pub fn superposed_ratio(from_a: f64, a_tie: f64, b_tie: f64) -> f64 {
 /// Ratio of gear 2 from that of gear 1 and the connection ratio: (2.37) and (2.38).
 ///
 /// # Errors
-/// [`DesignError::ConnectionRatio`] for `i₁` of 0 or 1 and what is not finite; for an `i_c` that brings the
+/// [`Error::ConnectionRatio`] for `i₁` of 0 or 1 and what is not finite; for an `i_c` that brings the
 /// output to rest.
-pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, DesignError> {
+pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, Error> {
     let first = stage_one(first)?;
     let second = match shaft {
         Shaft::Driven => superposed_ratio(first, 1.0, connection),
@@ -103,7 +103,7 @@ pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, De
 ///
 /// ```
 /// use epicyclic_schemes::connection::{Shaft, connection_ratio, second_ratio};
-/// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+/// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let connection = connection_ratio(Shaft::Driven, 1.465, 2.56)?;
 /// assert!((connection - -2.354_838_71).abs() < 1e-8); // −k₂ of II-3
 /// assert!((second_ratio(Shaft::Driven, 1.465, connection)? - 2.56).abs() < 1e-12);
@@ -112,8 +112,8 @@ pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, De
 /// ```
 ///
 /// # Errors
-/// [`DesignError::ConnectionRatio`] for `i₁` of 0 or 1, `i₂` of 0, and what is not finite.
-pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, DesignError> {
+/// [`Error::ConnectionRatio`] for `i₁` of 0 or 1, `i₂` of 0, and what is not finite.
+pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, Error> {
     let first = stage_one(first)?;
     if second == 0.0 || !second.is_finite() {
         return Err(refused("second gear", second));
@@ -125,7 +125,7 @@ pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, De
     })
 }
 
-fn stage_one(ratio: f64) -> Result<f64, DesignError> {
+fn stage_one(ratio: f64) -> Result<f64, Error> {
     if ratio.is_finite() && ratio != 0.0 && ratio != 1.0 {
         Ok(ratio)
     } else {
@@ -133,8 +133,8 @@ fn stage_one(ratio: f64) -> Result<f64, DesignError> {
     }
 }
 
-fn refused(what: &'static str, ratio: f64) -> DesignError {
-    DesignError::ConnectionRatio { what, ratio }
+fn refused(what: &'static str, ratio: f64) -> Error {
+    Error::ConnectionRatio { what, ratio }
 }
 
 /// Circulating power in the loop of gear 2, as a part of the input power, without losses.
@@ -260,12 +260,8 @@ impl Connection {
     /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
     ///
     /// # Errors
-    /// [`DesignError::RatioOutOfReach`] with the ratios at `k₂ → 1` and `k₂ → ∞`.
-    pub fn second_ring_to_sun_ratio(
-        self,
-        k1: RingToSunRatio,
-        ratio: f64,
-    ) -> Result<RingToSunRatio, DesignError> {
+    /// [`Error::RatioOutOfReach`] with the ratios at `k₂ → 1` and `k₂ → ∞`.
+    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, Error> {
         let needed = connection_ratio(self.shaft, self.first.ratio(k1), ratio).ok();
         needed.and_then(|needed| ring_to_sun_ratio(self.mode, needed).ok()).ok_or_else(|| {
             let at = |k2: f64| {
@@ -276,7 +272,7 @@ impl Connection {
             let [from, to] = [self.fraction(k1.get(), 1.0), self.fraction(k1.get(), 2.0)];
             let limit = (to[0] - from[0]) / (to[1] - from[1]);
             let (low, high) = (at(1.0).min(limit), at(1.0).max(limit));
-            DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
+            Error::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
         })
     }
 
@@ -324,7 +320,7 @@ impl Connection {
         k1: RingToSunRatio,
         k2: RingToSunRatio,
         eta0: MeshEfficiency,
-    ) -> Result<Gearbox, DesignError> {
+    ) -> Result<Gearbox, Error> {
         let [first, second] = self.sets();
         Ok(gearbox(&self.to_string(), &[(first, k1), (second, k2)], eta0)?)
     }

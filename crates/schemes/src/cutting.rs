@@ -3,7 +3,7 @@
 //! # Source
 //! multispeed-gearboxes (2.1)–(2.4).
 
-use crate::DesignError;
+use crate::Error;
 use uom::si::f64::{Force, Length, Velocity};
 use uom::si::force::newton;
 use uom::si::length::meter;
@@ -26,11 +26,11 @@ use uom::si::velocity::meter_per_second;
 /// `(100/60)·(2/π) = 1.061`.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.1).
-pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, DesignError> {
+pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, Error> {
     lengths([("pick spacing", pick_spacing), ("mean chip thickness", mean_chip)])?;
     speed("feed", feed)?;
     Ok(feed * (pick_spacing / mean_chip).value * (1.07 * 60.0 / 100.0))
@@ -55,7 +55,7 @@ pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> R
 /// use uom::si::f64::{Length, Velocity};
 /// use uom::si::length::{centimeter, meter};
 /// use uom::si::velocity::meter_per_second;
-/// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+/// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let (drum, chip) = (Length::new::<meter>(1.4), Length::new::<centimeter>(5.0));
 /// let speed = drum_speed(drum, Velocity::new::<meter_per_second>(4.0 / 60.0), chip, 2)?;
 /// assert!((speed.get::<meter_per_second>() - 5.24 * 1.4 * 4.0 / (5.0 * 2.0)).abs() < 1e-12);
@@ -64,7 +64,7 @@ pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> R
 /// ```
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.2), with its 5.24.
@@ -73,7 +73,7 @@ pub fn drum_speed(
     feed: Velocity,
     greatest_chip: Length,
     picks_per_line: u32,
-) -> Result<Velocity, DesignError> {
+) -> Result<Velocity, Error> {
     lengths([("drum diameter", diameter), ("greatest chip thickness", greatest_chip)])?;
     speed("feed", feed)?;
     positive("picks per line", f64::from(picks_per_line), "")?;
@@ -89,11 +89,11 @@ pub fn drum_speed(
 /// | `P_cp`, `P_cp′` | `force`, `other_force` | mean cutting forces there and here |
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.3).
-pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, DesignError> {
+pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, Error> {
     speed("cutting speed", cutting)?;
     positive("cutting force", force.get::<newton>(), "N")?;
     positive("other cutting force", other_force.get::<newton>(), "N")?;
@@ -103,35 +103,27 @@ pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Re
 /// Feed that keeps the chip at another cutting speed: `v_n′/v_p′ = v_n/v_p`.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.4).
-pub fn matching_feed(
-    feed: Velocity,
-    cutting: Velocity,
-    other_cutting: Velocity,
-) -> Result<Velocity, DesignError> {
+pub fn matching_feed(feed: Velocity, cutting: Velocity, other_cutting: Velocity) -> Result<Velocity, Error> {
     speed("feed", feed)?;
     speed("cutting speed", cutting)?;
     speed("other cutting speed", other_cutting)?;
     Ok(feed * (other_cutting / cutting).value)
 }
 
-fn lengths(of: [(&'static str, Length); 2]) -> Result<(), DesignError> {
+fn lengths(of: [(&'static str, Length); 2]) -> Result<(), Error> {
     of.into_iter().try_for_each(|(what, length)| positive(what, length.get::<meter>(), "m"))
 }
 
-fn speed(what: &'static str, speed: Velocity) -> Result<(), DesignError> {
+fn speed(what: &'static str, speed: Velocity) -> Result<(), Error> {
     positive(what, speed.get::<meter_per_second>(), "m/s")
 }
 
-pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), DesignError> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(DesignError::NotPositive { quantity, value, unit })
-    }
+pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Error> {
+    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(Error::NotPositive { quantity, value, unit }) }
 }
 
 #[cfg(test)]

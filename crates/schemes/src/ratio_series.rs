@@ -20,7 +20,7 @@
 //! # Source
 //! multispeed-gearboxes (2.10)–(2.21), (2.33)–(2.35). It calls the combined regime undesirable.
 
-use crate::DesignError;
+use crate::Error;
 use uom::si::f64::Velocity;
 use uom::si::velocity::meter_per_second;
 
@@ -54,7 +54,7 @@ impl RatioSeries {
     /// use epicyclic_schemes::ratio_series::RatioSeries;
     /// use uom::si::f64::Velocity;
     /// use uom::si::velocity::meter_per_second;
-    /// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+    /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let speeds = [0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>);
     /// let series = RatioSeries::of_speeds(&speeds, 1)?;
     /// assert!((series.ratios()[1] - 1.466).abs() < 1e-3 && (series.ratios()[2] - 2.566).abs() < 1e-3);
@@ -63,15 +63,15 @@ impl RatioSeries {
     /// ```
     ///
     /// # Errors
-    /// [`DesignError::SpeedCount`], [`DesignError::SpeedsOutOfOrder`], [`DesignError::DirectPlace`].
-    pub fn of_speeds(speeds: &[Velocity], direct: usize) -> Result<Self, DesignError> {
+    /// [`Error::SpeedCount`], [`Error::SpeedsOutOfOrder`], [`Error::DirectPlace`].
+    pub fn of_speeds(speeds: &[Velocity], direct: usize) -> Result<Self, Error> {
         let count = speeds.len();
         counts(count, direct)?;
         let mut before = 0.0;
         for (place, speed) in speeds.iter().enumerate() {
             let speed = speed.get::<meter_per_second>();
             if !(speed > before && speed.is_finite()) {
-                return Err(DesignError::SpeedsOutOfOrder { place: place + 1, speed, before });
+                return Err(Error::SpeedsOutOfOrder { place: place + 1, speed, before });
             }
             before = speed;
         }
@@ -84,11 +84,11 @@ impl RatioSeries {
     /// by `q^(direct − 1)` for another place.
     ///
     /// # Errors
-    /// [`DesignError::SpeedCount`], [`DesignError::DirectPlace`], [`DesignError::SpeedRange`] for `q ≤ 1`.
+    /// [`Error::SpeedCount`], [`Error::DirectPlace`], [`Error::SpeedRange`] for `q ≤ 1`.
     ///
     /// # Source
     /// (2.10)–(2.19).
-    pub fn geometric(step: f64, count: usize, direct: usize) -> Result<Self, DesignError> {
+    pub fn geometric(step: f64, count: usize, direct: usize) -> Result<Self, Error> {
         counts(count, direct)?;
         range("q", step)?;
         let power = |place: usize| step.powi(place as i32 - (direct as i32 - 1));
@@ -124,25 +124,25 @@ impl RatioSeries {
     }
 }
 
-fn counts(count: usize, direct: usize) -> Result<(), DesignError> {
+fn counts(count: usize, direct: usize) -> Result<(), Error> {
     if !(2..=4).contains(&count) {
-        return Err(DesignError::SpeedCount { count });
+        return Err(Error::SpeedCount { count });
     }
     if !(1..=count).contains(&direct) {
-        return Err(DesignError::DirectPlace { place: direct, count });
+        return Err(Error::DirectPlace { place: direct, count });
     }
     Ok(())
 }
 
-fn range(what: &'static str, value: f64) -> Result<(), DesignError> {
-    if value > 1.0 && value.is_finite() { Ok(()) } else { Err(DesignError::SpeedRange { what, value }) }
+fn range(what: &'static str, value: f64) -> Result<(), Error> {
+    if value > 1.0 && value.is_finite() { Ok(()) } else { Err(Error::SpeedRange { what, value }) }
 }
 
 /// Step of a geometric series of `count` speeds over the range `d`: `q = d^(1/(λ − 1))`, from (2.10).
 ///
 /// # Errors
-/// [`DesignError::SpeedCount`], [`DesignError::SpeedRange`] for `d ≤ 1`.
-pub fn step(speed_range: f64, count: usize) -> Result<f64, DesignError> {
+/// [`Error::SpeedCount`], [`Error::SpeedRange`] for `d ≤ 1`.
+pub fn step(speed_range: f64, count: usize) -> Result<f64, Error> {
     counts(count, 1)?;
     range("d", speed_range)?;
     Ok(speed_range.powf(1.0 / (count as f64 - 1.0)))
@@ -221,7 +221,7 @@ impl PrintedSeries {
     ///
     /// # Errors
     /// Those of [`RatioSeries::of_speeds`].
-    pub fn serves(self, speeds: &[Velocity], tolerance: f64) -> Result<bool, DesignError> {
+    pub fn serves(self, speeds: &[Velocity], tolerance: f64) -> Result<bool, Error> {
         let right = RatioSeries::of_speeds(speeds, self.direct.min(speeds.len()))?;
         let count = speeds.len();
         let q = (speeds[count - 1] / speeds[count - 2]).value;
@@ -254,10 +254,10 @@ mod tests {
     #[test]
     fn speeds_that_are_no_series_are_refused() {
         let refused = |values: &[f64], direct| RatioSeries::of_speeds(&speeds(values), direct).unwrap_err();
-        assert_eq!(refused(&[1.0], 1), DesignError::SpeedCount { count: 1 });
-        assert_eq!(refused(&[1.0, 2.0], 3), DesignError::DirectPlace { place: 3, count: 2 });
-        assert!(matches!(refused(&[2.0, 1.0], 1), DesignError::SpeedsOutOfOrder { place: 2, .. }));
-        assert!(matches!(refused(&[f64::NAN, 1.0], 1), DesignError::SpeedsOutOfOrder { place: 1, .. }));
+        assert_eq!(refused(&[1.0], 1), Error::SpeedCount { count: 1 });
+        assert_eq!(refused(&[1.0, 2.0], 3), Error::DirectPlace { place: 3, count: 2 });
+        assert!(matches!(refused(&[2.0, 1.0], 1), Error::SpeedsOutOfOrder { place: 2, .. }));
+        assert!(matches!(refused(&[f64::NAN, 1.0], 1), Error::SpeedsOutOfOrder { place: 1, .. }));
         assert!(RatioSeries::geometric(1.0, 3, 1).is_err());
         assert!(step(0.9, 3).is_err() && step(2.0, 5).is_err());
     }

@@ -5,7 +5,7 @@
 //! # Source
 //! multispeed-gearboxes (2.5)–(2.9).
 
-use crate::DesignError;
+use crate::Error;
 use crate::cutting::positive;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use uom::si::acceleration::meter_per_second_squared;
@@ -39,7 +39,7 @@ pub fn standard_gravity() -> Acceleration {
 /// `1/cos φ` to keep the chip's volume.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`]; `cos φ` is above 0.
+/// [`Error::NotPositive`]; `cos φ` is above 0.
 ///
 /// # Source
 /// (2.6), restored.
@@ -49,7 +49,7 @@ pub fn optimal_speed(
     chip_width: Length,
     buckets: u32,
     boom_angle: Angle,
-) -> Result<AngularVelocity, DesignError> {
+) -> Result<AngularVelocity, Error> {
     positive("boom radius", boom_radius.get::<meter>(), "m")?;
     positive("slewing speed", slewing.get::<radian_per_second>(), "rad/s")?;
     positive("chip width", chip_width.get::<meter>(), "m")?;
@@ -57,7 +57,7 @@ pub fn optimal_speed(
     let cos = boom_angle.get::<radian>().cos();
     let is_acute = boom_angle.get::<radian>().abs() < FRAC_PI_2;
     if !is_acute {
-        return Err(DesignError::NotPositive { quantity: "cosine of the boom angle", value: cos, unit: "" });
+        return Err(Error::NotPositive { quantity: "cosine of the boom angle", value: cos, unit: "" });
     }
     Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
 }
@@ -71,11 +71,11 @@ pub fn optimal_speed(
 /// That is the positive root of `ω² − ω_po·ω − 0.37 = 0`. The copy lost the radical; it is inferred.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.5), restored.
-pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, DesignError> {
+pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Error> {
     let omega_rad_s = optimal.get::<radian_per_second>();
     positive("optimal speed", omega_rad_s, "rad/s")?;
     Ok(AngularVelocity::new::<radian_per_second>(
@@ -92,7 +92,7 @@ pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Desig
 /// | `R_p` | `wheel_radius` | radius of the wheel |
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.7).
@@ -100,7 +100,7 @@ pub fn least_speed(
     discharge: f64,
     gravity: Acceleration,
     wheel_radius: Length,
-) -> Result<AngularVelocity, DesignError> {
+) -> Result<AngularVelocity, Error> {
     positive("Ω", discharge, "")?;
     positive("acceleration of fall", gravity.get::<meter_per_second_squared>(), "m/s²")?;
     positive("wheel radius", wheel_radius.get::<meter>(), "m")?;
@@ -126,13 +126,13 @@ pub fn least_speed(
 /// Of the raised and the lowered boom the smaller Ω counts, says the source.
 ///
 /// # Errors
-/// [`DesignError::NoFlight`] where no particle can come from one point to the other.
+/// [`Error::NoFlight`] where no particle can come from one point to the other.
 ///
 /// # Source
 /// (2.8).
-pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, DesignError> {
+pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, Error> {
     let (tau1, tau) = (release.get::<radian>(), chute.get::<radian>());
-    let refuse = |why| DesignError::NoFlight {
+    let refuse = |why| Error::NoFlight {
         release_deg: release.get::<degree>(),
         chute_deg: chute.get::<degree>(),
         radius_ratio,
@@ -159,11 +159,11 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
 /// Range of the wheel's speeds: `d_p = ω_max/ω_min = ω_max·√(R_p/(Ω·g))`.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.9).
-pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, DesignError> {
+pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, Error> {
     positive("greatest speed", greatest.get::<radian_per_second>(), "rad/s")?;
     positive("least speed", least.get::<radian_per_second>(), "rad/s")?;
     Ok((greatest / least).value)

@@ -45,9 +45,10 @@
 
 pub use crate::catalogue::Role;
 
+use crate::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::Gearbox;
 use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::{Error, Gearbox};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -233,8 +234,7 @@ impl Structure {
     /// links.
     ///
     /// # Errors
-    /// [`Error::RingToSunRatio`] for `k ≤ 1`, [`Error::ShiftElementJoinsItself`] for a clutch between a link and
-    /// itself.
+    /// [`Error::Gearbox`] for `k ≤ 1`, and for a clutch between a link and itself.
     pub fn gearbox(
         self,
         k: [f64; 2],
@@ -252,7 +252,7 @@ impl Structure {
             let set = SetSpec::simple(name, members.map(Role::symbol), k);
             builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
         }
-        builder.gear("1", ["K1"]).gear("2", ["K2"]).gear("direct", ["L"]).build()
+        builder.gear("1", ["K1"]).gear("2", ["K2"]).gear("direct", ["L"]).build().map_err(Error::from)
     }
 }
 

@@ -4,7 +4,7 @@ use super::mechanism::{Mechanism, largest_error};
 use super::objectives::{Objectives, ring_to_sun_distance};
 use super::requirements::{Limits, Requirements};
 use super::size::relative_ring_diameter;
-use super::{Drawing, SelectionError};
+use super::{Drawing, Error};
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::structures::Role;
 use epicyclic_train::Gearbox;
@@ -168,7 +168,7 @@ impl Candidate {
     ///
     /// # Errors
     /// None of a candidate of [`select`](super::select).
-    pub fn gearbox(&self, requirements: &Requirements) -> Result<Gearbox, SelectionError> {
+    pub fn gearbox(&self, requirements: &Requirements) -> Result<Gearbox, Error> {
         let pair =
             self.direct_clutches.get(self.direct_clutch).map_or([Role::D, Role::B], |clutch| clutch.pair);
         self.mechanism.gearbox(&self.k, requirements.eta0, pair)
@@ -181,7 +181,7 @@ impl Candidate {
         wanted: &[f64],
         requirements: &Requirements,
         drawing: Option<&Drawing>,
-    ) -> Result<Self, SelectionError> {
+    ) -> Result<Self, Error> {
         let gearbox = mechanism.gearbox(&k, requirements.eta0, [Role::D, Role::B])?;
         let gears = ["1", "2"]
             .into_iter()
@@ -280,7 +280,7 @@ impl Candidate {
     }
 }
 
-fn gear_report(gearbox: &Gearbox, name: &'static str, wanted: f64) -> Result<GearReport, SelectionError> {
+fn gear_report(gearbox: &Gearbox, name: &'static str, wanted: f64) -> Result<GearReport, Error> {
     let found = gearbox.analyze(name)?;
     let not_driven = || epicyclic_train::Error::NotDriven { state: found.state().to_string() };
     let ratio = found.ratio().ok_or_else(not_driven)?;

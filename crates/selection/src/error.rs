@@ -5,7 +5,7 @@ use super::objectives::Objective;
 /// Invalid requirements, or a search too large.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum SelectionError {
+pub enum Error {
     /// Too few or too many speeds.
     #[error("{}: gearboxes of one set have 2, of two sets 3", counted(*count, "speed"))]
     SpeedCount {
@@ -172,6 +172,9 @@ pub enum SelectionError {
     /// What a gear set refuses.
     #[error(transparent)]
     GearSet(#[from] epicyclic_gears::Error),
+    /// What the catalogue refuses.
+    #[error(transparent)]
+    Scheme(#[from] epicyclic_schemes::Error),
     /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
@@ -194,13 +197,13 @@ mod tests {
 
     #[test]
     fn messages_count_and_measure() {
-        let message = |error: SelectionError| error.to_string();
-        assert!(message(SelectionError::SpeedCount { count: 1 }).starts_with("1 speed: "));
-        assert!(message(SelectionError::RatioCount { count: 3 }).starts_with("3 ratios: "));
-        assert_eq!(message(SelectionError::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
-        let rating = SelectionError::Rating { what: "input torque", value: -1.0, unit: "N·m" };
+        let message = |error: Error| error.to_string();
+        assert!(message(Error::SpeedCount { count: 1 }).starts_with("1 speed: "));
+        assert!(message(Error::RatioCount { count: 3 }).starts_with("3 ratios: "));
+        assert_eq!(message(Error::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
+        let rating = Error::Rating { what: "input torque", value: -1.0, unit: "N·m" };
         assert_eq!(message(rating), "input torque -1 N·m: finite and above 0");
-        let rating = SelectionError::Rating { what: "face-width ratio", value: 0.0, unit: "" };
+        let rating = Error::Rating { what: "face-width ratio", value: 0.0, unit: "" };
         assert_eq!(message(rating), "face-width ratio 0: finite and above 0");
     }
 }

@@ -18,7 +18,7 @@
 //! ```
 //! use epicyclic_selection::{Requirements, RatioSeries, Space, select};
 //! use uom::si::{f64::Velocity, velocity::meter_per_second};
-//! # fn main() -> Result<(), epicyclic_selection::SelectionError> {
+//! # fn main() -> Result<(), epicyclic_selection::Error> {
 //! // The conveyor of section 3.3: scheme I wins over III.
 //! let speeds = [0.8, 3.15].map(Velocity::new::<meter_per_second>);
 //! let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
@@ -44,7 +44,7 @@ pub mod size;
 mod units;
 
 pub use candidate::{Candidate, Criterion, Engagement, GearReport, Verdict};
-pub use error::SelectionError;
+pub use error::Error;
 pub use mechanism::{Mechanism, Space};
 pub use objectives::{Objective, Objectives, Order};
 pub use requirements::{Limits, Orders, RatioSeries, Requirements, Signs};
@@ -89,20 +89,20 @@ pub struct Selection {
 ///
 /// # Errors
 /// As [`select_with`].
-pub fn select(requirements: &Requirements, space: &Space) -> Result<Selection, SelectionError> {
+pub fn select(requirements: &Requirements, space: &Space) -> Result<Selection, Error> {
     select_with(requirements, space, Order::default(), Some(&drawing::drawable_direct_clutches))
 }
 
 /// Every mechanism of a space for every assignment of the ratios: measured, judged, compared.
 ///
 /// # Errors
-/// Those [`SelectionError`]s that speak of tolerance, limits and rating.
+/// Those [`Error`]s that speak of tolerance, limits and rating.
 pub fn select_with(
     requirements: &Requirements,
     space: &Space,
     order: Order,
     drawing: Option<&Drawing>,
-) -> Result<Selection, SelectionError> {
+) -> Result<Selection, Error> {
     requirements.check()?;
     let targets = requirements.targets();
     let mut found =

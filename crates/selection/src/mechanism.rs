@@ -1,12 +1,12 @@
 //! What selection chooses among: one set of two speeds, or two sets of three.
 
-use super::SelectionError;
+use super::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::direct_drive::{DirectClutch, direct_clutch_options, direct_clutch_options_of_set};
 use epicyclic_schemes::pair::{coefficients, ratios};
 use epicyclic_schemes::structures::{Role, SetRoles, Structure};
+use epicyclic_train::Gearbox;
 use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::{Error, Gearbox};
 use std::fmt;
 use std::ops::RangeInclusive;
 
@@ -155,7 +155,7 @@ impl Mechanism {
     }
 
     /// The mechanism with its brakes and without a direct-drive clutch, sets without losses at this `k`.
-    pub(crate) fn without_direct_clutch(self, k: f64) -> Result<Gearbox, Error> {
+    pub(crate) fn without_direct_clutch(self, k: f64) -> Result<Gearbox, epicyclic_train::Error> {
         let mut builder = Gearbox::builder(&self.to_string()).input("D").output("B").brake("K1", "T1");
         builder = match self {
             Self::OneSet(_) => builder.links(["D", "B", "T1"]),
@@ -177,7 +177,7 @@ impl Mechanism {
         k: &[f64],
         eta0: MeshEfficiency,
         direct_clutch: [Role; 2],
-    ) -> Result<Gearbox, SelectionError> {
+    ) -> Result<Gearbox, Error> {
         match (self, k) {
             (Self::TwoSets(structure), &[first, second]) => {
                 Ok(structure.gearbox([first, second], eta0, direct_clutch)?)
@@ -192,7 +192,7 @@ impl Mechanism {
                 .gear("1", ["K1"])
                 .gear("direct", ["L"])
                 .build()?),
-            _ => Err(Error::ValueCount {
+            _ => Err(epicyclic_train::Error::ValueCount {
                 what: "ring-to-sun ratios",
                 given: k.len(),
                 expected: self.sets().len(),

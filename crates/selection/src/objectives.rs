@@ -13,7 +13,7 @@
 //! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹² (of the size: its cube), so that rounding
 //! neither parts what is alike nor makes the answer depend on the way it was computed.
 
-use super::SelectionError;
+use super::Error;
 use std::fmt;
 use std::str::FromStr;
 
@@ -56,14 +56,11 @@ impl fmt::Display for Objective {
 }
 
 impl FromStr for Objective {
-    type Err = SelectionError;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<Self, SelectionError> {
+    fn from_str(name: &str) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|objective| objective.name() == name).ok_or_else(|| {
-            SelectionError::UnknownObjective {
-                name: name.into(),
-                known: Self::ALL.map(Self::name).join(", "),
-            }
+            Error::UnknownObjective { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
         })
     }
 }
@@ -76,12 +73,12 @@ impl Order {
     /// These first, the others after them in the order of [`Objective::ALL`].
     ///
     /// # Errors
-    /// [`SelectionError::RepeatedObjective`].
-    pub fn new(first: &[Objective]) -> Result<Self, SelectionError> {
+    /// [`Error::RepeatedObjective`].
+    pub fn new(first: &[Objective]) -> Result<Self, Error> {
         let mut all = first.to_vec();
         all.extend(Objective::ALL.into_iter().filter(|objective| !first.contains(objective)));
         if let Some(place) = (0..first.len()).find(|&place| first[..place].contains(&first[place])) {
-            return Err(SelectionError::RepeatedObjective { objective: first[place] });
+            return Err(Error::RepeatedObjective { objective: first[place] });
         }
         all.try_into().map(Self).map_err(|_| unreachable!("each of the five once"))
     }
@@ -189,9 +186,9 @@ mod tests {
         let names = order.objectives().map(Objective::name);
         assert_eq!(names, ["size", "speed", "efficiency", "parameter", "error"]);
         let twice = Order::new(&[Objective::Size, Objective::Size]);
-        assert_eq!(twice, Err(SelectionError::RepeatedObjective { objective: Objective::Size }));
+        assert_eq!(twice, Err(Error::RepeatedObjective { objective: Objective::Size }));
         assert_eq!("error".parse(), Ok(Objective::RatioError));
-        assert!(matches!("mass".parse::<Objective>(), Err(SelectionError::UnknownObjective { .. })));
+        assert!(matches!("mass".parse::<Objective>(), Err(Error::UnknownObjective { .. })));
     }
 
     #[test]

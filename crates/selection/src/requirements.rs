@@ -1,6 +1,6 @@
 //! What is wanted of a gearbox: ratios, their tolerance, and the limits of section 3.1.
 
-use super::SelectionError;
+use super::Error;
 use super::size::Rating;
 use crate::units::metres_per_second;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -23,16 +23,16 @@ impl RatioSeries {
     /// Of two or three rising speeds, the fastest in direct drive.
     ///
     /// # Errors
-    /// [`SelectionError::SpeedCount`], [`SelectionError::SpeedsOutOfOrder`].
-    pub fn of_speeds(speeds: &[Velocity]) -> Result<Self, SelectionError> {
+    /// [`Error::SpeedCount`], [`Error::SpeedsOutOfOrder`].
+    pub fn of_speeds(speeds: &[Velocity]) -> Result<Self, Error> {
         let speeds: Vec<f64> = speeds.iter().copied().map(metres_per_second).collect();
         if !(2..=3).contains(&speeds.len()) {
-            return Err(SelectionError::SpeedCount { count: speeds.len() });
+            return Err(Error::SpeedCount { count: speeds.len() });
         }
         let mut before = 0.0;
         for (place, &speed) in speeds.iter().enumerate() {
             if !(speed > before && speed.is_finite()) {
-                return Err(SelectionError::SpeedsOutOfOrder { place: place + 1, speed, before });
+                return Err(Error::SpeedsOutOfOrder { place: place + 1, speed, before });
             }
             before = speed;
         }
@@ -43,33 +43,33 @@ impl RatioSeries {
     /// middle.
     ///
     /// # Errors
-    /// [`SelectionError::SpeedRange`], [`SelectionError::MiddleSpeed`].
-    pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, SelectionError> {
+    /// [`Error::SpeedRange`], [`Error::MiddleSpeed`].
+    pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, Error> {
         if !(d > 1.0 && d.is_finite()) {
-            return Err(SelectionError::SpeedRange { d });
+            return Err(Error::SpeedRange { d });
         }
         match q {
             None => Self::new(&[d]),
             Some(q) if q > 1.0 && q < d => Self::new(&[q, d]),
-            Some(q) => Err(SelectionError::MiddleSpeed { q, d }),
+            Some(q) => Err(Error::MiddleSpeed { q, d }),
         }
     }
 
     /// Of the ratios themselves, in the order of the gears.
     ///
     /// # Errors
-    /// [`SelectionError::RatioCount`], [`SelectionError::Ratio`], [`SelectionError::EqualRatios`].
-    pub fn new(ratios: &[f64]) -> Result<Self, SelectionError> {
+    /// [`Error::RatioCount`], [`Error::Ratio`], [`Error::EqualRatios`].
+    pub fn new(ratios: &[f64]) -> Result<Self, Error> {
         if !(1..=2).contains(&ratios.len()) {
-            return Err(SelectionError::RatioCount { count: ratios.len() });
+            return Err(Error::RatioCount { count: ratios.len() });
         }
         for &ratio in ratios {
             if !ratio.is_finite() || ratio == 0.0 || ratio == 1.0 {
-                return Err(SelectionError::Ratio { ratio });
+                return Err(Error::Ratio { ratio });
             }
         }
         if ratios.len() == 2 && ratios[0] == ratios[1] {
-            return Err(SelectionError::EqualRatios { ratio: ratios[0] });
+            return Err(Error::EqualRatios { ratio: ratios[0] });
         }
         Ok(Self(ratios.to_vec()))
     }
@@ -205,15 +205,15 @@ impl Requirements {
         found
     }
 
-    pub(crate) fn check(&self) -> Result<(), SelectionError> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         if !(self.tolerance >= 0.0 && self.tolerance < 1.0) {
-            return Err(SelectionError::Tolerance { tolerance: self.tolerance });
+            return Err(Error::Tolerance { tolerance: self.tolerance });
         }
         let limits = &self.limits;
         for (what, range) in [("allowed", &limits.ring_to_sun), ("preferred", &limits.preferred)] {
             let (from, to) = (*range.start(), *range.end());
             if !(from > 1.0 && from <= to && to.is_finite()) {
-                return Err(SelectionError::RingToSunRange { what, from, to });
+                return Err(Error::RingToSunRange { what, from, to });
             }
         }
         for (what, value) in [
@@ -223,7 +223,7 @@ impl Requirements {
             ("clutch slip", limits.clutch_slip),
         ] {
             if value.is_nan() || value < 0.0 {
-                return Err(SelectionError::Limit { what, value });
+                return Err(Error::Limit { what, value });
             }
         }
         self.rating.check()
@@ -235,7 +235,7 @@ mod tests {
     use super::*;
     use crate::units::velocity;
 
-    fn speeds(speeds: &[f64]) -> Result<RatioSeries, SelectionError> {
+    fn speeds(speeds: &[f64]) -> Result<RatioSeries, Error> {
         RatioSeries::of_speeds(&speeds.iter().copied().map(velocity).collect::<Vec<_>>())
     }
 
@@ -249,21 +249,21 @@ mod tests {
 
     #[test]
     fn an_invalid_series_is_refused() {
-        assert_eq!(speeds(&[1.0]), Err(SelectionError::SpeedCount { count: 1 }));
-        let refused = SelectionError::SpeedsOutOfOrder { place: 2, speed: 1.0, before: 1.0 };
+        assert_eq!(speeds(&[1.0]), Err(Error::SpeedCount { count: 1 }));
+        let refused = Error::SpeedsOutOfOrder { place: 2, speed: 1.0, before: 1.0 };
         assert_eq!(speeds(&[1.0, 1.0]), Err(refused));
         for bad in [[0.0, 1.0], [2.0, 1.0], [1.0, f64::NAN], [1.0, f64::INFINITY]] {
-            assert!(matches!(speeds(&bad), Err(SelectionError::SpeedsOutOfOrder { .. })), "{bad:?}");
+            assert!(matches!(speeds(&bad), Err(Error::SpeedsOutOfOrder { .. })), "{bad:?}");
         }
-        assert_eq!(RatioSeries::of_range(1.0, None), Err(SelectionError::SpeedRange { d: 1.0 }));
+        assert_eq!(RatioSeries::of_range(1.0, None), Err(Error::SpeedRange { d: 1.0 }));
         assert!(RatioSeries::of_range(f64::NAN, None).is_err());
-        let refused = SelectionError::MiddleSpeed { q: 3.0, d: 2.0 };
+        let refused = Error::MiddleSpeed { q: 3.0, d: 2.0 };
         assert_eq!(RatioSeries::of_range(2.0, Some(3.0)), Err(refused));
         for bad in [0.0, 1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(RatioSeries::new(&[bad, 2.0]), Err(SelectionError::Ratio { .. })), "{bad}");
+            assert!(matches!(RatioSeries::new(&[bad, 2.0]), Err(Error::Ratio { .. })), "{bad}");
         }
-        assert_eq!(RatioSeries::new(&[2.0, 2.0]), Err(SelectionError::EqualRatios { ratio: 2.0 }));
-        assert_eq!(RatioSeries::new(&[]), Err(SelectionError::RatioCount { count: 0 }));
+        assert_eq!(RatioSeries::new(&[2.0, 2.0]), Err(Error::EqualRatios { ratio: 2.0 }));
+        assert_eq!(RatioSeries::new(&[]), Err(Error::RatioCount { count: 0 }));
     }
 
     #[test]
@@ -275,13 +275,10 @@ mod tests {
             change(&mut requirements);
             requirements.check()
         };
-        assert!(matches!(with(&|d| d.tolerance = f64::NAN), Err(SelectionError::Tolerance { .. })));
-        assert!(matches!(
-            with(&|d| d.limits.ring_to_sun = 1.0..=10.0),
-            Err(SelectionError::RingToSunRange { .. })
-        ));
-        assert!(matches!(with(&|d| d.limits.link_speed = f64::NAN), Err(SelectionError::Limit { .. })));
-        assert!(matches!(with(&|d| d.rating.planets = 0), Err(SelectionError::PlanetNumber { .. })));
+        assert!(matches!(with(&|d| d.tolerance = f64::NAN), Err(Error::Tolerance { .. })));
+        assert!(matches!(with(&|d| d.limits.ring_to_sun = 1.0..=10.0), Err(Error::RingToSunRange { .. })));
+        assert!(matches!(with(&|d| d.limits.link_speed = f64::NAN), Err(Error::Limit { .. })));
+        assert!(matches!(with(&|d| d.rating.planets = 0), Err(Error::PlanetNumber { .. })));
     }
 
     #[test]

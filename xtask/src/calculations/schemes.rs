@@ -10,7 +10,7 @@ use epicyclic_schemes::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoS
 use epicyclic_schemes::connection::{self, Connection, Shaft, Standing, Use};
 use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
-use epicyclic_schemes::{DesignError, cutting, rotor};
+use epicyclic_schemes::{Error, cutting, rotor};
 use epicyclic_train::{Gearbox, mobility};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -64,11 +64,11 @@ pub(super) fn calculations() -> Vec<Calculation> {
     ]
 }
 
-impl From<DesignError> for Refusal {
-    fn from(error: DesignError) -> Self {
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
         match error {
-            DesignError::GearSet(error) => error.into(),
-            DesignError::Gearbox(error) => error.into(),
+            Error::GearSet(error) => error.into(),
+            Error::Gearbox(error) => error.into(),
             error => Self::of(&error),
         }
     }

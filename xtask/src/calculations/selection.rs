@@ -7,9 +7,7 @@ use epicyclic_layout as drawability;
 use epicyclic_layout::{Options, Verdict};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
-use epicyclic_selection::{
-    Candidate, Mechanism, RatioSeries, Requirements, Selection, SelectionError, Space, select,
-};
+use epicyclic_selection::{Candidate, Mechanism, RatioSeries, Requirements, Selection, Space, select};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;
@@ -26,8 +24,8 @@ pub(super) fn calculations() -> Vec<Calculation> {
     ]
 }
 
-impl From<SelectionError> for Refusal {
-    fn from(error: SelectionError) -> Self {
+impl From<epicyclic_selection::Error> for Refusal {
+    fn from(error: epicyclic_selection::Error) -> Self {
         Self::of(&error)
     }
 }

@@ -6,24 +6,24 @@ use crate::figure::{Figure, column, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::recommended_speeds;
 use uom::si::f64::Velocity;
 
 /// A chain cutter.
-pub(super) fn chain(args: &ChainCutter) -> Result<Report, DesignError> {
+pub(super) fn chain(args: &ChainCutter) -> Result<Report, Error> {
     let speed = chain_speed(args.pick_spacing.0, args.feed.0, args.chip.0)?;
     report("Chain cutter, v = 1.07·l·v_n/h", speed, args.feed.0, &args.rock)
 }
 
 /// A drum or auger.
-pub(super) fn drum(args: &Drum) -> Result<Report, DesignError> {
+pub(super) fn drum(args: &Drum) -> Result<Report, Error> {
     let speed = drum_speed(args.diameter.0, args.feed.0, args.chip.0, args.picks)?;
     report("Drum, v = 5.24·D·v_n/(h·m)", speed, args.feed.0, &args.rock)
 }
 
-fn report(title: &'static str, speed: Velocity, feed: Velocity, rock: &Rock) -> Result<Report, DesignError> {
+fn report(title: &'static str, speed: Velocity, feed: Velocity, rock: &Rock) -> Result<Report, Error> {
     let facts = Section {
         name: "cutting",
         title,
@@ -75,7 +75,7 @@ fn rocks(rows: Vec<Vec<Figure>>) -> Records {
 }
 
 /// Range of the speeds and how many of them are recommended; `None` where all are one.
-fn range(speeds: &[Velocity]) -> Result<Option<Section>, DesignError> {
+fn range(speeds: &[Velocity]) -> Result<Option<Section>, Error> {
     let (mut least, mut greatest) = (speeds[0], speeds[0]);
     for speed in speeds {
         least = if *speed < least { *speed } else { least };

@@ -2,11 +2,11 @@
 
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error;
 use epicyclic_schemes::machines::{Machine, Recommendation, machine, machines};
 
 /// All machines, or one.
-pub(super) fn report(name: Option<&str>) -> Result<Report, DesignError> {
+pub(super) fn report(name: Option<&str>) -> Result<Report, Error> {
     let shown: Vec<&Machine> = match name {
         Some(name) => vec![machine(name)?],
         None => machines().iter().collect(),

@@ -3,7 +3,7 @@
 use super::list::in_words;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error;
 use epicyclic_schemes::machines::recommended_speeds;
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries, Regime, step};
 use uom::si::f64::Velocity;
@@ -12,7 +12,7 @@ use uom::si::f64::Velocity;
 const SAME: f64 = 1e-9;
 
 /// The whole answer, for speeds the slowest first.
-pub(super) fn report(speeds: &[Velocity]) -> Result<Report, DesignError> {
+pub(super) fn report(speeds: &[Velocity]) -> Result<Report, Error> {
     let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
     let count = speeds.len();
     let range = fastest_direct.speed_range();
@@ -28,7 +28,7 @@ pub(super) fn report(speeds: &[Velocity]) -> Result<Report, DesignError> {
         ..Row::new("recommended", "speeds recommended for d", "", [Figure::Count(recommended.speeds)])
     });
     let facts = Section { name: "speeds", title: "Speeds", columns: &[], rows, note: "" };
-    let series = (1..=count).map(|direct| line(speeds, direct)).collect::<Result<Vec<_>, DesignError>>()?;
+    let series = (1..=count).map(|direct| line(speeds, direct)).collect::<Result<Vec<_>, Error>>()?;
     let records = Records {
         name: "series",
         columns: vec![
@@ -50,7 +50,7 @@ pub(super) fn report(speeds: &[Velocity]) -> Result<Report, DesignError> {
     Ok(Report { title: None, parts: vec![Part::Facts(facts), Part::Records(records)], warnings: None })
 }
 
-fn line(speeds: &[Velocity], direct: usize) -> Result<Vec<Figure>, DesignError> {
+fn line(speeds: &[Velocity], direct: usize) -> Result<Vec<Figure>, Error> {
     let series = RatioSeries::of_speeds(speeds, direct)?;
     let regime = match series.regime() {
         Regime::Reduction => Figure::Answer("reduction", "reduction"),

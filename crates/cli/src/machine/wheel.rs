@@ -6,7 +6,7 @@ use crate::figure::{Figure, column, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical, Quantity};
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error;
 use epicyclic_schemes::machines::recommended_speeds;
 use epicyclic_schemes::rotor::{
     discharge, greatest_speed, least_speed, optimal_speed, speed_range, standard_gravity,
@@ -14,7 +14,7 @@ use epicyclic_schemes::rotor::{
 use uom::si::f64::{Angle, AngularVelocity};
 
 /// The whole answer.
-pub(super) fn report(args: &Rotor) -> Result<Report, DesignError> {
+pub(super) fn report(args: &Rotor) -> Result<Report, Error> {
     let optimal = optimal_speed(
         args.boom_radius.0,
         args.slewing.0,
@@ -81,7 +81,7 @@ fn discharge_table(rows: Vec<Vec<Figure>>) -> Records {
 /// Ω, with the chute's angle where it was computed from one.
 type Discharge = (f64, Option<Quantity<Angle>>);
 
-fn discharges(args: &Rotor) -> Result<Vec<Discharge>, DesignError> {
+fn discharges(args: &Rotor) -> Result<Vec<Discharge>, Error> {
     if let Some(given) = args.discharge {
         return Ok(vec![(given.get(), None)]);
     }

@@ -15,7 +15,7 @@
 //! The closed forms are fast paths; the solver is the truth they are tested against.
 //!
 //! ```
-//! use epicyclic_gears::{efficiency::MeshEfficiency, row::RingToSunRatio};
+//! use epicyclic_gears::{efficiency::MeshEfficiency, simple_set::RingToSunRatio};
 //! use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! // Section 3.3, first variation: II with k₁ = 2.15, then II-3 with k₂ = 2.354.
@@ -46,8 +46,8 @@ pub use two_speed::TwoSpeed;
 
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
+use epicyclic_train::Gearbox;
 use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::{Error, Gearbox};
 use std::fmt;
 
 /// What a link is in a scheme.
@@ -90,7 +90,7 @@ pub(crate) fn gearbox(
     name: &str,
     sets: &[([Role; 3], RingToSunRatio)],
     eta0: MeshEfficiency,
-) -> Result<Gearbox, Error> {
+) -> Result<Gearbox, epicyclic_train::Error> {
     let mut builder = Gearbox::builder(name)
         .links(["D", "B", "T1"])
         .brake("K1", "T1")

@@ -1,6 +1,6 @@
 //! Which ring-to-sun ratios are used, and what a ratio does over them.
 
-use crate::DesignError;
+use crate::Error;
 use epicyclic_gears::simple_set::RingToSunRatio;
 
 /// Ring-to-sun ratios from one to another, ends included.
@@ -21,12 +21,12 @@ impl RingToSunRange {
     /// A range.
     ///
     /// # Errors
-    /// [`DesignError::RingToSunRange`] unless `1 < low ≤ high`, both finite.
-    pub fn new(low: f64, high: f64) -> Result<Self, DesignError> {
+    /// [`Error::RingToSunRange`] unless `1 < low ≤ high`, both finite.
+    pub fn new(low: f64, high: f64) -> Result<Self, Error> {
         if low > 1.0 && low <= high && high.is_finite() {
             Ok(Self { low, high })
         } else {
-            Err(DesignError::RingToSunRange { low, high })
+            Err(Error::RingToSunRange { low, high })
         }
     }
 

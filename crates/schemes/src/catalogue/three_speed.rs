@@ -25,7 +25,7 @@
 
 use super::range::{Reach, RingToSunRange};
 use super::{Role, TwoSpeed, gearbox};
-use crate::DesignError;
+use crate::Error;
 use crate::connection::{Connection, Shaft};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
@@ -173,15 +173,11 @@ impl ThreeSpeed {
     /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
     ///
     /// # Errors
-    /// [`DesignError::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
-    pub fn second_ring_to_sun_ratio(
-        self,
-        k1: RingToSunRatio,
-        ratio: f64,
-    ) -> Result<RingToSunRatio, DesignError> {
+    /// [`Error::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
+    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, Error> {
         self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
-            DesignError::RatioOutOfReach { ratio, low, high, .. } => {
-                DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
+            Error::RatioOutOfReach { ratio, low, high, .. } => {
+                Error::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
             }
             other => other,
         })
@@ -207,7 +203,7 @@ impl ThreeSpeed {
         k1: RingToSunRatio,
         k2: RingToSunRatio,
         eta0: MeshEfficiency,
-    ) -> Result<Gearbox, DesignError> {
+    ) -> Result<Gearbox, Error> {
         let [first, second] = self.sets();
         Ok(gearbox(self.name(), &[(first, k1), (second, k2)], eta0)?)
     }
@@ -220,10 +216,10 @@ impl fmt::Display for ThreeSpeed {
 }
 
 impl FromStr for ThreeSpeed {
-    type Err = DesignError;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<Self, DesignError> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| DesignError::UnknownScheme {
+    fn from_str(name: &str) -> Result<Self, Error> {
+        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| Error::UnknownScheme {
             name: name.into(),
             known: Self::ALL.map(Self::name).join(", "),
         })
@@ -251,7 +247,7 @@ mod tests {
     fn a_ratio_out_of_reach_says_what_is_in_reach() {
         // With k₁ = 1.56 scheme I-1 gives (k₁+1)·2/(k₁+2) to k₁+1: 1.465 is not among them.
         let refused = ThreeSpeed::I1.second_ring_to_sun_ratio(k(1.56), 1.4);
-        let Err(DesignError::RatioOutOfReach { low, high, .. }) = refused else { panic!("{refused:?}") };
+        let Err(Error::RatioOutOfReach { low, high, .. }) = refused else { panic!("{refused:?}") };
         assert!((low - 2.56 * 2.0 / 3.56).abs() < 1e-12 && (high - 2.56).abs() < 1e-12);
         assert!(ThreeSpeed::III1.second_ring_to_sun_ratio(k(2.0), f64::NAN).is_err());
     }

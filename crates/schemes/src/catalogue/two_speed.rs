@@ -14,7 +14,7 @@
 use super::range::RingToSunRange;
 use super::simple_set::{self, fraction, ratio_range};
 use super::{Role, gearbox};
-use crate::DesignError;
+use crate::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
 use epicyclic_train::Gearbox;
@@ -93,16 +93,16 @@ impl TwoSpeed {
     /// Ring-to-sun ratio for a ratio: `k = i − 1`, `1/(i − 1)`, `−i`.
     ///
     /// # Errors
-    /// [`DesignError::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
+    /// [`Error::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
     /// simple set would need `k ≤ 1`.
-    pub fn ring_to_sun_ratio(self, ratio: f64) -> Result<RingToSunRatio, DesignError> {
+    pub fn ring_to_sun_ratio(self, ratio: f64) -> Result<RingToSunRatio, Error> {
         simple_set::ring_to_sun_ratio(self.mode(), ratio).map_err(|_| {
             let (low, high) = match self {
                 Self::I => (2.0, f64::INFINITY),
                 Self::II => (1.0, 2.0),
                 Self::III => (f64::NEG_INFINITY, -1.0),
             };
-            DesignError::RatioOutOfReach { scheme: format!("scheme {self}"), ratio, low, high }
+            Error::RatioOutOfReach { scheme: format!("scheme {self}"), ratio, low, high }
         })
     }
 
@@ -116,7 +116,7 @@ impl TwoSpeed {
     ///
     /// # Errors
     /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
-    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, DesignError> {
+    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, Error> {
         Ok(gearbox(self.name(), &[(self.set(), k)], eta0)?)
     }
 }
@@ -128,10 +128,10 @@ impl fmt::Display for TwoSpeed {
 }
 
 impl FromStr for TwoSpeed {
-    type Err = DesignError;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<Self, DesignError> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| DesignError::UnknownScheme {
+    fn from_str(name: &str) -> Result<Self, Error> {
+        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| Error::UnknownScheme {
             name: name.into(),
             known: Self::ALL.map(Self::name).join(", "),
         })
@@ -162,7 +162,7 @@ mod tests {
     fn what_needs_a_ring_no_larger_than_the_sun_is_refused() {
         for (scheme, ratio) in [(TwoSpeed::I, 2.0), (TwoSpeed::II, 2.0), (TwoSpeed::III, 2.56)] {
             let refused = scheme.ring_to_sun_ratio(ratio);
-            assert!(matches!(refused, Err(DesignError::RatioOutOfReach { .. })), "{scheme} {ratio}");
+            assert!(matches!(refused, Err(Error::RatioOutOfReach { .. })), "{scheme} {ratio}");
         }
         assert!("IV".parse::<TwoSpeed>().is_err());
         assert_eq!("III".parse(), Ok(TwoSpeed::III));

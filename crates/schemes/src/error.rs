@@ -5,7 +5,7 @@
 /// An invalid input, or requirements that nothing meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum DesignError {
+pub enum Error {
     /// A name that no scheme bears.
     #[error("no scheme is called `{name}`: there are {known}")]
     UnknownScheme {
