@@ -10,8 +10,7 @@ use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_schemes::Error;
-use epicyclic_schemes::catalogue::{RingToSunRange, Role, ThreeSpeed, TwoSpeed};
+use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
 use epicyclic_train::Gearbox;
 use uom::si::f64::Ratio;
 
@@ -66,59 +65,6 @@ pub(crate) struct Args {
     output: OutputArgs,
 }
 
-/// Any scheme of the catalogue.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Scheme {
-    Two(TwoSpeed),
-    Three(ThreeSpeed),
-}
-
-impl Scheme {
-    /// All fourteen.
-    fn all() -> impl Iterator<Item = Self> {
-        TwoSpeed::ALL.into_iter().map(Self::Two).chain(ThreeSpeed::ALL.into_iter().map(Self::Three))
-    }
-
-    pub(crate) fn named(name: &str) -> Result<Self, Failure> {
-        Self::all().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
-            let known = Self::all().map(Self::name).collect::<Vec<_>>().join(", ");
-            Error::UnknownScheme { name: name.to_owned(), known }.into()
-        })
-    }
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Two(scheme) => scheme.name(),
-            Self::Three(scheme) => scheme.name(),
-        }
-    }
-
-    /// The scheme of row 1 alone.
-    fn first(self) -> TwoSpeed {
-        match self {
-            Self::Two(scheme) => scheme,
-            Self::Three(scheme) => scheme.first_stage(),
-        }
-    }
-
-    /// Links of sun, ring and carrier of each set.
-    fn sets(self) -> Vec<[Role; 3]> {
-        match self {
-            Self::Two(scheme) => vec![scheme.set()],
-            Self::Three(scheme) => scheme.sets().to_vec(),
-        }
-    }
-
-    /// Least and greatest ratio of its last braked gear over a range of k.
-    fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
-        let [one, other] = match self {
-            Self::Two(scheme) => scheme.ratio_range(range),
-            Self::Three(scheme) => scheme.ratio_range(range),
-        };
-        [one.min(other), one.max(other)]
-    }
-}
-
 /// A scheme with its numbers.
 pub(crate) struct Dimensioned {
     k: Vec<RingToSunRatio>,
@@ -144,7 +90,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let report = match &args.scheme {
         None => list::report(range),
         Some(name) => {
-            let scheme = Scheme::named(name)?;
+            let scheme = name.parse::<Scheme>()?;
             let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
             one::report(scheme, range, eta0, dimensioned(sizes, scheme, eta0)?.as_ref())?
         }
@@ -165,7 +111,9 @@ pub(crate) fn dimensioned(
     let missing = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     let first = match (sizes.k1, sizes.ratio1) {
         (Some(k), _) => RingToSunRatio::new(k.get()).map_err(refuse("--k1"))?,
-        (None, Some(ratio)) => scheme.first().ring_to_sun_ratio(ratio.get()).map_err(refuse("--ratio1"))?,
+        (None, Some(ratio)) => {
+            scheme.first_stage().ring_to_sun_ratio(ratio.get()).map_err(refuse("--ratio1"))?
+        }
         (None, None) if sizes.ratio2.is_some() => return missing("--ratio2", "give --ratio1 or --k1 too"),
         (None, None) => return Ok(None),
     };
@@ -185,7 +133,7 @@ pub(crate) fn dimensioned(
     };
     let gearbox = match (scheme, second) {
         (Scheme::Three(three), Some(second)) => three.gearbox(first, second, eta0)?,
-        _ => scheme.first().gearbox(first, eta0)?,
+        _ => scheme.first_stage().gearbox(first, eta0)?,
     };
     Ok(Some(Dimensioned { k: [Some(first), second].into_iter().flatten().collect(), gearbox }))
 }

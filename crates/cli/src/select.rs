@@ -6,16 +6,18 @@ mod measures;
 mod teeth;
 mod why;
 mod winner;
+mod words;
 
 use crate::failure::Failure;
 use crate::lists::{List, Numbers, Quantities};
 use crate::output::OutputArgs;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{
-    Limits, Objective, Order, Orders, Rating, RatioSeries, Requirements, Signs, Space, select_with,
+    Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space, select_with,
 };
 use uom::si::f64::{Length, Pressure, Ratio, Velocity};
 
@@ -222,11 +224,11 @@ fn structures(args: &Args) -> Vec<Structure> {
 
 fn requirements(args: &Args) -> Result<Requirements, Failure> {
     let series = match (&args.speeds, &args.ratios) {
-        (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values()),
+        (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values(), 1),
         (None, ratios) => {
             let ratios: Vec<f64> =
                 ratios.iter().flat_map(|ratios| &ratios.0).map(|ratio| ratio.get()).collect();
-            RatioSeries::new(&ratios)
+            RatioSeries::of_braked_gears(&ratios)
         }
     };
     let criteria = &args.criteria;
@@ -258,7 +260,7 @@ fn requirements(args: &Args) -> Result<Requirements, Failure> {
         },
         eta0,
         rating: rating(args)?,
-        ..Requirements::new(series.map_err(refuse)?)
+        ..Requirements::new(series.map_err(|error| refuse(error.into()))?)
     })
 }
 
@@ -286,10 +288,13 @@ fn rating(args: &Args) -> Result<Rating, Failure> {
 
 /// The option that a refusal speaks of.
 fn refuse(error: epicyclic_selection::Error) -> Failure {
+    use epicyclic_schemes::Error as S;
     use epicyclic_selection::Error as E;
     let option = match &error {
-        E::SpeedCount { .. } | E::SpeedsOutOfOrder { .. } => "--speeds",
-        E::RatioCount { .. } | E::Ratio { .. } | E::EqualRatios { .. } => "--ratios",
+        E::SpeedCount { .. } | E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
+        E::RatioCount { .. } | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => {
+            "--ratios"
+        }
         E::Tolerance { .. } => "--tolerance",
         E::RingToSunRange { what: "preferred", .. } => "--prefer",
         E::RingToSunRange { .. } => "--k",

@@ -14,6 +14,25 @@ pub enum Error {
         /// The names there are.
         known: String,
     },
+    /// A name that no structure bears in any spelling.
+    #[error(
+        "no structure is called `{name}`: one is a.b.H+a.b.H, the links D, B, T1, T2 of sun, ring and carrier of both sets{}",
+        nearest.as_deref().map_or_else(String::new, |nearest| format!("; did you mean `{nearest}`?"))
+    )]
+    UnknownStructure {
+        /// The name given.
+        name: String,
+        /// The nearest canonical spelling.
+        nearest: Option<String>,
+    },
+    /// Links that make no structure.
+    #[error(
+        "`{name}` is no structure: each set has three different links of D, B, T1, T2, and the two sets lack different ones"
+    )]
+    NotAStructure {
+        /// The name given.
+        name: String,
+    },
     /// An invalid range of ring-to-sun ratios.
     #[error("ring-to-sun ratios from {low} to {high}: a range has 1 < low ≤ high")]
     RingToSunRange {
@@ -53,7 +72,7 @@ pub enum Error {
         count: usize,
     },
     /// Speeds that do not rise, or not all above 0.
-    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are above 0 and rise")]
+    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are finite, above 0, and rise")]
     SpeedsOutOfOrder {
         /// Its place from 1.
         place: usize,
@@ -69,6 +88,32 @@ pub enum Error {
         what: &'static str,
         /// The value given.
         value: f64,
+    },
+    /// A middle speed outside the range.
+    #[error("q = {q} with d = {d}: fastest over middle speed lies above 1 and below d")]
+    MiddleSpeed {
+        /// Fastest over middle.
+        q: f64,
+        /// Fastest over slowest.
+        d: f64,
+    },
+    /// Too few or too many ratios of braked gears.
+    #[error("{count} ratio{}: beside direct drive one set gives 1, two sets give 2, and a series has at most 3", if *count == 1 { "" } else { "s" })]
+    RatioCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// A ratio that no braked gear has.
+    #[error("ratio {ratio}: finite and not 0, and not 1, which is direct drive")]
+    Ratio {
+        /// The ratio given.
+        ratio: f64,
+    },
+    /// Two gears of one ratio.
+    #[error("two gears of ratio {ratio}: the ratios of a gearbox are different")]
+    EqualRatios {
+        /// Their ratio.
+        ratio: f64,
     },
     /// A place for direct drive outside the series.
     #[error("direct drive in place {place} of {count} speeds: places count from 1, the fastest")]

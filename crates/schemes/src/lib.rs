@@ -36,3 +36,4 @@ pub mod standing;
 pub mod structures;
 
 pub use error::Error;
+pub use ratio_series::RatioSeries;

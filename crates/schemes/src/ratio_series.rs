@@ -35,7 +35,8 @@ pub enum Regime {
     Combined,
 }
 
-/// Ratios of a gearbox, the fastest output first, one of them direct drive.
+/// Ratios of a gearbox with direct drive among them, in the order of its gears: of a series from speeds the fastest
+/// output first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RatioSeries {
     ratios: Vec<f64>,
@@ -80,6 +81,47 @@ impl RatioSeries {
         Ok(Self { ratios, direct: direct - 1 })
     }
 
+    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over middle; direct
+    /// drive is the fastest.
+    ///
+    /// ```text
+    /// v₁ < v₂          d = v₂/v₁                 ratios  1, d
+    /// v₁ < v₂ < v₃     d = v₃/v₁   q = v₃/v₂     ratios  1, q, d
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::SpeedRange`], [`Error::MiddleSpeed`].
+    ///
+    /// # Source
+    /// Section 3.2.
+    pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, Error> {
+        range("d", d)?;
+        match q {
+            None => Self::of_braked_gears(&[d]),
+            Some(q) if q > 1.0 && q < d => Self::of_braked_gears(&[q, d]),
+            Some(q) => Err(Error::MiddleSpeed { q, d }),
+        }
+    }
+
+    /// Of direct drive and the ratios of the braked gears, in their order and with their signs.
+    ///
+    /// # Errors
+    /// [`Error::RatioCount`], [`Error::Ratio`], [`Error::EqualRatios`].
+    pub fn of_braked_gears(ratios: &[f64]) -> Result<Self, Error> {
+        if !(1..=3).contains(&ratios.len()) {
+            return Err(Error::RatioCount { count: ratios.len() });
+        }
+        for (place, &ratio) in ratios.iter().enumerate() {
+            if !ratio.is_finite() || ratio == 0.0 || ratio == 1.0 {
+                return Err(Error::Ratio { ratio });
+            }
+            if ratios[..place].contains(&ratio) {
+                return Err(Error::EqualRatios { ratio });
+            }
+        }
+        Ok(Self { ratios: std::iter::once(1.0).chain(ratios.iter().copied()).collect(), direct: 0 })
+    }
+
     /// The geometric series of step `q`: `1, q, q², …` for direct drive in place 1, and as a whole divided
     /// by `q^(direct − 1)` for another place.
     ///
@@ -95,10 +137,17 @@ impl RatioSeries {
         Ok(Self { ratios: (0..count).map(power).collect(), direct: direct - 1 })
     }
 
-    /// The ratios, the fastest output first.
+    /// The ratios, direct drive among them.
     #[must_use]
     pub fn ratios(&self) -> &[f64] {
         &self.ratios
+    }
+
+    /// The ratios of the braked gears: all but direct drive.
+    #[must_use]
+    pub fn braked(&self) -> Vec<f64> {
+        let braked = self.ratios.iter().enumerate().filter(|(place, _)| *place != self.direct);
+        braked.map(|(_, ratio)| *ratio).collect()
     }
 
     /// Place of direct drive among them, from 0.
@@ -110,17 +159,20 @@ impl RatioSeries {
     /// The regime.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        match self.direct {
-            0 => Regime::Reduction,
-            last if last + 1 == self.ratios.len() => Regime::Overdrive,
-            _ => Regime::Combined,
+        let slows = self.ratios.iter().any(|ratio| ratio.abs() > 1.0);
+        let speeds_up = self.ratios.iter().any(|ratio| ratio.abs() < 1.0);
+        match (slows, speeds_up) {
+            (true, true) => Regime::Combined,
+            (false, true) => Regime::Overdrive,
+            (_, false) => Regime::Reduction,
         }
     }
 
     /// Range of speeds `d`, the fastest over the slowest.
     #[must_use]
     pub fn speed_range(&self) -> f64 {
-        self.ratios[self.ratios.len() - 1] / self.ratios[0]
+        let sizes = self.ratios.iter().map(|ratio| ratio.abs());
+        sizes.clone().fold(0.0, f64::max) / sizes.fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -260,6 +312,23 @@ mod tests {
         assert!(matches!(refused(&[f64::NAN, 1.0], 1), Error::SpeedsOutOfOrder { place: 1, .. }));
         assert!(RatioSeries::geometric(1.0, 3, 1).is_err());
         assert!(step(0.9, 3).is_err() && step(2.0, 5).is_err());
+    }
+
+    #[test]
+    fn a_range_and_the_braked_gears_make_a_series() {
+        let series = RatioSeries::of_range(2.566, Some(1.466)).unwrap();
+        assert_eq!((series.ratios(), series.braked()), (&[1.0, 1.466, 2.566][..], vec![1.466, 2.566]));
+        assert_eq!((series.regime(), series.speed_range()), (Regime::Reduction, 2.566));
+        let mixed = RatioSeries::of_braked_gears(&[-2.0, 0.5]).unwrap();
+        assert_eq!((mixed.regime(), mixed.speed_range(), mixed.direct()), (Regime::Combined, 4.0, 0));
+        assert_eq!(RatioSeries::of_range(2.0, Some(3.0)), Err(Error::MiddleSpeed { q: 3.0, d: 2.0 }));
+        assert!(matches!(RatioSeries::of_range(1.0, None), Err(Error::SpeedRange { .. })));
+        assert!(RatioSeries::of_range(f64::NAN, None).is_err());
+        for bad in [0.0, 1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(RatioSeries::of_braked_gears(&[bad, 2.0]), Err(Error::Ratio { .. })), "{bad}");
+        }
+        assert_eq!(RatioSeries::of_braked_gears(&[2.0, 2.0]), Err(Error::EqualRatios { ratio: 2.0 }));
+        assert_eq!(RatioSeries::of_braked_gears(&[]), Err(Error::RatioCount { count: 0 }));
     }
 
     proptest! {

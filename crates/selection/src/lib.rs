@@ -16,14 +16,15 @@
 //! and the tolerance says whether that is near enough. [`search`](crate::search) goes on from here to teeth.
 //!
 //! ```
-//! use epicyclic_selection::{Requirements, RatioSeries, Space, select};
+//! use epicyclic_schemes::RatioSeries;
+//! use epicyclic_selection::{Requirements, Space, select};
 //! use uom::si::{f64::Velocity, velocity::meter_per_second};
 //! # fn main() -> Result<(), epicyclic_selection::Error> {
 //! // The conveyor of section 3.3: scheme I wins over III.
 //! let speeds = [0.8, 3.15].map(Velocity::new::<meter_per_second>);
-//! let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
+//! let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds, 1)?), &Space::Catalogue)?;
 //! let best = &found.accepted[found.best[0]];
-//! assert_eq!(best.mechanism.scheme(), Some("I"));
+//! assert_eq!(best.mechanism.scheme().map(|scheme| scheme.name()), Some("I"));
 //! assert!((best.k[0] - 2.9375).abs() < 1e-12);
 //! # Ok(())
 //! # }
@@ -47,7 +48,7 @@ pub use candidate::{Candidate, Criterion, Engagement, GearReport, Verdict};
 pub use error::Error;
 pub use mechanism::{Mechanism, Space};
 pub use objectives::{Objective, Objectives, Order};
-pub use requirements::{Limits, Orders, RatioSeries, Requirements, Signs};
+pub use requirements::{Limits, Orders, Requirements, Signs};
 pub use size::Rating;
 
 use epicyclic_schemes::structures::Role;
@@ -107,7 +108,7 @@ pub fn select_with(
     let targets = requirements.targets();
     let mut found =
         Selection { accepted: vec![], rejected: vec![], unreachable: vec![], front: vec![], best: vec![] };
-    for mechanism in space.mechanisms(requirements.series.ratios().len()) {
+    for mechanism in space.mechanisms(requirements.series.braked().len()) {
         for (place, wanted) in targets.iter().enumerate() {
             // Of a symmetric structure the other order is the same design.
             let mirrored: Vec<f64> = wanted.iter().rev().copied().collect();

@@ -2,84 +2,9 @@
 
 use super::Error;
 use super::size::Rating;
-use crate::units::metres_per_second;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::RatioSeries;
 use std::ops::RangeInclusive;
-use uom::si::f64::Velocity;
-
-/// Ratios wanted of the braked gears beside direct drive: one or two.
-///
-/// ```text
-/// v₁ < v₂          d = v₂/v₁                 ratios  d
-/// v₁ < v₂ < v₃     d = v₃/v₁   q = v₃/v₂     ratios  q, d
-/// ```
-///
-/// # Source
-/// multispeed-gearboxes, section 3.2.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RatioSeries(Vec<f64>);
-
-impl RatioSeries {
-    /// Of two or three rising speeds, the fastest in direct drive.
-    ///
-    /// # Errors
-    /// [`Error::SpeedCount`], [`Error::SpeedsOutOfOrder`].
-    pub fn of_speeds(speeds: &[Velocity]) -> Result<Self, Error> {
-        let speeds: Vec<f64> = speeds.iter().copied().map(metres_per_second).collect();
-        if !(2..=3).contains(&speeds.len()) {
-            return Err(Error::SpeedCount { count: speeds.len() });
-        }
-        let mut before = 0.0;
-        for (place, &speed) in speeds.iter().enumerate() {
-            if !(speed > before && speed.is_finite()) {
-                return Err(Error::SpeedsOutOfOrder { place: place + 1, speed, before });
-            }
-            before = speed;
-        }
-        Self::new(&speeds.iter().rev().skip(1).map(|speed| before / speed).collect::<Vec<_>>())
-    }
-
-    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over
-    /// middle.
-    ///
-    /// # Errors
-    /// [`Error::SpeedRange`], [`Error::MiddleSpeed`].
-    pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, Error> {
-        if !(d > 1.0 && d.is_finite()) {
-            return Err(Error::SpeedRange { d });
-        }
-        match q {
-            None => Self::new(&[d]),
-            Some(q) if q > 1.0 && q < d => Self::new(&[q, d]),
-            Some(q) => Err(Error::MiddleSpeed { q, d }),
-        }
-    }
-
-    /// Of the ratios themselves, in the order of the gears.
-    ///
-    /// # Errors
-    /// [`Error::RatioCount`], [`Error::Ratio`], [`Error::EqualRatios`].
-    pub fn new(ratios: &[f64]) -> Result<Self, Error> {
-        if !(1..=2).contains(&ratios.len()) {
-            return Err(Error::RatioCount { count: ratios.len() });
-        }
-        for &ratio in ratios {
-            if !ratio.is_finite() || ratio == 0.0 || ratio == 1.0 {
-                return Err(Error::Ratio { ratio });
-            }
-        }
-        if ratios.len() == 2 && ratios[0] == ratios[1] {
-            return Err(Error::EqualRatios { ratio: ratios[0] });
-        }
-        Ok(Self(ratios.to_vec()))
-    }
-
-    /// The ratios.
-    #[must_use]
-    pub fn ratios(&self) -> &[f64] {
-        &self.0
-    }
-}
 
 /// Which gear may have which of two ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -143,7 +68,7 @@ impl Default for Limits {
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirements {
-    /// Ratios of the braked gears.
+    /// Ratios of direct drive and of one or two braked gears.
     pub series: RatioSeries,
     /// Relative tolerance of each, 0.1.
     pub tolerance: f64,
@@ -178,7 +103,7 @@ impl Requirements {
     /// Every assignment of signed ratios to the gears, each once: as given first.
     #[must_use]
     pub fn targets(&self) -> Vec<Vec<f64>> {
-        let given = self.series.ratios().to_vec();
+        let given = self.series.braked();
         let mut orders = vec![given.clone()];
         if self.orders == Orders::Both && given.len() == 2 {
             orders.push(vec![given[1], given[0]]);
@@ -196,7 +121,7 @@ impl Requirements {
             for sign in signs {
                 let target: Vec<f64> = order.iter().zip(sign).map(|(i, sign)| i.abs() * sign).collect();
                 // Ratios given as ±1, or of equal size, are invalid with some signs.
-                let is_one = RatioSeries::new(&target).is_err();
+                let is_one = RatioSeries::of_braked_gears(&target).is_err();
                 if !is_one && !found.contains(&target) {
                     found.push(target);
                 }
@@ -206,6 +131,10 @@ impl Requirements {
     }
 
     pub(crate) fn check(&self) -> Result<(), Error> {
+        let count = self.series.ratios().len();
+        if !(2..=3).contains(&count) {
+            return Err(Error::SpeedCount { count });
+        }
         if !(self.tolerance >= 0.0 && self.tolerance < 1.0) {
             return Err(Error::Tolerance { tolerance: self.tolerance });
         }
@@ -233,42 +162,16 @@ impl Requirements {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::velocity;
-
-    fn speeds(speeds: &[f64]) -> Result<RatioSeries, Error> {
-        RatioSeries::of_speeds(&speeds.iter().copied().map(velocity).collect::<Vec<_>>())
-    }
 
     #[test]
-    fn speeds_give_q_and_d() {
-        let series = speeds(&[0.76, 1.33, 1.95]).unwrap();
-        assert!((series.ratios()[0] - 1.95 / 1.33).abs() < 1e-15);
-        assert!((series.ratios()[1] - 1.95 / 0.76).abs() < 1e-15);
-        assert!((speeds(&[0.8, 3.15]).unwrap().ratios()[0] - 3.9375).abs() < 1e-12);
-    }
-
-    #[test]
-    fn an_invalid_series_is_refused() {
-        assert_eq!(speeds(&[1.0]), Err(Error::SpeedCount { count: 1 }));
-        let refused = Error::SpeedsOutOfOrder { place: 2, speed: 1.0, before: 1.0 };
-        assert_eq!(speeds(&[1.0, 1.0]), Err(refused));
-        for bad in [[0.0, 1.0], [2.0, 1.0], [1.0, f64::NAN], [1.0, f64::INFINITY]] {
-            assert!(matches!(speeds(&bad), Err(Error::SpeedsOutOfOrder { .. })), "{bad:?}");
-        }
-        assert_eq!(RatioSeries::of_range(1.0, None), Err(Error::SpeedRange { d: 1.0 }));
-        assert!(RatioSeries::of_range(f64::NAN, None).is_err());
-        let refused = Error::MiddleSpeed { q: 3.0, d: 2.0 };
-        assert_eq!(RatioSeries::of_range(2.0, Some(3.0)), Err(refused));
-        for bad in [0.0, 1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(RatioSeries::new(&[bad, 2.0]), Err(Error::Ratio { .. })), "{bad}");
-        }
-        assert_eq!(RatioSeries::new(&[2.0, 2.0]), Err(Error::EqualRatios { ratio: 2.0 }));
-        assert_eq!(RatioSeries::new(&[]), Err(Error::RatioCount { count: 0 }));
+    fn a_gearbox_of_two_sets_has_no_fourth_speed() {
+        let requirements = Requirements::new(RatioSeries::geometric(1.5, 4, 1).unwrap());
+        assert_eq!(requirements.check(), Err(Error::SpeedCount { count: 4 }));
     }
 
     #[test]
     fn invalid_limits_are_refused() {
-        let requirements = Requirements::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
+        let requirements = Requirements::new(RatioSeries::of_braked_gears(&[1.5, 2.5]).unwrap());
         assert_eq!(requirements.check(), Ok(()));
         let with = |change: &dyn Fn(&mut Requirements)| {
             let mut requirements = requirements.clone();
@@ -283,7 +186,7 @@ mod tests {
 
     #[test]
     fn both_orders_and_both_signs_are_four_targets() {
-        let mut requirements = Requirements::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(&[1.5, 2.5]).unwrap());
         assert_eq!(requirements.targets().len(), 4);
         requirements.signs = Signs::Any;
         assert_eq!(requirements.targets().len(), 8);

@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::search::{Found, MOST_PAIRS, MOST_TOOTH_SETS, ToothSearch};
-use epicyclic_selection::{Error, Objective, Order, RatioSeries, Requirements, Signs};
+use epicyclic_selection::{Error, Objective, Order, Requirements, Signs};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -18,7 +19,7 @@ use uom::si::torque::newton_meter;
 mod brute;
 
 fn excavator() -> Requirements {
-    Requirements::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
+    Requirements::new(RatioSeries::of_braked_gears(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
 }
 
 type Key = (Structure, [ToothNumbers; 2], bool);
@@ -82,7 +83,7 @@ proptest! {
         objective in 0..5_usize,
         some in proptest::collection::vec(0..111_usize, 12),
     ) {
-        let mut requirements = Requirements::new(RatioSeries::new(&[q, q * step]).unwrap());
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(&[q, q * step]).unwrap());
         requirements.tolerance = tolerance;
         (requirements.limits.efficiency, requirements.limits.link_speed) = (limits.0, limits.1);
         (requirements.limits.planet_speed, requirements.limits.clutch_slip) = (limits.2, limits.3);
@@ -234,7 +235,7 @@ fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
 
 #[test]
 fn invalid_requirements_are_refused() {
-    let one = ToothSearch::new(Requirements::new(RatioSeries::new(&[2.0]).unwrap()));
+    let one = ToothSearch::new(Requirements::new(RatioSeries::of_braked_gears(&[2.0]).unwrap()));
     assert_eq!(one.front().unwrap_err(), Error::RatioCount { count: 1 });
     let mut empty = ToothSearch::new(excavator());
     #[allow(clippy::reversed_empty_ranges, reason = "the bad input")]

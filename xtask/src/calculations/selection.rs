@@ -5,9 +5,11 @@ use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Options, Verdict};
+use epicyclic_schemes::RatioSeries;
+use epicyclic_schemes::catalogue::ThreeSpeed;
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
-use epicyclic_selection::{Candidate, Mechanism, RatioSeries, Requirements, Selection, Space, select};
+use epicyclic_selection::{Candidate, Mechanism, Requirements, Selection, Space, select};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;
@@ -26,7 +28,10 @@ pub(super) fn calculations() -> Vec<Calculation> {
 
 impl From<epicyclic_selection::Error> for Refusal {
     fn from(error: epicyclic_selection::Error) -> Self {
-        Self::of(&error)
+        match error {
+            epicyclic_selection::Error::Scheme(error) => error.into(),
+            error => Self::of(&error),
+        }
     }
 }
 
@@ -53,15 +58,17 @@ struct SelectGiven {
 
 /// Name of a mechanism: the source's if it has one.
 fn name(mechanism: Mechanism) -> String {
-    mechanism.scheme().map_or_else(|| mechanism.to_string(), ToOwned::to_owned)
+    mechanism.scheme().map_or_else(|| mechanism.to_string(), |scheme| scheme.to_string())
 }
 
 fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     let series = match (&given.speeds, &given.ratios) {
         (Some(speeds), None) => {
-            RatioSeries::of_speeds(&speeds.iter().map(|speed| speed.0).collect::<Vec<_>>())?
+            RatioSeries::of_speeds(&speeds.iter().map(|speed| speed.0).collect::<Vec<_>>(), 1)?
         }
-        (None, Some(ratios)) => RatioSeries::new(&ratios.iter().map(|i| i.get()).collect::<Vec<_>>())?,
+        (None, Some(ratios)) => {
+            RatioSeries::of_braked_gears(&ratios.iter().map(|i| i.get()).collect::<Vec<_>>())?
+        }
         _ => {
             let message = "give either speeds or ratios".into();
             return Err(Refusal { name: "speeds-or-ratios".into(), message });
@@ -84,7 +91,7 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     if !given.all_structures {
         results.text("accepted_schemes", accepted.join(", "));
     }
-    if requirements.series.ratios().len() == 2 {
+    if requirements.series.braked().len() == 2 {
         results.count("unlisted_above_98_per_cent", unlisted_above(&found, 0.98) as i64);
     }
     if let Some(wanted) = &given.candidate {
@@ -174,8 +181,11 @@ fn structures(given: &StructuresGiven) -> Result<Results, Refusal> {
     results
         .count("structures", all.len() as i64)
         .count("listed", count(&|standing| matches!(standing, Standing::Listed(_))))
-        .count("missed", count(&|standing| matches!(standing, Standing::Missed { .. })))
-        .count("out_of_reach", count(&|standing| matches!(standing, Standing::OutOfReach { .. })))
+        .count("missed", count(&|standing| standing.is_missed()))
+        .count(
+            "out_of_reach",
+            count(&|standing| matches!(standing, Standing::Unlisted { .. }) && !standing.is_missed()),
+        )
         .count("reversed", count(&|standing| matches!(standing, Standing::Reversed { .. })))
         .count("outside_the_rule", count(&|standing| matches!(standing, Standing::OutsideRule { .. })))
         .count("drawable", drawable);
@@ -189,8 +199,8 @@ struct DrawableGiven {}
 
 fn drawable(_: &DrawableGiven) -> Result<Results, Refusal> {
     let mut results = Results::default();
-    for structure in Structure::catalogue() {
-        let gearbox = structure.gearbox([2.5, 2.5], MeshEfficiency::IDEAL, [Role::D, Role::B])?;
+    for scheme in ThreeSpeed::ALL {
+        let gearbox = scheme.structure().gearbox([2.5, 2.5], MeshEfficiency::IDEAL, [Role::D, Role::B])?;
         let drawn = match drawability::draw(&gearbox, Options::default()) {
             Verdict::Drawable(layout) => {
                 assert!(layout.crossings().is_empty(), "a drawing with crossings is no drawing");
@@ -198,7 +208,7 @@ fn drawable(_: &DrawableGiven) -> Result<Results, Refusal> {
             }
             Verdict::SelfCrossing(_) => false,
         };
-        results.answer(structure.scheme().unwrap_or("?"), drawn);
+        results.answer(scheme.name(), drawn);
     }
     Ok(results)
 }

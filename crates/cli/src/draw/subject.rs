@@ -4,12 +4,14 @@ use super::{Args, View};
 use crate::analyze::{self, Choice};
 use crate::failure::Failure;
 use crate::input;
-use crate::schemes::{Scheme, Sizes, dimensioned};
+use crate::schemes::{Sizes, dimensioned};
 use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
-use epicyclic_schemes::structures::{Role, Structure};
+use epicyclic_schemes::Error as SchemeError;
+use epicyclic_schemes::catalogue::Scheme;
+use epicyclic_schemes::structures::{Renaming, Role, Structure};
 use epicyclic_train::Gearbox;
 use std::path::Path;
 
@@ -19,11 +21,22 @@ pub(super) struct Subject {
     pub(super) gearing: bool,
     /// Its place in a file.
     pub(super) base: formats::Path,
+    /// Whether gears 1 and 2 are named the other way round than in the gearbox.
+    gears_exchanged: bool,
 }
 
 impl Subject {
+    /// The gear of this name in the gearbox.
+    pub(super) fn gear_name<'a>(&self, named: &'a str) -> &'a str {
+        match named {
+            "1" if self.gears_exchanged => "2",
+            "2" if self.gears_exchanged => "1",
+            named => named,
+        }
+    }
+
     fn of_catalogue(gearbox: Gearbox, gearing: bool) -> Self {
-        Self { gearbox, gearing, base: formats::Path::root() }
+        Self { gearbox, gearing, base: formats::Path::root(), gears_exchanged: false }
     }
 }
 
@@ -36,11 +49,15 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
     if let Some(document) = document {
         return from_file(args, file, document);
     }
-    match (Scheme::named(&args.gearbox), structure(&args.gearbox)) {
+    match (args.gearbox.parse::<Scheme>(), Structure::read(&args.gearbox)) {
         (Ok(scheme), _) => catalogue(args, scheme),
-        (_, Some(structure)) => of_two_rows(args, structure),
-        // What looks like a name and is neither: say which schemes there are.
-        (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => Err(unknown),
+        (_, Ok((structure, renaming))) => of_two_rows(args, structure, renaming),
+        // What looks like a name and is none: say which there are.
+        (_, Err(unknown @ SchemeError::NotAStructure { .. })) => Err(unknown.into()),
+        (_, Err(unknown)) if args.gearbox.contains('+') && !file.exists() => Err(unknown.into()),
+        (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => {
+            Err(unknown.into())
+        }
         _ => from_file(args, file, &input::document(file)?),
     }
 }
@@ -73,18 +90,20 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     }
 }
 
-/// A structure by the name that `select` gives it: D.T1.B+T2.B.T1.
-fn structure(name: &str) -> Option<Structure> {
-    Structure::all().into_iter().find(|structure| structure.to_string() == name)
-}
-
-fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
+/// A structure by any of its names; the sizes are of the rows and gears as they are named.
+fn of_two_rows(args: &Args, structure: Structure, renaming: Renaming) -> Result<Subject, Failure> {
     let option = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     if args.transmission.is_some() {
         return option("--transmission", "a structure is one gearbox; leave it out");
     }
     let number = |number: Option<Number>| number.map(Number::get);
-    let k = match ([args.k1, args.k2].map(number), [args.ratio1, args.ratio2].map(number)) {
+    let exchanged = |pair: [Option<Number>; 2], exchanged: bool| {
+        let [one, other] = pair.map(number);
+        if exchanged { [other, one] } else { [one, other] }
+    };
+    let k = exchanged([args.k1, args.k2], renaming.sets);
+    let ratios = exchanged([args.ratio1, args.ratio2], renaming.brakes);
+    let k = match (k, ratios) {
         ([Some(k1), Some(k2)], _) => Some([k1, k2]),
         ([None, None], [Some(first), Some(second)]) => match structure.ring_to_sun_ratios([first, second]) {
             None => {
@@ -111,12 +130,16 @@ fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
     for lock in roles {
         let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, lock)?;
         if matches!(drawability::draw(&gearbox, drawability::Options::default()), Verdict::Drawable(_)) {
-            return Ok(Subject::of_catalogue(gearbox, k.is_some()));
+            any = Some(gearbox);
+            break;
         }
         any.get_or_insert(gearbox);
     }
     match any {
-        Some(gearbox) => Ok(Subject::of_catalogue(gearbox, k.is_some())),
+        Some(gearbox) => {
+            let subject = Subject::of_catalogue(gearbox, k.is_some());
+            Ok(Subject { gears_exchanged: renaming.brakes, ..subject })
+        }
         None => unreachable!("four roles have six pairs"),
     }
 }
@@ -129,5 +152,5 @@ fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, F
     }
     let choice = Choice::new(file.to_owned(), args.transmission.clone(), args.efficiency);
     let (gearbox, base) = analyze::gearbox(&choice, document)?;
-    Ok(Subject { gearbox, gearing: true, base })
+    Ok(Subject { gearbox, gearing: true, base, gears_exchanged: false })
 }

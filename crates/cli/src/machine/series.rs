@@ -54,7 +54,7 @@ fn line(speeds: &[Velocity], direct: usize) -> Result<Vec<Figure>, Error> {
     let series = RatioSeries::of_speeds(speeds, direct)?;
     let regime = match series.regime() {
         Regime::Reduction => Figure::Answer("reduction", "reduction"),
-        Regime::Overdrive => Figure::Answer("multiplication", "multiplication"),
+        Regime::Overdrive => Figure::Answer("overdrive", "overdrive"),
         Regime::Combined => Figure::Answer("combined", "combined"),
     };
     let count = speeds.len();

@@ -1,13 +1,13 @@
 //! A scheme with its row parameters: what each gear does.
 
-use super::{Dimensioned, Scheme};
+use super::Dimensioned;
 use crate::analyze::fast_planets;
 use crate::failure::Failure;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::RingToSunRange;
+use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
 use epicyclic_train::Analysis;
 
 /// Parts of an answer, and what to watch.

@@ -1,12 +1,12 @@
 //! One scheme: links, formulas, ranges.
 
-use super::{Dimensioned, Scheme, formulas, numbers};
+use super::{Dimensioned, formulas, numbers};
 use crate::failure::Failure;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::{RingToSunRange, Role};
+use epicyclic_schemes::catalogue::{RingToSunRange, Role, Scheme};
 
 /// The whole answer.
 pub(super) fn report(
@@ -56,7 +56,7 @@ fn gears(scheme: Scheme, range: RingToSunRange) -> Records {
             Figure::Multiple(greatest),
         ]
     };
-    let mut rows = vec![of("1", "T1", Scheme::Two(scheme.first()))];
+    let mut rows = vec![of("1", "T1", Scheme::Two(scheme.first_stage()))];
     if matches!(scheme, Scheme::Three(_)) {
         rows.push(of("2", "T2", scheme));
     }

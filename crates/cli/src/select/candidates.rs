@@ -80,7 +80,7 @@ pub(super) fn title(requirements: &Requirements) -> String {
 
 /// A mechanism by the source's name, or by the links of its members.
 pub(super) fn name(mechanism: Mechanism) -> String {
-    mechanism.scheme().map_or_else(|| mechanism.to_string(), str::to_owned)
+    mechanism.scheme().map_or_else(|| mechanism.to_string(), |scheme| scheme.to_string())
 }
 
 fn lists(requirements: &Requirements, ranked: &Ranked, accepted: usize, rejected: usize) -> Vec<Part> {

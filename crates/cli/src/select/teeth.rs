@@ -9,11 +9,10 @@ use crate::progress::Progress;
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
+use epicyclic_schemes::RatioSeries;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Counts, Found, ToothDesign, ToothSearch};
-use epicyclic_selection::{
-    Candidate, Objectives, Order, Orders, RatioSeries, Requirements, Signs, Space, select_with,
-};
+use epicyclic_selection::{Candidate, Objectives, Order, Orders, Requirements, Signs, Space, select_with};
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
 use uom::si::length::{meter, millimeter};
@@ -47,7 +46,7 @@ pub(super) struct Bounds {
 
 /// Runs the command.
 pub(super) fn run(args: &Args, requirements: &Requirements, order: Order) -> Result<(), Failure> {
-    if requirements.series.ratios().len() != 2 {
+    if requirements.series.braked().len() != 2 {
         return Err(Failure::Option {
             option: "--teeth",
             message: "two rows are searched, so three speeds or two ratios are due; `epicyclic teeth` finds the tooth \
@@ -170,7 +169,7 @@ fn measure(requirements: &Requirements, design: &ToothDesign) -> Result<Option<C
         .collect::<Result<Option<Vec<f64>>, Failure>>()?;
     let Some(ratios) = ratios else { return Ok(None) };
     let exactly = Requirements {
-        series: RatioSeries::new(&ratios).map_err(refuse)?,
+        series: RatioSeries::of_braked_gears(&ratios)?,
         orders: Orders::AsGiven,
         signs: Signs::AsGiven,
         ..requirements.clone()

@@ -1,6 +1,7 @@
 //! A candidate in full: its speeds, its options for the direct-drive clutch, its engagement table.
 
 use super::candidates::name;
+use super::words;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, View, wrapped};
 use epicyclic_schemes::direct_drive::DirectClutch;
@@ -33,8 +34,8 @@ pub(super) fn parts(requirements: &Requirements, all: &[Numbered]) -> Vec<Part> 
 fn standing(requirements: &Requirements, mechanism: Mechanism) -> Option<Part> {
     let Mechanism::TwoSets(structure) = mechanism else { return None };
     let standing = Standing::of(structure, &requirements.limits.ring_to_sun);
-    let words = wrapped("In the source:", &format!("{}: {standing}", name(mechanism)));
-    (!matches!(standing, Standing::Listed(_))).then_some(Part::Words(words))
+    let text = wrapped("In the source:", &format!("{}: {}", name(mechanism), words::standing(standing)));
+    (!matches!(standing, Standing::Listed(_))).then_some(Part::Words(text))
 }
 
 fn speeds(all: &[Numbered]) -> Records {

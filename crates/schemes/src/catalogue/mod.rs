@@ -3,6 +3,8 @@
 //! | module | answers |
 //! |---|---|
 //! | [`simple_set`] | the six ratios of a set and its four relations of speeds |
+//! | [`scheme`] | any of the fourteen |
+//! | [`table`] | what the fourteen are: names, links, closed forms |
 //! | [`range`] | which k are used, and what a quantity does over them |
 //! | [`two_speed`] | I, II, III: ratio, efficiency, k from a ratio |
 //! | [`three_speed`] | I-1…III-3: the same of the second gear |
@@ -36,18 +38,18 @@
 //! multispeed-gearboxes, sections 2.3 and 2.4.
 
 pub mod range;
+pub mod scheme;
 pub mod simple_set;
+pub mod table;
 pub mod three_speed;
 pub mod two_speed;
 
 pub use range::{Reach, RingToSunRange};
+pub use scheme::Scheme;
 pub use three_speed::ThreeSpeed;
 pub use two_speed::TwoSpeed;
 
-use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_train::Gearbox;
-use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_gears::simple_set::Member;
 use std::fmt;
 
 /// What a link is in a scheme.
@@ -74,6 +76,16 @@ impl Role {
             Self::T2 => "T2",
         }
     }
+
+    /// The role with D and B exchanged.
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::D => Self::B,
+            Self::B => Self::D,
+            brake => brake,
+        }
+    }
 }
 
 impl fmt::Display for Role {
@@ -82,28 +94,7 @@ impl fmt::Display for Role {
     }
 }
 
-/// The gearbox of one or two simple sets whose members `[a, b, H]` belong to these links: gears `1`,
-/// `2` (with two sets) and `direct`.
-///
-/// Links `D B T1 T2`, brakes `K1`, `K2`, the direct-drive clutch `L` between D and B.
-pub(crate) fn gearbox(
-    name: &str,
-    sets: &[([Role; 3], RingToSunRatio)],
-    eta0: MeshEfficiency,
-) -> Result<Gearbox, epicyclic_train::Error> {
-    let mut builder = Gearbox::builder(name)
-        .links(["D", "B", "T1"])
-        .brake("K1", "T1")
-        .clutch("L", "D", "B")
-        .input("D")
-        .output("B")
-        .gear("1", ["K1"]);
-    if sets.len() > 1 {
-        builder = builder.links(["T2"]).brake("K2", "T2").gear("2", ["K2"]);
-    }
-    for (place, (members, k)) in sets.iter().enumerate() {
-        let set = SetSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
-        builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
-    }
-    builder.gear("direct", ["L"]).build()
+/// The member of a set that belongs to a link.
+pub(crate) fn with_role(set: [Role; 3], role: Role) -> Option<Member> {
+    Member::ALL.into_iter().zip(set).find_map(|(member, of)| (of == role).then_some(member))
 }

@@ -6,17 +6,19 @@
 //! | II | T₁ D B | `(1 + k₁)/k₁` | `(k₁ + η₀)/(1 + k₁)` |
 //! | III | D B T₁ | `−k₁` | `η₀` |
 //!
-//! The other three ways to use a set are these with D and B exchanged; they speed up.
+//! They are lines of [`table`](super::table). The other three ways to use a set are these with D and B exchanged; they speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.26)–(2.31).
 
-use super::range::RingToSunRange;
+use super::range::{RingToSunRange, limits};
 use super::simple_set::{self, fraction, ratio_range};
-use super::{Role, gearbox};
+use super::table::{ClosedForm, Line, TWO_SPEED};
+use super::{Role, with_role};
 use crate::Error;
+use crate::structures::gearbox;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
+use epicyclic_gears::simple_set::{Mode, RingToSunRatio};
 use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
@@ -36,58 +38,65 @@ impl TwoSpeed {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::I, Self::II, Self::III];
 
-    /// Its name, as in the source.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::I => "I",
-            Self::II => "II",
-            Self::III => "III",
-        }
+    fn line(self) -> &'static Line {
+        &TWO_SPEED[self as usize]
     }
 
-    /// Driving and driven member of the set.
+    /// The scheme whose set 1 has its members `[a, b, H]` at these links.
     #[must_use]
-    pub fn mode(self) -> Mode {
-        let place = match self {
-            Self::I => 1,
-            Self::II => 2,
-            Self::III => 0,
-        };
-        Mode::ALL[place]
+    pub fn of_set(set: [Role; 3]) -> Option<Self> {
+        Self::ALL.into_iter().find(|scheme| scheme.set() == set)
+    }
+
+    /// Its name, as in the source.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.line().name
     }
 
     /// Links of `a₁`, `b₁`, `H₁`.
     #[must_use]
     pub fn set(self) -> [Role; 3] {
-        let mode = self.mode();
-        Member::ALL.map(|member| match member {
-            _ if member == mode.input() => Role::D,
-            _ if member == mode.output() => Role::B,
-            _ => Role::T1,
-        })
+        self.line().sets[0]
+    }
+
+    /// Driving and driven member of the set.
+    #[must_use]
+    pub fn mode(self) -> Mode {
+        let set = self.set();
+        with_role(set, Role::D)
+            .zip(with_role(set, Role::B))
+            .and_then(|(input, output)| Mode::new(input, output).ok())
+            .unwrap_or_else(|| unreachable!("D and B are different members of each, by test"))
+    }
+
+    /// Its ratio as a formula in `k1`.
+    #[must_use]
+    pub fn ratio_formula(self) -> ClosedForm {
+        self.line().ratio
+    }
+
+    /// Its efficiency as a formula in `k1` and `eta0`.
+    #[must_use]
+    pub fn efficiency_formula(self) -> ClosedForm {
+        self.line().efficiency
     }
 
     /// Ratio `i = ω_D/ω_B` with T₁ braked.
     #[must_use]
     pub fn ratio(self, k: RingToSunRatio) -> f64 {
-        let [n, d] = self.fraction(k.get());
-        n / d
+        self.line().ratio.value(k.get(), f64::NAN, f64::NAN)
     }
 
-    pub(crate) fn fraction(self, k: f64) -> [f64; 2] {
-        fraction(self.mode(), k)
+    /// Sign of the ratio, whatever `k`.
+    pub(crate) fn sign(self) -> f64 {
+        fraction(self.mode(), 2.0)[0].signum()
     }
 
     /// Efficiency with T₁ braked, the set losing `1 − η₀` of its rolling power.
     #[must_use]
     pub fn efficiency(self, k: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
-        let (k, eta0) = (k.get(), eta0.get());
-        match self {
-            Self::I => (1.0 + k * eta0) / (1.0 + k),
-            Self::II => (k + eta0) / (1.0 + k),
-            Self::III => eta0,
-        }
+        self.line().efficiency.value(k.get(), f64::NAN, eta0.get())
     }
 
     /// Ring-to-sun ratio for a ratio: `k = i − 1`, `1/(i − 1)`, `−i`.
@@ -97,11 +106,7 @@ impl TwoSpeed {
     /// simple set would need `k ≤ 1`.
     pub fn ring_to_sun_ratio(self, ratio: f64) -> Result<RingToSunRatio, Error> {
         simple_set::ring_to_sun_ratio(self.mode(), ratio).map_err(|_| {
-            let (low, high) = match self {
-                Self::I => (2.0, f64::INFINITY),
-                Self::II => (1.0, 2.0),
-                Self::III => (f64::NEG_INFINITY, -1.0),
-            };
+            let [low, high] = limits(|k| fraction(self.mode(), k));
             Error::RatioOutOfReach { scheme: format!("scheme {self}"), ratio, low, high }
         })
     }
@@ -117,7 +122,7 @@ impl TwoSpeed {
     /// # Errors
     /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
     pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, Error> {
-        Ok(gearbox(self.name(), &[(self.set(), k)], eta0)?)
+        gearbox(self.name(), &[(self.set(), k.get())], eta0, Some([Role::D, Role::B]))
     }
 }
 
@@ -131,9 +136,8 @@ impl FromStr for TwoSpeed {
     type Err = Error;
 
     fn from_str(name: &str) -> Result<Self, Error> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| Error::UnknownScheme {
-            name: name.into(),
-            known: Self::ALL.map(Self::name).join(", "),
+        Self::ALL.into_iter().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
+            Error::UnknownScheme { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
         })
     }
 }

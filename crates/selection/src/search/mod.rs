@@ -40,7 +40,8 @@
 //!
 //! ```
 //! use epicyclic_selection::search::ToothSearch;
-//! use epicyclic_selection::{Requirements, RatioSeries};
+//! use epicyclic_selection::Requirements;
+//! use epicyclic_schemes::RatioSeries;
 //! use epicyclic_gears::synthesis::Bounds;
 //! # fn main() -> Result<(), epicyclic_selection::Error> {
 //! let requirements = Requirements::new(RatioSeries::of_range(2.566, Some(1.466))?);

@@ -228,17 +228,12 @@ impl Measured {
 
 /// Whether the ratios can come within tolerance at all: both within what the corners say.
 fn in_reach(structure: Structure, wanted: Wanted, [low, high]: [f64; 2]) -> bool {
-    use epicyclic_schemes::standing::{RatioReach, reach};
+    use epicyclic_schemes::standing::reach;
     reach(structure, &(low..=high)).into_iter().zip(wanted.ratios).all(|(reach, ratio)| {
         let parts = [1.0 - wanted.tolerance - SLACK, 1.0 + wanted.tolerance + SLACK];
         let ends = parts.map(|part| part * ratio);
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let hair = SLACK * to.abs().max(from.abs());
-        match reach {
-            RatioReach::Between { least, greatest } | RatioReach::ThroughZero { least, greatest } => {
-                to >= least - hair && from <= greatest + hair
-            }
-            RatioReach::ThroughInfinity { below, above } => from <= below + hair || to >= above - hair,
-        }
+        reach.meets(from, to, hair)
     })
 }
