@@ -95,7 +95,7 @@ impl SpeedRatios {
         let gearbox = gearbox(teeth)?;
         let analysis = gearbox.analyze(GEAR)?;
         let carrier = gearbox.link("carrier").and_then(|link| analysis.speed(link));
-        let planet = analysis.sets()[0].planets[0].and_then(|planet| planet.absolute);
+        let planet = analysis.sets()[0].planets[0].and_then(|planet| planet.speed);
         let no_speed = || Error::NoSpeed { part: "the planet".into(), state: analysis.state().to_string() };
         planet.zip(carrier).map(|(planet, carrier)| Self { planet, carrier }).ok_or_else(no_speed)
     }

@@ -82,8 +82,8 @@ fn the_scheme_of_the_excavator_wheel_turns_as_table_3_2_says() {
     // a₁ −0.92, H₁ 0.39, g₁ 2.67, g₂ 1.36.
     assert!((speed("T1") - -0.92).abs() < 0.005 && (speed("B") - 0.39).abs() < 0.005);
     let planets = [0, 1].map(|set| found.sets()[set].planets[0].unwrap());
-    assert!((planets[0].absolute.unwrap() - 2.67).abs() < 0.005);
-    assert!((planets[1].absolute.unwrap() - 1.36).abs() < 0.005);
+    assert!((planets[0].speed.unwrap() - 2.67).abs() < 0.005);
+    assert!((planets[1].speed.unwrap() - 1.36).abs() < 0.005);
     // The objection of the reading: planet 1 exceeds 2·ω_D relative to its carrier.
     assert!((planets[0].relative - 2.28).abs() < 0.005);
 }

@@ -62,6 +62,7 @@ use crate::planet_places::{
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::{Gearing, SetKind, SetSpec};
+use crate::tolerance::NO_TORQUE;
 use crate::units::{
     degrees, force, in_metres, kg_per_m3, kilograms, metres, n_m, rad_per_s, radians, torque,
 };
@@ -73,9 +74,6 @@ use epicyclic_gears::planet_bearing::{self, Push};
 use epicyclic_gears::{Error, ToothCount};
 use std::fmt;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
-
-/// A carrier torque below this share of the largest torque of its set is nothing.
-const NO_TORQUE: f64 = 1e-9;
 
 /// What is known of the size of a set. What is said of all planets or meshes stands for each that says nothing
 /// itself.
@@ -700,8 +698,11 @@ impl PlanetBearing {
                 }
                 let torque = contact.weighed(&of_centrals).map(torque);
                 let known = contact.pitch_radius.zip(torque);
-                let toothing = contact.gear_kind;
-                Some(known.map(|(pitch_radius, torque)| Push { kind: toothing, pitch_radius, torque }))
+                Some(known.map(|(pitch_radius, torque)| Push {
+                    kind: contact.gear_kind,
+                    pitch_radius,
+                    torque,
+                }))
             };
             let pushes: Option<Vec<Push>> = self.contacts.iter().filter_map(push).collect();
             // Its own limits.

@@ -118,8 +118,8 @@ fn gear(given: &GearGiven) -> Result<Results, Refusal> {
             let Some(planet) = planet else { continue };
             let name = format!("planet.{}.{}", row.id(), place + 1);
             results.number(format!("{name}.relative"), planet.relative);
-            if let Some(absolute) = planet.absolute {
-                results.number(name, absolute);
+            if let Some(speed) = planet.speed {
+                results.number(name, speed);
             }
         }
     }
@@ -246,8 +246,8 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
             for planet in motion.planets.iter().flatten() {
                 fastest_planet = fastest_planet.max(planet.relative.abs());
                 results.number(format!("{name}.g{}.relative", row + 1), planet.relative);
-                if let Some(absolute) = planet.absolute {
-                    results.number(format!("{name}.g{}", row + 1), absolute);
+                if let Some(speed) = planet.speed {
+                    results.number(format!("{name}.g{}", row + 1), speed);
                 }
             }
         }

@@ -201,7 +201,7 @@ impl Scene<'_> {
         for (set, motion) in self.gearbox.sets().iter().zip(self.analysis().sets()) {
             for (place, planet) in motion.planets.iter().enumerate() {
                 let relative = planet.map(|planet| planet.relative);
-                let absolute = planet.and_then(|planet| planet.absolute);
+                let absolute = planet.and_then(|planet| planet.speed);
                 rows.push(vec![
                     text(set.id()),
                     text(planet_bearings::planet_name(set, place)),

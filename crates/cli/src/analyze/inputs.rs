@@ -288,7 +288,7 @@ impl Task<'_> {
                     text(set.id()),
                     text(planet_bearings::planet_name(set, place)),
                     column(planet.map(|planet| speed(planet.relative))),
-                    column(planet.and_then(|planet| planet.absolute).map(speed)),
+                    column(planet.and_then(|planet| planet.speed).map(speed)),
                 ]);
             }
         }

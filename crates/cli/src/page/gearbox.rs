@@ -234,7 +234,7 @@ fn with_k(gearbox: &Gearbox, row: usize, k: f64) -> Option<Gearbox> {
     let id = gearbox.sets()[row].id().to_owned();
     let change = |spec: SetSpec| {
         if spec.id == id {
-            SetSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
+            SetSpec { gearing: Gearing::BasicRatio(k), planet: None, second_planet: None, ..spec }
         } else {
             spec
         }

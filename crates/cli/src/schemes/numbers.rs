@@ -107,8 +107,8 @@ fn speeds(scheme: Scheme, gears: &[Analysis<'_>]) -> Records {
             rows.push(line(format!("{symbol}{}", place + 1), role.symbol(), gears, of));
         }
         let planet = |gear: &Analysis<'_>| gear.sets()[place].planets.first().copied().flatten();
-        let absolute = |gear: &Analysis<'_>| planet(gear).and_then(|planet| planet.absolute);
-        rows.push(line(format!("g{}", place + 1), "", gears, absolute));
+        let speed = |gear: &Analysis<'_>| planet(gear).and_then(|planet| planet.speed);
+        rows.push(line(format!("g{}", place + 1), "", gears, speed));
         let relative = |gear: &Analysis<'_>| planet(gear).map(|planet| planet.relative);
         rows.push(line(format!("g{0} on H{0}", place + 1), "", gears, relative));
     }
