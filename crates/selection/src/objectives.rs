@@ -14,6 +14,8 @@
 //! neither parts what is alike nor makes the answer depend on the way it was computed.
 
 use super::Error;
+use super::tolerance::{GRID_END, GRID_SHIFT};
+use epicyclic_pareto::dominates;
 use std::fmt;
 use std::str::FromStr;
 
@@ -127,9 +129,7 @@ pub(crate) type Costs = [f64; 5];
 /// Rounds to a multiple of 2⁻⁴⁰; of more than 2¹¹ nothing is lost that could matter.
 #[inline]
 pub(crate) fn on_grid(value: f64) -> f64 {
-    // Adding 1.5·2¹² leaves 40 bits behind the point. Larger values are their own grid.
-    const SHIFT: f64 = 6144.0;
-    if value.abs() < 2048.0 { (value + SHIFT) - SHIFT } else { value }
+    if value.abs() < GRID_END { (value + GRID_SHIFT) - GRID_SHIFT } else { value }
 }
 
 impl Objectives {
@@ -147,21 +147,6 @@ impl Objectives {
     pub fn dominates(&self, other: &Self) -> bool {
         dominates(&self.costs(), &other.costs())
     }
-}
-
-#[inline]
-pub(crate) fn nowhere_worse(one: &Costs, other: &Costs) -> bool {
-    // All five without a branch: mostly none decides alone.
-    (one[0] <= other[0])
-        & (one[1] <= other[1])
-        & (one[2] <= other[2])
-        & (one[3] <= other[3])
-        & (one[4] <= other[4])
-}
-
-#[inline]
-pub(crate) fn dominates(one: &Costs, other: &Costs) -> bool {
-    nowhere_worse(one, other) && one != other
 }
 
 /// Distance of `ln k` from the preferred range.

@@ -19,7 +19,7 @@
 //!    brakes only one order of the ratios is tried: the other is the same design.
 //!
 //! All that remains is measured and judged in full; the front is found by asking of each design whether
-//! any other dominates it ([`front`](crate::front)). Brute force over reduced ranges is the
+//! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
 //! # What it costs
@@ -62,12 +62,13 @@ mod patch;
 mod window;
 
 use crate::Error;
-use crate::front::{Entry, front, non_dominated};
-use crate::objectives::{Costs, Objectives, Order, nowhere_worse};
+use crate::front::{Entry, front};
+use crate::objectives::{Costs, Objectives, Order};
 use crate::requirements::Requirements;
 use crate::units::in_metres;
 use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_pareto::{non_dominated, nowhere_worse};
 use epicyclic_schemes::structures::Structure;
 use levels::{Level, levels};
 use patch::{Allowed, Measured, Patch, Side};

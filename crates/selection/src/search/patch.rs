@@ -6,6 +6,7 @@ use crate::Mechanism;
 use crate::drawing::drawable_direct_clutches;
 use crate::objectives::{Costs, on_grid};
 use crate::requirements::{Limits, Requirements};
+use crate::tolerance::SLACK;
 use epicyclic_schemes::direct_drive::{DIRECT_CLUTCH_PAIRS, link_speeds};
 use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
 use epicyclic_schemes::structures::{Role, SetRoles, Structure};
@@ -42,9 +43,7 @@ pub(crate) struct Measured {
     pub(crate) sun_torques: [f64; 2],
 }
 
-/// What a trial allows for rounding, relative: a value at its limit is within.
-const SLACK: f64 = 1e-9;
-
+/// A limit as a trial takes it: a value at it is within.
 fn allowed(limit: f64) -> f64 {
     limit + SLACK * (1.0 + limit)
 }
