@@ -4,10 +4,8 @@
 //! multispeed-gearboxes (2.1)–(2.4).
 
 use crate::Error;
+use crate::units::{metres, metres_per_second, newtons};
 use uom::si::f64::{Force, Length, Velocity};
-use uom::si::force::newton;
-use uom::si::length::meter;
-use uom::si::velocity::meter_per_second;
 
 /// Cutting speed of a chain cutter.
 ///
@@ -53,9 +51,7 @@ pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> R
 /// ```
 /// use epicyclic_schemes::cutting::drum_speed;
 /// use uom::si::f64::{Length, Velocity};
-/// use uom::si::length::{centimeter, meter};
-/// use uom::si::velocity::meter_per_second;
-/// # fn main() -> Result<(), epicyclic_schemes::Error> {
+/// /// /// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let (drum, chip) = (Length::new::<meter>(1.4), Length::new::<centimeter>(5.0));
 /// let speed = drum_speed(drum, Velocity::new::<meter_per_second>(4.0 / 60.0), chip, 2)?;
 /// assert!((speed.get::<meter_per_second>() - 5.24 * 1.4 * 4.0 / (5.0 * 2.0)).abs() < 1e-12);
@@ -95,8 +91,8 @@ pub fn drum_speed(
 /// (2.3).
 pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, Error> {
     speed("cutting speed", cutting)?;
-    positive("cutting force", force.get::<newton>(), "N")?;
-    positive("other cutting force", other_force.get::<newton>(), "N")?;
+    positive("cutting force", newtons(force), "N")?;
+    positive("other cutting force", newtons(other_force), "N")?;
     Ok(cutting * (force / other_force).value)
 }
 
@@ -115,11 +111,11 @@ pub fn matching_feed(feed: Velocity, cutting: Velocity, other_cutting: Velocity)
 }
 
 fn lengths(of: [(&'static str, Length); 2]) -> Result<(), Error> {
-    of.into_iter().try_for_each(|(what, length)| positive(what, length.get::<meter>(), "m"))
+    of.into_iter().try_for_each(|(what, length)| positive(what, metres(length), "m"))
 }
 
 fn speed(what: &'static str, speed: Velocity) -> Result<(), Error> {
-    positive(what, speed.get::<meter_per_second>(), "m/s")
+    positive(what, metres_per_second(speed), "m/s")
 }
 
 pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Error> {
@@ -129,7 +125,10 @@ pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use uom::si::force::newton;
     use uom::si::length::centimeter;
+    use uom::si::length::meter;
+    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn the_sources_units_give_its_factors() {

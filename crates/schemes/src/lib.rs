@@ -34,6 +34,8 @@ pub mod ratio_series;
 pub mod rotor;
 pub mod standing;
 pub mod structures;
+mod tolerance;
+mod units;
 
 pub use error::Error;
 pub use ratio_series::RatioSeries;

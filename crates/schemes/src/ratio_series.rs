@@ -21,8 +21,8 @@
 //! multispeed-gearboxes (2.10)–(2.21), (2.33)–(2.35). It calls the combined regime undesirable.
 
 use crate::Error;
+use crate::units::metres_per_second;
 use uom::si::f64::Velocity;
-use uom::si::velocity::meter_per_second;
 
 /// Which speeds the gearbox gives by slowing down, which by speeding up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -54,8 +54,7 @@ impl RatioSeries {
     /// ```
     /// use epicyclic_schemes::ratio_series::RatioSeries;
     /// use uom::si::f64::Velocity;
-    /// use uom::si::velocity::meter_per_second;
-    /// # fn main() -> Result<(), epicyclic_schemes::Error> {
+    ///     /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let speeds = [0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>);
     /// let series = RatioSeries::of_speeds(&speeds, 1)?;
     /// assert!((series.ratios()[1] - 1.466).abs() < 1e-3 && (series.ratios()[2] - 2.566).abs() < 1e-3);
@@ -70,7 +69,7 @@ impl RatioSeries {
         counts(count, direct)?;
         let mut before = 0.0;
         for (place, speed) in speeds.iter().enumerate() {
-            let speed = speed.get::<meter_per_second>();
+            let speed = metres_per_second(*speed);
             if !(speed > before && speed.is_finite()) {
                 return Err(Error::SpeedsOutOfOrder { place: place + 1, speed, before });
             }
@@ -287,6 +286,7 @@ impl PrintedSeries {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use uom::si::velocity::meter_per_second;
 
     fn speeds(values: &[f64]) -> Vec<Velocity> {
         values.iter().map(|v| Velocity::new::<meter_per_second>(*v)).collect()

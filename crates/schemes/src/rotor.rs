@@ -7,17 +7,14 @@
 
 use crate::Error;
 use crate::cutting::positive;
+use crate::units::{acceleration, angular_velocity, degrees, m_per_s2, metres, rad_per_s, radians};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use uom::si::acceleration::meter_per_second_squared;
-use uom::si::angle::{degree, radian};
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length};
-use uom::si::length::meter;
 
 /// Standard acceleration of fall.
 #[must_use]
 pub fn standard_gravity() -> Acceleration {
-    Acceleration::new::<meter_per_second_squared>(9.806_65)
+    acceleration(9.806_65)
 }
 
 /// Optimal speed of the wheel: a bucket passes while the boom advances by the width of a chip.
@@ -50,12 +47,12 @@ pub fn optimal_speed(
     buckets: u32,
     boom_angle: Angle,
 ) -> Result<AngularVelocity, Error> {
-    positive("boom radius", boom_radius.get::<meter>(), "m")?;
-    positive("slewing speed", slewing.get::<radian_per_second>(), "rad/s")?;
-    positive("chip width", chip_width.get::<meter>(), "m")?;
+    positive("boom radius", metres(boom_radius), "m")?;
+    positive("slewing speed", rad_per_s(slewing), "rad/s")?;
+    positive("chip width", metres(chip_width), "m")?;
     positive("number of buckets", f64::from(buckets), "")?;
-    let cos = boom_angle.get::<radian>().cos();
-    let is_acute = boom_angle.get::<radian>().abs() < FRAC_PI_2;
+    let cos = radians(boom_angle).cos();
+    let is_acute = radians(boom_angle).abs() < FRAC_PI_2;
     if !is_acute {
         return Err(Error::NotPositive { quantity: "cosine of the boom angle", value: cos, unit: "" });
     }
@@ -76,11 +73,9 @@ pub fn optimal_speed(
 /// # Source
 /// (2.5), restored.
 pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Error> {
-    let omega_rad_s = optimal.get::<radian_per_second>();
+    let omega_rad_s = rad_per_s(optimal);
     positive("optimal speed", omega_rad_s, "rad/s")?;
-    Ok(AngularVelocity::new::<radian_per_second>(
-        0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt()),
-    ))
+    Ok(angular_velocity(0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt())))
 }
 
 /// Least speed of the wheel in light and medium rock: `ω_min = √(Ω·g/R_p)`.
@@ -102,10 +97,10 @@ pub fn least_speed(
     wheel_radius: Length,
 ) -> Result<AngularVelocity, Error> {
     positive("Ω", discharge, "")?;
-    positive("acceleration of fall", gravity.get::<meter_per_second_squared>(), "m/s²")?;
-    positive("wheel radius", wheel_radius.get::<meter>(), "m")?;
-    let squared = discharge * gravity.get::<meter_per_second_squared>() / wheel_radius.get::<meter>();
-    Ok(AngularVelocity::new::<radian_per_second>(squared.sqrt()))
+    positive("acceleration of fall", m_per_s2(gravity), "m/s²")?;
+    positive("wheel radius", metres(wheel_radius), "m")?;
+    let squared = discharge * m_per_s2(gravity) / metres(wheel_radius);
+    Ok(angular_velocity(squared.sqrt()))
 }
 
 /// Discharge parameter `Ω = ω²·R_p/g` at which what leaves a bucket just clears the chute's edge.
@@ -131,13 +126,9 @@ pub fn least_speed(
 /// # Source
 /// (2.8).
 pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, Error> {
-    let (tau1, tau) = (release.get::<radian>(), chute.get::<radian>());
-    let refuse = |why| Error::NoFlight {
-        release_deg: release.get::<degree>(),
-        chute_deg: chute.get::<degree>(),
-        radius_ratio,
-        why,
-    };
+    let (tau1, tau) = (radians(release), radians(chute));
+    let refuse =
+        |why| Error::NoFlight { release_deg: degrees(release), chute_deg: degrees(chute), radius_ratio, why };
     if !(radius_ratio > 0.0 && radius_ratio.is_finite() && tau1.is_finite() && tau.is_finite()) {
         return Err(refuse("ε is above 0 and all are finite"));
     }
@@ -164,8 +155,8 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
 /// # Source
 /// (2.9).
 pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, Error> {
-    positive("greatest speed", greatest.get::<radian_per_second>(), "rad/s")?;
-    positive("least speed", least.get::<radian_per_second>(), "rad/s")?;
+    positive("greatest speed", rad_per_s(greatest), "rad/s")?;
+    positive("least speed", rad_per_s(least), "rad/s")?;
     Ok((greatest / least).value)
 }
 
@@ -175,6 +166,10 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::TestRunner;
     use std::cell::Cell;
+    use uom::si::angle::degree;
+    use uom::si::angle::radian;
+    use uom::si::angular_velocity::radian_per_second;
+    use uom::si::length::meter;
 
     fn omega(value: f64) -> AngularVelocity {
         AngularVelocity::new::<radian_per_second>(value)

@@ -46,7 +46,7 @@
 pub use crate::catalogue::Role;
 
 use crate::Error;
-use crate::catalogue::ThreeSpeed;
+use crate::catalogue::{SchemeElement, SchemeGear, ThreeSpeed};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::Gearbox;
 use epicyclic_train::names::nearest;
@@ -302,13 +302,20 @@ pub fn gearbox(
     eta0: MeshEfficiency,
     direct_clutch: Option<[Role; 2]>,
 ) -> Result<Gearbox, Error> {
-    let mut builder = Gearbox::builder(name).links(["D", "B", "T1"]).input("D").output("B").brake("K1", "T1");
-    builder = builder.gear("1", ["K1"]);
+    let [d, b, t1, t2] = Role::ALL.map(Role::symbol);
+    let mut builder = Gearbox::builder(name).links([d, b, t1]).input(d).output(b);
+    let mut gears = vec![SchemeGear::First];
+    builder = builder.brake(SchemeElement::FirstBrake.name(), t1);
     if sets.len() > 1 {
-        builder = builder.links(["T2"]).brake("K2", "T2").gear("2", ["K2"]);
+        builder = builder.links([t2]).brake(SchemeElement::SecondBrake.name(), t2);
+        gears.push(SchemeGear::Second);
     }
     if let Some([one, other]) = direct_clutch {
-        builder = builder.clutch("L", one.symbol(), other.symbol()).gear("direct", ["L"]);
+        builder = builder.clutch(SchemeElement::DirectClutch.name(), one.symbol(), other.symbol());
+        gears.push(SchemeGear::Direct);
+    }
+    for gear in gears {
+        builder = builder.gear(gear.name(), [gear.engaged().name()]);
     }
     for (name, (members, k)) in ["1", "2"].into_iter().zip(sets) {
         let set = SetSpec::simple(name, members.map(Role::symbol), *k);

@@ -42,9 +42,11 @@ pub mod objectives;
 pub mod requirements;
 pub mod search;
 pub mod size;
+mod tolerance;
 mod units;
 
-pub use candidate::{Candidate, Criterion, Engagement, GearReport, Verdict};
+pub use candidate::{Candidate, Criterion, Engagement, Evidence, GearReport, Verdict};
+pub use drawing::NotDrawable;
 pub use error::Error;
 pub use mechanism::{Mechanism, Space};
 pub use objectives::{Objective, Objectives, Order};
@@ -55,8 +57,8 @@ use epicyclic_schemes::structures::Role;
 use front::Entry;
 
 /// Between which links a mechanism's direct-drive clutch can be drawn; if there are none, or the mechanism
-/// itself cannot be drawn without self-crossing, the witness in words. As [`drawing::drawable_direct_clutches`].
-pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, String> + Sync + 'a;
+/// itself cannot be drawn without self-crossing, why. As [`drawing::drawable_direct_clutches`].
+pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> + Sync + 'a;
 
 /// A mechanism that has no ring-to-sun ratios for the ratios, so that there is nothing to judge.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,7 +70,16 @@ pub struct Unreachable {
     /// Ring-to-sun ratios that the ratios would need, where they need finite ones.
     pub needed: Option<Vec<f64>>,
     /// Why these are out of reach.
-    pub reason: String,
+    pub obstacle: Obstacle,
+}
+
+/// Why ring-to-sun ratios are out of reach.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Obstacle {
+    /// A set would need an infinite `k`.
+    Infinite,
+    /// These sets, by their places from 0, would need `k ≤ 1`, and that of a simple set is above 1.
+    TooSmall(Vec<usize>),
 }
 
 /// What a selection found.
@@ -124,9 +135,9 @@ pub fn select_with(
             // Beyond the tolerance the exact ring-to-sun ratios tell more, if a simple set can have them.
             let simple = exact.clone().filter(|k| k.iter().all(|k| *k > 1.0));
             let Some(k) = nearest.filter(in_tolerance).or(simple) else {
-                let reason = reason(exact.as_deref());
+                let obstacle = obstacle(exact.as_deref());
                 let wanted = wanted.clone();
-                found.unreachable.push(Unreachable { mechanism, wanted, needed: exact, reason });
+                found.unreachable.push(Unreachable { mechanism, wanted, needed: exact, obstacle });
                 continue;
             };
             let candidate = Candidate::new(mechanism, k, wanted, requirements, drawing)?;
@@ -140,9 +151,8 @@ pub fn select_with(
     Ok(found)
 }
 
-fn reason(needed: Option<&[f64]>) -> String {
-    let Some(needed) = needed else { return "a set would need an infinite k".into() };
-    let bad = |(set, k): (usize, &f64)| (*k <= 1.0).then(|| format!("k{} = {k:.3}", set + 1));
-    let bad: Vec<String> = needed.iter().enumerate().filter_map(bad).collect();
-    format!("{} needed, and k of a simple set is above 1", bad.join(" and "))
+fn obstacle(needed: Option<&[f64]>) -> Obstacle {
+    let Some(needed) = needed else { return Obstacle::Infinite };
+    let too_small = needed.iter().enumerate().filter(|(_, k)| **k <= 1.0);
+    Obstacle::TooSmall(too_small.map(|(set, _)| set).collect())
 }

@@ -4,11 +4,12 @@
 
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::RatioSeries;
-use epicyclic_schemes::catalogue::{Scheme, TwoSpeed};
+use epicyclic_schemes::catalogue::{Scheme, SchemeElement, TwoSpeed};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
 use epicyclic_selection::{
-    Candidate, Criterion, Mechanism, Objective, Order, Requirements, Selection, Space, select, select_with,
+    Candidate, Criterion, Evidence, Mechanism, NotDrawable, Objective, Order, Requirements, Selection, Space,
+    select, select_with,
 };
 use uom::si::f64::Velocity;
 use uom::si::velocity::meter_per_second;
@@ -56,7 +57,7 @@ fn the_excavator_wheel_has_the_documents_two_and_the_objections_to_both() {
     assert!((ii_3.k[0] - 2.145).abs() < 1e-3 && (ii_3.k[1] - 2.359).abs() < 2e-3, "{:?}", ii_3.k);
     assert_eq!(objections(ii_3), [Criterion::PlanetSpeed]);
     let planets = ii_3.objections().next().unwrap();
-    assert!((planets.value - 2.28).abs() < 0.01, "{planets}");
+    assert!((planets.value - 2.28).abs() < 0.01, "{planets:?}");
     assert!(found.rejected.contains(ii_3));
 
     let iii_1 = scheme(&found, "III-1")[0];
@@ -137,7 +138,7 @@ fn brake_torques_are_those_of_the_ratio_and_the_direct_clutch_of_least_torque_is
         assert!((torque - clutch.torque).abs() < 1e-9, "{}: {torque} {clutch:?}", candidate.mechanism);
         assert!(candidate.direct_clutches[0].torque.abs() <= clutch.torque.abs() + 1e-12);
         let table = candidate.engagement_table();
-        assert_eq!(table.last().unwrap().engaged, "L");
+        assert_eq!(table.last().unwrap().engaged, SchemeElement::DirectClutch);
         assert_eq!(table.iter().any(|line| line.reverses), candidate.mixes_directions());
     }
 }
@@ -175,12 +176,12 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
 
 #[test]
 fn drawing_is_a_criterion_that_can_be_lifted() {
-    let no = |_: Mechanism| Err("nothing can".to_owned());
+    let no = |_: Mechanism| Err(NotDrawable::NoDirectClutch);
     let mut requirements = excavator();
     let found = select_with(&requirements, &Space::All, Order::default(), Some(&no)).unwrap();
     assert!(found.accepted.is_empty());
     requirements.limits.drawable = false;
     let found = select_with(&requirements, &Space::All, Order::default(), Some(&no)).unwrap();
     let objection = found.accepted[0].objections().find(|v| v.criterion == Criterion::Drawable).unwrap();
-    assert_eq!(objection.place, "nothing can");
+    assert_eq!(objection.evidence, Evidence::NotDrawable(NotDrawable::NoDirectClutch));
 }

@@ -132,14 +132,14 @@ fn numbers(candidate: &Candidate, results: &mut Results) {
         results.number(format!("k{}", row + 1), *k);
     }
     for gear in &candidate.gears {
-        results.number(format!("ratio.{}", gear.name), gear.ratio);
+        results.number(format!("ratio.{}", gear.gear.name()), gear.ratio);
         if let Some(eta) = gear.efficiency {
-            results.number(format!("efficiency.{}", gear.name), eta);
+            results.number(format!("efficiency.{}", gear.gear.name()), eta);
         }
         if let Some(torque) = gear.brake_torque {
-            results.number(format!("brake_torque.{}", gear.name), torque);
+            results.number(format!("brake_torque.{}", gear.gear.name()), torque);
         }
-        results.number(format!("ideal_brake_torque.{}", gear.name), gear.ideal_brake_torque);
+        results.number(format!("ideal_brake_torque.{}", gear.gear.name()), gear.ideal_brake_torque);
     }
     if let Some(clutch) = candidate.direct_clutches.first() {
         results.text("least_lock", clutch.pair.map(Role::symbol).join(" "));

@@ -1,7 +1,7 @@
 //! All candidates side by side.
 
 use super::winner::Numbered;
-use super::{Args, duty, measures, why, winner};
+use super::{Args, duty, measures, why, winner, words};
 use crate::failure::Failure;
 use crate::figure::{Figure, multiple, text};
 use crate::output::Format;
@@ -53,7 +53,7 @@ pub(super) fn report(
     let is_table = args.output.format == Format::Table;
     if is_table {
         parts.extend(lists(requirements, &ranked, accepted, rejected));
-        parts.push(Part::Words(why::words(order, &ranked, found, accepted)));
+        parts.push(Part::Words(why::reasons(order, &ranked, found, accepted)));
         if let Some(best) = ranked.all.first().filter(|_| ranked.accepted > 0) {
             parts.extend(winner::parts(requirements, &[(1, best)]));
             parts.extend(duty::parts(args, requirements, &[(1, best)])?);
@@ -283,19 +283,20 @@ pub(super) fn objections(one: &Candidate) -> String {
     for verdict in one.objections().filter(|verdict| verdict.required) {
         let [least, greatest] = verdict.limits.map(|limit| trimmed(limit, 4));
         let value = trimmed(verdict.value, 4);
+        let place = words::evidence(one.mechanism, &verdict.evidence);
         let objection = match verdict.criterion {
-            Criterion::SameDirection | Criterion::Drawable => verdict.place.clone(),
+            Criterion::SameDirection | Criterion::Drawable => place,
             Criterion::Ratio => format!(
                 "ratio of {} {} % off, {} allowed",
-                verdict.place,
+                place,
                 trimmed(100.0 * verdict.value, 3),
                 trimmed(100.0 * verdict.limits[1], 3),
             ),
             Criterion::RingToSun => {
-                format!("k = {value} of {} outside {least} to {greatest}", verdict.place)
+                format!("k = {value} of {place} outside {least} to {greatest}")
             }
-            Criterion::Efficiency => format!("efficiency {value} in {}, least {least}", verdict.place),
-            criterion => format!("{criterion} {value} ({}), greatest {greatest}", verdict.place),
+            Criterion::Efficiency => format!("efficiency {value} in {place}, least {least}"),
+            criterion => format!("{criterion} {value} ({place}), greatest {greatest}"),
         };
         let _ = write!(words, "{}{objection}", if words.is_empty() { "" } else { "; " });
     }
@@ -319,7 +320,7 @@ fn verdicts(all: &[Numbered]) -> Records {
                 } else {
                     Figure::None
                 },
-                text(&verdict.place),
+                text(words::evidence(one.mechanism, &verdict.evidence)),
             ]);
         }
     }
@@ -348,7 +349,7 @@ fn unreachable(all: &[Unreachable]) -> Records {
             text(one.mechanism.to_string()),
             Figure::Numbers(one.wanted.clone()),
             one.needed.clone().map_or(Figure::None, Figure::Numbers),
-            text(&one.reason),
+            text(words::obstacle(one)),
         ]
     };
     Records {

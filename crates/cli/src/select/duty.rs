@@ -66,7 +66,7 @@ pub(super) fn parts(
     for &(no, one) in all {
         let gearbox = one.gearbox(requirements).map_err(super::refuse)?;
         for line in one.engagement_table() {
-            let analysis = gearbox.analyze(line.gear)?;
+            let analysis = gearbox.analyze(line.gear.name())?;
             // Torques alone do not hang on the speed; powers are shown only where it is known.
             let turning = speed.unwrap_or(AngularVelocity::new::<radian_per_second>(1.0));
             let operation = match torque.map(|torque| analysis.at(turning, InputLoad::Torque(torque))) {
@@ -77,7 +77,7 @@ pub(super) fn parts(
             let powered = operation.as_ref().filter(|_| speed.is_some());
             let mut row = vec![
                 Figure::Count(no),
-                text(line.gear),
+                text(line.gear.name()),
                 column(speed.map(|speed| speed / line.ratio)),
                 column(operation.as_ref().map(|at| at.input)),
                 column(operation.as_ref().map(|at| at.output)),
@@ -96,7 +96,7 @@ pub(super) fn parts(
             ]);
             gears.push(row);
             if let Some(at) = &operation {
-                members.extend(of_members(no, line.gear, &gearbox, at));
+                members.extend(of_members(no, line.gear.name(), &gearbox, at));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Why the winner wins, and why the others do not.
 
 use super::candidates::{Ranked, item, name, value};
+use super::words;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_selection::{Candidate, Objective, Order, Selection, Unreachable};
 
@@ -8,7 +9,7 @@ use epicyclic_selection::{Candidate, Objective, Order, Selection, Unreachable};
 const MOST_TOLD: usize = 6;
 
 /// The reasons, as a list.
-pub(super) fn words(order: Order, ranked: &Ranked, found: &Selection, shown: usize) -> String {
+pub(super) fn reasons(order: Order, ranked: &Ranked, found: &Selection, shown: usize) -> String {
     let accepted = &ranked.all[..ranked.accepted];
     let mut text = match accepted.split_first() {
         None => "Nothing meets every criterion\n".to_owned(),
@@ -16,7 +17,10 @@ pub(super) fn words(order: Order, ranked: &Ranked, found: &Selection, shown: usi
             let mut text = format!("Why {} wins\n", named(best));
             text += &item(&why_first(order, best, others));
             for objection in best.objections() {
-                text += &item(&format!("to object, though not required: {}", objection.place));
+                text += &item(&format!(
+                    "to object, though not required: {}",
+                    words::evidence(best.mechanism, &objection.evidence)
+                ));
             }
             for other in others.iter().take(shown.saturating_sub(1)) {
                 text += &item(&behind(order, best, other));
@@ -116,7 +120,7 @@ fn out_of_reach(all: &[Unreachable]) -> String {
     }
     let told = |one: &Unreachable| {
         let wanted: Vec<String> = one.wanted.iter().map(|ratio| trimmed(*ratio, 5)).collect();
-        item(&format!("{} (i = {}): {}", name(one.mechanism), wanted.join(", "), one.reason))
+        item(&format!("{} (i = {}): {}", name(one.mechanism), wanted.join(", "), words::obstacle(one)))
     };
     all.iter().map(told).collect()
 }

@@ -4,6 +4,7 @@ use super::candidates::name;
 use super::words;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, View, wrapped};
+use epicyclic_schemes::catalogue::SchemeElement;
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Role;
@@ -53,7 +54,7 @@ fn speeds(all: &[Numbered]) -> Records {
                     |gear: &GearReport| gear.links.iter().find(|(link, _)| *link == role).map(|(_, s)| *s);
                 line(format!("{member}{}", row + 1), Some(role), &of);
             }
-            line(format!("g{}", row + 1), None, &|gear| gear.planets.get(row)?.absolute);
+            line(format!("g{}", row + 1), None, &|gear| gear.planets.get(row)?.speed);
             line(format!("g{0} on H{0}", row + 1), None, &|gear| Some(gear.planets.get(row)?.relative));
         }
     }
@@ -125,14 +126,14 @@ fn engagements(all: &[Numbered]) -> Records {
     let mut rows = vec![];
     for &(no, one) in all {
         for line in one.engagement_table() {
-            let at = |shift_element| Figure::Mark(line.engaged == shift_element);
+            let at = |element| Figure::Mark(line.engaged == element);
             rows.push(vec![
                 Figure::Count(no),
-                text(line.gear),
+                text(line.gear.name()),
                 Figure::Multiple(line.ratio),
-                at("K1"),
-                if one.gears.len() == 1 { Figure::None } else { at("K2") },
-                at("L"),
+                at(SchemeElement::FirstBrake),
+                if one.gears.len() == 1 { Figure::None } else { at(SchemeElement::SecondBrake) },
+                at(SchemeElement::DirectClutch),
                 if line.reverses {
                     Figure::Answer("backward", "backward")
                 } else {

@@ -5,6 +5,7 @@
 //! | [`simple_set`] | the six ratios of a set and its four relations of speeds |
 //! | [`scheme`] | any of the fourteen |
 //! | [`table`] | what the fourteen are: names, links, closed forms |
+//! | [`gear`] | gears and shift elements of a scheme |
 //! | [`range`] | which k are used, and what a quantity does over them |
 //! | [`two_speed`] | I, II, III: ratio, efficiency, k from a ratio |
 //! | [`three_speed`] | I-1…III-3: the same of the second gear |
@@ -37,6 +38,7 @@
 //! # Source
 //! multispeed-gearboxes, sections 2.3 and 2.4.
 
+pub mod gear;
 pub mod range;
 pub mod scheme;
 pub mod simple_set;
@@ -44,6 +46,7 @@ pub mod table;
 pub mod three_speed;
 pub mod two_speed;
 
+pub use gear::{SchemeElement, SchemeGear};
 pub use range::{Reach, RingToSunRange};
 pub use scheme::Scheme;
 pub use three_speed::ThreeSpeed;
