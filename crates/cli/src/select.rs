@@ -291,7 +291,8 @@ fn refuse(error: epicyclic_selection::Error) -> Failure {
     use epicyclic_schemes::Error as S;
     use epicyclic_selection::Error as E;
     let option = match &error {
-        E::SpeedCount { .. } | E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
+        E::SpeedCount { .. } => "--speeds, --ratios",
+        E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
         E::RatioCount { .. } | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => {
             "--ratios"
         }

@@ -71,7 +71,7 @@ pub(super) fn report(
 
 /// What is wanted.
 pub(super) fn title(requirements: &Requirements) -> String {
-    let ratios: Vec<String> = requirements.series.ratios().iter().map(|ratio| trimmed(*ratio, 5)).collect();
+    let ratios: Vec<String> = requirements.series.braked().iter().map(|ratio| trimmed(*ratio, 5)).collect();
     let (name, braked) =
         if ratios.len() == 1 { ("Ratio", "the braked gear") } else { ("Ratios", "the braked gears") };
     let tolerance = trimmed(100.0 * requirements.tolerance, 4);
@@ -85,7 +85,7 @@ pub(super) fn name(mechanism: Mechanism) -> String {
 
 fn lists(requirements: &Requirements, ranked: &Ranked, accepted: usize, rejected: usize) -> Vec<Part> {
     let mut parts = vec![];
-    let two = requirements.series.ratios().len() == 2;
+    let two = requirements.series.braked().len() == 2;
     let main: &[&str] = if two {
         &["no", "scheme", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"]
     } else {
