@@ -206,7 +206,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
     let found = select_with(&demand, &space, order, Some(&drawable_locks)).map_err(refuse)?;
-    candidates::report(args, &demand, order, &found)?.deliver(&args.output)?;
+    args.output.deliver_report(vec![], &candidates::report(args, &demand, order, &found)?)?;
     if found.accepted.is_empty() { Err(nothing_found()) } else { Ok(()) }
 }
 
