@@ -11,9 +11,9 @@ mod subject;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
-use crate::report::Report;
 use epicyclic_formats::{Document, Quantity};
 use epicyclic_train::{Analysis, Error, Gearbox, InputLoad};
+use epicyclic_views::report::Report;
 pub(crate) use overview::fast_planets;
 use std::path::{Path, PathBuf};
 use subject::Content;
@@ -169,7 +169,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         }
         Content::One(subject) => report(args, &subject, &document)?,
     };
-    report.deliver(&args.output)
+    args.output.deliver_report(vec![], &report)
 }
 
 /// Everything about one gearbox, gear by gear.

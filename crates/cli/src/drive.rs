@@ -5,10 +5,10 @@ mod figures;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
-use crate::report::Report;
 use epicyclic_dynamics::Error;
 use epicyclic_dynamics::drive::{DriveDesign, design};
 use epicyclic_formats::{Document, Problem, drive};
+use epicyclic_views::report::Report;
 use std::path::PathBuf;
 
 /// A planetary drive from power, speed and ratio to its starting time.
@@ -50,7 +50,7 @@ pub(crate) struct Args {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let (title, design) = calculate(&input::document(&args.file)?)?;
-    answer(title, &design).deliver(&args.output)
+    args.output.deliver_report(vec![], &answer(title, &design))
 }
 
 /// The title of a drive's file, and the drive.

@@ -54,6 +54,12 @@ pub(crate) enum Failure {
     /// A fault in a file, with its line and column.
     #[error(transparent)]
     Document(#[from] epicyclic_formats::Error),
+    /// A question without an answer.
+    #[error(transparent)]
+    Answer(#[from] epicyclic_answers::Error),
+    /// An answer that cannot be shown.
+    #[error(transparent)]
+    View(#[from] epicyclic_views::Error),
     /// A demand that no gear meets.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
@@ -129,12 +135,6 @@ pub(crate) enum Failure {
         /// What to change.
         remedy: &'static str,
     },
-    /// A figure of an answer that no double holds.
-    #[error("not a finite number: {figure}; a given number is too small or too large for it")]
-    NotFinite {
-        /// Where it stands in the answer.
-        figure: String,
-    },
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
     Format(String),
@@ -148,6 +148,7 @@ impl Failure {
             | Self::SelfCrossing { .. }
             | Self::NoMotor { .. }
             | Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => NOTHING_FOUND,
+            Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
                 INPUT_OUTPUT
             }
@@ -187,7 +188,9 @@ impl Failure {
             }
             Self::Picture(E::NoRatio { .. }) => gearbox("gears"),
             Self::Picture(E::Motor(error)) | Self::Motor(error) => motor::place(error),
-            Self::Picture(_) | Self::NotFinite { .. } => base.clone(),
+            Self::Picture(_)
+            | Self::Answer(epicyclic_answers::Error::NotFinite { .. })
+            | Self::View(epicyclic_views::Error::NotFinite { .. }) => base.clone(),
             _ => return self,
         };
         document.error(&place, Problem::Refused { message: self.to_string() }).into()

@@ -194,7 +194,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Command::Drum(drum) => (cutters::drum(drum), &drum.output),
         Command::Rotor(rotor) => (wheel::report(rotor), &rotor.output),
     };
-    report.map_err(refuse)?.deliver(output)
+    output.deliver_report(vec![], &report.map_err(refuse)?)
 }
 
 /// The option that a refusal speaks of.

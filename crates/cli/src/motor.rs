@@ -9,11 +9,11 @@ mod teeth;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use crate::report::Report;
 use epicyclic_drawing::Scene;
 use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::profile::Profile;
+use epicyclic_views::report::Report;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
@@ -203,7 +203,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let design = design::read(&args.design)?;
     let files = files::content(&args.design.files, &design)?;
     let report = facts::report(&design)?;
-    report.deliver_with(files, &args.design.output)
+    args.design.output.deliver_report(files, &report)
 }
 
 /// The motor of a file as a drawing.

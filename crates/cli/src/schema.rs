@@ -1,13 +1,15 @@
-//! The command `schema`: the JSON Schema of the files that the program reads, for editors.
+//! The command `schema`: JSON Schemas of the files that the program reads and of the answers that it gives.
 
 use crate::failure::Failure;
 use crate::output::{self, Target};
+use epicyclic_answers::answer::schema;
+use epicyclic_answers::teeth::Teeth;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
 use schemars::schema_for;
 
-/// The JSON Schema of a file that the program reads, for editors and checks.
+/// The JSON Schema of a file that the program reads, or of an answer in JSON.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -16,7 +18,7 @@ Example:
 With the YAML language server a first line `# yaml-language-server:
 $schema=gearbox.schema.json` then completes and checks the file.")]
 pub(crate) struct Args {
-    /// Which file.
+    /// Which file or answer.
     #[arg(value_enum)]
     of: Of,
 
@@ -24,7 +26,7 @@ pub(crate) struct Args {
     target: Target,
 }
 
-/// The files.
+/// The files, then the answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Of {
     /// Of `epicyclic drive`.
@@ -35,6 +37,8 @@ enum Of {
     Transmissions,
     /// Of `epicyclic report`: a hydromotor.
     Motor,
+    /// The answer of `epicyclic teeth`.
+    AnswerTeeth,
 }
 
 /// Runs the command.
@@ -44,6 +48,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Gearbox => schema_for!(GearboxFile),
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
+        Of::AnswerTeeth => schema::<Teeth>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

@@ -149,7 +149,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             one::report(scheme, range, eta0, dimensioned(sizes, scheme, eta0)?.as_ref())?
         }
     };
-    report.deliver(&args.output)
+    args.output.deliver_report(vec![], &report)
 }
 
 fn refuse<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {

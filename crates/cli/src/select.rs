@@ -207,7 +207,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
     let found = select_with(&requirements, &space, order, Some(&drawable_direct_clutches)).map_err(refuse)?;
-    candidates::report(args, &requirements, order, &found)?.deliver(&args.output)?;
+    args.output.deliver_report(vec![], &candidates::report(args, &requirements, order, &found)?)?;
     if found.accepted.is_empty() { Err(nothing_found()) } else { Ok(()) }
 }
 

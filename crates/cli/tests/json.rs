@@ -1,9 +1,15 @@
-//! The keys of every command's JSON are those of `docs/src/reference/json.md`, no more and no fewer.
+//! Every answer in JSON is one by its own schema, and every key of a schema is written by some answer. The keys of answers
+//! that have no schema are those of `docs/src/reference/json.md`, no more and no fewer.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 mod common;
 
+use boon::{Compiler, Schemas};
 use common::{examples, output};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -227,15 +233,100 @@ fn collect(value: &Value, path: &str, found: &mut BTreeSet<String>) {
     }
 }
 
-fn written() -> Keys {
-    let (folder, mut keys) = (folder(), Keys::new());
-    for (section, args) in RUNS {
+/// The answers of all runs, by section.
+fn answers() -> Vec<(&'static str, Value)> {
+    let folder = folder();
+    let answer = |(section, args): &(&'static str, &[&str])| {
         let done = output(folder.path(), &[args, &["--format", "json"][..]].concat());
         assert!(done.status.success(), "{args:?} {done:?}");
-        let json = serde_json::from_slice(&done.stdout).unwrap();
-        collect(&json, "", keys.entry((*section).to_owned()).or_default());
+        (*section, serde_json::from_slice(&done.stdout).unwrap())
+    };
+    RUNS.iter().map(answer).collect()
+}
+
+fn written() -> Keys {
+    let mut keys = Keys::new();
+    for (section, json) in answers().into_iter().filter(|(_, json)| json.get("answer").is_none()) {
+        collect(&json, "", keys.entry(section.to_owned()).or_default());
     }
     keys
+}
+
+/// The schema of an answer, as the program tells it.
+fn schema(name: &str) -> Value {
+    let done = output(Path::new("."), &["schema", &format!("answer-{name}")]);
+    assert!(done.status.success(), "{name}: {done:?}");
+    serde_json::from_slice(&done.stdout).unwrap()
+}
+
+/// Every key that a schema has, `[]` for the entries of a list and `*` for those of a map.
+fn keys_of(schema: &Value, part: &Value, path: &str, found: &mut BTreeSet<String>) {
+    if let Some(name) = part.get("$ref").and_then(Value::as_str) {
+        let part = schema.pointer(name.strip_prefix('#').unwrap()).unwrap();
+        return keys_of(schema, part, path, found);
+    }
+    for choices in ["anyOf", "oneOf", "allOf"] {
+        for choice in part.get(choices).and_then(Value::as_array).into_iter().flatten() {
+            keys_of(schema, choice, path, found);
+        }
+    }
+    if let Some(entries) = part.get("items") {
+        keys_of(schema, entries, &format!("{path}[]"), found);
+    }
+    if let Some(entries) = part.get("additionalProperties").filter(|entries| entries.is_object()) {
+        keys_of(schema, entries, &format!("{path}.*"), found);
+    }
+    for (key, inner) in part.get("properties").and_then(Value::as_object).into_iter().flatten() {
+        let path = format!("{path}.{key}");
+        keys_of(schema, inner, &path, found);
+        found.insert(path);
+    }
+}
+
+/// Every key of an answer that has a value, in the words of [`keys_of`].
+fn keys_with_values(schema: &BTreeSet<String>, value: &Value, path: &str, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Null => {}
+        Value::Object(entries) => {
+            for (key, inner) in entries {
+                let named = format!("{path}.{key}");
+                let path = if schema.contains(&named) { named } else { format!("{path}.*") };
+                keys_with_values(schema, inner, &path, found);
+            }
+            found.insert(path.to_owned());
+        }
+        Value::Array(entries) => {
+            entries.iter().for_each(|entry| keys_with_values(schema, entry, &format!("{path}[]"), found));
+            if !entries.is_empty() {
+                found.insert(path.to_owned());
+            }
+        }
+        _ => _ = found.insert(path.to_owned()),
+    }
+}
+
+#[test]
+fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
+    let mut written: BTreeMap<String, (Value, BTreeSet<String>, BTreeSet<String>)> = BTreeMap::new();
+    for (section, json) in answers() {
+        let Some(name) = json.get("answer").and_then(Value::as_str) else { continue };
+        let (schema, keys, found) = written.entry(name.to_owned()).or_insert_with(|| {
+            let (schema, mut keys) = (schema(name), BTreeSet::new());
+            keys_of(&schema, &schema, "", &mut keys);
+            (schema, keys, BTreeSet::new())
+        });
+        let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
+        compiler.add_resource("answer.json", schema.clone()).unwrap();
+        let index = compiler.compile("answer.json", &mut schemas).unwrap();
+        if let Err(error) = schemas.validate(&json, index) {
+            panic!("{section}: {error:#}");
+        }
+        keys_with_values(keys, &json, "", found);
+    }
+    for (name, (_, keys, found)) in &written {
+        let missing: Vec<&String> = keys.difference(found).collect();
+        assert!(missing.is_empty(), "{name}: no run here gives a value to {missing:?}");
+    }
 }
 
 fn documented() -> Keys {

@@ -3,9 +3,9 @@
 use super::overview::{engaged, warnings};
 use super::subject::Subject;
 use crate::failure::Failure;
-use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_train::{Analysis, Gear, Gearbox};
+use epicyclic_views::figure::{Figure, multiple, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View};
 
 /// The whole answer.
 pub(super) fn report(subject: &Subject) -> Result<Report, Failure> {

@@ -7,13 +7,13 @@ use super::overview::{
 use super::subject::Subject;
 use super::{Input, Worked, planet_bearings, shared, work};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, multiple, quantity, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::Dimension;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::{
     Analysis, Direction, Gearbox, LinkId, LoadCase, Operation, PlanetSet, ShiftElement, State,
 };
+use epicyclic_views::figure::{Figure, column, multiple, quantity, text};
+use epicyclic_views::report::{Column, Part, Records, Report, Row, Section, View};
 
 const CASES: &[(&str, &str)] =
     &[("without_losses", "without losses"), ("with_losses", "with losses"), ("at_load", "at the load")];

@@ -4,14 +4,14 @@ use super::overview::{engaged, warnings};
 use super::subject::Subject;
 use super::{planet_bearings, shared};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, multiple, quantity, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Dimension, Document, Physical, Problem, Quantity};
 use epicyclic_train::inputs::{MultiLoad, MultiState};
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::{Error, Gear, Gearbox, LinkId};
+use epicyclic_views::figure::{Figure, column, multiple, quantity, text};
+use epicyclic_views::report::{Column, Part, Records, Report, Row, Section, View};
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 

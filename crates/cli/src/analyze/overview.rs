@@ -3,14 +3,13 @@
 use super::subject::Subject;
 use super::{Input, Worked, planet_bearings, work};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, multiple, text};
-use crate::output;
-use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::gearbox::PublishedGear;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::{Analysis, Gear, Gearbox, PlanetSet, State};
+use epicyclic_views::figure::{Figure, column, multiple, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View, wrapped};
 
 /// The whole answer.
 pub(super) fn report(subject: &Subject, input: Input) -> Result<Report, Failure> {
@@ -248,7 +247,7 @@ fn shift_table(gearbox: &Gearbox) -> String {
         let marks = (0..gearbox.shift_elements().len()).map(mark);
         [gear.name().to_owned()].into_iter().chain(marks).collect()
     });
-    format!("Shift table\n{}", output::table(&header, rows, &[]))
+    format!("Shift table\n{}", epicyclic_views::text::table(&header, rows, &[]))
 }
 
 /// Planets of a gear that turn faster on their carriers than is usual: more than twice the input's speed.

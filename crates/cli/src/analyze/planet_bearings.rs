@@ -3,11 +3,11 @@
 use super::subject::Subject;
 use super::{Input, Worked};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, multiple, text};
-use crate::report::{Column, Records, View};
 use epicyclic_formats::Dimension;
 use epicyclic_train::planet_bearings::{Lack, PlanetBearing};
 use epicyclic_train::{Direction, LoadCase, PlanetSet};
+use epicyclic_views::figure::{Figure, column, multiple, text};
+use epicyclic_views::report::{Column, Records, View};
 use uom::si::time::hour;
 
 /// The planets of one gear, where it has any.

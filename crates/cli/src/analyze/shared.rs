@@ -1,8 +1,8 @@
 //! What the tables of one input and of several have in common.
 
-use crate::figure::{Figure, text};
 use epicyclic_train::Gearbox;
 use epicyclic_train::power_flow::MeshPower;
+use epicyclic_views::figure::{Figure, text};
 
 /// Whether a shift element is engaged.
 pub(super) fn state(is_engaged: bool) -> Figure {

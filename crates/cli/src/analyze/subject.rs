@@ -2,8 +2,6 @@
 
 use super::Choice;
 use crate::failure::Failure;
-use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::gearbox::{
     DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
 };
@@ -14,6 +12,8 @@ use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
 use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_views::figure::{Figure, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View};
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Ratio, Torque};
 

@@ -1,10 +1,10 @@
 //! The figures of a drive, by the names that the library gives them.
 
-use crate::figure::{Figure, optional, quantity};
-use crate::report::{Part, Report, Row, Section};
 use epicyclic_dynamics::drive::{Choice, DriveDesign, GearMass, Motion, ShaftDesign, Start};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
+use epicyclic_views::figure::{Figure, optional, quantity};
+use epicyclic_views::report::{Part, Report, Row, Section};
 use uom::si::f64::{AngularVelocity, Force, Length, MomentOfInertia, Time};
 
 const GEARS: &[(&str, &str)] = &[("sun", "sun"), ("planet", "planet"), ("ring", "ring")];

@@ -2,13 +2,13 @@
 
 use super::list::in_words;
 use super::{ChainCutter, Drum, Rock};
-use crate::figure::{Figure, column, quantity};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical};
 use epicyclic_schemes::DesignError;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::recommended_speeds;
+use epicyclic_views::figure::{Figure, column, quantity};
+use epicyclic_views::report::{Column, Part, Records, Report, Row, Section, View};
 use uom::si::f64::Velocity;
 
 /// A chain cutter.

@@ -1,9 +1,9 @@
 //! Machines in service beside the number of speeds recommended for them.
 
-use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_schemes::DesignError;
 use epicyclic_schemes::machines::{Machine, Recommendation, machine, machines};
+use epicyclic_views::figure::{Figure, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View};
 
 /// All machines, or one.
 pub(super) fn report(name: Option<&str>) -> Result<Report, DesignError> {

@@ -1,11 +1,11 @@
 //! Ratios for given speeds.
 
 use super::list::in_words;
-use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_schemes::DesignError;
 use epicyclic_schemes::machines::recommended_speeds;
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries, Regime, step};
+use epicyclic_views::figure::{Figure, text};
+use epicyclic_views::report::{Column, Part, Records, Report, Row, Section, View};
 use uom::si::f64::Velocity;
 
 /// How far members of a printed series may be off and still count as the right ones.

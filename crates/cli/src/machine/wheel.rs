@@ -2,8 +2,6 @@
 
 use super::Rotor;
 use super::list::in_words;
-use crate::figure::{Figure, column, quantity};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Dimension, Physical, Quantity};
 use epicyclic_schemes::DesignError;
@@ -11,6 +9,8 @@ use epicyclic_schemes::machines::recommended_speeds;
 use epicyclic_schemes::rotor::{
     discharge, greatest_speed, least_speed, optimal_speed, speed_range, standard_gravity,
 };
+use epicyclic_views::figure::{Figure, column, quantity};
+use epicyclic_views::report::{Column, Part, Records, Report, Row, Section, View};
 use uom::si::f64::{Angle, AngularVelocity};
 
 /// The whole answer.

@@ -3,13 +3,13 @@
 use super::design::{Chosen, Drawn, refuse};
 use super::{lists, teeth};
 use crate::failure::Failure;
-use crate::figure::{Figure, optional, quantity};
-use crate::report::{Part, Report, Row, Section, wrapped};
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::{Family, Limit, closure};
 use epicyclic_hydromotor::numbers::MOST_LOBE_DIFFERENCE;
+use epicyclic_views::figure::{Figure, optional, quantity};
+use epicyclic_views::report::{Part, Report, Row, Section, wrapped};
 use uom::si::f64::{Force, Length};
 use uom::si::ratio::ratio;
 

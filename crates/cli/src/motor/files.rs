@@ -3,7 +3,6 @@
 use super::design::{Drawn, refuse};
 use super::{Files, View};
 use crate::failure::Failure;
-use crate::output;
 use crate::writing::Content;
 use epicyclic_drawing::{Scene, dxf, svg};
 use epicyclic_formats::quantity::format::trimmed;
@@ -93,5 +92,5 @@ fn centrodes(motor: &Motor, points: u32) -> Result<String, Failure> {
         "tangent_deg",
         "curvature_per_mm",
     ];
-    output::csv(&header, rows)
+    Ok(epicyclic_views::text::csv(&header, rows)?)
 }

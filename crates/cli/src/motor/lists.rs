@@ -2,12 +2,12 @@
 
 use super::design::{Drawn, refuse};
 use crate::failure::Failure;
-use crate::figure::{Figure, column};
-use crate::report::{Column, Records, View};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::checks::{Subject, ToothHeights};
 use epicyclic_pictures::motor::Phase;
+use epicyclic_views::figure::{Figure, column};
+use epicyclic_views::report::{Column, Records, View};
 use uom::si::f64::{Length, Pressure};
 
 /// Warnings of an answer: name and text.

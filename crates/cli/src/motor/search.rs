@@ -217,7 +217,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let shown = &listed[..limit.min(listed.len())];
     let hidden = listed.len() - shown.len();
     let report = answer::report(&search, &found, shown, hidden, all);
-    report.deliver_with(files, &args.output)?;
+    args.output.deliver_report(files, &report)?;
     if format != Format::Table && hidden > 0 {
         complain(&format!("note: {} designs found, {} shown", found.designs.len(), shown.len()));
     }

@@ -4,14 +4,14 @@ use super::design::{Drawn, refuse};
 use super::facts::modules;
 use super::lists::{Warnings, verdict};
 use crate::failure::Failure;
-use crate::figure::{Figure, column};
-use crate::report::{Column, Part, Records, View, wrapped};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::profile::clearance::Nearest;
 use epicyclic_hydromotor::profile::limits::{Bound, LimitKind};
 use epicyclic_hydromotor::profile::{Part as ToothPart, Profile};
+use epicyclic_views::figure::{Figure, column};
+use epicyclic_views::report::{Column, Part, Records, View, wrapped};
 use uom::si::f64::{Angle, Length};
 
 /// Rotations of half a period at which clearances are looked for, besides the refined one.

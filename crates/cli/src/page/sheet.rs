@@ -1,8 +1,8 @@
 //! A page of one file: sections of answers, pictures and words, to be read without a network and printed.
 
 use crate::failure::Failure;
-use crate::report::Report;
 use epicyclic_drawing::{Scene, svg};
+use epicyclic_views::report::Report;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// A page.

@@ -1,10 +1,10 @@
 //! The whole catalogue.
 
 use super::{Scheme, formulas};
-use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_schemes::catalogue::{RingToSunRange, Role};
+use epicyclic_views::figure::{Figure, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View};
 
 /// All schemes over a range of row parameters.
 pub(super) fn report(range: RingToSunRange) -> Report {

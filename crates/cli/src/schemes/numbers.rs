@@ -3,12 +3,12 @@
 use super::{Dimensioned, Scheme};
 use crate::analyze::fast_planets;
 use crate::failure::Failure;
-use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::RingToSunRange;
 use epicyclic_train::Analysis;
+use epicyclic_views::figure::{Figure, multiple, text};
+use epicyclic_views::report::{Column, Part, Records, Row, Section, View};
 
 /// Parts of an answer, and what to watch.
 pub(super) struct Found {

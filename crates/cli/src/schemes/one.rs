@@ -2,11 +2,11 @@
 
 use super::{Dimensioned, Scheme, formulas, numbers};
 use crate::failure::Failure;
-use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::{RingToSunRange, Role};
+use epicyclic_views::figure::{Figure, text};
+use epicyclic_views::report::{Column, Part, Records, Report, Row, Section, View};
 
 /// The whole answer.
 pub(super) fn report(

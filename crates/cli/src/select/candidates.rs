@@ -3,14 +3,14 @@
 use super::winner::Numbered;
 use super::{Args, duty, measures, why, winner};
 use crate::failure::Failure;
-use crate::figure::{Figure, multiple, text};
 use crate::output::Format;
-use crate::report::{Column, Part, Records, Report, View, wrapped};
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_selection::{
     Candidate, Criterion, Mechanism, Objective, Order, Requirements, Selection, Unreachable,
 };
+use epicyclic_views::figure::{Figure, multiple, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View, wrapped};
 use std::fmt::Write as _;
 
 /// Designs shown in a table unless said otherwise.

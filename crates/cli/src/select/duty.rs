@@ -3,11 +3,11 @@
 use super::Args;
 use super::winner::{Numbered, heading};
 use crate::failure::Failure;
-use crate::figure::{Figure, column, text};
-use crate::report::{Column, Part, Records, View};
 use epicyclic_formats::{Dimension, Physical, Quantity};
 use epicyclic_selection::Requirements;
 use epicyclic_train::{Error, Gearbox, InputLoad, Operation};
+use epicyclic_views::figure::{Figure, column, text};
+use epicyclic_views::report::{Column, Part, Records, View};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 use uom::si::torque::newton_meter;

@@ -1,9 +1,9 @@
 //! What every list of designs says of each: ratios, row parameters, efficiencies, objectives.
 
-use crate::figure::{Figure, column, multiple};
-use crate::report::Column;
 use epicyclic_formats::Dimension;
 use epicyclic_selection::{GearReport, Objectives, Requirements};
+use epicyclic_views::figure::{Figure, column, multiple};
+use epicyclic_views::report::Column;
 
 /// The columns.
 pub(super) fn columns() -> Vec<Column> {

@@ -2,11 +2,9 @@
 
 use super::{Args, candidates, duty, measures, nothing_found, refuse, structures, winner};
 use crate::failure::Failure;
-use crate::figure::{Figure, text};
 use crate::options;
 use crate::output::{Format, complain};
 use crate::progress::Progress;
-use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
 use epicyclic_selection::drawing::drawable_direct_clutches;
@@ -14,6 +12,8 @@ use epicyclic_selection::search::{Counts, Found, ToothDesign, ToothSearch};
 use epicyclic_selection::{
     Candidate, Objectives, Order, Orders, RatioSeries, Requirements, Signs, Space, select_with,
 };
+use epicyclic_views::figure::{Figure, text};
+use epicyclic_views::report::{Column, Part, Records, Report, View};
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
 use uom::si::length::{meter, millimeter};
@@ -78,7 +78,7 @@ pub(super) fn run(args: &Args, requirements: &Requirements, order: Order) -> Res
     });
     drop(shown);
     let found = found.map_err(refuse)?;
-    report(args, requirements, &found, limit)?.deliver(&args.output)?;
+    args.output.deliver_report(vec![], &report(args, requirements, &found, limit)?)?;
     if found.entries().is_empty() {
         return Err(nothing_found());
     }
@@ -192,7 +192,7 @@ fn counts(counts: Counts, shown: usize) -> String {
         1 => " Shown is the first of the front.".to_owned(),
         shown => format!(" Shown are the first {shown} of the front."),
     };
-    crate::report::wrapped("", &(searched + &shown))
+    epicyclic_views::report::wrapped("", &(searched + &shown))
 }
 
 fn designs(requirements: &Requirements, all: &[Measured]) -> Records {

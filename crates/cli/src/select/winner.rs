@@ -1,13 +1,13 @@
 //! A candidate in full: its speeds, its options for the direct-drive clutch, its engagement table.
 
 use super::candidates::name;
-use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, View, wrapped};
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Role;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{Candidate, GearReport, Mechanism, Requirements};
+use epicyclic_views::figure::{Figure, multiple, text};
+use epicyclic_views::report::{Column, Part, Records, View, wrapped};
 
 /// A candidate with its number in the list.
 pub(super) type Numbered<'a> = (u32, &'a Candidate);

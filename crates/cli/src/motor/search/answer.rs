@@ -3,12 +3,12 @@
 use super::super::lists::subject;
 use super::funnel::{self, count};
 use super::{Teeth, shown_size, teeth};
-use crate::figure::{Figure, column, text};
-use crate::report::{Column, Part, Records, Report, Section, View};
 use epicyclic_formats::quantity::format::{self, trimmed};
 use epicyclic_formats::{Dimension, Physical};
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::search::{Design, Found, MotorSearch};
+use epicyclic_views::figure::{Figure, column, text};
+use epicyclic_views::report::{Column, Part, Records, Report, Section, View};
 
 /// The whole answer; `hidden` designs are not shown, `all` were there before teeth were asked for.
 pub(super) fn report(

@@ -1,9 +1,9 @@
 //! What a search tried, why the others fell, and how much better a motor between the places tried may be.
 
-use crate::figure::Figure;
-use crate::report::Row;
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::search::{Found, Reason, SpacingError};
+use epicyclic_views::figure::Figure;
+use epicyclic_views::report::Row;
 
 /// The objectives, of which the error is stated.
 pub(super) const SPACING: &[(&str, &str)] =

@@ -6,64 +6,113 @@
 
 mod html;
 
-use crate::failure::Failure;
-use crate::figure::{self, Figure, suffix};
-use crate::output::{self, Format, OutputArgs, complain};
-use crate::writing::Content;
+use crate::figure::{self, Figure, Units, suffix};
+use crate::text::{self, Error};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::visible::one_line;
 use serde_json::{Map, Value, json};
 
 /// An answer: its parts, then warnings.
 #[derive(Debug, Default)]
-pub(crate) struct Report {
-    pub(crate) title: Option<String>,
-    pub(crate) parts: Vec<Part>,
-    /// Name and text; none at all where the command has no warnings to give.
-    pub(crate) warnings: Option<Vec<(&'static str, String)>>,
+pub struct Report {
+    /// What the answer is about.
+    pub title: Option<String>,
+    /// In the order in which they are shown.
+    pub parts: Vec<Part>,
+    /// None at all where the command has no warnings to give.
+    pub warnings: Option<Vec<(&'static str, String)>>,
 }
 
 /// A part of an answer.
 #[derive(Debug)]
-pub(crate) enum Part {
+pub enum Part {
     /// Figures, each of its own kind.
     Facts(Section),
     /// Like things with like figures.
     Records(Records),
     /// Words, for people only.
     Words(String),
+    /// A text of paragraphs, a list or a table, for people only.
+    Text(Text),
+}
+
+/// A text with or without a heading.
+#[derive(Debug, Default)]
+pub struct Text {
+    /// Its heading.
+    pub heading: Option<String>,
+    /// Sentences that belong together.
+    pub paragraphs: Vec<String>,
+    /// Points of a list, after the paragraphs.
+    pub points: Vec<String>,
+    /// A table of words or marks, after the points: its header, then its rows.
+    pub table: Vec<Vec<String>>,
+}
+
+impl Text {
+    /// One paragraph.
+    pub fn paragraph(paragraph: impl Into<String>) -> Self {
+        Self { paragraphs: vec![paragraph.into()], ..Self::default() }
+    }
+
+    /// A list below a heading.
+    pub fn list(heading: impl Into<String>, points: Vec<String>) -> Self {
+        Self { heading: Some(heading.into()), points, ..Self::default() }
+    }
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        if let Some(heading) = &self.heading {
+            text += &one_line(heading);
+            text.push('\n');
+        }
+        for paragraph in &self.paragraphs {
+            text += &unmarked(&one_line(paragraph));
+        }
+        for point in &self.points {
+            text += &wrapped(" -", &one_line(point));
+        }
+        if let Some((header, rows)) = self.table.split_first() {
+            let header: Vec<&str> = header.iter().map(String::as_str).collect();
+            text += &text::table(&header, rows.iter().cloned(), &[]);
+        }
+        text
+    }
 }
 
 /// Figures that belong together.
 #[derive(Debug)]
-pub(crate) struct Section {
+pub struct Section {
     /// Its key.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Its heading.
-    pub(crate) title: &'static str,
+    pub title: &'static str,
     /// Key and heading of each column; none where every figure stands alone.
-    pub(crate) columns: &'static [(&'static str, &'static str)],
-    pub(crate) rows: Vec<Row>,
+    pub columns: &'static [(&'static str, &'static str)],
+    /// What it says.
+    pub rows: Vec<Row>,
     /// A note below the table; empty for none.
-    pub(crate) note: &'static str,
+    pub note: &'static str,
 }
 
 /// A figure, or one for each column.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub struct Row {
     /// Its key without unit.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// What it is.
-    pub(crate) label: &'static str,
+    pub label: &'static str,
     /// Its symbol.
-    pub(crate) symbol: &'static str,
-    pub(crate) cells: Vec<Figure>,
+    pub symbol: &'static str,
+    /// One, or one for each column.
+    pub cells: Vec<Figure>,
     /// A remark, in the table only.
-    pub(crate) remark: String,
+    pub remark: String,
 }
 
 impl Row {
-    pub(crate) fn new(
+    /// Without a remark.
+    pub fn new(
         name: &'static str,
         label: &'static str,
         symbol: &'static str,
@@ -75,97 +124,84 @@ impl Row {
 
 /// Like things, each with one figure a column; the first names it.
 #[derive(Debug)]
-pub(crate) struct Records {
+pub struct Records {
     /// The key of the list.
-    pub(crate) name: &'static str,
-    pub(crate) columns: Vec<Column>,
-    pub(crate) rows: Vec<Vec<Figure>>,
+    pub name: &'static str,
+    /// What each of its figures says.
+    pub columns: Vec<Column>,
+    /// The things, with a figure for each column.
+    pub rows: Vec<Vec<Figure>>,
     /// The tables it is shown as.
-    pub(crate) views: Vec<View>,
+    pub views: Vec<View>,
     /// Whether this list is the answer: CSV then has one line for each of its things.
-    pub(crate) is_answer: bool,
+    pub is_answer: bool,
 }
 
 /// What one column says.
 #[derive(Debug)]
-pub(crate) struct Column {
+pub struct Column {
     /// Its key without unit.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Its heading in tables.
-    pub(crate) heading: String,
+    pub heading: String,
     /// What it measures.
-    pub(crate) dimension: Option<Dimension>,
+    pub dimension: Option<Dimension>,
     /// Whether it holds numbers, which stand to the right.
-    pub(crate) is_number: bool,
+    pub is_number: bool,
+    /// Whether it only says for people what other columns say for programs: CSV leaves it out.
+    pub is_for_people: bool,
 }
 
 impl Column {
     /// A column of words.
-    pub(crate) fn words(name: &'static str, heading: impl Into<String>) -> Self {
-        Self { name, heading: heading.into(), dimension: None, is_number: false }
+    pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
+        Self { name, heading: heading.into(), dimension: None, is_number: false, is_for_people: false }
     }
 
     /// A column of plain numbers.
-    pub(crate) fn number(name: &'static str, heading: impl Into<String>) -> Self {
+    pub fn number(name: &'static str, heading: impl Into<String>) -> Self {
         Self { is_number: true, ..Self::words(name, heading) }
     }
 
+    /// The same column for people alone.
+    #[must_use]
+    pub fn for_people(self) -> Self {
+        Self { is_for_people: true, ..self }
+    }
+
     /// A column of quantities, headed by their unit.
-    pub(crate) fn quantity(name: &'static str, dimension: Dimension) -> Self {
+    pub fn quantity(name: &'static str, dimension: Dimension) -> Self {
         let heading = dimension.usual_unit().symbol;
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
     }
 
-    fn key(&self, format: Format) -> String {
-        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension, format)))
+    fn key(&self, units: Units) -> String {
+        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension, units)))
     }
 }
 
 /// Some columns of a list as a table.
 #[derive(Debug)]
-pub(crate) struct View {
-    pub(crate) title: String,
+pub struct View {
+    /// Its heading.
+    pub title: String,
     /// Names of columns, in order; those that the list lacks are passed over.
-    pub(crate) columns: Vec<&'static str>,
+    pub columns: Vec<&'static str>,
     /// A note below the table; empty for none.
-    pub(crate) note: String,
+    pub note: String,
 }
 
 impl View {
-    pub(crate) fn new(title: impl Into<String>, columns: &[&'static str]) -> Self {
+    /// Without a note.
+    pub fn new(title: impl Into<String>, columns: &[&'static str]) -> Self {
         Self { title: title.into(), columns: columns.to_vec(), note: String::new() }
     }
 }
 
 impl Report {
-    /// Writes the answer where it is to go; warnings that are out of sight there are shown as well.
-    pub(crate) fn deliver(&self, output: &OutputArgs) -> Result<(), Failure> {
-        self.deliver_with(vec![], output)
-    }
-
-    /// The same with other files of the call: all of them are written or none.
-    pub(crate) fn deliver_with(&self, files: Vec<Content>, output: &OutputArgs) -> Result<(), Failure> {
-        output.write_with(files, &self.text(output.format)?)?;
-        if output.is_file() {
-            for (_, warning) in self.warnings.iter().flatten() {
-                complain(&format!("warning: {}", one_line(warning)));
-            }
-        }
-        Ok(())
-    }
-
-    fn text(&self, format: Format) -> Result<String, Failure> {
-        self.refuse_infinite()?;
-        match format {
-            Format::Table => Ok(self.table()),
-            Format::Json => output::json(&self.json()),
-            Format::Csv => self.csv(),
-        }
-    }
-
     /// No `inf` or `NaN` leaves the program, however the answer is written.
-    pub(crate) fn refuse_infinite(&self) -> Result<(), Failure> {
-        let refuse = |figure: String| Err(Failure::NotFinite { figure });
+    pub fn refuse_infinite(&self) -> Result<(), Error> {
+        let refuse = |figure: String| Err(Error::NotFinite { figure });
         for part in &self.parts {
             match part {
                 Part::Facts(section) => {
@@ -182,13 +218,15 @@ impl Report {
                         }
                     }
                 }
-                Part::Words(_) => {}
+                Part::Words(_) | Part::Text(_) => {}
             }
         }
         Ok(())
     }
 
-    fn table(&self) -> String {
+    /// As tables for people.
+    #[must_use]
+    pub fn table(&self) -> String {
         let title = self.title.as_ref().map(|title| format!("{}\n", one_line(title)));
         let parts = self.parts.iter().flat_map(Part::tables);
         let text = title.into_iter().chain(parts).collect::<Vec<_>>().join("\n");
@@ -203,7 +241,9 @@ impl Report {
         format!("{text}\n{heading}{warnings}")
     }
 
-    fn json(&self) -> Value {
+    /// As JSON.
+    #[must_use]
+    pub fn json(&self) -> Value {
         let mut root = Map::new();
         if let Some(title) = &self.title {
             root.insert("title".to_owned(), json!(title));
@@ -212,7 +252,7 @@ impl Report {
             let (name, value) = match part {
                 Part::Facts(section) => (section.name, section.json()),
                 Part::Records(records) => (records.name, records.json()),
-                Part::Words(_) => continue,
+                Part::Words(_) | Part::Text(_) => continue,
             };
             match (root.get_mut(name), value) {
                 // Sections of one name share one object.
@@ -227,7 +267,11 @@ impl Report {
         Value::Object(root)
     }
 
-    fn csv(&self) -> Result<String, Failure> {
+    /// As CSV.
+    ///
+    /// # Errors
+    /// A writer that fails.
+    pub fn csv(&self) -> Result<String, Error> {
         for part in &self.parts {
             if let Part::Records(records) = part
                 && records.is_answer
@@ -238,12 +282,12 @@ impl Report {
         let figures = self.parts.iter().flat_map(|part| match part {
             Part::Facts(section) => section.lines(),
             Part::Records(records) => records.lines(),
-            Part::Words(_) => vec![],
+            Part::Words(_) | Part::Text(_) => vec![],
         });
         let warnings = self.warnings.iter().flatten().map(|(name, message)| {
             vec!["warnings".to_owned(), String::new(), (*name).to_owned(), message.clone(), String::new()]
         });
-        output::csv(&["section", "item", "quantity", "value", "unit"], figures.chain(warnings))
+        text::csv(&["section", "item", "quantity", "value", "unit"], figures.chain(warnings))
     }
 }
 
@@ -253,6 +297,7 @@ impl Part {
             Self::Facts(section) => vec![section.grid().text()],
             Self::Records(records) => records.views.iter().map(|view| records.grid(view).text()).collect(),
             Self::Words(words) => vec![words.clone()],
+            Self::Text(text) => vec![text.text()],
         }
     }
 }
@@ -270,7 +315,7 @@ struct Grid<'a> {
 impl Grid<'_> {
     fn text(self) -> String {
         let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note) };
-        format!("{}\n{}{note}", one_line(self.title), output::table(&self.header, self.rows, &self.right))
+        format!("{}\n{}{note}", one_line(self.title), text::table(&self.header, self.rows, &self.right))
     }
 }
 
@@ -338,15 +383,19 @@ impl Records {
     fn json(&self) -> Value {
         let record = |row: &Vec<Figure>| -> Value {
             let cells = self.columns.iter().zip(row);
-            cells.map(|(column, cell)| (column.key(Format::Json), cell.json())).collect()
+            cells.map(|(column, cell)| (column.key(Units::Si), cell.json())).collect()
         };
         self.rows.iter().map(record).collect()
     }
 
-    fn csv(&self) -> Result<String, Failure> {
-        let header: Vec<String> = self.columns.iter().map(|column| column.key(Format::Csv)).collect();
+    fn csv(&self) -> Result<String, Error> {
+        let places: Vec<usize> =
+            (0..self.columns.len()).filter(|&place| !self.columns[place].is_for_people).collect();
+        let header: Vec<String> =
+            places.iter().map(|&place| self.columns[place].key(Units::Drawing)).collect();
         let header: Vec<&str> = header.iter().map(String::as_str).collect();
-        output::csv(&header, self.rows.iter().map(|row| row.iter().map(|cell| cell.csv().0).collect()))
+        let rows = self.rows.iter().map(|row| places.iter().map(|&place| row[place].csv().0).collect());
+        text::csv(&header, rows)
     }
 
     fn lines(&self) -> Vec<Vec<String>> {
@@ -362,15 +411,16 @@ impl Records {
         };
         let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
             let item = named_by(row, named);
-            self.columns.iter().zip(row).skip(named).map(|(column, cell)| line(&item, column, cell)).collect()
+            let cells = self.columns.iter().zip(row).skip(named).filter(|(column, _)| !column.is_for_people);
+            cells.map(|(column, cell)| line(&item, column, cell)).collect()
         };
         self.rows.iter().flat_map(record).collect()
     }
 }
 
 /// Text within the width of the tables, after a list mark or none.
-pub(crate) fn wrapped(mark: &str, text: &str) -> String {
-    let width = usize::from(output::WIDTH);
+pub fn wrapped(mark: &str, text: &str) -> String {
+    let width = usize::from(text::WIDTH);
     let mut lines = String::new();
     let mut line = mark.to_owned();
     for word in text.split(' ') {
@@ -383,6 +433,11 @@ pub(crate) fn wrapped(mark: &str, text: &str) -> String {
         line += word;
     }
     lines + &line + "\n"
+}
+
+/// A paragraph within the width of the tables.
+fn unmarked(text: &str) -> String {
+    wrapped("", text).lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect()
 }
 
 /// The cells of the first columns, which name a thing.

@@ -1,6 +1,5 @@
 //! A value in an answer, shown three ways.
 
-use crate::output::Format;
 use epicyclic_formats::quantity::format::{in_unit, sensible_unit, significant, trimmed};
 use epicyclic_formats::{Dimension, Physical};
 use serde_json::{Value, json};
@@ -14,14 +13,25 @@ const EXACT_DIGITS: usize = 12;
 /// Decimals of a multiple in a table.
 const DECIMALS: usize = 4;
 
+/// In which units a key or a heading speaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// SI, as in JSON.
+    Si,
+    /// Those of drawings, as in tables and CSV.
+    Drawing,
+}
+
 /// A value.
 #[derive(Debug, Clone)]
-pub(crate) enum Figure {
+pub enum Figure {
     /// Nothing to say.
     None,
     /// A quantity that there is not, whose key keeps its unit.
     Without(Dimension),
+    /// How many.
     Count(u32),
+    /// A plain number.
     Number(f64),
     /// A multiple of the input's speed, torque or power, an efficiency, a ratio: in a table with as many decimals as
     /// its neighbours above and below.
@@ -30,22 +40,30 @@ pub(crate) enum Figure {
     Printed(f64, usize),
     /// A part of a whole, shown in per cent.
     Share(f64),
+    /// A quantity in the unit that suits its size.
     Quantity {
+        /// Its size in SI units.
         si: f64,
+        /// What it measures.
         dimension: Dimension,
     },
     /// A quantity whose table names the unit in its heading.
     Column {
+        /// Its size in SI units.
         si: f64,
+        /// What it measures.
         dimension: Dimension,
     },
     /// Several quantities of one kind.
     List {
+        /// Their sizes in SI units.
         si: Vec<f64>,
+        /// What it measures.
         dimension: Dimension,
     },
     /// Several numbers.
     Numbers(Vec<f64>),
+    /// A name or a word.
     Text(String),
     /// Several names.
     Texts(Vec<String>),
@@ -58,32 +76,34 @@ pub(crate) enum Figure {
 }
 
 /// A figure of a quantity.
-pub(crate) fn quantity<T: Physical>(value: T) -> Figure {
+pub fn quantity<T: Physical>(value: T) -> Figure {
     Figure::Quantity { si: value.si(), dimension: T::DIMENSION }
 }
 
 /// The same, if there is one.
-pub(crate) fn optional<T: Physical>(value: Option<T>) -> Figure {
+pub fn optional<T: Physical>(value: Option<T>) -> Figure {
     value.map_or(Figure::Without(T::DIMENSION), quantity)
 }
 
 /// A figure of a quantity below a heading with its unit.
-pub(crate) fn column<T: Physical>(value: Option<T>) -> Figure {
+pub fn column<T: Physical>(value: Option<T>) -> Figure {
     value.map_or(Figure::None, |value| Figure::Column { si: value.si(), dimension: T::DIMENSION })
 }
 
 /// A multiple, if it is known.
-pub(crate) fn multiple(value: Option<f64>) -> Figure {
+pub fn multiple(value: Option<f64>) -> Figure {
     value.map_or(Figure::None, Figure::Multiple)
 }
 
 /// A text of one's own.
-pub(crate) fn text(text: impl Into<String>) -> Figure {
+pub fn text(text: impl Into<String>) -> Figure {
     Figure::Text(text.into())
 }
 
 impl Figure {
-    pub(crate) fn table(&self) -> String {
+    /// As a table shows it.
+    #[must_use]
+    pub fn table(&self) -> String {
         match self {
             Self::None | Self::Without(_) => "-".to_owned(),
             Self::Count(count) => count.to_string(),
@@ -111,7 +131,7 @@ impl Figure {
     }
 
     /// As one of a column of quantities with so many decimals.
-    pub(crate) fn in_column(&self, decimals: usize) -> String {
+    pub fn in_column(&self, decimals: usize) -> String {
         match self {
             Self::Column { si, dimension } => {
                 let value = in_usual(*si, *dimension);
@@ -124,7 +144,7 @@ impl Figure {
     }
 
     /// Value and unit.
-    pub(crate) fn csv(&self) -> (String, String) {
+    pub fn csv(&self) -> (String, String) {
         let exact = |value: f64| trimmed(value, EXACT_DIGITS);
         let joined = |values: &[f64]| values.iter().map(|value| exact(*value)).collect::<Vec<_>>().join(" ");
         let plain = |value: String| (value, String::new());
@@ -149,7 +169,9 @@ impl Figure {
         }
     }
 
-    pub(crate) fn json(&self) -> Value {
+    /// As JSON.
+    #[must_use]
+    pub fn json(&self) -> Value {
         match self {
             Self::None | Self::Without(_) => Value::Null,
             Self::Count(count) => json!(count),
@@ -169,7 +191,7 @@ impl Figure {
     }
 
     /// Whether every number in it can be shown.
-    pub(crate) fn is_finite(&self) -> bool {
+    pub fn is_finite(&self) -> bool {
         match self {
             // As tables show it, a share is a hundred times as large.
             Self::Share(value) => (100.0 * value).is_finite(),
@@ -194,35 +216,35 @@ impl Figure {
     }
 
     /// The SI unit as part of a key: `_kg_m2`.
-    pub(crate) fn suffix(&self) -> &'static str {
-        self.dimension().map_or("", |dimension| suffix(dimension, Format::Json))
+    pub fn suffix(&self) -> &'static str {
+        self.dimension().map_or("", |dimension| suffix(dimension, Units::Si))
     }
 }
 
 /// The unit as part of a key, SI in JSON and that of drawings in CSV.
-pub(crate) const fn suffix(dimension: Dimension, format: Format) -> &'static str {
-    match (dimension, format) {
-        (Dimension::Length, Format::Json) => "_m",
+pub const fn suffix(dimension: Dimension, units: Units) -> &'static str {
+    match (dimension, units) {
+        (Dimension::Length, Units::Si) => "_m",
         (Dimension::Length, _) => "_mm",
-        (Dimension::Area, Format::Json) => "_m2",
+        (Dimension::Area, Units::Si) => "_m2",
         (Dimension::Area, _) => "_mm2",
-        (Dimension::Volume, Format::Json) => "_m3",
+        (Dimension::Volume, Units::Si) => "_m3",
         (Dimension::Volume, _) => "_cm3",
-        (Dimension::VolumeRate, Format::Json) => "_m3_s",
+        (Dimension::VolumeRate, Units::Si) => "_m3_s",
         (Dimension::VolumeRate, _) => "_l_min",
         (Dimension::Mass, _) => "_kg",
         (Dimension::Inertia, _) => "_kg_m2",
         (Dimension::Speed, _) => "_m_s",
-        (Dimension::AngularSpeed, Format::Json) => "_rad_s",
+        (Dimension::AngularSpeed, Units::Si) => "_rad_s",
         (Dimension::AngularSpeed, _) => "_rpm",
         (Dimension::AngularAcceleration, _) => "_rad_s2",
-        (Dimension::Angle, Format::Json) => "_rad",
+        (Dimension::Angle, Units::Si) => "_rad",
         (Dimension::Angle, _) => "_deg",
         (Dimension::Force, _) => "_n",
         (Dimension::Torque, _) => "_n_m",
-        (Dimension::Power, Format::Json) => "_w",
+        (Dimension::Power, Units::Si) => "_w",
         (Dimension::Power, _) => "_kw",
-        (Dimension::Pressure, Format::Json) => "_pa",
+        (Dimension::Pressure, Units::Si) => "_pa",
         (Dimension::Pressure, _) => "_mpa",
         (Dimension::Energy, _) => "_j",
         (Dimension::Time, _) => "_s",
@@ -231,7 +253,7 @@ pub(crate) const fn suffix(dimension: Dimension, format: Format) -> &'static str
 }
 
 /// Decimals that give the largest quantity of a column its significant digits.
-pub(crate) fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
+pub fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
     let sizes = column.filter_map(|figure| match figure {
         Figure::Column { si, dimension } => Some(in_usual(*si, *dimension).abs()),
         _ => None,
@@ -275,7 +297,7 @@ mod tests {
     fn a_unit_stands_in_the_key_or_in_the_heading() {
         let torque = Figure::Column { si: 1053.19, dimension: Dimension::Torque };
         assert_eq!((torque.table(), torque.suffix()), ("1053.2".to_owned(), "_n_m"));
-        assert_eq!(suffix(Dimension::AngularSpeed, Format::Csv), "_rpm");
+        assert_eq!(suffix(Dimension::AngularSpeed, Units::Drawing), "_rpm");
         let speed = Figure::Quantity { si: std::f64::consts::PI, dimension: Dimension::AngularSpeed };
         assert_eq!(speed.table(), "30 rpm");
     }

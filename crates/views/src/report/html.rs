@@ -1,11 +1,11 @@
 //! An answer as part of a page.
 
-use super::{Grid, Part, Report};
+use super::{Grid, Part, Report, Text};
 use maud::{Markup, html};
 
 impl Report {
     /// Tables, words and warnings, without the title.
-    pub(crate) fn html(&self) -> Markup {
+    pub fn html(&self) -> Markup {
         html! {
             @for part in &self.parts { (part.html()) }
             @if let Some(warnings) = &self.warnings {
@@ -28,6 +28,24 @@ impl Part {
                 html! { @for view in &records.views { (records.grid(view).html()) } }
             }
             Self::Words(words) => self::words(words),
+            Self::Text(text) => text.html(),
+        }
+    }
+}
+
+impl Text {
+    fn html(&self) -> Markup {
+        let table = self.table.split_first();
+        html! {
+            @if let Some(heading) = &self.heading { h3 { (heading) } }
+            @for paragraph in &self.paragraphs { p { (paragraph) } }
+            @if !self.points.is_empty() { ul { @for point in &self.points { li { (point) } } } }
+            @if let Some((header, rows)) = table {
+                table {
+                    thead { tr { @for title in header { th { (title) } } } }
+                    tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
+                }
+            }
         }
     }
 }

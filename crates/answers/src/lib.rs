@@ -1,0 +1,39 @@
+//! What the program answers, as data: one record an answer, numbers in SI units that stand in the names.
+//!
+//! Tables, CSV and pages are views of these records; the program in Python or in a browser takes the records
+//! themselves. Nothing is said here in words that a reader would have to take apart again: choices are enums, lists are
+//! lists, and what there is not is `null`.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`teeth`] | tooth numbers of a simple set for a ratio |
+//! | [`shared`] | records that several answers share |
+//! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
+//! | [`finite`] | that every number of an answer is one |
+//! | [`error`] | what is refused |
+//!
+//! # Stability
+//! [`SCHEMA_VERSION`] is raised whenever a key goes, or changes its meaning or unit. A new key does not raise it.
+//!
+//! # Example
+//! ```
+//! use epicyclic_answers::{answer::to_json, shared::Fraction, teeth};
+//! use epicyclic_gears::{simple_set::{Member, Mode}, synthesis::Bounds};
+//! # fn main() -> Result<(), epicyclic_answers::Error> {
+//! let mode = Mode::new(Member::Sun, Member::Carrier)?;
+//! let wanted = teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 1 };
+//! let found = teeth::answer(&wanted, |_| ())?;
+//! assert_eq!(found.tooth_sets[0].exact_ratio, Fraction { numerator: 6, denominator: 1 });
+//! assert!(to_json(&found)?.starts_with("{\n  \"schema_version\": 1,\n  \"answer\": \"teeth\""));
+//! # Ok(())
+//! # }
+//! ```
+
+pub mod answer;
+pub mod error;
+pub mod finite;
+pub mod shared;
+pub mod teeth;
+
+pub use answer::{Answer, SCHEMA_VERSION, Warning};
+pub use error::Error;

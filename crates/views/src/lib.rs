@@ -1,0 +1,24 @@
+//! Answers as tables for people, as CSV, and as parts of a page: views of the records of [`epicyclic_answers`].
+//!
+//! | module | is |
+//! |---|---|
+//! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
+//! | [`figure`] | a value in it |
+//! | [`text`] | tables of plain text, CSV |
+//! | [`teeth`] | the view of this answer |
+//!
+//! Nothing is calculated here: a figure that an answer lacks cannot be shown.
+
+pub mod figure;
+pub mod report;
+pub mod teeth;
+pub mod text;
+
+pub use report::Report;
+pub use text::Error;
+
+/// An answer that people can read.
+pub trait AsReport {
+    /// Its parts: figures, lists, words, warnings.
+    fn report(&self) -> Report;
+}
