@@ -42,6 +42,7 @@
 mod bodies;
 mod gear;
 mod motion;
+mod part;
 mod result;
 mod shafts;
 mod spec;
@@ -49,22 +50,21 @@ mod spec;
 mod tests;
 mod warning;
 
+pub use part::{Shaft, Wheel};
 pub use result::{
-    Choice, DriveDesign, Efficiency, Forces, Gear, Masses, Motion, Powers, Reduction, Shaft, ShaftDesign,
-    Shafts, Speeds, Start, Torques, Wheel, WheelMass, Wheels,
+    Choice, DriveDesign, Efficiency, Forces, Gear, Masses, Motion, Powers, Reduction, ShaftDesign, Shafts,
+    Speeds, Start, Torques, WheelMass, Wheels,
 };
 pub use spec::{Bore, CarrierSpec, DriveSpec, ShaftSpec, ShaftsSpec, TeethSpec, WheelSpec, default_bounds};
 pub use warning::Warning;
 
-use crate::units::{angular_velocity, force, meters, n_m, newtons, rad_per_s};
+use crate::units::{angular_velocity, force, kilowatts, meters, n_m, newtons, rad_per_s, rpm};
 use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_gears::geometry::{self, Toothing, centre_distance};
 use epicyclic_gears::row::{Member, Mode};
 use epicyclic_gears::synthesis::{ToothSet, check_tolerance};
 use epicyclic_gears::{pin, willis};
-use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::power::kilowatt;
 
 /// Usual range of the ratio of a single stage.
 ///
@@ -128,8 +128,8 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
             Err(epicyclic_gears::Error::NotPositive { quantity, value, unit })
         }
     };
-    positive("power", spec.power.get::<kilowatt>(), "kW")?;
-    positive("speed", spec.speed.get::<revolution_per_minute>(), "rpm")?;
+    positive("power", kilowatts(spec.power), "kW")?;
+    positive("speed", rpm(spec.speed), "rpm")?;
     positive("ratio", spec.ratio, "")?;
     check_tolerance(spec.ratio_tolerance)?;
     if let Some(driving) = spec.driving_torque {

@@ -26,6 +26,7 @@ pub mod lagrange;
 pub mod loads;
 pub mod planetary;
 pub mod reduction;
+mod tolerance;
 mod units;
 
 pub use error::Error;

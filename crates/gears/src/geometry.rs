@@ -6,12 +6,9 @@
 use uom::si::f64::Length;
 
 pub use crate::rack::BasicRack;
+use crate::tolerance::SAME;
 use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, ToothCount};
-
-/// Relative difference below which two modules or pressure angles are the same: two spellings of one number in
-/// different units differ by a few units in the last place.
-const SAME: f64 = 1e-12;
 
 /// On which side of the pitch circle the teeth stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,19 +1,18 @@
 //! Masses and inertias of the parts of a drive.
 
 use super::finite;
-use super::result::{Masses, ShaftDesign, Shafts, Wheel, WheelMass, Wheels};
+use super::part::Wheel;
+use super::result::{Masses, ShaftDesign, Shafts, WheelMass, Wheels};
 use super::spec::{Bore, CarrierSpec, DriveSpec};
 use super::warning::Warning;
 use crate::Error;
 use crate::planetary::PlanetaryDrive;
-use crate::units::{inertia, kg_m2, kilograms};
+use crate::units::{inertia, kg_m2, kilograms, millimeters};
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
 use epicyclic_gears::mass::WheelBody;
 use epicyclic_gears::synthesis::ToothSet;
-use uom::si::f64::Length;
-use uom::si::length::millimeter;
 
 /// Relative difference between the radius of the arms' holes and the centre distance that is worth a warning.
 const OFF_CENTRE: f64 = 1e-4;
@@ -36,8 +35,8 @@ pub(super) fn masses(
         CarrierSpec::Shape { arm, hub } => {
             let whole = Carrier::new(teeth.planets, arm, hub, spec.wheels.density)?.total();
             if let Some(hole) = arm.hole {
-                let hole_mm = (hub.outer_radius + arm.length - hole.from_outer_end).get::<millimeter>();
-                let centre_distance_mm = wheels.centre_distance.get::<millimeter>();
+                let hole_mm = millimeters(hub.outer_radius + arm.length - hole.from_outer_end);
+                let centre_distance_mm = millimeters(wheels.centre_distance);
                 if (hole_mm / centre_distance_mm - 1.0).abs() > OFF_CENTRE {
                     warnings.push(Warning::PinOffCentre { hole_mm, centre_distance_mm });
                 }
@@ -69,8 +68,7 @@ fn wheel(
         },
     };
     if bore >= wheel.root_diameter() {
-        let in_mm = |length: Length| length.get::<millimeter>();
-        let (bore_mm, root_mm) = (in_mm(bore), in_mm(wheel.root_diameter()));
+        let (bore_mm, root_mm) = (millimeters(bore), millimeters(wheel.root_diameter()));
         return Err(Error::BoreTooLarge { wheel: name, bore_mm, root_mm });
     }
     let body = WheelBody::external(wheel, spec.wheels.face_width, bore, spec.wheels.density)?;

@@ -1,22 +1,19 @@
 //! The tooth set of a drive and its conditions.
 
-use super::result::{Gear, Wheel, Wheels};
+use super::part::Wheel;
+use super::result::{Gear, Wheels};
 use super::spec::{DriveSpec, TeethSpec};
 use super::warning::Warning;
 use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
-use crate::units::{length, meters};
+use crate::tolerance::GAP;
+use crate::units::{degrees, length, meters, millimeters, radians};
 use epicyclic_gears::row::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{
     Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothSet, neighbour_limit,
 };
 use std::cmp::Reverse;
-use uom::si::angle::{degree, radian};
-use uom::si::length::millimeter;
-
-/// Relative shortfall of a gap that is the rounding of its calculation.
-const ROUNDING: f64 = 1e-9;
 
 /// The tooth set given, or the best within the bounds.
 pub(super) fn tooth_set(spec: &DriveSpec) -> Result<ToothSet, Error> {
@@ -89,7 +86,7 @@ pub(super) fn conditions(
     };
     let ratio = teeth.stationary_ratio().ratio(mode()?)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
-    let chord = 2.0 * meters(wheels.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
+    let chord = 2.0 * meters(wheels.centre_distance) * (radians(spacing.smallest_gap()) / 2.0).sin();
     let gear = Gear {
         teeth,
         ratio,
@@ -116,20 +113,20 @@ pub(super) fn conditions(
     if meters(gear.tip_gap) <= 0.0 {
         warnings.push(Warning::NeighbourGap {
             planets: teeth.planets,
-            gap_mm: gear.tip_gap.get::<millimeter>(),
+            gap_mm: millimeters(gear.tip_gap),
             most_planets: gear.most_planets,
         });
     }
-    let least_gap_mm = least_gap * spec.wheels.module.get::<millimeter>();
-    let gap_mm = gear.tip_gap.get::<millimeter>();
-    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - ROUNDING) {
+    let least_gap_mm = least_gap * millimeters(spec.wheels.module);
+    let gap_mm = millimeters(gear.tip_gap);
+    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - GAP) {
         warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });
     }
     if !gear.spacing.is_equal() && placement == Placement::Equal {
         warnings.push(Warning::UnequalSpacing {
             planets: teeth.planets,
             slots: gear.spacing.slots(),
-            deviation_deg: gear.spacing.greatest_deviation().get::<degree>(),
+            deviation_deg: degrees(gear.spacing.greatest_deviation()),
         });
     }
     Ok(gear)

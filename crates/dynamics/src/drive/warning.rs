@@ -1,6 +1,6 @@
 //! What deserves a second look in a drive that could be calculated.
 
-use super::result::{Shaft, Wheel};
+use super::part::{Shaft, Wheel};
 use std::fmt;
 
 /// A finding about a drive that does not stop the calculation.

@@ -15,6 +15,7 @@ use super::place::{Places, spread};
 use super::scheme::{known, title};
 use super::words::{self, decimal};
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
+use crate::tolerance::{LEAST_SPEED, ONE_RAY};
 use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 use radii::{Line, Plan};
@@ -45,7 +46,7 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     };
     let plans: Vec<Plan> = (0..gearbox.drawn_sets().len()).map(|row| Plan::of(gearbox, gear, row)).collect();
     // Millimetres across to one up, for a speed of 1.
-    let widest = plans.iter().map(Plan::widest).fold(1e-9, f64::max);
+    let widest = plans.iter().map(Plan::widest).fold(LEAST_SPEED, f64::max);
     let slope = FASTEST_MM / (HEIGHT_MM * widest);
     let mut left = 0.0;
     for (row, plan) in plans.iter().enumerate() {
@@ -157,7 +158,7 @@ fn rays(scene: &mut Scene, layers: &Layers, gearbox: &Gearbox, gear: &Analysis, 
     let mut speeds: Vec<(f64, Vec<String>, Style)> = vec![];
     let mut enter = |speed: f64, name: String, style: Style| match speeds
         .iter_mut()
-        .find(|(other, ..)| (other - speed).abs() < 1e-6)
+        .find(|(other, ..)| (other - speed).abs() < ONE_RAY)
     {
         Some((_, names, _)) => names.push(name),
         None => speeds.push((speed, vec![name], style)),
@@ -176,7 +177,7 @@ fn rays(scene: &mut Scene, layers: &Layers, gearbox: &Gearbox, gear: &Analysis, 
         enter((faster - v) / (further - r), line.name.clone(), style(line));
     }
     speeds.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let fastest = speeds.iter().map(|speed| speed.0.abs()).fold(1e-9, f64::max);
+    let fastest = speeds.iter().map(|speed| speed.0.abs()).fold(LEAST_SPEED, f64::max);
     let [width, height] = RAYS_MM;
     let height = height.min(width / (slope * fastest));
     let unit = slope * height;
