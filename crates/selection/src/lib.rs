@@ -41,6 +41,7 @@ pub mod mechanism;
 pub mod objectives;
 pub mod search;
 pub mod size;
+mod threads;
 mod units;
 
 pub use candidate::{Candidate, Criterion, GearReport, Shift, Verdict};

@@ -216,10 +216,10 @@ fn tree<'a>(
 
 /// A path from the crate's root.
 fn absolute<'a>(path: &[&'a str], module: &[&'a str]) -> Option<Vec<&'a str>> {
-    let (mut base, mut rest): (Vec<&str>, &[&str]) = match path.first()? {
-        &"crate" => (Vec::new(), &path[1..]),
-        &"self" => (module.to_vec(), &path[1..]),
-        &"super" => (module.to_vec(), path),
+    let (mut base, mut rest): (Vec<&str>, &[&str]) = match *path.first()? {
+        "crate" => (Vec::new(), &path[1..]),
+        "self" => (module.to_vec(), &path[1..]),
+        "super" => (module.to_vec(), path),
         _ => (module.to_vec(), path),
     };
     while rest.first() == Some(&"super") {
