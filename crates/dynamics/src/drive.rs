@@ -41,6 +41,7 @@
 
 mod bodies;
 mod motion;
+mod part;
 mod result;
 mod shafts;
 mod spec;
@@ -49,22 +50,21 @@ mod teeth;
 mod tests;
 mod warning;
 
+pub use part::{BoredGear, Shaft};
 pub use result::{
-    BoredGear, Choice, DriveDesign, Efficiency, EquivalentInertia, Forces, GearMass, GearSetGeometry, Masses,
-    Motion, Powers, Shaft, ShaftDesign, Shafts, Speeds, Start, TeethDesign, Torques,
+    Choice, DriveDesign, Efficiency, EquivalentInertia, Forces, GearMass, GearSetGeometry, Masses, Motion,
+    Powers, ShaftDesign, Shafts, Speeds, Start, TeethDesign, Torques,
 };
 pub use spec::{Bore, CarrierSpec, DriveSpec, GearSetSpec, ShaftSpec, ShaftsSpec, TeethSpec, default_bounds};
 pub use warning::Warning;
 
-use crate::units::{angular_velocity, force, meters, n_m, newtons, rad_per_s};
+use crate::units::{angular_velocity, force, kilowatts, meters, n_m, newtons, rad_per_s, rpm};
 use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
 use epicyclic_gears::geometry::{self, GearKind, centre_distance};
 use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{ToothNumbers, check_tolerance};
 use epicyclic_gears::{planet_bearing, willis};
-use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::power::kilowatt;
 
 /// Usual range of the ratio of a single stage.
 ///
@@ -128,8 +128,8 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
             Err(epicyclic_gears::Error::NotPositive { quantity, value, unit })
         }
     };
-    positive("power", spec.power.get::<kilowatt>(), "kW")?;
-    positive("speed", spec.speed.get::<revolution_per_minute>(), "rpm")?;
+    positive("power", kilowatts(spec.power), "kW")?;
+    positive("speed", rpm(spec.speed), "rpm")?;
     positive("ratio", spec.ratio, "")?;
     check_tolerance(spec.ratio_tolerance)?;
     if let Some(driving) = spec.driving_torque {

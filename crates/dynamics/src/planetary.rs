@@ -48,17 +48,14 @@ use crate::gearbox::{Masses, PlanetMass, PlanetMasses, moving_links};
 use crate::lagrange::{AppliedTorque, acceleration, generalized_force, link_acceleration};
 use crate::units::{
     angular_acceleration, angular_velocity, inertia, kg_m2, kilograms, meters, n_m, power, rad_per_s,
-    rad_per_s2, torque,
+    rad_per_s2, torque, velocity,
 };
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_gears::willis;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
-use uom::si::f64::{
-    AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque, Velocity,
-};
-use uom::si::velocity::meter_per_second;
+use uom::si::f64::{AngularAcceleration, AngularVelocity, Length, Mass, MomentOfInertia, Power, Torque};
 
 /// A simple planetary gear with its masses.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -221,8 +218,7 @@ impl PlanetaryDrive {
         let speeds = willis::speeds(set, Some(speed), Some(angular_velocity(0.0)), None)?;
         let planet_to_sun = self.teeth.planet.as_f64() / self.teeth.sun.as_f64();
         let planet = willis::planet_speed(planet_to_sun, speeds.sun, speeds.carrier)?;
-        let orbital =
-            Velocity::new::<meter_per_second>(rad_per_s(speeds.carrier) * meters(self.planet_radius));
+        let orbital = velocity(rad_per_s(speeds.carrier) * meters(self.planet_radius));
         let planet = MovingBody {
             inertia: self.planet_inertia,
             speed: planet.absolute,

@@ -8,10 +8,8 @@ use std::sync::LazyLock;
 use uom::si::f64::Length;
 
 use crate::Error;
+use crate::tolerance::SAME_M;
 use crate::units::{length_from_mm, metres, millimetres, positive_length};
-
-/// Two lengths closer than this (1 nm) are the same bore: millimetres in binary are not exact.
-const SAME_M: f64 = 1e-9;
 
 static TABLE: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
     include_str!("../data/deep_groove_ball_bearings.csv")

@@ -20,6 +20,7 @@
 
 use crate::Error;
 use crate::simple_set::{BasicRatio, Member, Mode};
+use crate::tolerance::LEAST_EFFICIENCY;
 use crate::units::{n_m, torque};
 use uom::si::f64::Torque;
 
@@ -45,7 +46,7 @@ impl MeshEfficiency {
 
     /// The least that is taken: far below any gear, and large enough that products and reciprocals over all sets of a
     /// gearbox stay numbers.
-    pub const LEAST: f64 = 1e-6;
+    pub const LEAST: f64 = LEAST_EFFICIENCY;
 
     /// The efficiency as a number.
     #[must_use]

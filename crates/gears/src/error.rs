@@ -2,6 +2,7 @@
 
 use crate::geometry::GearKind;
 use crate::simple_set::{Member, Mode};
+use crate::tolerance;
 
 /// An input that describes no gear, or a requirement that no gear meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -290,7 +291,11 @@ pub enum Error {
 /// A number with an exponent where its digits alone would fill a line.
 fn short(value: f64) -> String {
     let size = value.abs();
-    if size != 0.0 && !(1e-6..1e15).contains(&size) { format!("{value:e}") } else { value.to_string() }
+    if size != 0.0 && !(tolerance::PLAIN..1e15).contains(&size) {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
 }
 
 fn planets(from: u32, to: u32) -> String {

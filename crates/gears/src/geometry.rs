@@ -8,14 +8,11 @@ use std::fmt;
 use uom::si::f64::Length;
 
 pub use crate::rack::BasicRack;
+use crate::tolerance::SAME;
 use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, ToothCount};
 
-/// Relative difference below which two modules or pressure angles are the same: two spellings of one number in
-/// different units differ by a few units in the last place.
-const SAME: f64 = 1e-12;
-
-/// External or internal gear: on which side of the pitch circle the teeth stand.
+/// On which side of the pitch circle the teeth stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum GearKind {
     /// Teeth point away from the axis: sun, planet.

@@ -55,6 +55,7 @@ pub mod simple_set;
 pub mod spacing;
 pub mod synthesis;
 pub mod teeth;
+mod tolerance;
 mod units;
 pub mod willis;
 

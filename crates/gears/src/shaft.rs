@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Pressure, Torque};
 
 use crate::Error;
+use crate::tolerance::ROUNDING;
 use crate::units::{length, length_from_mm, length_from_to, metres, millimetres, positive_length};
 use crate::units::{positive_stress, positive_torque, stress};
 
@@ -25,10 +26,6 @@ pub const STANDARD_DIAMETERS_MM: [f64; 69] = [
     180.0, 190.0, 200.0, 210.0, 220.0, 240.0, 250.0, 260.0, 280.0, 300.0, 320.0, 340.0, 360.0, 380.0, 400.0,
     420.0, 450.0, 480.0, 500.0,
 ];
-
-/// A listed diameter counts as thick enough when it falls short by less than this fraction: a shaft needed to be
-/// exactly 50 mm must not become 53 mm by the rounding of a cube root.
-const ROUNDING: f64 = 1e-12;
 
 /// Diameter `d` of a solid shaft that carries a torque at the allowable stress.
 ///

@@ -63,6 +63,7 @@ use crate::arcs::{Arcs, StatorArcs, half_length};
 use crate::numbers::MotorNumbers;
 use crate::real::{Dual, Real};
 use crate::roots::{bracketed, quadrature};
+use crate::tolerance::{EDGE_ANGLE, WITHIN};
 use crate::units::{length, millimetres, positive_length, positive_modules};
 
 /// The greatest distance `l` in modules that the crate reckons with; arc 1 is straight to a billionth then.
@@ -472,7 +473,7 @@ impl Kernel {
     /// Where `R₁ = 0` and the rotor closes. From the circle, `B = θ₃`, which lacks angle, to `l = 2r`, where the
     /// residual is without bound; `l` falls with `B`.
     fn lower_end(&self) -> Arcs {
-        let beta = bracketed(self.theta3 * (1.0 + 1e-12), PI, |beta| {
+        let beta = bracketed(self.theta3 * (1.0 + EDGE_ANGLE), PI, |beta| {
             let arcs = self.cornered(beta);
             if arcs.l <= 2.0 * self.r { f64::INFINITY } else { rotor_span(&arcs, self.r) - self.wanted }
         });
@@ -496,7 +497,7 @@ impl Kernel {
         };
         let stretch = |inverse: f64| of_arcs(inverse, least_stretch);
         let flank = |inverse: f64| of_arcs(inverse, flank);
-        let (straight, start) = (GREATEST_DISTANCE.recip(), corner.l.recip() * (1.0 - 1e-9));
+        let (straight, start) = (GREATEST_DISTANCE.recip(), corner.l.recip() * (1.0 - WITHIN));
         let (last, upper) = if stretch(straight) > 0.0 {
             (straight, end(Limit::StraightArc, None))
         } else {
@@ -517,7 +518,7 @@ impl Kernel {
             intervals.push(Interval { lower, upper: radial(start) });
         }
         // At the cusp itself rounding may leave no root; a hair before it there is one.
-        let last = last + (start - last) * 1e-9;
+        let last = last + (start - last) * WITHIN;
         if flank(last) > 0.0 {
             intervals.push(Interval { lower: radial(last), upper });
         }

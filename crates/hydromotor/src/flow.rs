@@ -16,6 +16,7 @@ use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque
 use crate::Error;
 use crate::contact::Conjugate;
 use crate::motor::Motor;
+use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use crate::units::{
     area, finite_angle, finite_pressure, finite_speed, positive_length, power, torque, volume, volume_rate,
 };
@@ -101,7 +102,7 @@ impl Motor {
             rest.min(2.0 * half - rest)
         });
         let mut ends = vec![0.0];
-        ends.extend(kink.filter(|&kink| kink > 1e-9 * half && kink < (1.0 - 1e-9) * half));
+        ends.extend(kink.filter(|&kink| kink > WITHIN * half && kink < (1.0 - WITHIN) * half));
         ends.push(half);
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut meet = |value: f64| {
@@ -111,7 +112,7 @@ impl Motor {
         meet(self.flow_kernel(0.0).0);
         for pair in ends.windows(2) {
             // Slopes jump at the ends: taken a hair within.
-            let hair = 1e-7 * (pair[1] - pair[0]);
+            let hair = BESIDE_JUMP * (pair[1] - pair[0]);
             let (from, to) = (pair[0] + hair, pair[1] - hair);
             let mut before = (from, self.flow_kernel(from));
             for i in 1..=PIECES {

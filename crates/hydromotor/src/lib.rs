@@ -67,6 +67,8 @@ mod real;
 mod roots;
 pub mod satellites;
 pub mod search;
+mod threads;
+mod tolerance;
 pub mod two_arc_fit;
 mod two_arcs;
 mod units;

@@ -31,6 +31,14 @@ pub(crate) fn degrees(angle_rad: f64) -> f64 {
     angle(angle_rad).get::<degree>()
 }
 
+pub(crate) fn in_degrees(value: Angle) -> f64 {
+    value.get::<degree>()
+}
+
+pub(crate) fn angle_of_degrees(value_deg: f64) -> Angle {
+    Angle::new::<degree>(value_deg)
+}
+
 /// Millimetres of a length in modules.
 pub(crate) fn millimetres(value: Length) -> f64 {
     value.get::<millimeter>()

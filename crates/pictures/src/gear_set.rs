@@ -2,9 +2,9 @@
 
 use epicyclic_drawing::{Align, Color, Error, Point, Scene, Shape, Style, Text};
 use epicyclic_gears::geometry::ToothedGear;
-use uom::si::angle::radian;
+
+use crate::units::{mm, rad};
 use uom::si::f64::{Angle, Length};
-use uom::si::length::millimeter;
 
 /// Sun, planets and ring of a simple set.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,8 +27,7 @@ impl GearSet<'_> {
     /// # Errors
     /// As [`Scene::check`]: for gears larger than 100 m.
     pub fn scene(&self) -> Result<Scene, Error> {
-        let mm = |length: Length| length.get::<millimeter>();
-        let radius = |gear: &ToothedGear| 0.5 * mm(gear.tip_diameter());
+        let radius = |wheel: &ToothedGear| 0.5 * mm(wheel.tip_diameter());
         // Lines and letters keep their proportion to the set, whatever its size.
         let outside = 0.5 * mm(self.ring.root_diameter());
         let unit = outside / 60.0;
@@ -58,7 +57,7 @@ impl GearSet<'_> {
         };
         gear(sun, centre, self.sun);
         for angle in self.angles {
-            gear(planets, Point::polar(centre, mm(self.centre_distance), angle.get::<radian>()), self.planet);
+            gear(planets, Point::polar(centre, mm(self.centre_distance), rad(*angle)), self.planet);
         }
         scene.add(axes, circle(centre, self.ring.pitch_diameter()));
         scene.add(axes, orbit);
@@ -95,6 +94,8 @@ mod tests {
     use epicyclic_drawing::text::overlaps;
     use epicyclic_gears::geometry::{BasicRack, GearKind};
     use epicyclic_gears::teeth::ToothCount;
+    use uom::si::angle::radian;
+    use uom::si::length::millimeter;
 
     #[test]
     fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {

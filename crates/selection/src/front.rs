@@ -8,7 +8,7 @@
 //! nothing is left out by approximation.
 
 use super::objectives::{Costs, Objectives, Order, dominates, nowhere_worse};
-use rayon::prelude::*;
+use super::threads::map_light;
 
 /// One point of a Pareto front.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,11 +36,7 @@ pub(crate) fn front(costs: &[Costs], order: Order) -> Vec<Entry> {
 pub(crate) fn non_dominated(costs: &[Costs]) -> Vec<u32> {
     let mut left: Vec<u32> = (0..costs.len() as u32).collect();
     let tree = Tree::new(costs, &left);
-    let dominated: Vec<bool> = left
-        .par_iter()
-        .with_min_len(256)
-        .map(|&place| tree.holds_dominator_of(&costs[place as usize]))
-        .collect();
+    let dominated = map_light(&left, |&place| tree.holds_dominator_of(&costs[place as usize]));
     let mut verdict = dominated.into_iter();
     left.retain(|_| !verdict.next().unwrap_or(false));
     left

@@ -41,6 +41,7 @@ pub mod objectives;
 pub mod requirements;
 pub mod search;
 pub mod size;
+mod threads;
 mod units;
 
 pub use candidate::{Candidate, Criterion, Engagement, GearReport, Verdict};

@@ -8,14 +8,12 @@ use crate::energy::kinetic_energy;
 use crate::equivalent_inertia::{Link, Orbit};
 use crate::lagrange::starting_time;
 use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
+use crate::tolerance::BALANCE;
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use uom::si::f64::{MomentOfInertia, Time, Torque};
 
-/// Part of the driving torque below which a surplus is the rounding of the calculation.
-const BALANCE: f64 = 1e-9;
-
-/// Each part's share of the equivalent inertia, and the kinetic energy.
+/// Each part's share of the reduced inertia, and the kinetic energy.
 pub(super) fn equivalent_inertia(
     spec: &DriveSpec,
     drive: &PlanetaryDrive,

@@ -1,5 +1,6 @@
 //! What is wanted of a drive.
 
+use crate::units::{density, stress};
 use epicyclic_gears::bearing::{Bearing, Series};
 use epicyclic_gears::carrier::{Arm, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -7,8 +8,6 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement, ToothNumbers};
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
-use uom::si::mass_density::kilogram_per_cubic_meter;
-use uom::si::pressure::megapascal;
 
 /// A drive as it is asked for.
 ///
@@ -159,12 +158,12 @@ impl DriveSpec {
                 module,
                 face_width,
                 rack,
-                density: MassDensity::new::<kilogram_per_cubic_meter>(7850.0),
+                density: density(7850.0),
                 sun_bore: Bore::Shaft,
                 planet_bore: Bore::Bearing,
             },
             shafts: ShaftsSpec {
-                allowable_stress: Pressure::new::<megapascal>(20.0),
+                allowable_stress: stress(20.0),
                 bearing_series: Series::Medium300,
                 sun: ShaftSpec::default(),
                 planet: ShaftSpec::default(),

@@ -1,22 +1,19 @@
 //! The tooth numbers of a drive and their conditions.
 
-use super::result::{BoredGear, GearSetGeometry, TeethDesign};
+use super::part::BoredGear;
+use super::result::{GearSetGeometry, TeethDesign};
 use super::spec::{DriveSpec, TeethSpec};
 use super::warning::Warning;
 use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
-use crate::units::{length, meters};
+use crate::tolerance::GAP;
+use crate::units::{degrees, length, meters, millimeters, radians};
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{
     Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers, clearance_limit,
 };
 use std::cmp::Reverse;
-use uom::si::angle::{degree, radian};
-use uom::si::length::millimeter;
-
-/// Relative shortfall of a gap that is the rounding of its calculation.
-const ROUNDING: f64 = 1e-9;
 
 /// The tooth numbers given, or the best within the bounds.
 pub(super) fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
@@ -89,7 +86,7 @@ pub(super) fn conditions(
     };
     let ratio = teeth.basic_ratio().ratio(mode()?)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
-    let chord = 2.0 * meters(gear_set.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
+    let chord = 2.0 * meters(gear_set.centre_distance) * (radians(spacing.smallest_gap()) / 2.0).sin();
     let found = TeethDesign {
         numbers: teeth,
         ratio,
@@ -116,20 +113,20 @@ pub(super) fn conditions(
     if meters(found.tip_gap) <= 0.0 {
         warnings.push(Warning::NoPlanetClearance {
             planets: teeth.planets,
-            gap_mm: found.tip_gap.get::<millimeter>(),
+            gap_mm: millimeters(found.tip_gap),
             most_planets: found.most_planets,
         });
     }
-    let least_gap_mm = least_gap * spec.gear_set.module.get::<millimeter>();
-    let gap_mm = found.tip_gap.get::<millimeter>();
-    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - ROUNDING) {
+    let least_gap_mm = least_gap * millimeters(spec.gear_set.module);
+    let gap_mm = millimeters(found.tip_gap);
+    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - GAP) {
         warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });
     }
     if !found.spacing.is_equal() && placement == Placement::Equal {
         warnings.push(Warning::UnequalSpacing {
             planets: teeth.planets,
             slots: found.spacing.slots(),
-            deviation_deg: found.spacing.greatest_deviation().get::<degree>(),
+            deviation_deg: degrees(found.spacing.greatest_deviation()),
         });
     }
     Ok(found)

@@ -9,6 +9,7 @@ use epicyclic_gears::synthesis::Bounds;
 use epicyclic_gears::teeth::ToothCount;
 use proptest::prelude::*;
 use std::f64::consts::PI;
+use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::f64::{AngularVelocity, Length, MassDensity, Pressure};
 use uom::si::force::newton;
 use uom::si::length::millimeter;

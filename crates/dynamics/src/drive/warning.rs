@@ -1,6 +1,6 @@
 //! What deserves a second look in a drive that could be calculated.
 
-use super::result::{BoredGear, Shaft};
+use super::part::{BoredGear, Shaft};
 use std::fmt;
 
 /// A finding about a drive that does not stop the calculation.

@@ -6,6 +6,7 @@
 
 mod index;
 mod path;
+mod position;
 mod reader;
 mod words;
 
@@ -13,13 +14,13 @@ use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 
-pub use self::{
-    index::Position,
-    path::{Path, Segment},
-};
 use self::{
     index::{Content, Node},
     reader::{Fault, Reader},
+};
+pub use self::{
+    path::{Path, Segment},
+    position::Position,
 };
 use crate::{
     error::{Error, Place, Problem},

@@ -12,12 +12,11 @@
 //!
 //! A point of an involute has the roll angle `t = tan α_y`; half the tooth there spans `w/(2r) + inv α − (t − atan t)`.
 
-use uom::si::angle::degree;
 use uom::si::f64::Angle;
 
 use crate::Error;
 use crate::roots::bracketed;
-use crate::units::finite_angle;
+use crate::units::{angle_of_degrees, finite_angle, in_degrees};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What lies in the middle of the stator's crests.
@@ -58,7 +57,7 @@ impl ToothForm {
     #[must_use]
     pub fn full_depth() -> Self {
         Self {
-            pressure_angle: Angle::new::<degree>(20.0),
+            pressure_angle: angle_of_degrees(20.0),
             addendum: 1.0,
             clearance: 0.25,
             shift: 0.0,
@@ -117,7 +116,7 @@ fn within(quantity: &'static str, value: f64, low: f64, high: f64, unit: &'stati
 impl Teeth {
     pub(super) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Error> {
         let alpha = finite_angle("pressure angle", form.pressure_angle)?;
-        within("pressure angle", form.pressure_angle.get::<degree>(), 10.0, 40.0, "°")?;
+        within("pressure angle", in_degrees(form.pressure_angle), 10.0, 40.0, "°")?;
         let addendum = within("addendum", form.addendum, 1e-3, 2.0, "modules")?;
         let clearance = within("clearance", form.clearance, 0.0, 1.0, "modules")?;
         // A thousandth of a module at least remains above the pitch curves.
@@ -237,7 +236,7 @@ impl Default for ToothForm {
     /// [`crate::profile`].
     fn default() -> Self {
         Self {
-            pressure_angle: Angle::new::<degree>(25.0),
+            pressure_angle: angle_of_degrees(25.0),
             addendum: 0.85,
             clearance: 0.25,
             shift: 0.2,

@@ -6,6 +6,7 @@ use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, Pressure, Torque, Volume};
 
 use crate::Error;
+use crate::tolerance::SLACK;
 use crate::units::{
     cubic_centimetres, cubic_metres, displacement_of_torque, finite_speed, length_of_metres, megapascals,
     metres, millimetres, newton_metres, positive_length,
@@ -200,7 +201,7 @@ impl Sizing {
         let ratio = width / diameter;
         let mut least = f64::INFINITY;
         // A hair of slack, so that what is asked for to the last digit is not refused by rounding.
-        let mut keep = |margin: f64| least = least.min(margin + 1e-12);
+        let mut keep = |margin: f64| least = least.min(margin + SLACK);
         keep(self.diameter / diameter - 1.0);
         for (value, [low, high]) in [(width, self.width), (ratio, self.ratio)] {
             keep(if low > 0.0 { value / low - 1.0 } else { f64::INFINITY });

@@ -10,8 +10,9 @@ use uom::si::f64::Angle;
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, HIGH, IDLE, LOW, STEEL, Sheet, number};
-use super::units::{deg, mm, mm2, rad};
 use crate::Error;
+use crate::tolerance::EXTREME;
+use crate::units::{deg, mm, mm2, rad};
 
 /// Straight sides for each of a chamber's four walls.
 pub const STEPS: u32 = 48;
@@ -33,7 +34,7 @@ impl Phase {
     pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
         let most = all.iter().map(|chamber| mm2(chamber.growth).abs()).fold(0.0, f64::max);
         let growth = mm2(chamber.growth);
-        if growth.abs() <= 1e-6 * most {
+        if growth.abs() <= EXTREME * most {
             Self::AtExtreme
         } else if growth > 0.0 {
             Self::Filling

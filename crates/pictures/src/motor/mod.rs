@@ -30,7 +30,6 @@ mod chambers;
 mod curve;
 mod sheet;
 mod teeth;
-mod units;
 mod whole;
 
 pub use centrodes::centrodes;

@@ -1,26 +1,26 @@
-//! Millimetres and radians of `uom` quantities; no other file of the motors' pictures converts.
+//! Millimetres and radians of `uom` quantities; no other file of the crate converts.
 
 use uom::si::angle::{degree, radian};
 use uom::si::area::square_millimeter;
 use uom::si::f64::{Angle, Area, Length};
 use uom::si::length::millimeter;
 
-pub(super) fn mm(value: Length) -> f64 {
+pub(crate) fn mm(value: Length) -> f64 {
     value.get::<millimeter>()
 }
 
-pub(super) fn of_mm(value_mm: f64) -> Length {
+pub(crate) fn of_mm(value_mm: f64) -> Length {
     Length::new::<millimeter>(value_mm)
 }
 
-pub(super) fn mm2(value: Area) -> f64 {
+pub(crate) fn mm2(value: Area) -> f64 {
     value.get::<square_millimeter>()
 }
 
-pub(super) fn rad(value: Angle) -> f64 {
+pub(crate) fn rad(value: Angle) -> f64 {
     value.get::<radian>()
 }
 
-pub(super) fn deg(value: Angle) -> f64 {
+pub(crate) fn deg(value: Angle) -> f64 {
     value.get::<degree>()
 }
