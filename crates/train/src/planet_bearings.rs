@@ -150,7 +150,6 @@ impl Default for SetSize {
 
 /// What is missing for a force, or why none follows.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Lack {
     /// The number of planets.
     Planets,
