@@ -131,3 +131,101 @@ fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
 fn moving(efficiency: Option<f64>) -> Option<f64> {
     efficiency.filter(|efficiency| *efficiency > 0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::to_json;
+    use crate::gearbox::{Choice, one};
+    use epicyclic_formats::Document;
+    use std::path::Path;
+    use uom::si::angular_velocity::revolution_per_minute;
+    use uom::si::f64::Torque;
+    use uom::si::torque::newton_meter;
+
+    fn document(name: &str) -> Document {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+        Document::parse_one(name, &std::fs::read(file).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn the_engagement_table_stands_in_the_overview() {
+        let document = document("scheme-ii-3.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let overview = overview::answer(&subject, Input::default()).unwrap();
+        let elements: Vec<&str> =
+            overview.shift_elements.iter().map(|element| element.shift_element.as_str()).collect();
+        assert_eq!(elements, ["K1", "K2", "L"]);
+        let engaged: Vec<&[String]> =
+            overview.gears.iter().map(|gear| gear.facts.engaged.as_slice()).collect();
+        assert_eq!(engaged, [["K2"], ["K1"], ["L"]]);
+    }
+
+    #[test]
+    fn a_gear_that_is_self_locking_from_its_input_has_power_leaving_when_back_driven() {
+        let document = document("wolfrom-self-locking.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let alone = gear::answer(&subject, "back", Input::default()).unwrap();
+        let forward = alone.powers.unwrap();
+        assert_eq!(forward.enters_at, gear::Terminal::Input);
+        assert!(forward.at_load.is_none());
+        let forward = forward.of_entering.unwrap();
+        assert!(forward.leaving.is_none() && forward.helping.unwrap() > 1.0);
+        let braked = Input {
+            speed: Some(AngularVelocity::new::<revolution_per_minute>(10.0)),
+            load: Some(InputLoad::Torque(Torque::new::<newton_meter>(-100.0))),
+        };
+        let braked = gear::answer(&subject, "back", braked).unwrap();
+        let backward = braked.powers.unwrap();
+        assert_eq!(backward.enters_at, gear::Terminal::Output);
+        let of_entering = backward.of_entering.unwrap();
+        assert!(of_entering.helping.is_none());
+        assert_eq!(of_entering.leaving, braked.gear.back_driving_efficiency);
+        let load = backward.at_load.unwrap();
+        assert!((load.entering_w - load.leaving_w - load.loss_w).abs() < 1e-9 * load.entering_w);
+    }
+
+    #[test]
+    fn keys_exist_without_a_load() {
+        let document = document("scheme-ii-3.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let json = to_json(&gear::answer(&subject, "slow", Input::default()).unwrap()).unwrap();
+        for key in ["at_load", "torque_n_m", "speed_rad_s", "power_w", "slip_rad_s"] {
+            assert!(json.contains(&format!("\"{key}\": null")), "{key}");
+        }
+        assert!(!json.contains("-0.0,"), "{json}");
+    }
+
+    #[test]
+    fn what_is_refused_is_told_with_its_place_or_its_part_of_the_question() {
+        let split = document("power-split.yaml");
+        let subject = one(&split, &Choice::default()).unwrap();
+        let speed = |link: &str| (link.to_owned(), AngularVelocity::new::<revolution_per_minute>(1000.0));
+        let refused = |speeds: &[&str]| {
+            let speeds = Some(speeds.iter().map(|link| speed(link)).collect());
+            inputs::answer(&subject, "drive", &inputs::Wanted { speeds, torques: None }).unwrap_err()
+        };
+        assert!(matches!(refused(&["motor"]), Error::NoLink { given: inputs::Given::Speeds, .. }));
+        assert!(matches!(refused(&["engine"]), Error::Inputs { given: inputs::Given::Speeds, .. }));
+        let none = inputs::answer(&subject, "none", &inputs::Wanted::default()).unwrap_err();
+        assert_eq!(none.to_string(), "no gear is called `none`: there are drive, generator held");
+        let held = inputs::answer(&subject, "generator held", &inputs::Wanted::default()).unwrap_err();
+        assert!(held.to_string().starts_with("power-split.yaml:"), "{held}");
+        let many = document("real-transmissions.yaml");
+        assert!(matches!(one(&many, &Choice::default()), Err(Error::SeveralTransmissions { .. })));
+        let named = |name: &str| Choice { transmission: Some(name.to_owned()), ..Choice::default() };
+        assert!(matches!(one(&many, &named("o")), Err(Error::AmbiguousTransmission { .. })));
+        assert!(matches!(one(&many, &named("?")), Err(Error::NoTransmission { .. })));
+        assert!(matches!(one(&split, &named("o")), Err(Error::OneGearbox)));
+        assert_eq!(one(&many, &named("8hp45")).unwrap().gearbox.gears().len(), 9);
+    }
+
+    #[test]
+    fn a_map_needs_two_places_a_way() {
+        let speed = AngularVelocity::new::<revolution_per_minute>(1.0);
+        let steps = |places| inputs::Steps::new("a".to_owned(), speed, 2.0 * speed, places);
+        assert!(steps(2).is_ok() && steps(1000).is_ok());
+        assert!(matches!(steps(1), Err(Error::Places { places: 1, most: 1000 })));
+        assert!(steps(1001).is_err());
+    }
+}

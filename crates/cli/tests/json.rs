@@ -218,7 +218,7 @@ const REDUNDANT: &str = "gearbox: redundant\ninput: D\noutput: B\nsets:\n  - { i
 /// Planets whose radii and mesh contradict each other.
 const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id: set\n    carrier: c\n    suns: { s: 30 }\n    \
                      rings: { r: 72 }\n    planet_gears: { short: [18], long: [18] }\n    planets: 3\n    module: 2 mm\n    \
-                     planet_sizes: { short: { carrier_radius: 90 mm } }\n    meshes:\n      - { gears: [s, short] }\n      \
+                     planet_sizes: { short: { carrier_radius: 90 mm }, long: { carrier_radius: 40 mm } }\n    meshes:\n      - { gears: [s, short] }\n      \
                      - { gears: [short, long] }\n      - { gears: [long, r] }\nbrakes: [{ id: K, link: c }]\ngears: [{ \
                      name: \"1\", engaged: [K] }]\n";
 

@@ -6,7 +6,7 @@ use crate::Error;
 use crate::gearbox::Subject;
 use epicyclic_formats::Physical;
 use epicyclic_train::planet_bearings as train;
-use epicyclic_train::{Direction, LoadCase};
+use epicyclic_train::{Direction, LoadCase, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -61,7 +61,7 @@ pub struct PlanetBearing {
 pub struct Lack {
     /// What it is.
     pub lack: LackName,
-    /// The other planet concerned.
+    /// The other planet concerned: its name, or its number in the set.
     pub other_planet: Option<String>,
     /// Where two planets cannot stand in mesh: radius of this planet's centre and of the other's.
     pub radii_m: Option<[f64; 2]>,
@@ -100,8 +100,9 @@ impl Lack {
         Self { lack, other_planet: None, radii_m: None, distance_m: None }
     }
 
-    fn of(lack: &train::Lack) -> Self {
-        let with = |lack, other: &String| Self { other_planet: Some(other.clone()), ..Self::named(lack) };
+    fn of(set: &PlanetSet, lack: &train::Lack) -> Self {
+        let with =
+            |lack, other: &usize| Self { other_planet: Some(planet_name(set, *other)), ..Self::named(lack) };
         match lack {
             train::Lack::Planets => Self::named(LackName::Planets),
             train::Lack::Radius => Self::named(LackName::Radius),
@@ -178,7 +179,7 @@ fn one(
     let missing = if is_in_list {
         vec![Lack::named(LackName::NoSizesInList)]
     } else {
-        bearing.lacks.iter().map(Lack::of).collect()
+        bearing.lacks.iter().map(|lack| Lack::of(set, lack)).collect()
     };
     Ok(PlanetBearing {
         set: set.id().to_owned(),

@@ -156,7 +156,8 @@ fn note(bearings: &[PlanetBearing], is_sized: bool, turns: bool) -> String {
 
 /// The keys of a file that would help, or why there is no force.
 fn wanted(lack: &Lack) -> String {
-    let other = lack.other_planet.as_deref().unwrap_or("another planet");
+    let other = lack.other_planet.as_ref();
+    let other = other.map_or_else(|| "another planet".to_owned(), |name| format!("planet {name}"));
     match lack.lack {
         LackName::Planets => "planets".to_owned(),
         LackName::Radius => "module with teeth, or carrier_radius".to_owned(),
