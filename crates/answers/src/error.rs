@@ -1,5 +1,8 @@
 //! What is refused instead of answered.
 
+use crate::analyze::LoadQuantity;
+use crate::analyze::inputs::Given;
+
 /// A question without an answer.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -27,6 +30,78 @@ pub enum Error {
     /// What a gear or a simple set refuses.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
+    /// What the solver refuses.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+    /// A transmission chosen in a file that holds one gearbox.
+    #[error("the file holds one gearbox, and no transmissions to choose from")]
+    OneGearbox,
+    /// Transmissions of which one must be named.
+    #[error("the file has {}; name one of: {}", names.len(), names.join("; "))]
+    SeveralTransmissions {
+        /// All of them.
+        names: Vec<String>,
+    },
+    /// A name that is part of no transmission's.
+    #[error("no name in the file has `{name}` in it; there are: {}", names.join("; "))]
+    NoTransmission {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        names: Vec<String>,
+    },
+    /// A name that is part of several transmissions'.
+    #[error("`{name}` is part of several names; write more of one of: {}", names.join("; "))]
+    AmbiguousTransmission {
+        /// The name.
+        name: String,
+        /// Those that it is part of.
+        names: Vec<String>,
+    },
+    /// A gear that the gearbox does not have.
+    #[error("no gear is called `{name}`: there are {}", gears.join(", "))]
+    NoGear {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        gears: Vec<String>,
+    },
+    /// A load that a gear cannot take.
+    #[error("{why} (gear {gear})")]
+    Load {
+        /// Of which quantity.
+        quantity: LoadQuantity,
+        /// The gear.
+        gear: String,
+        /// Why.
+        why: &'static str,
+    },
+    /// A link that the gearbox does not have.
+    #[error("no link is called `{name}`: there are {}", links.join(", "))]
+    NoLink {
+        /// Where it is named.
+        given: Given,
+        /// The name.
+        name: String,
+        /// Those that there are.
+        links: Vec<String>,
+    },
+    /// Speeds or torques of several links that do not settle the others.
+    #[error("{fault}")]
+    Inputs {
+        /// Which of them.
+        given: Given,
+        /// Why.
+        fault: epicyclic_train::InputsFault,
+    },
+    /// Too few or too many places of a range.
+    #[error("{places} places: 2 to {most} are allowed")]
+    Places {
+        /// How many.
+        places: u32,
+        /// The most.
+        most: u32,
+    },
 }
 
 impl Error {

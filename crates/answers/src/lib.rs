@@ -6,6 +6,9 @@
 //!
 //! | module | answers |
 //! |---|---|
+//! | [`gearbox`] | reads the gearbox of a file |
+//! | [`analyze`] | what a gearbox does in its gears |
+//! | [`transmissions`] | the transmissions of a file to choose from |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
 //! | [`shared`] | records that several answers share |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -29,11 +32,14 @@
 //! # }
 //! ```
 
+pub mod analyze;
 pub mod answer;
 pub mod error;
 pub mod finite;
+pub mod gearbox;
 pub mod shared;
 pub mod teeth;
+pub mod transmissions;
 
 pub use answer::{Answer, SCHEMA_VERSION, Warning};
 pub use error::Error;

@@ -2,8 +2,13 @@
 
 use crate::failure::Failure;
 use crate::output::{self, Target};
+use epicyclic_answers::analyze::combinations::Combinations;
+use epicyclic_answers::analyze::gear::OneGear;
+use epicyclic_answers::analyze::inputs::{Inputs, Map};
+use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::answer::schema;
 use epicyclic_answers::teeth::Teeth;
+use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
@@ -37,6 +42,18 @@ enum Of {
     Transmissions,
     /// Of `epicyclic report`: a hydromotor.
     Motor,
+    /// The answer of `epicyclic analyze`: all gears.
+    AnswerAnalyze,
+    /// The answer of `epicyclic analyze --gear`.
+    AnswerAnalyzeGear,
+    /// The answer of `epicyclic analyze --gear` with several inputs.
+    AnswerAnalyzeInputs,
+    /// The answer of `epicyclic analyze --map`.
+    AnswerAnalyzeMap,
+    /// The answer of `epicyclic analyze --all-combinations`.
+    AnswerAnalyzeCombinations,
+    /// The answer of `epicyclic analyze` on a list of transmissions.
+    AnswerTransmissions,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
 }
@@ -48,6 +65,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Gearbox => schema_for!(GearboxFile),
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
+        Of::AnswerAnalyze => schema::<Overview>(),
+        Of::AnswerAnalyzeGear => schema::<OneGear>(),
+        Of::AnswerAnalyzeInputs => schema::<Inputs>(),
+        Of::AnswerAnalyzeMap => schema::<Map>(),
+        Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
+        Of::AnswerTransmissions => schema::<Transmissions>(),
         Of::AnswerTeeth => schema::<Teeth>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())

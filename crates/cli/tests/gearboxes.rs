@@ -85,7 +85,7 @@ fn sizes_that_are_refused() {
 }
 
 #[test]
-fn every_set_of_controls() {
+fn every_combination_of_shift_elements() {
     insta::assert_snapshot!(sessions(
         &examples(),
         &[

@@ -33,7 +33,14 @@ const RUNS: &[(&str, &[&str])] = &[
         "analyze",
         &["analyze", "sized-gearbox.yaml", "--gear", "slow", "--power", "75 kW", "--speed", "1475 rpm"],
     ),
+    ("analyze", &["analyze", "sized-gearbox.yaml", "--torque", "500 N·m"]),
+    ("analyze", &["analyze", "power-split.yaml"]),
     ("analyze", &["analyze", "free.yaml"]),
+    ("analyze", &["analyze", "redundant.yaml"]),
+    ("analyze", &["analyze", "redundant.yaml", "--gear", "slow", "--torque", "500 N·m"]),
+    ("analyze", &["analyze", "redundant.yaml", "--all-combinations"]),
+    ("analyze", &["analyze", "apart.yaml"]),
+    ("analyze", &["analyze", "apart.yaml", "--gear", "1"]),
     ("analyze", &["analyze", "free.yaml", "--gear", "free"]),
     ("analyze", &["analyze", "patterns.yaml", "--gear", "slow"]),
     ("analyze", &["analyze", "ravigneaux.yaml"]),
@@ -204,6 +211,17 @@ const FREE: &str = "gearbox: free\ninput: D\noutput: B\nsets: [{ id: P, sun: D, 
 const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nsets:\n  - { id: P, kind: stepped_rings, \
                         sun: a, ring: b, carrier: H, k: 0.99, efficiency: 97 % }\ngears: [{ name: slow }]\n";
 
+/// Two sets and two brakes that do the work of one.
+const REDUNDANT: &str = "gearbox: redundant\ninput: D\noutput: B\nsets:\n  - { id: P1, sun: D, ring: T1, carrier: B, k: 3 }\n  \
+                         - { id: P2, sun: D, ring: T1, carrier: B, k: 3 }\nbrakes:\n  - { id: K1, link: T1 }\n  - { id: \
+                         K2, link: T1 }\ngears: [{ name: slow, engaged: [K1, K2] }]\n";
+/// Planets whose radii and mesh contradict each other.
+const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id: set\n    carrier: c\n    suns: { s: 30 }\n    \
+                     rings: { r: 72 }\n    planet_gears: { short: [18], long: [18] }\n    planets: 3\n    module: 2 mm\n    \
+                     planet_sizes: { short: { carrier_radius: 90 mm }, long: { carrier_radius: 40 mm } }\n    meshes:\n      - { gears: [s, short] }\n      \
+                     - { gears: [short, long] }\n      - { gears: [long, r] }\nbrakes: [{ id: K, link: c }]\ngears: [{ \
+                     name: \"1\", engaged: [K] }]\n";
+
 fn folder() -> tempfile::TempDir {
     let folder = common::here();
     for file in std::fs::read_dir(examples()).unwrap() {
@@ -212,6 +230,8 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
+    std::fs::write(folder.path().join("redundant.yaml"), REDUNDANT).unwrap();
+    std::fs::write(folder.path().join("apart.yaml"), APART).unwrap();
     folder
 }
 

@@ -71,7 +71,6 @@ use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::planet_bearing::{self, Push};
 use epicyclic_gears::{Error, ToothCount};
-use std::fmt;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
 
 /// A carrier torque below this share of the largest torque of its set is nothing.
@@ -150,7 +149,6 @@ impl Default for SetSize {
 
 /// What is missing for a force, or why none follows.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Lack {
     /// The number of planets.
     Planets,
@@ -162,18 +160,18 @@ pub enum Lack {
     Teeth,
     /// The radius of the centre of a planet in mesh with this one.
     OtherRadius {
-        /// The other planet.
-        other: String,
+        /// The other planet, by its place in [`PlanetSet::planets`].
+        other: usize,
     },
     /// Module or teeth of the mesh with another planet.
     Distance {
-        /// The other planet.
-        other: String,
+        /// The other planet, by its place in [`PlanetSet::planets`].
+        other: usize,
     },
     /// Two planets in mesh that cannot stand at their radii.
     Triangle {
-        /// The other planet.
-        other: String,
+        /// The other planet, by its place in [`PlanetSet::planets`].
+        other: usize,
         /// Radius of this planet's centre and of the other's.
         radii: [Length; 2],
         /// Distance of the centres by module and teeth.
@@ -183,40 +181,6 @@ pub enum Lack {
     Mass,
     /// Bevel planets are left out.
     Bevel,
-}
-
-impl fmt::Display for Lack {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let in_mm = |length: &Length| in_metres(*length) * 1e3;
-        match self {
-            Self::Planets => f.write_str("the number of planets is missing"),
-            Self::Radius => {
-                f.write_str("the module with the teeth, or the radius of the planets' centres, is missing")
-            }
-            Self::CommonRadius => f.write_str(
-                "one radius is given for planets that differ, and not taken: give each planet its own",
-            ),
-            Self::Teeth => f.write_str("the teeth are missing, and with them the radial force of the meshes"),
-            Self::OtherRadius { other } => {
-                write!(f, "the radius of the centre of {other}, in mesh with it, is missing")
-            }
-            Self::Distance { other } => {
-                write!(f, "module or teeth of the mesh with {other} are missing")
-            }
-            Self::Triangle { other, radii, distance } => write!(
-                f,
-                "its centre at a radius of {:.3} mm and that of {other} at {:.3} mm cannot stand {:.3} mm apart, as \
-                 module and teeth of their mesh ask",
-                in_mm(&radii[0]),
-                in_mm(&radii[1]),
-                in_mm(distance)
-            ),
-            Self::Mass => {
-                f.write_str("the mass of a planet, or its face width, is missing for the centrifugal force")
-            }
-            Self::Bevel => f.write_str("forces on bevel planets are not computed"),
-        }
-    }
 }
 
 /// A mesh of a planet.
@@ -454,7 +418,6 @@ impl PlanetSet {
             direction: None,
             weights: self.torque_between(planet, mesh),
         };
-        let name = || self.planet_name(other);
         match places.pairs[mesh] {
             Ok(pair) => {
                 let [z, z_other] = [gears[own], with].map(|gear| teeth_of(self, gear));
@@ -469,18 +432,14 @@ impl PlanetSet {
                     places.radii[planet].zip(places.radii[other]).map(|(own, other)| towards(own, other));
             }
             Err(NoPair::Radius(missing)) if missing == other => {
-                lacks.push(Lack::OtherRadius { other: name() });
+                lacks.push(Lack::OtherRadius { other });
             }
-            Err(NoPair::Distance) => lacks.push(Lack::Distance { other: name() }),
+            Err(NoPair::Distance) => lacks.push(Lack::Distance { other }),
             Err(NoPair::Triangle { mut radii, distance }) => {
                 if own == 1 {
                     radii.swap(0, 1);
                 }
-                lacks.push(Lack::Triangle {
-                    other: name(),
-                    radii: radii.map(metres),
-                    distance: metres(distance),
-                });
+                lacks.push(Lack::Triangle { other, radii: radii.map(metres), distance: metres(distance) });
             }
             // The planet's own radius is missing, and said to be.
             Err(NoPair::Radius(_) | NoPair::OtherMesh) => {}
@@ -834,7 +793,7 @@ mod tests {
         let gearbox = self::gearbox(double);
         let size = SetSize { carrier_radius: Some(mm(50.0)), ..SetSize::default() };
         let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
-        let other = |name: &str| Lack::OtherRadius { other: name.into() };
+        let radius_of_other = Lack::OtherRadius { other: 0 };
         let first = [Lack::Planets, Lack::CommonRadius, Lack::Radius, Lack::Mass];
         assert_eq!(bearings[0].lacks, first);
         // The planets' teeth are missing, so no size helps but the radii; then the distance is missing.
@@ -842,10 +801,10 @@ mod tests {
         let size = SetSize { planets: vec![PlanetSize::default(), own(60.0)], ..SetSize::default() };
         let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
         assert_eq!(bearings[0].lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
-        assert_eq!(bearings[1].lacks, [Lack::Planets, other("planet 1"), Lack::Mass]);
+        assert_eq!(bearings[1].lacks, [Lack::Planets, radius_of_other, Lack::Mass]);
         let size = SetSize { planets: vec![own(50.0), own(60.0)], ..SetSize::default() };
         let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
-        let distance = Lack::Distance { other: "planet 2".into() };
+        let distance = Lack::Distance { other: 1 };
         assert_eq!(bearings[0].lacks, [Lack::Planets, distance, Lack::Mass]);
         let bevel = SetSpec::teeth("P", SetKind::Bevel, ["a", "b", "H"], 20, 60).unwrap();
         assert_eq!(only(&self::gearbox(bevel), &SetSize::default()).lacks, [Lack::Bevel]);
@@ -953,11 +912,11 @@ mod tests {
         let gearbox = gearbox(set);
         let own = PlanetSize { carrier_radius: Some(mm(81.0)), ..PlanetSize::default() };
         let bearings = gearbox.planet_bearings(0, &SetSize { planets: vec![own], ..size }).unwrap().unwrap();
-        assert_eq!(
-            bearings[0].lacks[0].to_string(),
-            "its centre at a radius of 81.000 mm and that of planet 2 at 40.000 mm cannot stand 40.000 mm apart, as \
-             module and teeth of their mesh ask"
-        );
+        let Lack::Triangle { other: 1, radii, distance } = bearings[0].lacks[0] else {
+            unreachable!("{:?}", bearings[0].lacks)
+        };
+        let in_mm = [radii[0], radii[1], distance].map(|length| (1e3 * in_metres(length)).round());
+        assert_eq!(in_mm, [81.0, 40.0, 40.0]);
         let torques = [100.0, -300.0, 200.0].map(torque);
         let forces = bearings[1].forces(Some(&torques), Some(angular_velocity(0.0))).unwrap();
         assert_eq!((forces.tangential, forces.radial, forces.total), (None, None, None));

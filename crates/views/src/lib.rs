@@ -5,14 +5,16 @@
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
-//! | [`teeth`] | the view of this answer |
+//! | [`analyze`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
+pub mod analyze;
 pub mod figure;
 pub mod report;
 pub mod teeth;
 pub mod text;
+pub mod transmissions;
 
 pub use report::Report;
 pub use text::Error;

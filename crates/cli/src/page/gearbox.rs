@@ -28,7 +28,7 @@ pub(super) fn sheet(
     page(everything, text).map_err(|failure| failure.in_file(document, &base))
 }
 
-fn page(everything: Everything, text: String) -> Result<Sheet, Failure> {
+fn page(everything: Everything<'_>, text: String) -> Result<Sheet, Failure> {
     let Everything { subject, overview, gears } = everything;
     let gearbox = &subject.gearbox;
     let analyses = gearbox
