@@ -27,6 +27,12 @@ pub enum Error {
     /// What a gear or a simple set refuses.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
+    /// What a scheme or a machine refuses.
+    #[error(transparent)]
+    Design(#[from] epicyclic_schemes::DesignError),
+    /// A throw of a bucket wheel without an angle of the chute.
+    #[error("no angle of the chute: at least one is due")]
+    NoChute,
 }
 
 impl Error {

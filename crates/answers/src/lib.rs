@@ -7,6 +7,7 @@
 //! | module | answers |
 //! |---|---|
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
+//! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
 //! | [`shared`] | records that several answers share |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
 //! | [`finite`] | that every number of an answer is one |
@@ -32,6 +33,7 @@
 pub mod answer;
 pub mod error;
 pub mod finite;
+pub mod machine;
 pub mod shared;
 pub mod teeth;
 

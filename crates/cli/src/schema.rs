@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -39,6 +40,16 @@ enum Of {
     Motor,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
+    /// The answer of `epicyclic machine list`.
+    AnswerMachines,
+    /// The answer of `epicyclic machine speeds`.
+    AnswerMachineSpeeds,
+    /// The answer of `epicyclic machine chain-cutter`.
+    AnswerMachineChainCutter,
+    /// The answer of `epicyclic machine drum`.
+    AnswerMachineDrum,
+    /// The answer of `epicyclic machine rotor`.
+    AnswerMachineRotor,
 }
 
 /// Runs the command.
@@ -49,6 +60,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
         Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerMachines => schema::<Machines>(),
+        Of::AnswerMachineSpeeds => schema::<MachineSpeeds>(),
+        Of::AnswerMachineChainCutter => schema::<ChainCutter>(),
+        Of::AnswerMachineDrum => schema::<Drum>(),
+        Of::AnswerMachineRotor => schema::<Rotor>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

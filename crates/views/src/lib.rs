@@ -5,11 +5,12 @@
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
-//! | [`teeth`] | the view of this answer |
+//! | [`machine`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod figure;
+pub mod machine;
 pub mod report;
 pub mod teeth;
 pub mod text;
