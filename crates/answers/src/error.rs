@@ -1,5 +1,7 @@
 //! What is refused instead of answered.
 
+use crate::schemes::{SizeName, SizeProblem};
+
 /// A question without an answer.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -30,6 +32,17 @@ pub enum Error {
     /// What a scheme or a machine refuses.
     #[error(transparent)]
     Design(#[from] epicyclic_schemes::DesignError),
+    /// What the solver refuses.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+    /// A size of a scheme.
+    #[error("{size}: {problem}")]
+    SchemeSize {
+        /// Which.
+        size: SizeName,
+        /// What is wrong with it.
+        problem: SizeProblem,
+    },
     /// A throw of a bucket wheel without an angle of the chute.
     #[error("no angle of the chute: at least one is due")]
     NoChute,

@@ -7,6 +7,8 @@
 //! | module | answers |
 //! |---|---|
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
+//! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
+//! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
 //! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
 //! | [`shared`] | records that several answers share |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -31,9 +33,11 @@
 //! ```
 
 pub mod answer;
+pub mod catalogue;
 pub mod error;
 pub mod finite;
 pub mod machine;
+pub mod schemes;
 pub mod shared;
 pub mod teeth;
 

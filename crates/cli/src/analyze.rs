@@ -14,7 +14,6 @@ use crate::output::OutputArgs;
 use epicyclic_formats::{Document, Quantity};
 use epicyclic_train::{Analysis, Error, Gearbox, InputLoad};
 use epicyclic_views::report::Report;
-pub(crate) use overview::fast_planets;
 use std::path::{Path, PathBuf};
 use subject::Content;
 pub(crate) use subject::{Subject, efficiency};

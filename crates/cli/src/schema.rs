@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_answers::answer::schema;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
+use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -40,6 +41,10 @@ enum Of {
     Motor,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
+    /// The answer of `epicyclic schemes`.
+    AnswerSchemes,
+    /// The answer of `epicyclic schemes` with a name.
+    AnswerScheme,
     /// The answer of `epicyclic machine list`.
     AnswerMachines,
     /// The answer of `epicyclic machine speeds`.
@@ -60,6 +65,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
         Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerSchemes => schema::<Schemes>(),
+        Of::AnswerScheme => schema::<Scheme>(),
         Of::AnswerMachines => schema::<Machines>(),
         Of::AnswerMachineSpeeds => schema::<MachineSpeeds>(),
         Of::AnswerMachineChainCutter => schema::<ChainCutter>(),

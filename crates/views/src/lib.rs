@@ -5,13 +5,14 @@
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
-//! | [`machine`], [`teeth`] | the views of these answers |
+//! | [`machine`], [`schemes`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod figure;
 pub mod machine;
 pub mod report;
+pub mod schemes;
 pub mod teeth;
 pub mod text;
 
