@@ -184,3 +184,21 @@ impl SetSpeeds {
         }
     }
 }
+
+/// A range of ring-to-sun ratios.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct KRange {
+    /// The least.
+    pub least: f64,
+    /// The greatest.
+    pub greatest: f64,
+}
+
+impl KRange {
+    /// From its ends.
+    #[must_use]
+    pub const fn of(least: f64, greatest: f64) -> Self {
+        Self { least, greatest }
+    }
+}

@@ -1,6 +1,7 @@
 //! What is refused instead of answered.
 
 use crate::schemes::{SizeName, SizeProblem};
+use crate::select::duty::DutyProblem;
 
 /// A question without an answer.
 #[derive(Debug, thiserror::Error)]
@@ -42,6 +43,31 @@ pub enum Error {
         size: SizeName,
         /// What is wrong with it.
         problem: SizeProblem,
+    },
+    /// What a selection refuses.
+    #[error(transparent)]
+    Selection(#[from] epicyclic_selection::SelectionError),
+    /// A speed or load of an input.
+    #[error(transparent)]
+    Duty(#[from] DutyProblem),
+    /// A search for tooth numbers of two sets with one ratio.
+    #[error("two sets are searched, so three speeds or two ratios are due")]
+    OneSet,
+    /// More designs than are told at once.
+    #[error("{wanted} designs, each measured and written in full: at most {most}")]
+    TooManyDesigns {
+        /// How many are wanted.
+        wanted: usize,
+        /// How many can be told.
+        most: usize,
+    },
+    /// Limits of a module that leave none.
+    #[error("the least module, {least_mm} mm, is above the greatest, {greatest_mm} mm")]
+    ModuleRange {
+        /// The least.
+        least_mm: f64,
+        /// The greatest.
+        greatest_mm: f64,
     },
     /// A throw of a bucket wheel without an angle of the chute.
     #[error("no angle of the chute: at least one is due")]

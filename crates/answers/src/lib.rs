@@ -7,6 +7,7 @@
 //! | module | answers |
 //! |---|---|
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
+//! | [`select`] | gearboxes for two or three speeds, of the catalogue or with all tooth numbers |
 //! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
 //! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
 //! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
@@ -38,6 +39,7 @@ pub mod error;
 pub mod finite;
 pub mod machine;
 pub mod schemes;
+pub mod select;
 pub mod shared;
 pub mod teeth;
 

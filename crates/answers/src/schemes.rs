@@ -2,7 +2,7 @@
 
 mod formulas;
 
-use crate::catalogue::{GearName, Link, SetLinks, SetSpeeds, ShiftElement};
+use crate::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds, ShiftElement};
 use crate::shared::{Motion, zero};
 use crate::{Answer, Error, Warning};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -190,22 +190,6 @@ pub fn sized(scheme: AnyScheme, sizes: Sizes, eta0: MeshEfficiency) -> Result<Op
     Ok(Some(Sized { k: [Some(first), second].into_iter().flatten().collect(), gearbox }))
 }
 
-/// A range of ring-to-sun ratios.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct KRange {
-    /// The least.
-    pub least: f64,
-    /// The greatest.
-    pub greatest: f64,
-}
-
-impl KRange {
-    fn of(range: RingToSunRange) -> Self {
-        Self { least: range.low(), greatest: range.high() }
-    }
-}
-
 /// The catalogue.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -252,7 +236,7 @@ pub fn list(range: RingToSunRange) -> Schemes {
             greatest_ratio,
         }
     };
-    Schemes { k: KRange::of(range), schemes: AnyScheme::all().map(scheme).collect() }
+    Schemes { k: KRange::of(range.low(), range.high()), schemes: AnyScheme::all().map(scheme).collect() }
 }
 
 /// A scheme: links, formulas, ranges, and its numbers where its sets have sizes.
@@ -365,7 +349,7 @@ pub fn one(
                 motion: Motion::of(three.connection().mode()),
             }),
         },
-        k: KRange::of(range),
+        k: KRange::of(range.low(), range.high()),
         formulas: gear_formulas(scheme, range),
         parameters: None,
         gears: vec![],

@@ -5,6 +5,8 @@ use crate::output::{self, Target};
 use epicyclic_answers::answer::schema;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::schemes::{Scheme, Schemes};
+use epicyclic_answers::select::Select;
+use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -41,6 +43,10 @@ enum Of {
     Motor,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
+    /// The answer of `epicyclic select`.
+    AnswerSelect,
+    /// The answer of `epicyclic select --teeth`.
+    AnswerSelectTeeth,
     /// The answer of `epicyclic schemes`.
     AnswerSchemes,
     /// The answer of `epicyclic schemes` with a name.
@@ -65,6 +71,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
         Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerSelect => schema::<Select>(),
+        Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),
         Of::AnswerMachines => schema::<Machines>(),

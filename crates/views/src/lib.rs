@@ -5,7 +5,7 @@
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
-//! | [`machine`], [`schemes`], [`teeth`] | the views of these answers |
+//! | [`machine`], [`schemes`], [`select`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
@@ -13,6 +13,7 @@ pub mod figure;
 pub mod machine;
 pub mod report;
 pub mod schemes;
+pub mod select;
 pub mod teeth;
 pub mod text;
 

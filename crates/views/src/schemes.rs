@@ -3,8 +3,8 @@
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
-use epicyclic_answers::catalogue::{GearName, SetLinks, SetSpeeds};
-use epicyclic_answers::schemes::{Connection, Gear, KRange, Parameters, Scheme, Schemes};
+use epicyclic_answers::catalogue::{GearName, KRange, SetLinks, SetSpeeds};
+use epicyclic_answers::schemes::{Connection, Gear, Parameters, Scheme, Schemes};
 use epicyclic_formats::quantity::format::trimmed;
 
 fn span(k: KRange) -> String {
