@@ -2,6 +2,8 @@
 
 use crate::analyze::LoadQuantity;
 use crate::analyze::inputs::Given;
+use crate::schemes::{SizeName, SizeProblem};
+use crate::select::duty::DutyProblem;
 
 /// A question without an answer.
 #[derive(Debug, thiserror::Error)]
@@ -102,6 +104,45 @@ pub enum Error {
         /// The most.
         most: u32,
     },
+    /// What a scheme or a machine refuses.
+    #[error(transparent)]
+    Design(#[from] epicyclic_schemes::DesignError),
+    /// A size of a scheme.
+    #[error("{size}: {problem}")]
+    SchemeSize {
+        /// Which.
+        size: SizeName,
+        /// What is wrong with it.
+        problem: SizeProblem,
+    },
+    /// What a selection refuses.
+    #[error(transparent)]
+    Selection(#[from] epicyclic_selection::SelectionError),
+    /// A speed or load of an input.
+    #[error(transparent)]
+    Duty(#[from] DutyProblem),
+    /// A search for tooth numbers of two sets with one ratio.
+    #[error("two sets are searched, so three speeds or two ratios are due")]
+    OneSet,
+    /// More designs than are told at once.
+    #[error("{wanted} designs, each measured and written in full: at most {most}")]
+    TooManyDesigns {
+        /// How many are wanted.
+        wanted: usize,
+        /// How many can be told.
+        most: usize,
+    },
+    /// Limits of a module that leave none.
+    #[error("the least module, {least_mm} mm, is above the greatest, {greatest_mm} mm")]
+    ModuleRange {
+        /// The least.
+        least_mm: f64,
+        /// The greatest.
+        greatest_mm: f64,
+    },
+    /// A throw of a bucket wheel without an angle of the chute.
+    #[error("no angle of the chute: at least one is due")]
+    NoChute,
 }
 
 impl Error {

@@ -10,6 +10,10 @@
 //! | [`analyze`] | what a gearbox does in its gears |
 //! | [`transmissions`] | the transmissions of a file to choose from |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
+//! | [`select`] | gearboxes for two or three speeds, of the catalogue or with all tooth numbers |
+//! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
+//! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
+//! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
 //! | [`shared`] | records that several answers share |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
 //! | [`finite`] | that every number of an answer is one |
@@ -34,9 +38,13 @@
 
 pub mod analyze;
 pub mod answer;
+pub mod catalogue;
 pub mod error;
 pub mod finite;
 pub mod gearbox;
+pub mod machine;
+pub mod schemes;
+pub mod select;
 pub mod shared;
 pub mod teeth;
 pub mod transmissions;

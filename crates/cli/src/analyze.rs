@@ -283,9 +283,3 @@ pub(crate) fn everything<'d>(
 pub(crate) fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Failure> {
     answers::analysis(gearbox, gear).map_err(refuse)
 }
-
-/// Planets of a gear that turn faster on their carriers than is usual.
-pub(crate) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<(&'static str, String)> {
-    let all = answers::warnings::fast_planets(gearbox, gear).into_iter();
-    all.map(|warning| (warning.name, warning.message)).collect()
-}

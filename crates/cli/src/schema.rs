@@ -7,6 +7,10 @@ use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
+use epicyclic_answers::schemes::{Scheme, Schemes};
+use epicyclic_answers::select::Select;
+use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
@@ -56,6 +60,24 @@ enum Of {
     AnswerTransmissions,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
+    /// The answer of `epicyclic select`.
+    AnswerSelect,
+    /// The answer of `epicyclic select --teeth`.
+    AnswerSelectTeeth,
+    /// The answer of `epicyclic schemes`.
+    AnswerSchemes,
+    /// The answer of `epicyclic schemes` with a name.
+    AnswerScheme,
+    /// The answer of `epicyclic machine list`.
+    AnswerMachines,
+    /// The answer of `epicyclic machine speeds`.
+    AnswerMachineSpeeds,
+    /// The answer of `epicyclic machine chain-cutter`.
+    AnswerMachineChainCutter,
+    /// The answer of `epicyclic machine drum`.
+    AnswerMachineDrum,
+    /// The answer of `epicyclic machine rotor`.
+    AnswerMachineRotor,
 }
 
 /// Runs the command.
@@ -72,6 +94,15 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
         Of::AnswerTransmissions => schema::<Transmissions>(),
         Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerSelect => schema::<Select>(),
+        Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
+        Of::AnswerSchemes => schema::<Schemes>(),
+        Of::AnswerScheme => schema::<Scheme>(),
+        Of::AnswerMachines => schema::<Machines>(),
+        Of::AnswerMachineSpeeds => schema::<MachineSpeeds>(),
+        Of::AnswerMachineChainCutter => schema::<ChainCutter>(),
+        Of::AnswerMachineDrum => schema::<Drum>(),
+        Of::AnswerMachineRotor => schema::<Rotor>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

@@ -6,12 +6,16 @@
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
 //! | [`analyze`], [`teeth`], [`transmissions`] | the views of these answers |
+//! | [`machine`], [`schemes`], [`select`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod analyze;
 pub mod figure;
+pub mod machine;
 pub mod report;
+pub mod schemes;
+pub mod select;
 pub mod teeth;
 pub mod text;
 pub mod transmissions;

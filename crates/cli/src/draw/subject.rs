@@ -4,7 +4,8 @@ use super::{Args, View};
 use crate::analyze::{self, Choice};
 use crate::failure::Failure;
 use crate::input;
-use crate::schemes::{Scheme, Sizes, dimensioned};
+use crate::schemes::{SizeOptions, sized};
+use epicyclic_answers::schemes::AnyScheme;
 use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
@@ -36,16 +37,18 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
     if let Some(document) = document {
         return from_file(args, file, document);
     }
-    match (Scheme::named(&args.gearbox), structure(&args.gearbox)) {
+    match (AnyScheme::named(&args.gearbox), structure(&args.gearbox)) {
         (Ok(scheme), _) => catalogue(args, scheme),
         (_, Some(structure)) => of_two_rows(args, structure),
         // What looks like a name and is neither: say which schemes there are.
-        (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => Err(unknown),
+        (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => {
+            Err(unknown.into())
+        }
         _ => from_file(args, file, &input::document(file)?),
     }
 }
 
-fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
+fn catalogue(args: &Args, scheme: AnyScheme) -> Result<Subject, Failure> {
     let option = |option, message: String| Err(Failure::Option { option, message });
     if args.transmission.is_some() {
         return option("--transmission", "a scheme of the catalogue is one gearbox; leave it out".into());
@@ -54,8 +57,8 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
         Some(eta) => analyze::efficiency(eta)?,
         None => MeshEfficiency::IDEAL,
     };
-    let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
-    if let Some(found) = dimensioned(sizes, scheme, eta)? {
+    let sizes = SizeOptions { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
+    if let Some(found) = sized(sizes, scheme, eta)? {
         return Ok(Subject::of_catalogue(found.gearbox, true));
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
@@ -66,8 +69,12 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
         return option("--k1", message);
     }
     let any = |is_there: bool| is_there.then(|| Number::new(ANY_K).ok()).flatten();
-    let sizes = Sizes { k1: any(true), k2: any(matches!(scheme, Scheme::Three(_))), ..Sizes::default() };
-    match dimensioned(sizes, scheme, eta)? {
+    let sizes = SizeOptions {
+        k1: any(true),
+        k2: any(matches!(scheme, AnyScheme::Three(_))),
+        ..SizeOptions::default()
+    };
+    match sized(sizes, scheme, eta)? {
         Some(found) => Ok(Subject::of_catalogue(found.gearbox, false)),
         None => option("--k1", "needed".into()),
     }

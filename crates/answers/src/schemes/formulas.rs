@@ -1,16 +1,16 @@
 //! Ratios and efficiencies of the schemes as formulas to read; the tests evaluate them against the library.
 
-use super::Scheme;
+use super::AnyScheme;
 use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
 
 /// Ratio of the last braked gear.
-pub(super) fn ratio(scheme: Scheme) -> &'static str {
+pub(super) fn ratio(scheme: AnyScheme) -> &'static str {
     use ThreeSpeed as S;
     match scheme {
-        Scheme::Two(TwoSpeed::I) => "1+k₁",
-        Scheme::Two(TwoSpeed::II) => "(1+k₁)/k₁",
-        Scheme::Two(TwoSpeed::III) => "-k₁",
-        Scheme::Three(three) => match three {
+        AnyScheme::Two(TwoSpeed::I) => "1+k₁",
+        AnyScheme::Two(TwoSpeed::II) => "(1+k₁)/k₁",
+        AnyScheme::Two(TwoSpeed::III) => "-k₁",
+        AnyScheme::Three(three) => match three {
             S::I1 => "(k₁+1)(k₂+1)/(k₁+k₂+1)",
             S::I2 => "(k₁+1)(k₂+1)/(k₂(k₁+1)+1)",
             S::I3 => "(k₂(k₁+1)+k₁)/k₂",
@@ -27,13 +27,13 @@ pub(super) fn ratio(scheme: Scheme) -> &'static str {
 }
 
 /// Efficiency of the last braked gear.
-pub(super) fn efficiency(scheme: Scheme) -> &'static str {
+pub(super) fn efficiency(scheme: AnyScheme) -> &'static str {
     use ThreeSpeed as S;
     match scheme {
-        Scheme::Two(TwoSpeed::I) => "(1+k₁η₀)/(1+k₁)",
-        Scheme::Two(TwoSpeed::II) => "(k₁+η₀)/(1+k₁)",
-        Scheme::Two(TwoSpeed::III) => "η₀",
-        Scheme::Three(three) => match three {
+        AnyScheme::Two(TwoSpeed::I) => "(1+k₁η₀)/(1+k₁)",
+        AnyScheme::Two(TwoSpeed::II) => "(k₁+η₀)/(1+k₁)",
+        AnyScheme::Two(TwoSpeed::III) => "η₀",
+        AnyScheme::Three(three) => match three {
             S::I1 => "(k₁η₀+1)(k₂η₀+1)(k₁+k₂+1)/((k₁+1)(k₂+1)(k₁η₀+k₂η₀+1))",
             S::I2 => "(k₁η₀+1)(k₂+η₀)(k₂(k₁+1)+1)/((k₁+1)(k₂+1)(k₂(k₁η₀+1)+η₀))",
             S::I3 => "(k₂(k₁η₀+1)+k₁η₀²)/(k₂(k₁+1)+k₁)",
@@ -76,10 +76,10 @@ mod tests {
         for (k1, k2, eta) in [(1.75, 2.5, 0.9375), (2.15, 2.354, 0.97), (6.5, 1.375, 0.9)] {
             let [k, l] = [k1, k2].map(|k| RingToSunRatio::new(k).unwrap());
             let eta0 = MeshEfficiency::new(eta).unwrap();
-            for scheme in Scheme::all() {
+            for scheme in AnyScheme::all() {
                 let [i, efficient] = match scheme {
-                    Scheme::Two(two) => [two.ratio(k), two.efficiency(k, eta0)],
-                    Scheme::Three(three) => [three.ratio(k, l), three.efficiency(k, l, eta0)],
+                    AnyScheme::Two(two) => [two.ratio(k), two.efficiency(k, eta0)],
+                    AnyScheme::Three(three) => [three.ratio(k, l), three.efficiency(k, l, eta0)],
                 };
                 let written = [ratio(scheme), efficiency(scheme)].map(|text| value(text, [k1, k2, eta]));
                 assert!((written[0] / i - 1.0).abs() < 1e-12, "{}: {written:?}", scheme.name());
