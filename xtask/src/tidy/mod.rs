@@ -7,6 +7,7 @@
 //! | [`conversions`] | conversions of quantities in `units.rs` alone |
 //! | [`purity`] | libraries neither print nor open files |
 //! | [`length`] | files of bounded length |
+//! | [`library`] | a README with an example that runs, and what a registry asks |
 //! | [`words`] | words that have given way to the field's |
 //! | [`zeros`] | what counts as nothing stands in `tolerance.rs` |
 //!
@@ -17,6 +18,7 @@ pub mod arrows;
 pub mod circles;
 pub mod conversions;
 pub mod length;
+pub mod library;
 pub mod purity;
 pub mod source;
 pub mod words;
@@ -85,6 +87,7 @@ pub fn check(sources: &[Source]) -> Vec<Breach> {
         conversions::check,
         purity::check,
         length::check,
+        library::check,
         words::check,
         zeros::check,
     ]
