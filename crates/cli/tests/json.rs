@@ -39,6 +39,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("analyze", &["analyze", "redundant.yaml"]),
     ("analyze", &["analyze", "redundant.yaml", "--gear", "slow", "--torque", "500 N·m"]),
     ("analyze", &["analyze", "redundant.yaml", "--all-combinations"]),
+    ("analyze", &["analyze", "wolfrom-self-locking.yaml", "--all-combinations"]),
     ("analyze", &["analyze", "apart.yaml"]),
     ("analyze", &["analyze", "apart.yaml", "--gear", "1"]),
     ("analyze", &["analyze", "free.yaml", "--gear", "free"]),
