@@ -36,6 +36,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("analyze", &["analyze", "sized-gearbox.yaml", "--torque", "500 N·m"]),
     ("analyze", &["analyze", "power-split.yaml"]),
     ("analyze", &["analyze", "power-split.yaml", "--gear", "drive", "--speed", "2000 rpm"]),
+    ("analyze", &["analyze", "power-split.yaml", "--gear", "generator held", "--speeds", "engine=1000 rpm"]),
     ("analyze", &["analyze", "free.yaml"]),
     ("analyze", &["analyze", "redundant.yaml"]),
     ("analyze", &["analyze", "redundant.yaml", "--gear", "slow", "--torque", "500 N·m"]),
