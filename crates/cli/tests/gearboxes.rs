@@ -42,7 +42,7 @@ fn forces_on_the_bearings_of_planets() {
     let folder = examples();
     let forces = |args: &[&str]| {
         let seen = session(&folder, &[&["analyze"], args].concat());
-        let from = seen.find("Force on").or_else(|| seen.find("Torque that the pins")).unwrap();
+        let from = seen.find("Force on").or_else(|| seen.find("Torque of the planet pins")).unwrap();
         let to = seen[from..].find("\n\n").unwrap();
         format!("$ {}\n{}\n", args.join(" "), &seen[from..from + to])
     };
