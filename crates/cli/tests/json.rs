@@ -80,7 +80,21 @@ const RUNS: &[(&str, &[&str])] = &[
             "--all-structures",
         ],
     ),
-    ("select", &["select", "--ratios", "0.6, 0.4", "--all-structures"]),
+    (
+        "select",
+        &[
+            "select",
+            "--ratios",
+            "0.6, 0.4",
+            "--all-structures",
+            "--planet-speed",
+            "20",
+            "--link-speed",
+            "20",
+            "--clutch-slip",
+            "20",
+        ],
+    ),
     ("select", &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "2"]),
     (
         "select",
