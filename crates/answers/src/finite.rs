@@ -274,6 +274,7 @@ impl ser::SerializeStructVariant for &mut Walk {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde::Serialize;
     use std::collections::BTreeMap;
 
     #[derive(Serialize)]
