@@ -24,6 +24,17 @@ pub enum Error {
     /// A fault in a file, with its line and column.
     #[error(transparent)]
     Document(#[from] epicyclic_formats::Error),
+    /// A refusal at the place in a file that it is about.
+    #[error("{at}")]
+    Placed {
+        /// The refusal with file, line and column.
+        at: Box<epicyclic_formats::Error>,
+        /// The refusal itself.
+        why: Box<Error>,
+    },
+    /// What the design of a drive refuses.
+    #[error(transparent)]
+    Drive(Box<epicyclic_dynamics::Error>),
     /// What a gear or a simple set refuses.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
@@ -33,6 +44,14 @@ impl Error {
     /// Whether the question is sound and only has no answer within its bounds.
     #[must_use]
     pub fn is_nothing_found(&self) -> bool {
-        matches!(self, Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }))
+        use epicyclic_gears::Error as Gear;
+        match self {
+            Self::Placed { why, .. } => why.is_nothing_found(),
+            Self::Gear(Gear::NoToothNumbers { .. }) => true,
+            Self::Drive(why) => {
+                matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))
+            }
+            _ => false,
+        }
     }
 }

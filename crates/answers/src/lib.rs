@@ -6,8 +6,10 @@
 //!
 //! | module | answers |
 //! |---|---|
+//! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
 //! | [`shared`] | records that several answers share |
+//! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
 //! | [`finite`] | that every number of an answer is one |
 //! | [`error`] | what is refused |
@@ -30,8 +32,10 @@
 //! ```
 
 pub mod answer;
+pub mod drive;
 pub mod error;
 pub mod finite;
+pub mod number;
 pub mod shared;
 pub mod teeth;
 

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::drive::Drive;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -37,6 +38,8 @@ enum Of {
     Transmissions,
     /// Of `epicyclic report`: a hydromotor.
     Motor,
+    /// The answer of `epicyclic drive`.
+    AnswerDrive,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
 }
@@ -48,6 +51,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Gearbox => schema_for!(GearboxFile),
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
+        Of::AnswerDrive => schema::<Drive>(),
         Of::AnswerTeeth => schema::<Teeth>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())

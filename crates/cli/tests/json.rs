@@ -24,6 +24,7 @@ const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
 const RUNS: &[(&str, &[&str])] = &[
     ("teeth", &["teeth", "--ratio", "6", "--limit", "1"]),
     ("drive", &["drive", "xe215cll-drive.yaml"]),
+    ("drive", &["drive", "every-drive-key.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "prius"]),
     ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),

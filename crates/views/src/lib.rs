@@ -5,11 +5,14 @@
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
-//! | [`teeth`] | the view of this answer |
+//! | [`quantities`] | figures of the SI numbers in a record |
+//! | [`drive`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
+pub mod drive;
 pub mod figure;
+pub mod quantities;
 pub mod report;
 pub mod teeth;
 pub mod text;
