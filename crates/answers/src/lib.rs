@@ -7,6 +7,8 @@
 //! | module | answers |
 //! |---|---|
 //! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
+//! | [`motor`] | a planetary hydromotor |
+//! | [`motor_search`] | hydromotors for a displacement or torque |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
@@ -35,6 +37,8 @@ pub mod answer;
 pub mod drive;
 pub mod error;
 pub mod finite;
+pub mod motor;
+pub mod motor_search;
 pub mod number;
 pub mod shared;
 pub mod teeth;

@@ -4,6 +4,8 @@ use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_answers::answer::schema;
 use epicyclic_answers::drive::Drive;
+use epicyclic_answers::motor::Motor;
+use epicyclic_answers::motor_search::MotorSearch;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -40,6 +42,10 @@ enum Of {
     Motor,
     /// The answer of `epicyclic drive`.
     AnswerDrive,
+    /// The answer of `epicyclic motor`.
+    AnswerMotor,
+    /// The answer of `epicyclic motor search`.
+    AnswerMotorSearch,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
 }
@@ -52,6 +58,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
         Of::AnswerDrive => schema::<Drive>(),
+        Of::AnswerMotor => schema::<Motor>(),
+        Of::AnswerMotorSearch => schema::<MotorSearch>(),
         Of::AnswerTeeth => schema::<Teeth>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())

@@ -6,12 +6,14 @@
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
 //! | [`quantities`] | figures of the SI numbers in a record |
-//! | [`drive`], [`teeth`] | the views of these answers |
+//! | [`drive`], [`motor`], [`motor_search`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod drive;
 pub mod figure;
+pub mod motor;
+pub mod motor_search;
 pub mod quantities;
 pub mod report;
 pub mod teeth;

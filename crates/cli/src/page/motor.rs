@@ -2,11 +2,12 @@
 
 use super::sheet::{Block, Section, Sheet};
 use crate::failure::Failure;
-use crate::motor::{Everything, everything};
+use epicyclic_answers::motor::{Designed, answer, of_file};
 use epicyclic_formats::Document;
 use epicyclic_hydromotor::Motor;
 use epicyclic_pictures::motor;
 use epicyclic_pictures::plot::{Curve, Plot};
+use epicyclic_views::AsReport as _;
 use uom::si::angle::degree;
 use uom::si::area::square_millimeter;
 use uom::si::f64::Angle;
@@ -15,8 +16,10 @@ use uom::si::f64::Angle;
 const PLACES: u32 = 720;
 
 pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure> {
-    let Everything { title, motor, profile, angle, report } = everything(document)?;
-    let about = report.title.clone().unwrap_or_default();
+    let (title, designed) = of_file(document)?;
+    let answer = answer(&designed)?;
+    let Designed { motor, profile, angle, .. } = designed;
+    let about = epicyclic_views::motor::title(&answer.numbers);
     let mut drawings = vec![
         Block::picture(
             motor::centrodes(&motor, angle)?,
@@ -27,7 +30,7 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
             "Chambers between neighbouring satellites, by their pressure.",
         ),
     ];
-    if let Some(profile) = &profile {
+    if let Ok(profile) = &profile {
         drawings.insert(
             1,
             Block::picture(
@@ -54,7 +57,7 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
         sections: vec![
             Section::new("Input", vec![Block::File(text)]),
             Section::new("Drawings", drawings),
-            Section::new("Results and checks", vec![Block::Answer(report)]),
+            Section::new("Results and checks", vec![Block::Answer(answer.report())]),
             Section::new("Plots", plots),
             Section::new("Sources", vec![Block::List(sources.map(str::to_owned).to_vec())]),
         ],
