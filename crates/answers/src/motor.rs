@@ -2,10 +2,12 @@
 
 mod centrodes;
 mod design;
+mod over_angle;
 mod teeth;
 
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
 pub use design::{Chosen, Designed, Place, Question, design, of_file};
+pub use over_angle::{OverAngle, over_angle};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
 
 use crate::number::{maybe_si, plain, si};

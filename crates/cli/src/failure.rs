@@ -196,6 +196,7 @@ impl From<epicyclic_views::Error> for Failure {
     fn from(error: epicyclic_views::Error) -> Self {
         match error {
             epicyclic_views::Error::Picture(error) => Self::Picture(error),
+            epicyclic_views::Error::Gearbox(error) => Self::Gearbox(error),
             error => Self::View(error),
         }
     }

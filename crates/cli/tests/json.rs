@@ -146,6 +146,25 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("motor", &["motor", "--stator", "4", "--rotor", "3", "--z3", "44", "--zs", "5", "--module", "1 mm"]),
+    // Tips without room: where they overlap is told.
+    (
+        "motor",
+        &[
+            "motor",
+            "--stator",
+            "5",
+            "--rotor",
+            "3",
+            "--z3",
+            "55",
+            "--zs",
+            "10",
+            "--module",
+            "2 mm",
+            "--clearance",
+            "0.02",
+        ],
+    ),
     ("motor", &["motor", "--stator", "3", "--rotor", "1", "--z3", "108", "--zs", "13", "--module", "1 mm"]),
     (
         "motor",

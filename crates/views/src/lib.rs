@@ -6,6 +6,7 @@
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
 //! | [`quantities`] | figures of the SI numbers in a record |
+//! | [`page`] | pages of answers, pictures and words |
 //! | [`drive`], [`motor`], [`motor_search`], [`teeth`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
@@ -14,6 +15,7 @@ pub mod drive;
 pub mod figure;
 pub mod motor;
 pub mod motor_search;
+pub mod page;
 pub mod quantities;
 pub mod report;
 pub mod teeth;

@@ -1,18 +1,21 @@
 //! The page of a planetary drive.
 
 use super::sheet::{Block, Section, Sheet};
-use crate::failure::Failure;
-use epicyclic_answers::drive::{Drive, Gear, of_file};
-use epicyclic_formats::{Document, Physical as _};
+use crate::{AsReport as _, Error};
+use epicyclic_answers::drive::{Drive, Gear};
+use epicyclic_formats::Physical as _;
 use epicyclic_pictures::gear_set::{Circles, GearSet};
 use epicyclic_pictures::plot::{Curve, Plot};
-use epicyclic_views::AsReport as _;
 use uom::si::angular_velocity::revolution_per_minute;
 use uom::si::f64::{Angle, AngularVelocity, Length};
 
-pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure> {
-    let drive = of_file(document)?;
-    let picture = |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(Failure::from);
+/// Input, drawing, results, plots of a drive; `text` is its file.
+///
+/// # Errors
+/// [`Error::Picture`] for a drive too large for a drawing.
+pub fn sheet(drive: &Drive, text: String) -> Result<Sheet, Error> {
+    let picture =
+        |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(|error| Error::Picture(error.into()));
     let angles: Vec<Angle> =
         drive.tooth_numbers.planet_angles_rad.iter().map(|angle| Angle::from_si(*angle)).collect();
     let (set, numbers) = (&drive.gear_set, &drive.tooth_numbers);
@@ -30,10 +33,10 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
         angles: &angles,
     };
     let mut plots = vec![Block::picture(
-        picture(efficiency_over_ratio(&drive).scene())?,
+        picture(efficiency_over_ratio(drive).scene())?,
         "Efficiency of such a drive over its ratio, the meshes' efficiencies as given; the mark is this drive.",
     )];
-    if let Some(start) = start(&drive) {
+    if let Some(start) = start(drive) {
         plots.push(Block::picture(
             picture(start.scene())?,
             "Start from rest under constant torques: the sun's speed until it reaches the nominal one.",
