@@ -562,3 +562,42 @@ impl Motion {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> Result<Drive, Error> {
+        of_file(&Document::parse_one("drive.yaml", text.as_bytes()).unwrap())
+    }
+
+    const GEAR_SET: &str = "wheels: { module: 5 mm, face_width: 50 mm }\n";
+
+    #[test]
+    fn forces_at_both_meshes_add_to_that_on_the_planet_bearings() {
+        let drive = of(&format!("power: 30 kW\nspeed: 1450 rpm\nratio: 5\n{GEAR_SET}")).unwrap();
+        let forces = &drive.forces;
+        let sum = forces.sun_mesh_n + forces.ring_mesh_n;
+        assert!((sum / forces.planet_bearing_tangential_n - 1.0).abs() < 1e-12);
+        assert_eq!(drive.tooth_numbers.exact_ratio, Fraction { numerator: 5, denominator: 1 });
+        let parts = &drive.equivalent_inertia;
+        let sum = parts.sun_kg_m2
+            + parts.motor_kg_m2
+            + parts.planets_orbiting_kg_m2
+            + parts.planets_turning_kg_m2
+            + parts.carrier_kg_m2
+            + parts.machine_kg_m2;
+        assert!((sum / parts.total_kg_m2 - 1.0).abs() < 1e-12);
+        assert!(drive.warnings.iter().any(|warning| warning.name == "carrier-neglected"));
+    }
+
+    #[test]
+    fn a_ratio_that_no_teeth_have_is_told_at_its_key() {
+        let error = of(&format!("power: 30 kW\nspeed: 1450 rpm\nratio: 60\n{GEAR_SET}")).unwrap_err();
+        assert!(error.is_nothing_found());
+        assert!(error.to_string().starts_with("drive.yaml:3:8: ratio: "), "{error}");
+        let error = of(&format!("power: 0 kW\nspeed: 1450 rpm\nratio: 5\n{GEAR_SET}")).unwrap_err();
+        assert!(!error.is_nothing_found());
+        assert!(error.to_string().starts_with("drive.yaml:1:8: power: "), "{error}");
+    }
+}

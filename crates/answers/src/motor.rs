@@ -666,3 +666,66 @@ fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
     };
     Ok(satellites.iter().enumerate().map(record).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::to_json;
+    use epicyclic_hydromotor::MotorNumbers;
+    use epicyclic_hydromotor::profile::ToothForm;
+    use uom::si::f64::{Angle, AngularVelocity};
+    use uom::si::length::millimeter;
+    use uom::si::pressure::megapascal;
+
+    fn question() -> Question {
+        let mm = Length::new::<millimeter>;
+        Question {
+            numbers: MotorNumbers::new(5, 3, 55, 10).unwrap(),
+            module: mm(2.0),
+            place: Place::TroughDistance(mm(80.0)),
+            form: ToothForm::default(),
+            width: Some(mm(50.0)),
+            pressure: Some(Pressure::new::<megapascal>(20.0)),
+            speed: None,
+            angle: Angle::default(),
+        }
+    }
+
+    #[test]
+    fn torque_is_displacement_times_pressure_over_a_turn() {
+        let motor = answer(&design(&question()).unwrap()).unwrap();
+        let work = &motor.work;
+        let torque = work.displacement_m3.unwrap() * 20e6 / std::f64::consts::TAU;
+        assert!((work.torque_n_m.unwrap() / torque - 1.0).abs() < 1e-12);
+        assert_eq!((work.flow_m3_s, work.power_w), (None, None));
+        // A satellite of r = 10 mm between the pressures: 20 MPa · 50 mm · 20 mm.
+        assert!((work.greatest_satellite_force_n.unwrap() - 20_000.0).abs() < 1e-6);
+        assert_eq!((motor.numbers.rotor_teeth, motor.chambers.len(), motor.satellites.len()), (33, 8, 8));
+        assert!(!to_json(&motor).unwrap().contains("-0.0,"), "zero has no sign");
+    }
+
+    #[test]
+    fn what_a_motor_cannot_be_given_is_told_apart() {
+        let with = |change: fn(&mut Question)| {
+            let mut question = question();
+            change(&mut question);
+            design(&question).unwrap_err()
+        };
+        assert!(matches!(with(|q| q.pressure = Some(Pressure::default())), Error::PressureDrop));
+        assert!(matches!(with(|q| q.speed = Some(AngularVelocity::default())), Error::RotorSpeed));
+        assert!(matches!(with(|q| q.place = Place::Part(2.0)), Error::Motor(_)));
+        let motor = design(&question()).unwrap().motor;
+        assert!(matches!(centrodes(&motor, 0), Err(Error::CentrodePoints { points: 0, .. })));
+        assert_eq!(centrodes(&motor, 2).unwrap().points.len(), 2 * 2 * (5 + 3));
+    }
+
+    #[test]
+    fn the_mean_of_the_flow_over_a_lobe_is_that_of_the_ripple() {
+        let over_angle = over_angle(&design(&question()).unwrap().motor).unwrap();
+        let flow = &over_angle.flow_per_width_m2[1..];
+        let mean = flow.iter().sum::<f64>() / flow.len() as f64;
+        assert!((mean / over_angle.mean_flow_per_width_m2 - 1.0).abs() < 1e-4, "{mean}");
+        assert_eq!(over_angle.chamber_areas_m2.len(), 8);
+        assert!(over_angle.chamber_areas_m2.iter().all(|areas| areas.len() == over_angle.angles_rad.len()));
+    }
+}
