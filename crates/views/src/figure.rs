@@ -131,6 +131,7 @@ impl Figure {
     }
 
     /// As one of a column of quantities with so many decimals.
+    #[must_use]
     pub fn in_column(&self, decimals: usize) -> String {
         match self {
             Self::Column { si, dimension } => {
@@ -144,6 +145,7 @@ impl Figure {
     }
 
     /// Value and unit.
+    #[must_use]
     pub fn csv(&self) -> (String, String) {
         let exact = |value: f64| trimmed(value, EXACT_DIGITS);
         let joined = |values: &[f64]| values.iter().map(|value| exact(*value)).collect::<Vec<_>>().join(" ");
@@ -191,6 +193,7 @@ impl Figure {
     }
 
     /// Whether every number in it can be shown.
+    #[must_use]
     pub fn is_finite(&self) -> bool {
         match self {
             // As tables show it, a share is a hundred times as large.
@@ -216,12 +219,14 @@ impl Figure {
     }
 
     /// The SI unit as part of a key: `_kg_m2`.
+    #[must_use]
     pub fn suffix(&self) -> &'static str {
         self.dimension().map_or("", |dimension| suffix(dimension, Units::Si))
     }
 }
 
 /// The unit as part of a key, SI in JSON and that of drawings in CSV.
+#[must_use]
 pub const fn suffix(dimension: Dimension, units: Units) -> &'static str {
     match (dimension, units) {
         (Dimension::Length, Units::Si) => "_m",

@@ -170,6 +170,7 @@ impl Column {
     }
 
     /// A column of quantities, headed by their unit.
+    #[must_use]
     pub fn quantity(name: &'static str, dimension: Dimension) -> Self {
         let heading = dimension.usual_unit().symbol;
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
@@ -419,6 +420,7 @@ impl Records {
 }
 
 /// Text within the width of the tables, after a list mark or none.
+#[must_use]
 pub fn wrapped(mark: &str, text: &str) -> String {
     let width = usize::from(text::WIDTH);
     let mut lines = String::new();

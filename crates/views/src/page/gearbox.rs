@@ -143,7 +143,7 @@ fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Resu
 }
 
 fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T, Error> {
-    drawn.map_err(|error| Error::Picture(error.into()))
+    drawn.map_err(Error::Picture)
 }
 
 /// Efficiency, ratio and planet speed of each gear over the `k` of each set.

@@ -43,11 +43,11 @@ pub fn sheet(
     }
     let plots = vec![
         Block::picture(
-            picture(flow(answer, over_angle))?,
+            picture(&flow(answer, over_angle))?,
             "Flow of ideal ports over the angle of the rotor: a radian and a millimetre of width. The torque over width and pressure \
              is the same.",
         ),
-        Block::picture(picture(areas(over_angle))?, "Areas of the chambers over the angle of the rotor."),
+        Block::picture(picture(&areas(over_angle))?, "Areas of the chambers over the angle of the rotor."),
     ];
     let sources = [
         "System (1), formulas (2) to (8) and the conditions on the numbers: the document rotary-hydromotor, with what it leaves out: \
@@ -66,7 +66,7 @@ pub fn sheet(
     })
 }
 
-fn picture(plot: Plot) -> Result<Scene, Error> {
+fn picture(plot: &Plot) -> Result<Scene, Error> {
     Ok(plot.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 

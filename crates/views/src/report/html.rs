@@ -5,6 +5,7 @@ use maud::{Markup, html};
 
 impl Report {
     /// Tables, words and warnings, without the title.
+    #[must_use]
     pub fn html(&self) -> Markup {
         html! {
             @for part in &self.parts { (part.html()) }
