@@ -1,7 +1,7 @@
 //! Tooth numbers for a ratio, as JSON.
 
 use epicyclic_answers::{answer::to_json, teeth};
-use epicyclic_gears::row::{Member, Mode};
+use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::Bounds;
 
 fn main() -> Result<(), epicyclic_answers::Error> {

@@ -9,12 +9,16 @@
 //! | [`gearbox`] | reads the gearbox of a file |
 //! | [`analyze`] | what a gearbox does in its gears |
 //! | [`transmissions`] | the transmissions of a file to choose from |
+//! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
+//! | [`motor`] | a planetary hydromotor |
+//! | [`motor_search`] | hydromotors for a displacement or torque |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
 //! | [`select`] | gearboxes for two or three speeds, of the catalogue or with all tooth numbers |
 //! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
 //! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
 //! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
 //! | [`shared`] | records that several answers share |
+//! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
 //! | [`finite`] | that every number of an answer is one |
 //! | [`error`] | what is refused |
@@ -39,10 +43,14 @@
 pub mod analyze;
 pub mod answer;
 pub mod catalogue;
+pub mod drive;
 pub mod error;
 pub mod finite;
 pub mod gearbox;
 pub mod machine;
+pub mod motor;
+pub mod motor_search;
+pub mod number;
 pub mod schemes;
 pub mod select;
 pub mod shared;

@@ -59,7 +59,7 @@ pub(crate) enum Failure {
     Answer(#[from] epicyclic_answers::Error),
     /// An answer that cannot be shown.
     #[error(transparent)]
-    View(#[from] epicyclic_views::Error),
+    View(epicyclic_views::Error),
     /// A demand that no gear meets.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
@@ -93,12 +93,6 @@ pub(crate) enum Failure {
     /// A hydromotor that cannot be.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),
-    /// A search that no hydromotor passes.
-    #[error("no motor within the limits: {funnel}")]
-    NoMotor {
-        /// What refused them.
-        funnel: String,
-    },
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {
@@ -146,7 +140,6 @@ impl Failure {
         match self {
             Self::NothingFound(_)
             | Self::SelfCrossing { .. }
-            | Self::NoMotor { .. }
             | Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => NOTHING_FOUND,
             Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
@@ -160,7 +153,7 @@ impl Failure {
     pub(crate) fn told(&self) -> String {
         let text = self.to_string();
         match self {
-            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::NoMotor { .. } => text,
+            Self::SelfCrossing { .. } | Self::NothingFound(_) => text,
             // Names to choose from stand below each other, set in.
             Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
             _ => one_line(&text).into_owned(),
@@ -187,13 +180,25 @@ impl Failure {
                 gear_place(document, base, gear, "name")
             }
             Self::Picture(E::NoRatio { .. }) => gearbox("gears"),
-            Self::Picture(E::Motor(error)) | Self::Motor(error) => motor::place(error),
+            Self::Picture(E::Motor(error))
+            | Self::Motor(error)
+            | Self::Answer(epicyclic_answers::Error::Motor(error)) => motor::place(error),
             Self::Picture(_)
             | Self::Answer(epicyclic_answers::Error::NotFinite { .. })
             | Self::View(epicyclic_views::Error::NotFinite { .. }) => base.clone(),
             _ => return self,
         };
         document.error(&place, Problem::Refused { message: self.to_string() }).into()
+    }
+}
+
+impl From<epicyclic_views::Error> for Failure {
+    fn from(error: epicyclic_views::Error) -> Self {
+        match error {
+            epicyclic_views::Error::Picture(error) => Self::Picture(error),
+            epicyclic_views::Error::Gearbox(error) => Self::Gearbox(error),
+            error => Self::View(error),
+        }
     }
 }
 

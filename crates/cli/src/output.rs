@@ -46,14 +46,18 @@ impl OutputArgs {
         self.target.output.is_some()
     }
 
-    /// Writes the answer.
-    pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
-        self.write_with(vec![], answer)
-    }
-
     /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown
     /// as well.
     pub(crate) fn deliver<A: Answer + AsReport>(&self, answer: &A) -> Result<(), Failure> {
+        self.deliver_with(vec![], answer)
+    }
+
+    /// The same with other files of the same call, all of them or none.
+    pub(crate) fn deliver_with<A: Answer + AsReport>(
+        &self,
+        files: Vec<Content>,
+        answer: &A,
+    ) -> Result<(), Failure> {
         let report = answer.report();
         let text = match self.format {
             Format::Json => to_json(answer)?,
@@ -66,7 +70,7 @@ impl OutputArgs {
                 report.csv()?
             }
         };
-        self.write(&text)?;
+        self.write_with(files, &text)?;
         self.tell(&report);
         Ok(())
     }

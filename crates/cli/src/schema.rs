@@ -7,7 +7,10 @@ use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::drive::Drive;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
+use epicyclic_answers::motor::Motor;
+use epicyclic_answers::motor_search::MotorSearch;
 use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
@@ -58,6 +61,12 @@ enum Of {
     AnswerAnalyzeCombinations,
     /// The answer of `epicyclic analyze` on a list of transmissions.
     AnswerTransmissions,
+    /// The answer of `epicyclic drive`.
+    AnswerDrive,
+    /// The answer of `epicyclic motor`.
+    AnswerMotor,
+    /// The answer of `epicyclic motor search`.
+    AnswerMotorSearch,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
     /// The answer of `epicyclic select`.
@@ -93,6 +102,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerAnalyzeMap => schema::<Map>(),
         Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
         Of::AnswerTransmissions => schema::<Transmissions>(),
+        Of::AnswerDrive => schema::<Drive>(),
+        Of::AnswerMotor => schema::<Motor>(),
+        Of::AnswerMotorSearch => schema::<MotorSearch>(),
         Of::AnswerTeeth => schema::<Teeth>(),
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),

@@ -24,6 +24,7 @@ const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
 const RUNS: &[(&str, &[&str])] = &[
     ("teeth", &["teeth", "--ratio", "6", "--limit", "1"]),
     ("drive", &["drive", "xe215cll-drive.yaml"]),
+    ("drive", &["drive", "every-drive-key.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "prius"]),
     ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),
@@ -238,6 +239,25 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("motor", &["motor", "--stator", "4", "--rotor", "3", "--z3", "44", "--zs", "5", "--module", "1 mm"]),
+    // Tips without room: where they overlap is told.
+    (
+        "motor",
+        &[
+            "motor",
+            "--stator",
+            "5",
+            "--rotor",
+            "3",
+            "--z3",
+            "55",
+            "--zs",
+            "10",
+            "--module",
+            "2 mm",
+            "--clearance",
+            "0.02",
+        ],
+    ),
     ("motor", &["motor", "--stator", "3", "--rotor", "1", "--z3", "108", "--zs", "13", "--module", "1 mm"]),
     (
         "motor",

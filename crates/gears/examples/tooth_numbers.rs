@@ -1,6 +1,6 @@
 //! The three best sets of tooth numbers for a ratio of 6.
 
-use epicyclic_gears::row::{Member, Mode};
+use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::Bounds;
 
 fn main() -> Result<(), epicyclic_gears::Error> {

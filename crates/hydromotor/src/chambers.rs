@@ -44,6 +44,36 @@ pub struct Chamber {
     pub growth: Area,
 }
 
+/// What a chamber does as the rotor runs counter-clockwise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// It grows and fills from the high pressure.
+    Filling,
+    /// It shrinks and empties into the low one.
+    Emptying,
+    /// It changes over at its greatest or least area, closed to both.
+    AtExtreme,
+}
+
+/// A growth counts as none below this part of the greatest among the chambers: what rounding leaves of it at an extreme.
+const AT_EXTREME: f64 = 1e-6;
+
+impl Phase {
+    /// Of a chamber among all at the same angle.
+    #[must_use]
+    pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
+        let most = all.iter().map(|chamber| chamber.growth.value.abs()).fold(0.0, f64::max);
+        let growth = chamber.growth.value;
+        if growth.abs() <= AT_EXTREME * most {
+            Self::AtExtreme
+        } else if growth > 0.0 {
+            Self::Filling
+        } else {
+            Self::Emptying
+        }
+    }
+}
+
 impl Motor {
     /// All chambers after a rotation of the rotor.
     ///

@@ -3,6 +3,6 @@
 use epicyclic_schemes::catalogue::TwoSpeed;
 
 fn main() -> Result<(), epicyclic_schemes::DesignError> {
-    println!("scheme I, i = 3.94: k = {}", TwoSpeed::I.parameter(3.94)?.get());
+    println!("scheme I, i = 3.94: k = {}", TwoSpeed::I.ring_to_sun_ratio(3.94)?.get());
     Ok(())
 }

@@ -1,11 +1,11 @@
 //! The scheme for the two speeds of a conveyor.
 
-use epicyclic_selection::{Demand, RatioSeries, Space, select};
+use epicyclic_selection::{RatioSeries, Requirements, Space, select};
 use uom::si::{f64::Velocity, velocity::meter_per_second};
 
 fn main() -> Result<(), epicyclic_selection::SelectionError> {
     let speeds = [0.8, 3.15].map(Velocity::new::<meter_per_second>);
-    let found = select(&Demand::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
+    let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
     let best = &found.accepted[found.best[0]];
     println!("{:?} with k = {:?}", best.mechanism.scheme(), best.k);
     Ok(())

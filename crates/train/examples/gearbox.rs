@@ -5,7 +5,7 @@ use epicyclic_train::Gearbox;
 use epicyclic_train::set::{MeshLoss, SetSpec};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let loss = MeshLoss::Row(MeshEfficiency::new(0.97)?);
+    let loss = MeshLoss::Set(MeshEfficiency::new(0.97)?);
     let gearbox = Gearbox::builder("II-3")
         .links(["D", "B", "T1", "T2"])
         .set(SetSpec::simple("1", ["T1", "D", "B"], 2.15).with_loss(loss))

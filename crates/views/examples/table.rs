@@ -1,7 +1,7 @@
 //! Tooth numbers for a ratio, as a table.
 
 use epicyclic_answers::teeth;
-use epicyclic_gears::row::{Member, Mode};
+use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_views::AsReport;
 

@@ -5,14 +5,20 @@
 //! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
 //! | [`figure`] | a value in it |
 //! | [`text`] | tables of plain text, CSV |
-//! | [`analyze`], [`teeth`], [`transmissions`] | the views of these answers |
-//! | [`machine`], [`schemes`], [`select`], [`teeth`] | the views of these answers |
+//! | [`quantities`] | figures of the SI numbers in a record |
+//! | [`page`] | pages of answers, pictures and words |
+//! | [`analyze`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod analyze;
+pub mod drive;
 pub mod figure;
 pub mod machine;
+pub mod motor;
+pub mod motor_search;
+pub mod page;
+pub mod quantities;
 pub mod report;
 pub mod schemes;
 pub mod select;

@@ -12,6 +12,15 @@ pub enum Error {
     /// Text that cannot be written.
     #[error("the answer cannot be written as text: {0}")]
     Text(String),
+    /// A picture that cannot be made.
+    #[error(transparent)]
+    Picture(#[from] epicyclic_pictures::Error),
+    /// A gearbox that cannot be analysed.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+    /// The teeth of a hydromotor that are drawn and are not there.
+    #[error("the motor has no teeth of this form: {0}")]
+    NoTeeth(epicyclic_hydromotor::Error),
     /// A figure of an answer that no double holds.
     #[error("not a finite number: {figure}; a given number is too small or too large for it")]
     NotFinite {

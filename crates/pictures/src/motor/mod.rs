@@ -33,7 +33,7 @@ mod teeth;
 mod whole;
 
 pub use centrodes::centrodes;
-pub use chambers::{Phase, STEPS, chambers};
+pub use chambers::{STEPS, chambers};
 pub use curve::{Outline, TOLERANCE_MM, outline};
 pub use teeth::{SIDES, teeth};
 pub use whole::whole;

@@ -1,44 +1,53 @@
 //! The page of a planetary drive.
 
 use super::sheet::{Block, Section, Sheet};
-use crate::drive;
-use crate::failure::Failure;
-use epicyclic_dynamics::drive::{DriveDesign, Start};
-use epicyclic_formats::Document;
-use epicyclic_pictures::gear_set::GearSet;
+use crate::{AsReport as _, Error};
+use epicyclic_answers::drive::{Drive, Gear};
+use epicyclic_formats::Physical as _;
+use epicyclic_pictures::gear_set::{Circles, GearSet};
 use epicyclic_pictures::plot::{Curve, Plot};
 use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::time::second;
+use uom::si::f64::{Angle, AngularVelocity, Length};
 
-pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure> {
-    let (title, design) = drive::calculate(document)?;
-    let picture = |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(Failure::from);
-    let gear_set = &design.gear_set;
-    let angles = design.teeth.spacing.angles();
+/// Input, drawing, results, plots of a drive; `text` is its file.
+///
+/// # Errors
+/// [`Error::Picture`] for a drive too large for a drawing.
+pub fn sheet(drive: &Drive, text: String) -> Result<Sheet, Error> {
+    let picture =
+        |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(|error| Error::Picture(error.into()));
+    let angles: Vec<Angle> =
+        drive.tooth_numbers.planet_angles_rad.iter().map(|angle| Angle::from_si(*angle)).collect();
+    let (set, numbers) = (&drive.gear_set, &drive.tooth_numbers);
+    let circles = |teeth, gear: &Gear| Circles {
+        teeth,
+        pitch_diameter: Length::from_si(gear.pitch_diameter_m),
+        tip_diameter: Length::from_si(gear.tip_diameter_m),
+        root_diameter: Length::from_si(gear.root_diameter_m),
+    };
     let set = GearSet {
-        sun: &gear_set.sun,
-        planet: &gear_set.planet,
-        ring: &gear_set.ring,
-        centre_distance: gear_set.centre_distance,
+        sun: circles(numbers.sun, &set.sun),
+        planet: circles(numbers.planet, &set.planet),
+        ring: circles(numbers.ring, &set.ring),
+        centre_distance: Length::from_si(set.centre_distance_m),
         angles: &angles,
     };
     let mut plots = vec![Block::picture(
-        picture(efficiency_over_ratio(&design).scene())?,
+        picture(efficiency_over_ratio(drive).scene())?,
         "Efficiency of such a drive over its ratio, the meshes' efficiencies as given; the mark is this drive.",
     )];
-    if let Some(start) = start(&design) {
+    if let Some(start) = start(drive) {
         plots.push(Block::picture(
             picture(start.scene())?,
             "Start from rest under constant torques: the sun's speed until it reaches the nominal one.",
         ));
     }
-    let teeth = design.teeth.numbers;
     let about = format!(
         "Planetary drive {}-{}-{} with {} planets, ratio {:.4}, efficiency {:.4}",
-        teeth.sun, teeth.planet, teeth.ring, teeth.planets, design.teeth.ratio, design.efficiency.overall
+        numbers.sun, numbers.planet, numbers.ring, numbers.planets, numbers.ratio, drive.efficiencies.overall
     );
     Ok(Sheet {
-        title: title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
+        title: drive.title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
         about,
         sections: vec![
             Section::new("Input", vec![Block::File(text)]),
@@ -49,7 +58,7 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
                     "The gear set along its axis, to scale: tip, pitch and root circles, planets at their assembly angles.",
                 )],
             ),
-            Section::new("Results and checks", vec![Block::Answer(drive::answer(title, &design))]),
+            Section::new("Results and checks", vec![Block::Answer(drive.report())]),
             Section::new("Plots", plots),
             Section::new(
                 "What is left out",
@@ -79,26 +88,22 @@ pub(super) fn sheet(document: &Document, text: String) -> Result<Sheet, Failure>
 }
 
 /// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
-fn efficiency_over_ratio(design: &DriveDesign) -> Plot {
-    let basic = design.efficiency.basic;
-    let most = (1.5 * design.teeth.ratio).max(10.0);
+fn efficiency_over_ratio(drive: &Drive) -> Plot {
+    let basic = drive.efficiencies.basic;
+    let most = (1.5 * drive.tooth_numbers.ratio).max(10.0);
     let points = (0..=100).map(|i| 2.2 + (most - 2.2) * f64::from(i) / 100.0);
     let points = points.map(|ratio| [ratio, (1.0 + (ratio - 1.0) * basic) / ratio]).collect();
     Plot::new("Efficiency over ratio", "ratio U", "efficiency η")
         .with(Curve::new(format!("η₀ = {basic:.4}"), points))
-        .mark("this drive", design.teeth.ratio)
+        .mark("this drive", drive.tooth_numbers.ratio)
 }
 
 /// Speed of the sun from rest, without and with losses; `None` where it never starts.
-fn start(design: &DriveDesign) -> Option<Plot> {
-    let speed = design.speeds.sun.get::<revolution_per_minute>();
-    let time = |start: Start| match start {
-        Start::After(time) => Some(time.get::<second>()),
-        Start::InBalance | Start::Held | Start::Backward(_) => None,
-    };
+fn start(drive: &Drive) -> Option<Plot> {
+    let speed = AngularVelocity::from_si(drive.speeds.sun_rad_s).get::<revolution_per_minute>();
     let starts = [
-        ("without losses", time(design.without_losses.start)),
-        ("with mesh losses", time(design.with_losses.start)),
+        ("without losses", drive.start.without_losses.starting_time_s),
+        ("with mesh losses", drive.start.with_losses.starting_time_s),
     ];
     let longest = starts.iter().filter_map(|(_, time)| *time).reduce(f64::max)?;
     let curve = |(name, time): (&str, Option<f64>)| match time {

@@ -1,52 +1,64 @@
 //! A page of one file: sections of answers, pictures and words, to be read without a network and printed.
 
-use crate::failure::Failure;
+use crate::{Error, Report};
 use epicyclic_drawing::{Scene, svg};
-use epicyclic_views::report::Report;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// A page.
 #[derive(Debug)]
-pub(super) struct Sheet {
-    pub(super) title: String,
+pub struct Sheet {
+    /// Its heading.
+    pub title: String,
     /// What it is about, in a line.
-    pub(super) about: String,
-    pub(super) sections: Vec<Section>,
+    pub about: String,
+    /// In their order.
+    pub sections: Vec<Section>,
 }
 
 /// A section of a page.
 #[derive(Debug)]
-pub(super) struct Section {
-    pub(super) heading: String,
-    pub(super) blocks: Vec<Block>,
+pub struct Section {
+    /// Its heading.
+    pub heading: String,
+    /// What stands in it.
+    pub blocks: Vec<Block>,
 }
 
 impl Section {
-    pub(super) fn new(heading: impl Into<String>, blocks: Vec<Block>) -> Self {
+    /// A heading and what stands below it.
+    pub fn new(heading: impl Into<String>, blocks: Vec<Block>) -> Self {
         Self { heading: heading.into(), blocks }
     }
 }
 
 /// A part of a section.
 #[derive(Debug)]
-pub(super) enum Block {
+pub enum Block {
+    /// Tables, words and warnings of an answer.
     Answer(Report),
+    /// A picture with what it shows.
     Picture {
+        /// The picture.
         scene: Scene,
+        /// What it shows.
         caption: String,
     },
+    /// A paragraph.
     Words(String),
+    /// A list of sentences.
     List(Vec<String>),
     /// A file as it was written.
     File(String),
 }
 
 impl Block {
-    pub(super) fn picture(scene: Scene, caption: impl Into<String>) -> Self {
+    /// A picture with what it shows.
+    pub fn picture(scene: Scene, caption: impl Into<String>) -> Self {
         Self::Picture { scene, caption: caption.into() }
     }
 
-    pub(super) fn words(words: impl Into<String>) -> Self {
+    /// A paragraph.
+    pub fn words(words: impl Into<String>) -> Self {
         Self::Words(words.into())
     }
 }
@@ -90,7 +102,10 @@ impl Sheet {
     }
 
     /// The page as text.
-    pub(super) fn html(&self) -> Result<String, Failure> {
+    ///
+    /// # Errors
+    /// [`Error::Picture`] for a picture that cannot be written.
+    pub fn html(&self) -> Result<String, Error> {
         let name = |place: usize| format!("section-{}", place + 1);
         let sections = self.sections.iter().enumerate().map(|(place, section)| {
             let blocks = section.blocks.iter().map(Block::html).collect::<Result<Vec<_>, _>>()?;
@@ -101,7 +116,7 @@ impl Sheet {
                 }
             })
         });
-        let sections = sections.collect::<Result<Vec<Markup>, Failure>>()?;
+        let sections = sections.collect::<Result<Vec<Markup>, Error>>()?;
         let warnings = self.warnings();
         let page = html! {
             (DOCTYPE)
@@ -137,11 +152,11 @@ impl Sheet {
 }
 
 impl Block {
-    fn html(&self) -> Result<Markup, Failure> {
+    fn html(&self) -> Result<Markup, Error> {
         Ok(match self {
             Self::Answer(report) => report.html(),
             Self::Picture { scene, caption } => {
-                let image = svg::embed(scene).map_err(Failure::from)?;
+                let image = svg::embed(scene).map_err(epicyclic_pictures::Error::from)?;
                 html! { figure { (PreEscaped(image)) figcaption { (caption) } } }
             }
             Self::Words(words) => html! { p { (words) } },

@@ -1,9 +1,7 @@
 //! The page of a gearbox: all gears, each gear in full, and what another `k` would change.
 
 use super::sheet::{Block, Section, Sheet};
-use crate::analyze::{Choice, Everything, Load, everything};
-use crate::failure::Failure;
-use epicyclic_formats::Document;
+use crate::{Error, Report};
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Layout, Verdict};
 use epicyclic_pictures::gearbox::scheme::{self, Show};
@@ -17,20 +15,25 @@ const PLACES: [u32; 2] = [60, 12];
 /// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes seconds.
 const ANALYSES: usize = 6000;
 
-pub(super) fn sheet(
-    choice: &Choice,
-    document: &Document,
-    load: &Load,
-    text: String,
-) -> Result<Sheet, Failure> {
-    let everything = everything(choice, document, load)?;
-    let base = everything.subject.base.clone();
-    page(everything, text).map_err(|failure| failure.in_file(document, &base))
+/// A gearbox with the answers that its page shows.
+#[derive(Debug)]
+pub struct Pages<'a> {
+    /// The gearbox.
+    pub gearbox: &'a Gearbox,
+    /// Where its figures come from, where its file says so.
+    pub source: Option<String>,
+    /// All gears.
+    pub overview: Report,
+    /// Each gear, in their order.
+    pub gears: Vec<Report>,
 }
 
-fn page(everything: Everything<'_>, text: String) -> Result<Sheet, Failure> {
-    let Everything { subject, overview, gears } = everything;
-    let gearbox = &subject.gearbox;
+/// All gears, each gear in full, and what another `k` would change; `text` is the file.
+///
+/// # Errors
+/// [`Error::Gearbox`] for a gear that cannot be analysed, [`Error::Picture`] for a gearbox that cannot be drawn.
+pub fn sheet(pages: Pages<'_>, text: String) -> Result<Sheet, Error> {
+    let Pages { gearbox, source, overview, gears } = pages;
     let analyses = gearbox
         .gears()
         .iter()
@@ -43,7 +46,7 @@ fn page(everything: Everything<'_>, text: String) -> Result<Sheet, Failure> {
     let input = Section::new("Input", vec![Block::File(text)]);
     let drawing = Section::new("Drawing", structure(gearbox, &layout)?);
     // A list of transmissions is long and mostly about others: it stands last.
-    let (mut sections, last) = match subject.source {
+    let (mut sections, last) = match &source {
         None => (vec![input, drawing], None),
         Some(_) => (vec![drawing], Some(input)),
     };
@@ -65,9 +68,9 @@ fn page(everything: Everything<'_>, text: String) -> Result<Sheet, Failure> {
         "What happens while it shifts.",
     ];
     sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
-    let theory = "Speeds by Willis' equation of each row, torques by their balance with each row's loss on the side its relative \
-                  power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
-    let sources = subject.source.iter().cloned().chain([theory.to_owned()]).collect();
+    let theory = "Speeds by Willis' equation of each set, torques by their balance with the loss of each mesh on the side that \
+                  its rolling power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
+    let sources = source.into_iter().chain([theory.to_owned()]).collect();
     sections.push(Section::new("Sources", vec![Block::List(sources)]));
     sections.extend(last);
     let count = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
@@ -76,7 +79,7 @@ fn page(everything: Everything<'_>, text: String) -> Result<Sheet, Failure> {
         about: format!(
             "Planetary gearbox with {}, {} and {}",
             count(gearbox.sets().len(), "set"),
-            count(gearbox.shift_elements().len(), "control"),
+            count(gearbox.shift_elements().len(), "shift element"),
             count(gearbox.gears().len(), "gear")
         ),
         sections,
@@ -84,7 +87,7 @@ fn page(everything: Everything<'_>, text: String) -> Result<Sheet, Failure> {
 }
 
 /// The scheme and its levers.
-fn structure(gearbox: &Gearbox, layout: &Result<Box<Layout>, String>) -> Result<Vec<Block>, Failure> {
+fn structure(gearbox: &Gearbox, layout: &Result<Box<Layout>, String>) -> Result<Vec<Block>, Error> {
     let scheme = match layout {
         Ok(layout) => {
             let drawn = scheme::scene(gearbox, layout, Show::Structure, &scheme::Options::default());
@@ -97,12 +100,15 @@ fn structure(gearbox: &Gearbox, layout: &Result<Box<Layout>, String>) -> Result<
     let levers = picture(levers::scene(gearbox, None, None))?;
     Ok(vec![
         scheme,
-        Block::picture(levers, "Rows as levers: the speed of each link is a distance along its line."),
+        Block::picture(
+            levers,
+            "Lever diagram: each set is a lever, the speed of each link a distance along its line.",
+        ),
     ])
 }
 
 /// Pictures of one gear, so far as its speeds and powers follow.
-fn of_gear(gearbox: &Gearbox, gear: &Analysis, layout: Option<&Layout>) -> Result<Vec<Block>, Failure> {
+fn of_gear(gearbox: &Gearbox, gear: &Analysis, layout: Option<&Layout>) -> Result<Vec<Block>, Error> {
     let options = scheme::Options::default();
     let drawn = layout.and_then(|layout| {
         let power = scheme::scene(gearbox, layout, Show::Power(gear), &options);
@@ -110,14 +116,17 @@ fn of_gear(gearbox: &Gearbox, gear: &Analysis, layout: Option<&Layout>) -> Resul
             power.map(|scene| (scene, "Power through links and meshes as width of lines, with losses."));
         let engaged = || {
             let scene = scheme::scene(gearbox, layout, Show::Gear(gear), &options);
-            scene.map(|scene| (scene, "What is engaged, and what rests."))
+            scene.map(|scene| (scene, "Shift elements engaged, and links at rest."))
         };
         known(power).or_else(|| known(engaged()))
     });
     let plan = known(speeds::scene(gearbox, gear, None));
     let plan = plan.map(|scene| {
         scene.map(|scene| {
-            (scene, "Speed plan: velocities over the radius, and the rays of the links' speeds.")
+            (
+                scene,
+                "Speed diagram (Kutzbach): velocities over the radius, and the rays of the links' speeds.",
+            )
         })
     });
     let all = drawn.into_iter().chain(plan);
@@ -125,7 +134,7 @@ fn of_gear(gearbox: &Gearbox, gear: &Analysis, layout: Option<&Layout>) -> Resul
 }
 
 /// Nothing where a gear does not say what a picture needs; every other fault is one.
-fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Result<T, Failure>> {
+fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Result<T, Error>> {
     use epicyclic_pictures::gearbox::Error;
     match drawn {
         Err(Error::SpeedsUnknown { .. } | Error::NoPower { .. }) => None,
@@ -133,14 +142,14 @@ fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Resu
     }
 }
 
-fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T, Failure> {
-    drawn.map_err(Failure::from)
+fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T, Error> {
+    drawn.map_err(Error::Picture)
 }
 
 /// Efficiency, ratio and planet speed of each gear over the `k` of each set.
-fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
+fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Error> {
     let mut blocks = vec![Block::words(
-        "What changes with the k of one set while the others stay as they are; gears that do not change are left out. Planet: speed of that set's planet on its carrier, \
+        "What changes with the k of one set while the others stay as they are; gears that do not change are left out. Planet: speed of that set's planet relative to its carrier, \
          over the input's. The mark is this gearbox.",
     )];
     // A set with more than two central gears has no one k.
@@ -154,7 +163,7 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
         let plots = [
             ("Ratio", "ratio i", Some(&studied.ratios)),
             ("Efficiency", "efficiency η", has_losses.then_some(&studied.efficiencies)),
-            ("Planet", "planet on its carrier, × input", Some(&studied.planets)),
+            ("Planet", "planet relative to its carrier, × input", Some(&studied.planets)),
         ];
         for (title, up, curves) in plots {
             let Some(curves) = curves.filter(|curves| !curves.is_empty()) else { continue };
@@ -164,14 +173,14 @@ fn over_k(gearbox: &Gearbox) -> Result<Vec<Block>, Failure> {
                 .cloned()
                 .fold(Plot::new(&title, &across, up), Plot::with)
                 .mark("this gearbox", k);
-            let scene = plot.scene().map_err(Failure::from)?;
+            let scene = plot.scene().map_err(epicyclic_pictures::Error::from)?;
             blocks.push(Block::picture(scene, title));
         }
     }
     Ok(blocks)
 }
 
-/// The `k` to look at: those usual for a row with sun and ring, and its own.
+/// The `k` to look at: those usual for a set with sun and ring, and its own.
 fn range(kind: SetKind, k: f64) -> [f64; 2] {
     match kind {
         SetKind::Simple => [k.min(1.5), k.max(4.5)],
@@ -186,12 +195,12 @@ struct Study {
     planets: Vec<Curve>,
 }
 
-fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
+fn study(gearbox: &Gearbox, set: usize, [low, high]: [f64; 2]) -> Study {
     // Each sample is analysed once for all its curves: ratio, efficiency and planet speed of each gear.
     type Sample = Vec<[Option<f64>; 3]>;
     let of_gear = |other: &Gearbox, gear: &str| -> Option<[Option<f64>; 3]> {
         let analysis = other.analyze(gear).ok()?;
-        let planets = analysis.sets().get(row)?.planets.iter().flatten();
+        let planets = analysis.sets().get(set)?.planets.iter().flatten();
         let fastest = planets.map(|planet| planet.relative.abs()).reduce(f64::max);
         Some([
             analysis.ratio().filter(|ratio| ratio.abs() < 20.0),
@@ -200,7 +209,7 @@ fn study(gearbox: &Gearbox, row: usize, [low, high]: [f64; 2]) -> Study {
         ])
     };
     let sample = |k: f64| -> Sample {
-        let other = with_k(gearbox, row, k);
+        let other = with_k(gearbox, set, k);
         let of = |gear: &epicyclic_train::Gear| of_gear(other.as_ref()?, gear.name());
         gearbox.gears().iter().map(|gear| of(gear).unwrap_or_default()).collect()
     };
@@ -229,9 +238,9 @@ fn changes(curve: &Curve) -> bool {
     high - low > 1e-9 * high.abs().max(1.0)
 }
 
-/// The gearbox with another `k` of one row; `None` where that is no row.
-fn with_k(gearbox: &Gearbox, row: usize, k: f64) -> Option<Gearbox> {
-    let id = gearbox.sets()[row].id().to_owned();
+/// The gearbox with another `k` of one set; `None` where that is no set.
+fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
+    let id = gearbox.sets()[set].id().to_owned();
     let change = |spec: SetSpec| {
         if spec.id == id {
             SetSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
