@@ -53,7 +53,9 @@ pub use result::{
     BoredGear, Choice, DriveDesign, Efficiency, EquivalentInertia, Forces, GearMass, GearSetGeometry, Masses,
     Motion, Powers, Shaft, ShaftDesign, Shafts, Speeds, Start, TeethDesign, Torques,
 };
-pub use spec::{Bore, CarrierSpec, DriveSpec, GearSetSpec, ShaftSpec, ShaftsSpec, TeethSpec, default_bounds};
+pub use spec::{
+    Bore, CarrierSpec, DriveSpec, GearSetSpec, Given, ShaftSpec, ShaftsSpec, TeethSpec, default_bounds,
+};
 pub use warning::Warning;
 
 use crate::units::{angular_velocity, force, meters, n_m, newtons, rad_per_s};
@@ -125,20 +127,18 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
         if value > 0.0 && value.is_finite() {
             Ok(())
         } else {
-            Err(epicyclic_gears::Error::NotPositive { quantity, value, unit })
+            Err(Error::NotPositive { quantity, value, unit })
         }
     };
-    positive("power", spec.power.get::<kilowatt>(), "kW")?;
-    positive("speed", spec.speed.get::<revolution_per_minute>(), "rpm")?;
-    positive("ratio", spec.ratio, "")?;
+    positive(Given::Power, spec.power.get::<kilowatt>(), "kW")?;
+    positive(Given::Speed, spec.speed.get::<revolution_per_minute>(), "rpm")?;
+    positive(Given::Ratio, spec.ratio, "")?;
     check_tolerance(spec.ratio_tolerance)?;
     if let Some(driving) = spec.driving_torque {
-        positive("driving torque", n_m(driving), "N·m")?;
+        positive(Given::DrivingTorque, n_m(driving), "N·m")?;
     }
     match spec.load.map(n_m) {
-        Some(value) if !value.is_finite() => {
-            Err(Error::NotFinite { link: "the carrier".to_owned(), what: "load torque", value })
-        }
+        Some(value) if !value.is_finite() => Err(Error::LoadNotFinite { value }),
         _ => Ok(()),
     }
 }

@@ -43,7 +43,7 @@
 
 use crate::Error;
 use crate::energy::MovingBody;
-use crate::equivalent_inertia::{Link, equivalent_inertia};
+use crate::equivalent_inertia::{Link, LinkName, equivalent_inertia};
 use crate::gearbox::{Masses, PlanetMass, PlanetMasses, moving_links};
 use crate::lagrange::{AppliedTorque, acceleration, generalized_force, link_acceleration};
 use crate::units::{
@@ -188,11 +188,11 @@ impl PlanetaryDrive {
             planets: vec![("set".into(), PlanetMasses { count: self.teeth.planets, each: vec![planet] })],
         };
         let mut links = moving_links(&gearbox(&self.teeth)?, GEAR, &masses)?;
-        if let Some(planets) = links.last_mut() {
-            planets.name = "planets".into();
-        }
-        // In the order of the power: sun, planets, carrier.
+        // In the order of the power.
         links.swap(1, 2);
+        for (link, name) in links.iter_mut().zip([LinkName::Sun, LinkName::Planets, LinkName::Carrier]) {
+            link.name = name;
+        }
         Ok(links)
     }
 
@@ -399,6 +399,7 @@ impl PlanetaryDrive {
 mod tests {
     use super::*;
     use crate::energy::kinetic_energy;
+    use crate::equivalent_inertia::Property;
     use crate::units::{joules, length, mass, watts};
     use epicyclic_gears::teeth::ToothCount;
     use proptest::prelude::*;
@@ -478,7 +479,7 @@ mod tests {
     fn an_impossible_mass_is_refused() {
         let broken = PlanetaryDrive { planet_mass: mass(f64::NAN), ..excavator() };
         let found = broken.motion_with_losses(torque(1.0), torque(1.0), eta(0.9), eta(0.9), Turning::Forward);
-        assert!(matches!(found, Err(Error::Impossible { what: "mass", .. })));
+        assert!(matches!(found, Err(Error::Impossible { what: Property::Mass, .. })));
     }
 
     prop_compose! {

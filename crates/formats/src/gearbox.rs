@@ -154,6 +154,26 @@ pub enum DescriptionError {
     Gearbox(#[from] epicyclic_train::Error),
 }
 
+impl DescriptionError {
+    /// Name of the fault, which does not change with the message: `row-known-in-one-way`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::RowKnownInOneWay { .. } => "row-known-in-one-way",
+            Self::Carrier { .. } => "carrier",
+            Self::Losses { .. } => "losses",
+            Self::PlanetTeeth { .. } => "planet-teeth",
+            Self::Missing { .. } => "missing",
+            Self::MemberInNoNode { .. } => "member-in-no-node",
+            Self::MemberInTwoNodes { .. } => "member-in-two-nodes",
+            Self::Set { source, .. } => source.name(),
+            Self::NoSuchPlanet { .. } => "no-such-planet",
+            Self::Clutch { .. } => "clutch",
+            Self::Gearbox(error) => error.name(),
+        }
+    }
+}
+
 /// A gearbox of any structure.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

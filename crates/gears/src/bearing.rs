@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 
 use uom::si::f64::Length;
 
-use crate::Error;
 use crate::units::{length_from_mm, metres, millimetres, positive_length};
+use crate::{Error, Quantity};
 
 /// Two lengths closer than this (1 nm) are the same bore: millimetres in binary are not exact.
 const SAME_M: f64 = 1e-9;
@@ -162,7 +162,7 @@ pub fn by_designation(designation: &str) -> Result<&'static Bearing, Error> {
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> {
-    let bore_m = positive_length("bore", bore)?;
+    let bore_m = positive_length(Quantity::Bore, bore)?;
     of_series(series).find(|bearing| (metres(bearing.bore) - bore_m).abs() < SAME_M).ok_or_else(|| {
         let below = of_series(series).rfind(|bearing| metres(bearing.bore) < bore_m);
         let above = of_series(series).find(|bearing| metres(bearing.bore) > bore_m);
@@ -186,7 +186,7 @@ pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> 
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn smallest_for_shaft(series: Series, shaft_diameter: Length) -> Result<&'static Bearing, Error> {
-    let shaft_m = positive_length("shaft diameter", shaft_diameter)?;
+    let shaft_m = positive_length(Quantity::ShaftDiameter, shaft_diameter)?;
     of_series(series).find(|bearing| metres(bearing.bore) > shaft_m - SAME_M).ok_or_else(|| {
         Error::NoBearingForShaft {
             series: series.number(),
@@ -286,7 +286,7 @@ mod tests {
         assert_eq!(neighbours(51.0), [50.0, 55.0]);
         assert_eq!(neighbours(17.0), [20.0]);
         assert_eq!(neighbours(110.0), [100.0]);
-        assert!(matches!(at(f64::NAN), Err(Error::NotPositive { quantity: "bore", .. })));
+        assert!(matches!(at(f64::NAN), Err(Error::NotPositive { quantity: Quantity::Bore, .. })));
     }
 
     #[test]
@@ -302,7 +302,7 @@ mod tests {
             }
         }
         let refused = smallest_for_shaft(Series::Medium300, length_from_mm(-5.0));
-        assert!(matches!(refused, Err(Error::NotPositive { quantity: "shaft diameter", .. })));
+        assert!(matches!(refused, Err(Error::NotPositive { quantity: Quantity::ShaftDiameter, .. })));
         let refused = smallest_for_shaft(Series::Medium300, length_from_mm(101.0));
         assert!(matches!(refused, Err(Error::NoBearingForShaft { series: 300, .. })));
     }

@@ -38,11 +38,12 @@
 
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
 
-use crate::Error;
 use crate::geometry::GearKind;
+use crate::quantity::Counted;
 use crate::units::{
     acute_angle, force, n_m, newtons, not_negative, positive_length, positive_mass, rad_per_s,
 };
+use crate::{Error, Quantity};
 
 /// A central gear as a planet feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,8 +78,8 @@ pub fn tangential_force(
     carrier_radius: Length,
 ) -> Result<Force, Error> {
     let count = count(planets)?;
-    let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
-    Ok(force(size("torque on the carrier", n_m(carrier_torque), "N·m")? / (count * radius_m)))
+    let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
+    Ok(force(size(Quantity::CarrierTorque, n_m(carrier_torque), "N·m")? / (count * radius_m)))
 }
 
 /// Tangential force of a mesh at each of `planets` planets, friction of the teeth included: `|T_1 + T_2|/(n·a)`.
@@ -109,8 +110,8 @@ pub fn mesh_force(
     centre_distance: Length,
 ) -> Result<Force, Error> {
     let count = count(planets)?;
-    let distance_m = positive_length("centre distance", centre_distance)?;
-    let sum_n_m = size("torque of a mesh", n_m(first) + n_m(second), "N·m")?;
+    let distance_m = positive_length(Quantity::CentreDistance, centre_distance)?;
+    let sum_n_m = size(Quantity::MeshTorque, n_m(first) + n_m(second), "N·m")?;
     Ok(force(sum_n_m / (count * distance_m)))
 }
 
@@ -121,11 +122,11 @@ pub fn mesh_force(
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
 pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
     let count = count(planets)?;
-    let alpha_rad = acute_angle("pressure angle", pressure_angle)?;
+    let alpha_rad = acute_angle(Quantity::PressureAngle, pressure_angle)?;
     let mut sum_n = 0.0;
     for gear in gears {
-        let radius_m = positive_length("pitch radius", gear.pitch_radius)?;
-        let torque_n_m = size("torque on a central gear", n_m(gear.torque), "N·m")?;
+        let radius_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
+        let torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
         let outwards = match gear.kind {
             GearKind::External => 1.0,
             GearKind::Internal => -1.0,
@@ -158,8 +159,8 @@ pub fn centrifugal_force(
     carrier_speed: AngularVelocity,
 ) -> Result<Force, Error> {
     let mass_kg = positive_mass(planet_mass)?;
-    let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
-    let omega_rad_s = size("speed of the carrier", rad_per_s(carrier_speed), "rad/s")?;
+    let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
+    let omega_rad_s = size(Quantity::CarrierSpeed, rad_per_s(carrier_speed), "rad/s")?;
     Ok(force(mass_kg * radius_m * omega_rad_s.powi(2)))
 }
 
@@ -171,12 +172,12 @@ pub fn resultant(tangential: Force, radial: Force) -> Force {
 
 fn count(planets: u32) -> Result<f64, Error> {
     if planets == 0 {
-        return Err(Error::TooFew { what: "planets", count: 0, at_least: 1 });
+        return Err(Error::TooFew { what: Counted::Planets, count: 0, at_least: 1 });
     }
     Ok(f64::from(planets))
 }
 
-fn size(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+fn size(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
     not_negative(quantity, value.abs(), unit)
 }
 
@@ -216,12 +217,12 @@ mod tests {
         let refused = tangential_force(torque(1.0), 0, mm(1.0)).unwrap_err();
         assert_eq!(refused.to_string(), "0 planets: at least 1 needed");
         let refused = tangential_force(torque(f64::NAN), 3, mm(1.0)).unwrap_err();
-        assert!(matches!(refused, Error::Negative { quantity: "torque on the carrier", .. }));
+        assert!(matches!(refused, Error::Negative { quantity: Quantity::CarrierTorque, .. }));
         let refused = tangential_force(torque(1.0), 3, mm(0.0)).unwrap_err();
         assert!(matches!(refused, Error::NotPositive { .. }));
         let refused = centrifugal_force(mass(-1.0), mm(1.0), angular_velocity(1.0)).unwrap_err();
-        assert!(matches!(refused, Error::NotPositive { quantity: "mass", .. }));
+        assert!(matches!(refused, Error::NotPositive { quantity: Quantity::Mass, .. }));
         let refused = radial_force(&[], 3, angle_from_degrees(90.0)).unwrap_err();
-        assert!(matches!(refused, Error::OutOfRange { quantity: "pressure angle", .. }));
+        assert!(matches!(refused, Error::OutOfRange { quantity: Quantity::PressureAngle, .. }));
     }
 }

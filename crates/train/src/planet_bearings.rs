@@ -70,7 +70,7 @@ use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::planet_bearing::{self, Push};
-use epicyclic_gears::{Error, ToothCount};
+use epicyclic_gears::{Error, Quantity, ToothCount};
 use std::fmt;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
 
@@ -584,20 +584,20 @@ impl SetSize {
             }
             Err(Error::OutOfRange { quantity, value: given as f64, low: 0.0, high: most as f64, unit: "" })
         };
-        most("number of planets with a size", self.planets.len(), set.planets().len())?;
-        most("number of meshes with a size", self.meshes.len(), set.meshes().len())?;
+        most(Quantity::SizedPlanets, self.planets.len(), set.planets().len())?;
+        most(Quantity::SizedMeshes, self.meshes.len(), set.meshes().len())?;
         let mut lengths = vec![
-            ("module", self.module),
-            ("radius of the planets' centres", self.carrier_radius),
-            ("face width", self.face_width),
-            ("bore of a planet", self.planet_bore),
+            (Quantity::Module, self.module),
+            (Quantity::CarrierRadius, self.carrier_radius),
+            (Quantity::FaceWidth, self.face_width),
+            (Quantity::PlanetBore, self.planet_bore),
         ];
-        lengths.extend(self.meshes.iter().map(|mesh| ("module", mesh.module)));
+        lengths.extend(self.meshes.iter().map(|mesh| (Quantity::Module, mesh.module)));
         for (own, planet) in self.planets.iter().zip(set.planets()) {
-            most("number of face widths of a planet", own.face_widths.len(), planet.gears.len())?;
-            lengths.push(("radius of the planets' centres", own.carrier_radius));
-            lengths.push(("bore of a planet", own.bore));
-            lengths.extend(own.face_widths.iter().map(|width| ("face width", *width)));
+            most(Quantity::SizedFaceWidths, own.face_widths.len(), planet.gears.len())?;
+            lengths.push((Quantity::CarrierRadius, own.carrier_radius));
+            lengths.push((Quantity::PlanetBore, own.bore));
+            lengths.extend(own.face_widths.iter().map(|width| (Quantity::FaceWidth, *width)));
         }
         for (quantity, length) in lengths {
             if let Some(value_m) = length.map(in_metres)
@@ -609,7 +609,7 @@ impl SetSize {
         for mass in self.planets.iter().map(|own| own.mass).chain([self.planet_mass]).flatten() {
             let value = kilograms(mass);
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::NotPositive { quantity: "mass of a planet", value, unit: "kg" });
+                return Err(Error::NotPositive { quantity: Quantity::PlanetMass, value, unit: "kg" });
             }
         }
         for (load_rating, _) in self.planets.iter().map(|own| own.bearing).chain([self.bearing]).flatten() {
@@ -688,7 +688,7 @@ impl PlanetBearing {
         let Some(radius) = self.radius else { return Ok(forces) };
         if let Some(given) = torques.map(<[Torque]>::len).filter(|given| *given != self.members) {
             let (value, due) = (given as f64, self.members as f64);
-            let quantity = "number of torques on the members";
+            let quantity = Quantity::MemberTorques;
             return Err(Error::OutOfRange { quantity, value, low: due, high: due, unit: "" });
         }
         if let (Some(planets), Some([centrals @ .., carrier])) = (self.planets, torques) {
@@ -963,7 +963,7 @@ mod tests {
         assert_eq!((forces.tangential, forces.radial, forces.total), (None, None, None));
         assert_eq!(forces.centrifugal, Some(Force::default()));
         let refused = bearings[1].forces(Some(&torques[..2]), None).unwrap_err();
-        assert!(matches!(refused, Error::OutOfRange { quantity: "number of torques on the members", .. }));
+        assert!(matches!(refused, Error::OutOfRange { quantity: Quantity::MemberTorques, .. }));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use epicyclic_formats::{Document, Path, Problem, motor};
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
+use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, Motor, MotorNumbers};
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
@@ -145,12 +146,12 @@ fn form(teeth: &Teeth) -> ToothForm {
 
 /// A refusal with the option that it speaks of.
 pub(super) fn refuse(error: Error) -> Failure {
-    let wheel_option = |wheel: &str, lobes: bool| match (wheel, lobes) {
-        ("stator", true) => Some("--stator"),
-        ("rotor", true) => Some("--rotor"),
-        ("stator", false) => Some("--z3"),
-        ("rotor", false) => Some("--z1"),
-        ("satellite", _) => Some("--zs"),
+    let wheel_option = |wheel: &WheelKind, lobes: bool| match (wheel, lobes) {
+        (WheelKind::Stator, true) => Some("--stator"),
+        (WheelKind::Rotor, true) => Some("--rotor"),
+        (WheelKind::Stator, false) => Some("--z3"),
+        (WheelKind::Rotor, false) => Some("--z1"),
+        (WheelKind::Satellite, _) => Some("--zs"),
         _ => None,
     };
     let option = match &error {
@@ -168,7 +169,7 @@ pub(super) fn refuse(error: Error) -> Failure {
         Error::TooManySets { .. } => Some("--stator, --z3, --zs"),
         Error::NotPositive { quantity, .. }
         | Error::NotFinite { quantity, .. }
-        | Error::OutOfRange { quantity, .. } => quantity_option(quantity),
+        | Error::OutOfRange { quantity, .. } => quantity_option(*quantity),
         _ => None,
     };
     match option {
@@ -177,30 +178,30 @@ pub(super) fn refuse(error: Error) -> Failure {
     }
 }
 
-fn quantity_option(quantity: &str) -> Option<&'static str> {
+fn quantity_option(quantity: Quantity) -> Option<&'static str> {
     Some(match quantity {
-        "module" => "--module",
-        "l" => "--l",
-        "a" => "--a",
-        "part of the family" => "--part",
-        "width" => "--width",
-        "pressure drop" | "high pressure" => "--pressure",
-        "speed" => "--speed",
-        "rotation" => "--angle",
-        "pressure angle" => "--pressure-angle",
-        "addendum" => "--addendum",
-        "clearance" => "--clearance",
-        "profile shift" => "--shift",
-        "backlash" => "--backlash",
-        "fillet" => "--fillet",
-        "displacement" => "--displacement",
-        "torque" => "--torque",
-        "tolerance of the displacement" => "--tolerance",
-        "width over diameter" => "--width-over-diameter",
-        "outer diameter" => "--outer-diameter",
-        "ripple" => "--ripple",
-        "points of a family" => "--places",
-        "resolution" => "--resolution",
+        Quantity::Module => "--module",
+        Quantity::TroughDistance => "--l",
+        Quantity::CrestDistance => "--a",
+        Quantity::FamilyPart => "--part",
+        Quantity::Width => "--width",
+        Quantity::PressureDrop | Quantity::HighPressure => "--pressure",
+        Quantity::Speed => "--speed",
+        Quantity::Rotation => "--angle",
+        Quantity::PressureAngle => "--pressure-angle",
+        Quantity::Addendum => "--addendum",
+        Quantity::Clearance => "--clearance",
+        Quantity::ProfileShift => "--shift",
+        Quantity::Backlash => "--backlash",
+        Quantity::Fillet => "--fillet",
+        Quantity::Displacement => "--displacement",
+        Quantity::Torque => "--torque",
+        Quantity::DisplacementTolerance => "--tolerance",
+        Quantity::WidthOverDiameter => "--width-over-diameter",
+        Quantity::OuterDiameter => "--outer-diameter",
+        Quantity::Ripple => "--ripple",
+        Quantity::FamilyPoints => "--places",
+        Quantity::Resolution => "--resolution",
         _ => return None,
     })
 }

@@ -5,7 +5,7 @@ use super::result::{EquivalentInertia, Masses, Motion, Start};
 use super::spec::DriveSpec;
 use crate::Error;
 use crate::energy::kinetic_energy;
-use crate::equivalent_inertia::{Link, Orbit};
+use crate::equivalent_inertia::{Link, LinkName, Orbit};
 use crate::lagrange::starting_time;
 use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
@@ -22,17 +22,17 @@ pub(super) fn equivalent_inertia(
     masses: &Masses,
 ) -> Result<EquivalentInertia, Error> {
     let ratios = drive.speed_ratios()?;
-    let central = |name: &str, j: MomentOfInertia, ratio| Link::central(name, j, ratio).equivalent_inertia();
+    let central = |name, j: MomentOfInertia, ratio| Link::central(name, j, ratio).equivalent_inertia();
     let orbit = Orbit { mass: drive.planet_mass, radius: drive.planet_radius, speed_ratio: ratios.carrier };
     let planets =
-        Link { count: drive.teeth.planets, ..Link::central("planets", inertia(0.0), ratios.planet) };
+        Link { count: drive.teeth.planets, ..Link::central(LinkName::Planets, inertia(0.0), ratios.planet) };
     let found = EquivalentInertia {
-        sun: central("sun", masses.sun.body.total().polar_inertia, 1.0)?,
-        motor: central("motor", spec.motor_inertia, 1.0)?,
+        sun: central(LinkName::Sun, masses.sun.body.total().polar_inertia, 1.0)?,
+        motor: central(LinkName::Motor, spec.motor_inertia, 1.0)?,
         planets_orbiting: Link { orbit: Some(orbit), ..planets.clone() }.equivalent_inertia()?,
         planets_turning: Link { inertia: drive.planet_inertia, ..planets }.equivalent_inertia()?,
-        carrier: central("carrier", masses.carrier_inertia, ratios.carrier)?,
-        machine: central("driven machine", spec.machine_inertia, ratios.carrier)?,
+        carrier: central(LinkName::Carrier, masses.carrier_inertia, ratios.carrier)?,
+        machine: central(LinkName::Machine, spec.machine_inertia, ratios.carrier)?,
         total: drive.equivalent_inertia()?,
         kinetic_energy: kinetic_energy(&drive.bodies(spec.speed)?),
     };

@@ -6,6 +6,8 @@ use super::warning::Warning;
 use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
 use crate::units::{length, meters};
+use epicyclic_gears::Quantity;
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{
@@ -58,7 +60,7 @@ pub(super) fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
 
 fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
     let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
-    for (gear, teeth) in [("sun", sun), ("planet", planet), ("ring", ring)] {
+    for (gear, teeth) in [(SimpleGear::Sun, sun), (SimpleGear::Planet, planet), (SimpleGear::Ring, ring)] {
         if teeth > MOST_TEETH {
             let (from, to) = (teeth, teeth);
             return Err(epicyclic_gears::Error::ToothRange { gear, from, to, most: MOST_TEETH }.into());
@@ -69,7 +71,7 @@ fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
         return Err(epicyclic_gears::Error::PlanetNumber { from, to, most: MOST_PLANETS }.into());
     }
     if !(tip_gap >= 0.0 && tip_gap.is_finite()) {
-        let (quantity, value, unit) = ("tip gap", tip_gap, "modules");
+        let (quantity, value, unit) = (Quantity::TipGap, tip_gap, "modules");
         return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
     }
     if ring == sun + 2 * planet { Ok(()) } else { Err(Error::UnequalCentreDistances { sun, planet, ring }) }

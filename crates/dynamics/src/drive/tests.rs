@@ -1,7 +1,9 @@
 //! The excavator by hand, every refusal, and the laws that hold for any drive.
 
 use super::*;
+use crate::equivalent_inertia::Property;
 use crate::units::{inertia, joules, kg_m2, length, power, rad_per_s2, seconds, torque, watts};
+use epicyclic_gears::Quantity;
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
 use epicyclic_gears::rack::BasicRack;
@@ -349,9 +351,9 @@ fn impossible_drives_are_refused() {
             assert!(matches!(error, $pattern), "{error:?}");
         };
     }
-    refused!(|s| s.power = power(0.0), Error::Gear(Gear::NotPositive { quantity: "power", .. }));
-    refused!(|s| s.speed = rpm(f64::NAN), Error::Gear(Gear::NotPositive { quantity: "speed", .. }));
-    refused!(|s| s.ratio = -6.0, Error::Gear(Gear::NotPositive { quantity: "ratio", .. }));
+    refused!(|s| s.power = power(0.0), Error::NotPositive { quantity: Given::Power, .. });
+    refused!(|s| s.speed = rpm(f64::NAN), Error::NotPositive { quantity: Given::Speed, .. });
+    refused!(|s| s.ratio = -6.0, Error::NotPositive { quantity: Given::Ratio, .. });
     refused!(|s| s.ratio_tolerance = -1.0, Error::Gear(Gear::Tolerance { .. }));
     refused!(|s| s.ratio_tolerance = 1.0, Error::Gear(Gear::Tolerance { .. }));
     refused!(
@@ -363,9 +365,9 @@ fn impossible_drives_are_refused() {
     );
     refused!(
         |s| s.driving_torque = Some(torque(0.0)),
-        Error::Gear(Gear::NotPositive { quantity: "driving torque", .. })
+        Error::NotPositive { quantity: Given::DrivingTorque, .. }
     );
-    refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::NotFinite { what: "load torque", .. });
+    refused!(|s| s.load = Some(torque(f64::INFINITY)), Error::LoadNotFinite { .. });
     refused!(|s| s.ratio = 60.0, Error::Gear(Gear::NoToothNumbers { nearest: Some(_), .. }));
     refused!(
         |s| s.teeth = TeethSpec::given(set(20, 40, 101, 4)),
@@ -373,20 +375,23 @@ fn impossible_drives_are_refused() {
     );
     refused!(
         |s| s.teeth = TeethSpec::given(set(u32::MAX, 1, 1, 4)),
-        Error::Gear(Gear::ToothRange { gear: "sun", .. })
+        Error::Gear(Gear::ToothRange { gear: epicyclic_gears::quantity::SimpleGear::Sun, .. })
     );
     refused!(
         |s| s.teeth = TeethSpec::given(set(20, 40, 100, u32::MAX)),
         Error::Gear(Gear::PlanetNumber { .. })
     );
-    refused!(|s| s.gear_set.module = mm(-8.0), Error::Gear(Gear::NotPositive { quantity: "module", .. }));
+    refused!(
+        |s| s.gear_set.module = mm(-8.0),
+        Error::Gear(Gear::NotPositive { quantity: Quantity::Module, .. })
+    );
     refused!(
         |s| s.gear_set.face_width = mm(0.0),
-        Error::Gear(Gear::NotPositive { quantity: "face width", .. })
+        Error::Gear(Gear::NotPositive { quantity: Quantity::FaceWidth, .. })
     );
     refused!(
         |s| s.shafts.allowable_stress = Pressure::new::<pascal>(0.0),
-        Error::Gear(Gear::NotPositive { quantity: "allowable stress", .. })
+        Error::Gear(Gear::NotPositive { quantity: Quantity::AllowableStress, .. })
     );
     refused!(|s| s.power = power(106.5e9), Error::Gear(Gear::NoStandardDiameter { .. }));
     refused!(
@@ -399,9 +404,9 @@ fn impossible_drives_are_refused() {
     );
     refused!(
         |s| s.gear_set.planet_bore = Bore::Given(mm(-1.0)),
-        Error::Gear(Gear::OutOfRange { quantity: "bore diameter", .. })
+        Error::Gear(Gear::OutOfRange { quantity: Quantity::BoreDiameter, .. })
     );
-    refused!(|s| s.motor_inertia = inertia(-1.0), Error::Impossible { what: "inertia", .. });
+    refused!(|s| s.motor_inertia = inertia(-1.0), Error::Impossible { what: Property::Inertia, .. });
     refused!(
         |s| s.carrier = CarrierSpec::Inertia(inertia(f64::NAN)),
         Error::Overflow { what: "inertia of the carrier", .. }

@@ -4,7 +4,8 @@ use super::DescriptionError;
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
-use epicyclic_train::{CompoundFault, Error as SolverError, Named};
+use epicyclic_gears::Quantity;
+use epicyclic_train::{CompoundFault, Error as SolverError, Named, Place, Terminal};
 
 /// The lists whose entries may bear the name of a shift element.
 const CONTROLS: [&str; 4] = ["brakes", "clutches", "elements", "one_way"];
@@ -95,17 +96,19 @@ impl File<'_> {
         }
     }
 
-    /// The entry that an error calls ``set `P1` ``, ``input of gear `1` `` or the like.
-    fn named(&self, place: &str) -> Path {
-        let name = place.split('`').nth(1).unwrap_or_default();
-        let (what, _) = place.split_once('`').unwrap_or((place, ""));
-        match what.trim() {
-            "set" => self.set(name),
-            "shift element" => self.entry(&CONTROLS, name),
-            "gear" => self.key(self.entry(&["gears"], name), "engaged"),
-            "input of gear" => self.key(self.entry(&["gears"], name), "input"),
-            "output of gear" => self.key(self.entry(&["gears"], name), "output"),
-            terminal => self.key(self.base.clone(), terminal),
+    /// The entry of what names something.
+    fn named(&self, place: &Place) -> Path {
+        let terminal = |terminal: Terminal| match terminal {
+            Terminal::Input => "input",
+            Terminal::Output => "output",
+        };
+        match place {
+            Place::Set(id) => self.set(id),
+            Place::ShiftElement(id) => self.entry(&CONTROLS, id),
+            Place::Gear(name) => self.key(self.entry(&["gears"], name), "engaged"),
+            Place::TerminalOf(which, gear) => self.key(self.entry(&["gears"], gear), terminal(*which)),
+            Place::Terminal(which) => self.key(self.base.clone(), terminal(*which)),
+            _ => self.base.clone(),
         }
     }
 
@@ -116,23 +119,12 @@ impl File<'_> {
     fn of_compound(&self, set: &str, fault: &CompoundFault) -> Path {
         let path = self.set(set);
         match fault {
-            CompoundFault::NoTeeth { gear: name }
-            | CompoundFault::PlanetGears { planet: name, .. }
-            | CompoundFault::NameTwice { name }
-            | CompoundFault::TwoShafts { name, .. }
-            | CompoundFault::Apart { name } => {
-                let planet = name.split('.').next().unwrap_or(name);
-                let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
-                let exists = |map: &&&str| {
-                    self.document
-                        .value_at(&path.clone().key((**map).to_owned()))
-                        .is_some_and(|map| map.get(planet).is_some())
-                };
-                match maps.iter().find(exists) {
-                    Some(map) => path.key(*map).key(planet),
-                    None => path,
-                }
+            CompoundFault::NoTeeth { gear } | CompoundFault::NameTwice { name: gear } => {
+                self.part_of_set(path, &gear.of)
             }
+            CompoundFault::PlanetGears { planet: name, .. }
+            | CompoundFault::TwoShafts { name, .. }
+            | CompoundFault::Apart { name } => self.part_of_set(path, name),
             CompoundFault::UnknownGear { name, .. } => {
                 let meshes = path.clone().key("meshes");
                 let shafts = path.clone().key("planet_shafts");
@@ -158,6 +150,19 @@ impl File<'_> {
                 }
             }
             _ => path,
+        }
+    }
+
+    /// A central gear or planet of a compound set.
+    fn part_of_set(&self, set: Path, name: &str) -> Path {
+        let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
+        let exists = |map: &&&str| {
+            let map = self.document.value_at(&set.clone().key(**map));
+            map.is_some_and(|map| map.get(name).is_some())
+        };
+        match maps.iter().find(exists) {
+            Some(map) => set.key(*map).key(name),
+            None => set,
         }
     }
 
@@ -230,13 +235,13 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
     match error {
         E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes"],
         E::NoTeeth => &["teeth"],
-        E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match *quantity {
-            "module" => &["module"],
-            "radius of the planets' centres" => &["carrier_radius"],
-            "face width" | "width" => &["face_width"],
-            "bore of a planet" | "bore diameter" => &["planet_bore"],
-            "mass of a planet" => &["planet_mass"],
-            "basic dynamic load rating of the bearing" => &["bearing_capacity"],
+        E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
+            Quantity::Module => &["module"],
+            Quantity::CarrierRadius => &["carrier_radius"],
+            Quantity::FaceWidth | Quantity::Width => &["face_width"],
+            Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],
+            Quantity::PlanetMass => &["planet_mass"],
+            Quantity::LoadRating => &["bearing_capacity"],
             _ => &[],
         },
         _ => &[],
