@@ -59,6 +59,14 @@ impl MeshEfficiency {
         1.0 - self.0
     }
 
+    /// Part of the loss of two meshes in a row that the first has, `ln η_1/(ln η_1 + ln η_2)`: `(η_1·η_2)` to this power
+    /// is `η_1`. A half where neither loses.
+    #[must_use]
+    pub fn share_of_loss(first: Self, second: Self) -> f64 {
+        let [first, second] = [first, second].map(|eta| eta.get().ln());
+        if first + second == 0.0 { 0.5 } else { first / (first + second) }
+    }
+
     /// Efficiency of a set from those of its meshes, which the power passes one after the other:
     /// `η₀ = Π η_j`.
     #[must_use]

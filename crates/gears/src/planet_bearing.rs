@@ -30,7 +30,12 @@
 //! since the moments of one force about two axes differ by the force times their distance. The forces of a planet's
 //! meshes then add to `F_t` exactly. The nominal tooth force `T_i/(n·r_i)`, which strength is calculated from, lays the
 //! whole torque on the pitch circle: it leaves out the torque of friction on the planet, and its sum over both meshes is
-//! larger than `F_t` by a part of the order of the loss. `F_r` above is of the nominal forces.
+//! larger than `F_t` by a part of the order of the loss.
+//!
+//! A planet with two meshes, as in a simple set, hands on the torque `T_g` that it takes, so both forces follow from the
+//! torques on the central gears and from how the loss is shared between the meshes ([`two_mesh_forces`]); `F_r` is then
+//! of these. Where a planet has more meshes, what each loses does not follow from the torques on the central gears, and
+//! `F_r` above is of the nominal forces.
 //!
 //! In a simple set without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
 //! the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets (mesh load factor `K_γ` > 1), and in a stepped planet
@@ -41,7 +46,7 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
 use crate::geometry::GearKind;
 use crate::quantity::Counted;
 use crate::units::{
-    acute_angle, force, n_m, newtons, not_negative, positive_length, positive_mass, rad_per_s,
+    acute_angle, force, n_m, newtons, not_negative, positive, positive_length, positive_mass, rad_per_s,
 };
 use crate::{Error, Quantity};
 
@@ -122,18 +127,90 @@ pub fn mesh_force(
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
 pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
     let count = count(planets)?;
-    let alpha_rad = acute_angle(Quantity::PressureAngle, pressure_angle)?;
-    let mut sum_n = 0.0;
+    let mut meshes = Vec::with_capacity(gears.len());
     for gear in gears {
         let radius_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
         let torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
-        let outwards = match gear.kind {
-            GearKind::External => 1.0,
-            GearKind::Internal => -1.0,
-        };
-        sum_n += outwards * torque_n_m / (count * radius_m);
+        meshes.push((gear.kind, force(torque_n_m / (count * radius_m))));
     }
-    Ok(force(sum_n * alpha_rad.tan()))
+    radial_force_of(&meshes, pressure_angle)
+}
+
+/// Tangential forces of the two meshes of each planet with central gears, friction of the teeth included.
+///
+/// ```text
+/// ρ   = (|T_2|·r_g2/r_2)/(|T_1|·r_g1/r_1)        η_1·η_2 where power flows from gear 1 to gear 2, its inverse the other way
+/// T_g = |T_1|·(r_g1/r_1)·ρ^s                      torque that the planets take and hand on
+/// F_1 = (|T_1| ± T_g)/(n·r_w)                     + external, − internal
+/// F_2 = (|T_2| ± T_g)/(n·r_w)
+/// ```
+///
+/// with `r_g = r_w − r` in an external mesh, `r − r_w` in an internal one, and `s` the first mesh's part of the loss
+/// ([`share_of_loss`](crate::efficiency::MeshEfficiency::share_of_loss)). Where one of the torques is 0, so is `T_g`.
+///
+/// # Errors
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, also that of a planet, [`Error::Negative`] for a
+/// torque that is not finite.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::geometry::GearKind;
+/// use epicyclic_gears::planet_bearing::{Push, two_mesh_forces};
+/// use uom::si::f64::{Length, Torque};
+/// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
+///
+/// // Sun 40 mm, planets 80 mm, ring 200 mm; 3 % lost on the way to the planets, 2 % on the way to the ring.
+/// let (mm, n_m) = (Length::new::<millimeter>, Torque::new::<newton_meter>);
+/// let sun = Push { kind: GearKind::External, pitch_radius: mm(40.0), torque: n_m(100.0) };
+/// let ring = Push { kind: GearKind::Internal, pitch_radius: mm(200.0), torque: n_m(475.3) };
+/// let share = 0.97_f64.ln() / (0.97_f64 * 0.98).ln();
+/// let [of_sun, of_ring] = two_mesh_forces(&[sun, ring], share, 4, mm(120.0))?;
+/// assert!((of_sun.get::<newton>() - (100.0 + 194.0) / 0.48).abs() < 1e-9);
+/// assert!((of_ring.get::<newton>() - (475.3 - 194.0) / 0.48).abs() < 1e-9);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn two_mesh_forces(
+    gears: &[Push; 2],
+    share: f64,
+    planets: u32,
+    carrier_radius: Length,
+) -> Result<[Force; 2], Error> {
+    let count = count(planets)?;
+    let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
+    let mut torques_n_m = [0.0; 2];
+    let mut levers = [0.0; 2];
+    for ((gear, torque_n_m), lever) in gears.iter().zip(&mut torques_n_m).zip(&mut levers) {
+        let gear_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
+        let planet_m = match gear.kind {
+            GearKind::External => radius_m - gear_m,
+            GearKind::Internal => gear_m - radius_m,
+        };
+        *lever = positive(Quantity::PitchRadius, planet_m * 1e3, "mm")? * 1e-3 / gear_m;
+        *torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
+    }
+    let [first, second] = [0, 1].map(|mesh| torques_n_m[mesh] * levers[mesh]);
+    let planet_n_m = if first > 0.0 && second > 0.0 { first * (second / first).powf(share) } else { 0.0 };
+    let of_mesh = |mesh: usize| {
+        let planet_n_m = match gears[mesh].kind {
+            GearKind::External => planet_n_m,
+            GearKind::Internal => -planet_n_m,
+        };
+        force((torques_n_m[mesh] + planet_n_m).abs() / (count * radius_m))
+    };
+    Ok([of_mesh(0), of_mesh(1)])
+}
+
+/// Radial force of meshes of these tangential forces on a planet, outwards positive: `Σ ±F·tan α`.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < α < 90°.
+pub fn radial_force_of(meshes: &[(GearKind, Force)], pressure_angle: Angle) -> Result<Force, Error> {
+    let alpha_rad = acute_angle(Quantity::PressureAngle, pressure_angle)?;
+    let outwards_n = meshes.iter().map(|(kind, mesh)| match kind {
+        GearKind::External => newtons(*mesh),
+        GearKind::Internal => -newtons(*mesh),
+    });
+    Ok(force(outwards_n.sum::<f64>() * alpha_rad.tan()))
 }
 
 /// Force that keeps a planet on its circle, `m·r_w·ω_H²`; its bearing feels it outwards.
@@ -210,6 +287,30 @@ mod tests {
         let alone = newtons(radial_force(&gears[..1], planets, angle_from_degrees(45.0)).unwrap());
         assert!((alone / of_mesh - 1.0).abs() < 1e-12);
         assert_eq!(newtons(resultant(force(3.0), force(-4.0))), 5.0);
+    }
+
+    /// Forward and backward, the planet's torque is what the loss of each mesh leaves of the other side's.
+    #[test]
+    fn both_meshes_of_a_planet_know_the_torque_that_it_hands_on() {
+        let [of_sun, of_ring] = [0.97, 0.98].map(|eta| MeshEfficiency::new(eta).unwrap());
+        let share = MeshEfficiency::share_of_loss(of_sun, of_ring);
+        let push =
+            |kind, radius, torque_n_m| Push { kind, pitch_radius: mm(radius), torque: torque(torque_n_m) };
+        for (ring_n_m, planet_n_m) in [(475.3, 194.0), (500.0 / 0.9506, 200.0 / 0.97), (500.0, 200.0)] {
+            let gears = [push(GearKind::External, 40.0, 100.0), push(GearKind::Internal, 200.0, ring_n_m)];
+            let found = two_mesh_forces(&gears, share, 4, mm(120.0)).unwrap().map(newtons);
+            let by_hand = [100.0 + planet_n_m, ring_n_m - planet_n_m].map(|sum| sum / 0.48);
+            for (found, by_hand) in found.into_iter().zip(by_hand) {
+                assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
+            }
+            let [first, second] = gears;
+            let turned = two_mesh_forces(&[second, first], 1.0 - share, 4, mm(120.0)).unwrap();
+            assert!((newtons(turned[0]) / found[1] - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(MeshEfficiency::share_of_loss(MeshEfficiency::IDEAL, MeshEfficiency::IDEAL), 0.5);
+        let beyond = push(GearKind::External, 130.0, 1.0);
+        let refused = two_mesh_forces(&[beyond, beyond], 0.5, 4, mm(120.0)).unwrap_err();
+        assert!(matches!(refused, Error::NotPositive { quantity: Quantity::PitchRadius, .. }));
     }
 
     #[test]

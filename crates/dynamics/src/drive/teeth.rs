@@ -1,12 +1,14 @@
 //! The tooth numbers of a drive and their conditions.
 
 use super::result::{BoredGear, GearSetGeometry, TeethDesign};
-use super::spec::{DriveSpec, TeethSpec};
+use super::spec::{DriveSpec, GearSetSpec, TeethSpec};
 use super::warning::Warning;
 use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
+use crate::planetary::GearSet;
 use crate::units::{length, meters};
 use epicyclic_gears::Quantity;
+use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
@@ -20,8 +22,22 @@ use uom::si::length::millimeter;
 /// Relative shortfall of a gap that is the rounding of its calculation.
 const ROUNDING: f64 = 1e-9;
 
+/// The gear set: its speeds, its tooth numbers with their conditions, its geometry.
+pub(super) struct Geared {
+    pub(super) set: GearSet,
+    pub(super) teeth: TeethDesign,
+    pub(super) geometry: GearSetGeometry,
+}
+
+pub(super) fn geared(spec: &DriveSpec, warnings: &mut Vec<Warning>) -> Result<Geared, Error> {
+    let numbers = tooth_numbers(spec)?;
+    let geometry = geometry(spec, numbers)?;
+    let teeth = conditions(spec, numbers, &geometry, warnings)?;
+    Ok(Geared { set: GearSet::new(numbers)?, teeth, geometry })
+}
+
 /// The tooth numbers given, or the best within the bounds.
-pub(super) fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
+fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
     match &spec.teeth {
         TeethSpec::Given { teeth, tip_gap, .. } => {
             check(*teeth, *tip_gap)?;
@@ -77,8 +93,17 @@ fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
     if ring == sun + 2 * planet { Ok(()) } else { Err(Error::UnequalCentreDistances { sun, planet, ring }) }
 }
 
+fn geometry(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Error> {
+    let GearSetSpec { module, rack, face_width, .. } = spec.gear_set;
+    let sun = ToothedGear::new(GearKind::External, module, teeth.sun, rack)?;
+    let planet = ToothedGear::new(GearKind::External, module, teeth.planet, rack)?;
+    let ring = ToothedGear::new(GearKind::Internal, module, teeth.ring, rack)?;
+    finite("root diameter of the ring", meters(ring.root_diameter()))?;
+    Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
+}
+
 /// How well the tooth numbers meet their conditions.
-pub(super) fn conditions(
+fn conditions(
     spec: &DriveSpec,
     teeth: ToothNumbers,
     gear_set: &GearSetGeometry,

@@ -2,13 +2,18 @@
 
 use super::*;
 use crate::equivalent_inertia::Property;
-use crate::units::{inertia, joules, kg_m2, length, power, rad_per_s2, seconds, torque, watts};
+use crate::units::{
+    inertia, joules, kg_m2, length, meters, power, rad_per_s, rad_per_s2, seconds, torque, watts,
+};
 use epicyclic_gears::Quantity;
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::{Arm, Hole, Hub};
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::synthesis::Bounds;
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_gears::teeth::ToothCount;
+use epicyclic_train::planet_bearings::SetSize;
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_train::{Gearbox, InputLoad};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 use uom::si::f64::{AngularVelocity, Length, MassDensity, Pressure};
@@ -152,6 +157,43 @@ fn the_excavators_forces() {
     let centrifugal = exact(31.549) * (65.0 * PI / 6.0).powi(2) * 0.24;
     close(found.planet_bearing_centrifugal.get::<newton>(), centrifugal, 0.2);
     close(found.planet_bearing.get::<newton>(), tangential.hypot(centrifugal + 25.1), 0.2);
+}
+
+/// The same set as a gearbox, its torques by the solver: one figure for each force, with losses.
+#[test]
+fn planet_bearings_of_a_drive_are_those_of_its_gearbox() {
+    let spec = excavator();
+    let found = design(&spec).unwrap();
+    let members = ["sun", epicyclic_train::GROUND, "carrier"];
+    let set = SetSpec::teeth("set", SetKind::Simple, members, 20, 100).unwrap().planet_count(4);
+    let loss = MeshLoss::sun_and_ring(spec.sun_planet_efficiency, spec.planet_ring_efficiency);
+    let gearbox = Gearbox::builder("drive")
+        .links(["sun", "carrier"])
+        .set(set.with_loss(loss))
+        .input("sun")
+        .output("carrier")
+        .gear("only", [""; 0])
+        .build()
+        .unwrap();
+    let operation =
+        gearbox.analyze("only").unwrap().at(spec.speed, InputLoad::Torque(found.torques.sun)).unwrap();
+    let size = SetSize {
+        module: Some(spec.gear_set.module),
+        planet_mass: Some(found.masses.planet.body.total().mass),
+        pressure_angle: spec.gear_set.rack.pressure_angle,
+        ..SetSize::default()
+    };
+    let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
+    let general = bearings[0].at(&operation).unwrap();
+    for (of_drive, general) in [
+        (found.forces.planet_bearing_tangential, general.tangential),
+        (found.forces.planet_bearing_meshes, general.radial),
+        (found.forces.planet_bearing_centrifugal, general.centrifugal),
+        (found.forces.planet_bearing, general.total),
+    ] {
+        let (of_drive, general) = (of_drive.get::<newton>(), general.unwrap().get::<newton>());
+        assert!((of_drive / general - 1.0).abs() < 1e-11, "{of_drive} {general}");
+    }
 }
 
 #[test]
