@@ -15,8 +15,8 @@ pub fn place(error: &Error) -> Path {
     path(match error {
         Error::Gear(error) => of_gear(error),
         Error::UnequalCentreDistances { .. } => "teeth",
-        Error::BoreTooLarge { gear: BoredGear::Sun, .. } => "wheels.sun_bore",
-        Error::BoreTooLarge { gear: BoredGear::Planet, .. } => "wheels.planet_bore",
+        Error::BoreTooLarge { gear: BoredGear::Sun, .. } => "gear_set.sun_bore",
+        Error::BoreTooLarge { gear: BoredGear::Planet, .. } => "gear_set.planet_bore",
         Error::NotPositive { quantity, .. } => match quantity {
             Given::Power => "power",
             Given::Speed => "speed",
@@ -56,13 +56,13 @@ fn of_gear(error: &Gear) -> &'static str {
 fn of_quantity(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Torque => "power",
-        Quantity::Module => "wheels.module",
-        Quantity::FaceWidth => "wheels.face_width",
-        Quantity::AddendumCoefficient => "wheels.addendum",
-        Quantity::ClearanceCoefficient => "wheels.clearance",
-        Quantity::PressureAngle => "wheels.pressure_angle",
-        Quantity::Density => "wheels.density",
-        Quantity::BoreDiameter => "wheels",
+        Quantity::Module => "gear_set.module",
+        Quantity::FaceWidth => "gear_set.face_width",
+        Quantity::AddendumCoefficient => "gear_set.addendum",
+        Quantity::ClearanceCoefficient => "gear_set.clearance",
+        Quantity::PressureAngle => "gear_set.pressure_angle",
+        Quantity::Density => "gear_set.density",
+        Quantity::BoreDiameter => "gear_set",
         Quantity::TipGap => "teeth.tip_gap",
         Quantity::AllowableStress => "shafts.allowable_stress",
         Quantity::ShaftDiameter => "shafts",

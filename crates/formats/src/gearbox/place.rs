@@ -8,10 +8,10 @@ use epicyclic_gears::Quantity;
 use epicyclic_train::{CompoundFault, Error as SolverError, Named, Place, Terminal};
 
 /// The lists whose entries may bear the name of a shift element.
-const CONTROLS: [&str; 4] = ["brakes", "clutches", "elements", "one_way"];
+const CONTROLS: [&str; 4] = ["brakes", "clutches", "shift_elements", "one_way"];
 
 /// The lists whose entries may bear the name of a set.
-const SETS: [&str; 3] = ["sets", "rows", "compound_sets"];
+const SETS: [&str; 2] = ["sets", "compound_sets"];
 
 /// The error at its place in the document; `base` is the gearbox's own path, the root of a file with one.
 ///
@@ -56,11 +56,11 @@ impl File<'_> {
             }
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
-            E::MemberInNoNode { set, member } => self.text(self.set(set), member),
+            E::MemberInNoLink { set, member } => self.text(self.set(set), member),
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
             E::Clutch { clutch } => self.entry(&CONTROLS, clutch),
-            E::MemberInTwoNodes { member, second, .. } => {
-                self.text(self.base.clone().key("nodes").key(second.as_str()), member)
+            E::MemberInTwoLinks { member, second, .. } => {
+                self.text(self.base.clone().key("links").key(second.as_str()), member)
             }
             E::Gearbox(error) => self.of_engine(error),
         }
@@ -172,7 +172,7 @@ impl File<'_> {
             Named::Set => &SETS,
             Named::ShiftElement => &CONTROLS,
             Named::Gear => &["gears"],
-            Named::Link => &["links", "nodes"],
+            Named::Link => &["links"],
             _ => &[],
         };
         let mut left = limit;
@@ -241,7 +241,7 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
             Quantity::FaceWidth | Quantity::Width => &["face_width"],
             Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],
             Quantity::PlanetMass => &["planet_mass"],
-            Quantity::LoadRating => &["bearing_capacity"],
+            Quantity::LoadRating => &["load_rating"],
             _ => &[],
         },
         _ => &[],
