@@ -245,7 +245,7 @@ impl Misfit {
 ///
 /// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\nwheels: { module: 5, face_width: 50 mm }\n";
 /// let error = drive::read(&Document::parse_one("drive.yaml", text)?).unwrap_err();
-/// assert!(error.to_string().starts_with("drive.yaml:4:19: gear_set.module: 5: no unit; write 5 mm"));
+/// assert!(error.to_string().starts_with("drive.yaml:4:21: gear_set.module: 5: no unit; write 5 mm"));
 /// # Ok::<(), epicyclic_formats::Error>(())
 /// ```
 ///

@@ -41,16 +41,16 @@ fn every_old_key_is_refused_with_the_word_of_today() {
     let cases = [
         ("wheels", In::Drive, drive.to_owned(), "4:1: "),
         ("rows", In::Gearbox, BOX.replace("sets:", "rows:"), "4:1: "),
-        ("rows", In::Transmissions, rows, "3:3: transmissions[0]: "),
-        ("nodes", In::Transmissions, nodes, "4:3: transmissions[0]: "),
-        ("elements", In::Transmissions, elements, "7:3: transmissions[0]: "),
-        ("controls", In::Transmissions, controls, "7:3: transmissions[0]: "),
-        ("bearing_capacity", In::Gearbox, sized, "5:48: sets[0]: "),
+        ("rows", In::Transmissions, rows, "3:3: transmissions[0]."),
+        ("nodes", In::Transmissions, nodes, "4:3: transmissions[0]."),
+        ("elements", In::Transmissions, elements, "7:3: transmissions[0]."),
+        ("controls", In::Transmissions, controls, "7:3: transmissions[0]."),
+        ("bearing_capacity", In::Gearbox, sized, "5:48: sets[0]."),
     ];
     for (old, new) in RENAMED {
         assert!(cases.iter().any(|case| case.0 == old), "no case of {old}");
         for (_, kind, text, place) in cases.iter().filter(|case| case.0 == old) {
-            let expected = format!("file.yaml:{place}the key {old} is now {new}; write {new}");
+            let expected = format!("file.yaml:{place}{old}: the key {old} is now {new}; write {new}");
             assert_eq!(refusal(*kind, text), expected);
         }
     }
