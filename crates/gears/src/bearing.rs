@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use uom::si::f64::Length;
 
-use crate::units::{length_from_mm, metres, millimetres, positive_length};
+use crate::units::{length_from_mm, metres, millimetres, positive_length, shown_mm};
 use crate::{Error, Quantity};
 
 /// Two lengths closer than this (1 nm) are the same bore: millimetres in binary are not exact.
@@ -81,6 +81,14 @@ pub struct Bearing {
     pub chamfer: Length,
     /// Whether the row was confirmed.
     pub verification: Verification,
+}
+
+/// Designation, bore, outside diameter and width: `310 (50 × 110 × 27 mm)`.
+impl fmt::Display for Bearing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [bore, outside, width] = [self.bore, self.outside_diameter, self.width].map(shown_mm);
+        write!(f, "{} ({bore} × {outside} × {width} mm)", self.designation)
+    }
 }
 
 impl Bearing {
@@ -203,6 +211,11 @@ fn of_series(series: Series) -> impl DoubleEndedIterator<Item = &'static Bearing
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_bearing_shows_its_dimensions() {
+        assert_eq!(by_designation("310").unwrap().to_string(), "310 (50 × 110 × 27 mm)");
+    }
 
     const SERIES: [Series; 3] = [Series::Light200, Series::Medium300, Series::Heavy400];
 

@@ -21,11 +21,18 @@
 use crate::Error;
 use crate::simple_set::{BasicRatio, Member, Mode};
 use crate::units::{n_m, torque};
+use std::fmt;
 use uom::si::f64::Torque;
 
 /// Efficiency `η₀` of a gear set (or of one mesh) with the carrier fixed, `0 < η₀ ≤ 1`.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct MeshEfficiency(f64);
+
+impl fmt::Display for MeshEfficiency {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
 
 impl MeshEfficiency {
     /// A gear without losses.

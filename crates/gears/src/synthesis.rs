@@ -28,6 +28,7 @@ use crate::teeth::ToothCount;
 use crate::units::{not_negative, radians};
 use crate::{Error, Quantity};
 use std::f64::consts::PI;
+use std::fmt;
 use std::ops::RangeInclusive;
 
 /// Tooth numbers and number of planets of a simple set that goes together.
@@ -41,6 +42,13 @@ pub struct ToothNumbers {
     pub ring: ToothCount,
     /// Number of planets, `N`.
     pub planets: u32,
+}
+
+/// Sun, planet, ring and how many planets: `20/40/100 ×4`.
+impl fmt::Display for ToothNumbers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}/{} ×{}", self.sun, self.planet, self.ring, self.planets)
+    }
 }
 
 impl ToothNumbers {
@@ -526,6 +534,14 @@ mod tests {
         assert!(!only.undercut_sun && !only.undercut_planet);
         let limit = clearance_limit(teeth(20), teeth(40), &BasicRack::default()).unwrap();
         assert!((limit - 180.0 / 44.427_004).abs() < 1e-6);
+    }
+
+    #[test]
+    fn values_show_as_they_are_written() {
+        let numbers = ToothNumbers { sun: teeth(20), planet: teeth(40), ring: teeth(100), planets: 4 };
+        assert_eq!(numbers.to_string(), "20/40/100 ×4");
+        assert_eq!(format!("{:.2}", numbers.basic_ratio()), "-5.00");
+        assert_eq!(crate::efficiency::MeshEfficiency::IDEAL.to_string(), "1");
     }
 
     #[test]

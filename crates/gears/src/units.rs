@@ -102,7 +102,7 @@ pub(crate) fn degrees(value: Angle) -> f64 {
 }
 
 /// Millimetres for a message: without the rounding of binary fractions, 210 for 209.99999999999997.
-fn shown_mm(value: Length) -> f64 {
+pub(crate) fn shown_mm(value: Length) -> f64 {
     let (value_mm, picometres) = (millimetres(value), 1e9);
     let rounded = (value_mm * picometres).round() / picometres;
     if rounded.is_finite() { rounded } else { value_mm }
