@@ -239,11 +239,11 @@ impl Misfit {
 /// ```
 /// use epicyclic_formats::{Document, drive};
 ///
-/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\nwheels: { module: 5 mm, face_width: 50 mm }\n";
+/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\ngear_set: { module: 5 mm, face_width: 50 mm }\n";
 /// let (file, spec) = drive::read(&Document::parse_one("drive.yaml", text)?)?;
 /// assert_eq!((file.title, spec.ratio), (None, 5.0));
 ///
-/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\nwheels: { module: 5, face_width: 50 mm }\n";
+/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\ngear_set: { module: 5, face_width: 50 mm }\n";
 /// let error = drive::read(&Document::parse_one("drive.yaml", text)?).unwrap_err();
 /// assert!(error.to_string().starts_with("drive.yaml:4:21: gear_set.module: 5: no unit; write 5 mm"));
 /// # Ok::<(), epicyclic_formats::Error>(())
