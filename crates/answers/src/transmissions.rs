@@ -36,8 +36,8 @@ impl Answer for Transmissions {
 pub fn answer(transmissions: &[gearbox::Transmission]) -> Transmissions {
     let one = |one: &gearbox::Transmission| Transmission {
         name: one.name.clone(),
-        sets: one.rows.len() + one.compound_sets.len(),
-        shift_elements: one.elements.len() + one.one_way.len(),
+        sets: one.sets.len() + one.compound_sets.len(),
+        shift_elements: one.shift_elements.len() + one.one_way.len(),
         gears: one.gears.len(),
     };
     Transmissions { transmissions: transmissions.iter().map(one).collect() }

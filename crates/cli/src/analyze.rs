@@ -41,7 +41,7 @@ Keys of the file:
   sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
         kind, planet_teeth, planets, efficiency or meshes; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
-        planet_bore; for their bearings' life bearing_capacity, bearing_rolling
+        planet_bore; for their bearings' life load_rating, bearing_rolling
   compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
         [teeth]), meshes (gears: [one, other], efficiency), and optionally
         planets, bevels_left, bevels_right, planet_shafts

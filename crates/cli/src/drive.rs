@@ -16,7 +16,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Example:
   printf 'power: 30 kW\\nspeed: 1450 rpm\\nratio: 5\\n' > drive.yaml
-  printf 'wheels: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
+  printf 'gear_set: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
   epicyclic drive drive.yaml
 
 Keys of the file, all but the first four optional:

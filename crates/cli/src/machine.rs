@@ -7,6 +7,7 @@ use epicyclic_answers::Error;
 use epicyclic_answers::machine::{self, Forces, Throw, Wheel};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_schemes::DesignError;
+use epicyclic_schemes::quantity::Quantity as Of;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
 /// Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
@@ -236,21 +237,21 @@ impl Rotor {
 fn refuse(error: Error) -> Failure {
     let Error::Design(error) = error else { return error.into() };
     let option = match &error {
-        DesignError::NotPositive { quantity, .. } => match *quantity {
-            "pick spacing" => "--pick-spacing",
-            "feed" => "--feed",
-            "mean chip thickness" | "greatest chip thickness" => "--chip",
-            "drum diameter" => "--diameter",
-            "picks per line" => "--picks",
-            "cutting force" => "--force",
-            "other cutting force" => "--other-forces",
-            "boom radius" => "--boom-radius",
-            "slewing speed" => "--slewing",
-            "chip width" => "--chip-width",
-            "number of buckets" => "--buckets",
-            "cosine of the boom angle" => "--boom-angle",
-            "wheel radius" => "--wheel-radius",
-            "Ω" => "--discharge",
+        DesignError::NotPositive { quantity, .. } => match quantity {
+            Of::PickSpacing => "--pick-spacing",
+            Of::Feed => "--feed",
+            Of::MeanChip | Of::GreatestChip => "--chip",
+            Of::DrumDiameter => "--diameter",
+            Of::PicksPerLine => "--picks",
+            Of::CuttingForce => "--force",
+            Of::OtherCuttingForce => "--other-forces",
+            Of::BoomRadius => "--boom-radius",
+            Of::SlewingSpeed => "--slewing",
+            Of::ChipWidth => "--chip-width",
+            Of::Buckets => "--buckets",
+            Of::BoomAngleCosine => "--boom-angle",
+            Of::WheelRadius => "--wheel-radius",
+            Of::Discharge => "--discharge",
             _ => return error.into(),
         },
         DesignError::SpeedCount { .. } | DesignError::SpeedsOutOfOrder { .. } => "<SPEEDS>",

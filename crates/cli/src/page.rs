@@ -17,7 +17,7 @@ use epicyclic_views::page::{self, Sheet};
 #[command(after_help = "\
 Example:
   printf 'power: 30 kW\\nspeed: 1450 rpm\\nratio: 5\\n' > drive.yaml
-  printf 'wheels: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
+  printf 'gear_set: { module: 5 mm, face_width: 50 mm }\\n' >> drive.yaml
   epicyclic report drive.yaml -o drive.html")]
 pub(crate) struct Args {
     #[command(flatten)]

@@ -13,6 +13,7 @@ use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::structures::Structure;
+use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{
     Limits, Objective, Order, Orders, Rating, RatioSeries, Requirements, SelectionError, Signs, Space,
 };
@@ -433,17 +434,17 @@ fn refuse_selection(error: SelectionError) -> Failure {
         E::SpeedCount { .. } | E::SpeedsOutOfOrder { .. } => "--speeds",
         E::RatioCount { .. } | E::Ratio { .. } | E::EqualRatios { .. } => "--ratios",
         E::Tolerance { .. } => "--tolerance",
-        E::RingToSunRange { what: "preferred", .. } => "--prefer",
+        E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
         E::RingToSunRange { .. } => "--k",
-        E::Limit { what: "efficiency", .. } => "--least-efficiency",
-        E::Limit { what: "link speed", .. } => "--link-speed",
-        E::Limit { what: "planet speed", .. } => "--planet-speed",
-        E::Limit { what: "clutch slip", .. } => "--clutch-slip",
-        E::Limit { what: "module", .. } => "--least-module, --greatest-module",
-        E::Limit { what: "ring diameter", .. } | E::SizeWithoutTorque => "--ring-diameter",
-        E::Rating { what: "mesh load factor", .. } => "--mesh-load-factors",
-        E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",
-        E::Rating { what: "load factor K", .. } => "--load-factor",
+        E::Limit { what: Limited::Efficiency, .. } => "--least-efficiency",
+        E::Limit { what: Limited::LinkSpeed, .. } => "--link-speed",
+        E::Limit { what: Limited::PlanetSpeed, .. } => "--planet-speed",
+        E::Limit { what: Limited::ClutchSlip, .. } => "--clutch-slip",
+        E::Limit { what: Limited::Module, .. } => "--least-module, --greatest-module",
+        E::Limit { what: Limited::RingDiameter, .. } | E::SizeWithoutTorque => "--ring-diameter",
+        E::Rating { what: Rated::MeshLoadFactor, .. } => "--mesh-load-factors",
+        E::Rating { what: Rated::FaceWidthRatio, .. } => "--face-width-ratio",
+        E::Rating { what: Rated::LoadFactor, .. } => "--load-factor",
         E::PlanetNumber { .. } => "--planets",
         E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
         E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",

@@ -24,6 +24,7 @@
 //! # Source
 //! rotary-hydromotor gives none of this; its restored vectors list `A_max − A_min` and `q/b`.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Area, Length, Volume};
 
 use crate::Error;
@@ -93,7 +94,7 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn chambers(&self, rotation: Angle) -> Result<Vec<Chamber>, Error> {
-        let rotation = finite_angle("rotation", rotation)?;
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let chamber = |index: u32| {
             let phase = self.phase(rotation, index);
             let [back, front] =
@@ -148,7 +149,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the width.
     pub fn displacement(&self, width: Length) -> Result<Volume, Error> {
-        let width = positive_length("width", width)?;
+        let width = positive_length(Quantity::Width, width)?;
         Ok(volume(self.displacement_kernel(), self.module(), width))
     }
 
@@ -158,13 +159,13 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] unless there are 1 to 100 000 steps.
     pub fn chamber_outline(&self, rotation: Angle, index: u32, steps: u32) -> Result<Vec<Point>, Error> {
-        let points = self.outline(finite_angle("rotation", rotation)?, index, steps)?;
+        let points = self.outline(finite_angle(Quantity::Rotation, rotation)?, index, steps)?;
         Ok(points.into_iter().map(|[x, y]| Point { x: self.length(x), y: self.length(y) }).collect())
     }
 
     fn outline(&self, rotation: f64, index: u32, steps: u32) -> Result<Vec<[f64; 2]>, Error> {
         if !(1..=100_000).contains(&steps) {
-            let (quantity, value) = ("steps", f64::from(steps));
+            let (quantity, value) = (Quantity::Steps, f64::from(steps));
             return Err(Error::OutOfRange { quantity, value, low: 1.0, high: 1e5, unit: "" });
         }
         let index = index % self.numbers().satellites();

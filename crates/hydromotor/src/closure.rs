@@ -54,6 +54,7 @@
 //! # Source
 //! The source has no such condition: it draws the rotor and does not check that it closes.
 
+use crate::quantity::Quantity;
 use std::f64::consts::PI;
 
 use uom::si::f64::Length;
@@ -169,8 +170,11 @@ pub fn closure(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Closure, Erro
     let r = f64::from(numbers.satellite_teeth()) / 2.0;
     let Arcs { theta3, half_length, l, a, least, .. } = arcs.arcs;
     if least <= 2.0 * r || arcs.arcs.r2 <= r {
-        let (quantity, value, low) =
-            if least <= 2.0 * r { ("l − R₁", least, 2.0 * r) } else { ("R₂", arcs.arcs.r2, r) };
+        let (quantity, value, low) = if least <= 2.0 * r {
+            (Quantity::TroughDistanceLessRadius, least, 2.0 * r)
+        } else {
+            (Quantity::CrestRadius, arcs.arcs.r2, r)
+        };
         let [value, low] = [value, low].map(|modules| millimetres(length(modules, arcs.module)));
         return Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" });
     }
@@ -258,7 +262,7 @@ impl Family {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn new(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
-        let module = positive_length("module", module)?;
+        let module = positive_length(Quantity::Module, module)?;
         let intervals = Kernel::of(numbers).intervals(module);
         if intervals.is_empty() { Err(Error::NoFamily) } else { Ok(Self { numbers, module, intervals }) }
     }
@@ -286,7 +290,7 @@ impl Family {
     /// # Errors
     /// [`Error::NotPositive`]; [`Error::OutsideFamily`] with the family's intervals.
     pub fn at(&self, trough_distance: Length) -> Result<StatorArcs, Error> {
-        let l = positive_modules("l", trough_distance, self.module)?;
+        let l = positive_modules(Quantity::TroughDistance, trough_distance, self.module)?;
         let inside = |interval: &Interval| {
             let inverse = l.recip();
             inverse < interval.lower.inverse() && inverse > interval.upper.inverse()
@@ -316,7 +320,7 @@ impl Family {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn at_crest_distance(&self, crest_distance: Length) -> Result<StatorArcs, Error> {
-        let a = positive_modules("a", crest_distance, self.module)?;
+        let a = positive_modules(Quantity::CrestDistance, crest_distance, self.module)?;
         let kernel = Kernel::of(self.numbers);
         let mut intervals_mm = Vec::new();
         for interval in &self.intervals {
@@ -348,7 +352,7 @@ impl Family {
         if !(part > 0.0 && part < 1.0) {
             let (low, high) = (0.0, 1.0);
             return Err(Error::OutOfRange {
-                quantity: "part of the family",
+                quantity: Quantity::FamilyPart,
                 value: part,
                 low,
                 high,
@@ -389,8 +393,8 @@ impl Family {
 /// # Errors
 /// As [`Family::new`] and [`Family::at`].
 pub fn arcs_at(numbers: MotorNumbers, module: Length, trough_distance: Length) -> Result<StatorArcs, Error> {
-    let module = positive_length("module", module)?;
-    let l = positive_modules("l", trough_distance, module)?;
+    let module = positive_length(Quantity::Module, module)?;
+    let l = positive_modules(Quantity::TroughDistance, trough_distance, module)?;
     let kernel = Kernel::of(numbers);
     match kernel.solve(l).filter(|arcs| l <= GREATEST_DISTANCE && kernel.is_regular(arcs)) {
         Some(arcs) => Ok(StatorArcs { arcs, module }),

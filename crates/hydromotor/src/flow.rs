@@ -11,6 +11,7 @@
 //! period) and where a satellite passes a junction of the arcs. Its extremes are sought on each smooth piece, at the ends and at
 //! the zeros of `dQ/dφ` between eight places.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
 
 use crate::Error;
@@ -44,7 +45,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn flow_per_width(&self, rotation: Angle) -> Result<Area, Error> {
-        Ok(area(self.flow_kernel(finite_angle("rotation", rotation)?).0, self.module()))
+        Ok(area(self.flow_kernel(finite_angle(Quantity::Rotation, rotation)?).0, self.module()))
     }
 
     /// `Q/b` and its slope in units of the module.
@@ -134,7 +135,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the speed.
     pub fn mean_flow(&self, width: Length, speed: AngularVelocity) -> Result<VolumeRate, Error> {
-        let (width, speed) = (positive_length("width", width)?, finite_speed(speed)?);
+        let (width, speed) = (positive_length(Quantity::Width, width)?, finite_speed(speed)?);
         Ok(volume_rate(volume(self.displacement_kernel() / TAU, self.module(), width), speed))
     }
 
@@ -162,8 +163,8 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn theoretical_torque(&self, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
-        let width = positive_length("width", width)?;
-        let pressure_drop = finite_pressure("pressure drop", pressure_drop)?;
+        let width = positive_length(Quantity::Width, width)?;
+        let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
         Ok(torque(volume(self.displacement_kernel() / TAU, self.module(), width), pressure_drop))
     }
 
@@ -172,9 +173,9 @@ impl Motor {
     /// # Errors
     /// As [`theoretical_torque`](Self::theoretical_torque), and [`Error::NotFinite`] for the rotation.
     pub fn torque(&self, rotation: Angle, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
-        let width = positive_length("width", width)?;
-        let pressure_drop = finite_pressure("pressure drop", pressure_drop)?;
-        let (flow, _) = self.flow_kernel(finite_angle("rotation", rotation)?);
+        let width = positive_length(Quantity::Width, width)?;
+        let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
+        let (flow, _) = self.flow_kernel(finite_angle(Quantity::Rotation, rotation)?);
         Ok(torque(volume(flow, self.module(), width), pressure_drop))
     }
 

@@ -63,6 +63,7 @@ pub mod junction;
 pub mod motor;
 pub mod numbers;
 pub mod profile;
+pub mod quantity;
 mod real;
 mod roots;
 pub mod satellites;

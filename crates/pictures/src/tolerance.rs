@@ -39,9 +39,6 @@ pub(crate) const HAIR_MM: f64 = 1e-9;
 /// A smaller number is written as 0.
 pub(crate) const SHOWN: f64 = 1e-6;
 
-/// A chamber that grows less is at an extreme.
-pub(crate) const EXTREME: f64 = 1e-6;
-
 /// Arcs are laid no closer to a curve.
 pub(crate) const CURVE: f64 = 1e-10;
 

@@ -4,6 +4,7 @@
 //! multispeed-gearboxes (2.1)–(2.4).
 
 use crate::DesignError;
+use crate::quantity::Quantity;
 use uom::si::f64::{Force, Length, Velocity};
 use uom::si::force::newton;
 use uom::si::length::meter;
@@ -31,8 +32,8 @@ use uom::si::velocity::meter_per_second;
 /// # Source
 /// (2.1).
 pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, DesignError> {
-    lengths([("pick spacing", pick_spacing), ("mean chip thickness", mean_chip)])?;
-    speed("feed", feed)?;
+    lengths([(Quantity::PickSpacing, pick_spacing), (Quantity::MeanChip, mean_chip)])?;
+    speed(Quantity::Feed, feed)?;
     Ok(feed * (pick_spacing / mean_chip).value * (1.07 * 60.0 / 100.0))
 }
 
@@ -74,9 +75,9 @@ pub fn drum_speed(
     greatest_chip: Length,
     picks_per_line: u32,
 ) -> Result<Velocity, DesignError> {
-    lengths([("drum diameter", diameter), ("greatest chip thickness", greatest_chip)])?;
-    speed("feed", feed)?;
-    positive("picks per line", f64::from(picks_per_line), "")?;
+    lengths([(Quantity::DrumDiameter, diameter), (Quantity::GreatestChip, greatest_chip)])?;
+    speed(Quantity::Feed, feed)?;
+    positive(Quantity::PicksPerLine, f64::from(picks_per_line), "")?;
     let turns = (diameter / greatest_chip).value / f64::from(picks_per_line);
     Ok(feed * turns * (5.24 * 60.0 / 100.0))
 }
@@ -94,9 +95,9 @@ pub fn drum_speed(
 /// # Source
 /// (2.3).
 pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, DesignError> {
-    speed("cutting speed", cutting)?;
-    positive("cutting force", force.get::<newton>(), "N")?;
-    positive("other cutting force", other_force.get::<newton>(), "N")?;
+    speed(Quantity::CuttingSpeed, cutting)?;
+    positive(Quantity::CuttingForce, force.get::<newton>(), "N")?;
+    positive(Quantity::OtherCuttingForce, other_force.get::<newton>(), "N")?;
     Ok(cutting * (force / other_force).value)
 }
 
@@ -112,21 +113,21 @@ pub fn matching_feed(
     cutting: Velocity,
     other_cutting: Velocity,
 ) -> Result<Velocity, DesignError> {
-    speed("feed", feed)?;
-    speed("cutting speed", cutting)?;
-    speed("other cutting speed", other_cutting)?;
+    speed(Quantity::Feed, feed)?;
+    speed(Quantity::CuttingSpeed, cutting)?;
+    speed(Quantity::OtherCuttingSpeed, other_cutting)?;
     Ok(feed * (other_cutting / cutting).value)
 }
 
-fn lengths(of: [(&'static str, Length); 2]) -> Result<(), DesignError> {
+fn lengths(of: [(Quantity, Length); 2]) -> Result<(), DesignError> {
     of.into_iter().try_for_each(|(what, length)| positive(what, length.get::<meter>(), "m"))
 }
 
-fn speed(what: &'static str, speed: Velocity) -> Result<(), DesignError> {
+fn speed(what: Quantity, speed: Velocity) -> Result<(), DesignError> {
     positive(what, speed.get::<meter_per_second>(), "m/s")
 }
 
-pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), DesignError> {
+pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<(), DesignError> {
     if value > 0.0 && value.is_finite() {
         Ok(())
     } else {

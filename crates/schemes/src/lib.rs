@@ -30,6 +30,7 @@ pub mod design_error;
 pub mod direct_drive;
 pub mod machines;
 pub mod pair;
+pub mod quantity;
 pub mod ratio_series;
 pub mod rotor;
 pub mod standing;

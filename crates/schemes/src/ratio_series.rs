@@ -21,6 +21,7 @@
 //! multispeed-gearboxes (2.10)–(2.21), (2.33)–(2.35). It calls the combined regime undesirable.
 
 use crate::DesignError;
+use crate::quantity::SeriesParameter;
 use uom::si::f64::Velocity;
 use uom::si::velocity::meter_per_second;
 
@@ -90,7 +91,7 @@ impl RatioSeries {
     /// (2.10)–(2.19).
     pub fn geometric(step: f64, count: usize, direct: usize) -> Result<Self, DesignError> {
         counts(count, direct)?;
-        range("q", step)?;
+        range(SeriesParameter::Step, step)?;
         let power = |place: usize| step.powi(place as i32 - (direct as i32 - 1));
         Ok(Self { ratios: (0..count).map(power).collect(), direct: direct - 1 })
     }
@@ -134,7 +135,7 @@ fn counts(count: usize, direct: usize) -> Result<(), DesignError> {
     Ok(())
 }
 
-fn range(what: &'static str, value: f64) -> Result<(), DesignError> {
+fn range(what: SeriesParameter, value: f64) -> Result<(), DesignError> {
     if value > 1.0 && value.is_finite() { Ok(()) } else { Err(DesignError::SpeedRange { what, value }) }
 }
 
@@ -144,7 +145,7 @@ fn range(what: &'static str, value: f64) -> Result<(), DesignError> {
 /// [`DesignError::SpeedCount`], [`DesignError::SpeedRange`] for `d ≤ 1`.
 pub fn step(speed_range: f64, count: usize) -> Result<f64, DesignError> {
     counts(count, 1)?;
-    range("d", speed_range)?;
+    range(SeriesParameter::SpeedRange, speed_range)?;
     Ok(speed_range.powf(1.0 / (count as f64 - 1.0)))
 }
 

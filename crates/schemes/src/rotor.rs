@@ -7,6 +7,7 @@
 
 use crate::DesignError;
 use crate::cutting::positive;
+use crate::quantity::Quantity;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use uom::si::acceleration::meter_per_second_squared;
 use uom::si::angle::{degree, radian};
@@ -50,14 +51,14 @@ pub fn optimal_speed(
     buckets: u32,
     boom_angle: Angle,
 ) -> Result<AngularVelocity, DesignError> {
-    positive("boom radius", boom_radius.get::<meter>(), "m")?;
-    positive("slewing speed", slewing.get::<radian_per_second>(), "rad/s")?;
-    positive("chip width", chip_width.get::<meter>(), "m")?;
-    positive("number of buckets", f64::from(buckets), "")?;
+    positive(Quantity::BoomRadius, boom_radius.get::<meter>(), "m")?;
+    positive(Quantity::SlewingSpeed, slewing.get::<radian_per_second>(), "rad/s")?;
+    positive(Quantity::ChipWidth, chip_width.get::<meter>(), "m")?;
+    positive(Quantity::Buckets, f64::from(buckets), "")?;
     let cos = boom_angle.get::<radian>().cos();
     let is_acute = boom_angle.get::<radian>().abs() < FRAC_PI_2;
     if !is_acute {
-        return Err(DesignError::NotPositive { quantity: "cosine of the boom angle", value: cos, unit: "" });
+        return Err(DesignError::NotPositive { quantity: Quantity::BoomAngleCosine, value: cos, unit: "" });
     }
     Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
 }
@@ -77,7 +78,7 @@ pub fn optimal_speed(
 /// (2.5), restored.
 pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, DesignError> {
     let omega_rad_s = optimal.get::<radian_per_second>();
-    positive("optimal speed", omega_rad_s, "rad/s")?;
+    positive(Quantity::OptimalSpeed, omega_rad_s, "rad/s")?;
     Ok(AngularVelocity::new::<radian_per_second>(
         0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt()),
     ))
@@ -101,9 +102,9 @@ pub fn least_speed(
     gravity: Acceleration,
     wheel_radius: Length,
 ) -> Result<AngularVelocity, DesignError> {
-    positive("Ω", discharge, "")?;
-    positive("acceleration of fall", gravity.get::<meter_per_second_squared>(), "m/s²")?;
-    positive("wheel radius", wheel_radius.get::<meter>(), "m")?;
+    positive(Quantity::Discharge, discharge, "")?;
+    positive(Quantity::FallAcceleration, gravity.get::<meter_per_second_squared>(), "m/s²")?;
+    positive(Quantity::WheelRadius, wheel_radius.get::<meter>(), "m")?;
     let squared = discharge * gravity.get::<meter_per_second_squared>() / wheel_radius.get::<meter>();
     Ok(AngularVelocity::new::<radian_per_second>(squared.sqrt()))
 }
@@ -164,8 +165,8 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
 /// # Source
 /// (2.9).
 pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, DesignError> {
-    positive("greatest speed", greatest.get::<radian_per_second>(), "rad/s")?;
-    positive("least speed", least.get::<radian_per_second>(), "rad/s")?;
+    positive(Quantity::GreatestSpeed, greatest.get::<radian_per_second>(), "rad/s")?;
+    positive(Quantity::LeastSpeed, least.get::<radian_per_second>(), "rad/s")?;
     Ok((greatest / least).value)
 }
 

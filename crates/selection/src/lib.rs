@@ -38,6 +38,7 @@ mod error;
 pub mod front;
 pub mod mechanism;
 pub mod objectives;
+pub mod quantity;
 pub mod requirements;
 pub mod search;
 pub mod size;

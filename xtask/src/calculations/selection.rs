@@ -7,9 +7,7 @@ use epicyclic_layout as drawability;
 use epicyclic_layout::{Options, Verdict};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
-use epicyclic_selection::{
-    Candidate, Mechanism, RatioSeries, Requirements, Selection, SelectionError, Space, select,
-};
+use epicyclic_selection::{Candidate, Mechanism, RatioSeries, Requirements, Selection, Space, select};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;
@@ -24,12 +22,6 @@ pub(super) fn calculations() -> Vec<Calculation> {
         ),
         Calculation::new("schemes.drawable", "which of the listed schemes can be drawn", drawable),
     ]
-}
-
-impl From<SelectionError> for Refusal {
-    fn from(error: SelectionError) -> Self {
-        Self::of(&error)
-    }
 }
 
 /// Wanted speeds or ratios, and what to choose among.

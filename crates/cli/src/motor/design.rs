@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::{Designed, Place, Question};
 use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, MotorNumbers};
 
 pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
@@ -66,12 +67,12 @@ pub(super) fn refuse(error: answers::Error) -> Failure {
 }
 
 fn of_motor(error: &Error) -> Option<&'static str> {
-    let wheel_option = |wheel: &str, lobes: bool| match (wheel, lobes) {
-        ("stator", true) => Some("--stator"),
-        ("rotor", true) => Some("--rotor"),
-        ("stator", false) => Some("--z3"),
-        ("rotor", false) => Some("--z1"),
-        ("satellite", _) => Some("--zs"),
+    let wheel_option = |wheel: &WheelKind, lobes: bool| match (wheel, lobes) {
+        (WheelKind::Stator, true) => Some("--stator"),
+        (WheelKind::Rotor, true) => Some("--rotor"),
+        (WheelKind::Stator, false) => Some("--z3"),
+        (WheelKind::Rotor, false) => Some("--z1"),
+        (WheelKind::Satellite, _) => Some("--zs"),
         _ => None,
     };
     match error {
@@ -89,35 +90,35 @@ fn of_motor(error: &Error) -> Option<&'static str> {
         Error::TooManySets { .. } => Some("--stator, --z3, --zs"),
         Error::NotPositive { quantity, .. }
         | Error::NotFinite { quantity, .. }
-        | Error::OutOfRange { quantity, .. } => quantity_option(quantity),
+        | Error::OutOfRange { quantity, .. } => quantity_option(*quantity),
         _ => None,
     }
 }
 
-fn quantity_option(quantity: &str) -> Option<&'static str> {
+fn quantity_option(quantity: Quantity) -> Option<&'static str> {
     Some(match quantity {
-        "module" => "--module",
-        "l" => "--l",
-        "a" => "--a",
-        "part of the family" => "--part",
-        "width" => "--width",
-        "pressure drop" | "high pressure" => "--pressure",
-        "speed" => "--speed",
-        "rotation" => "--angle",
-        "pressure angle" => "--pressure-angle",
-        "addendum" => "--addendum",
-        "clearance" => "--clearance",
-        "profile shift" => "--shift",
-        "backlash" => "--backlash",
-        "fillet" => "--fillet",
-        "displacement" => "--displacement",
-        "torque" => "--torque",
-        "tolerance of the displacement" => "--tolerance",
-        "width over diameter" => "--width-over-diameter",
-        "outer diameter" => "--outer-diameter",
-        "ripple" => "--ripple",
-        "points of a family" => "--places",
-        "resolution" => "--resolution",
+        Quantity::Module => "--module",
+        Quantity::TroughDistance => "--l",
+        Quantity::CrestDistance => "--a",
+        Quantity::FamilyPart => "--part",
+        Quantity::Width => "--width",
+        Quantity::PressureDrop | Quantity::HighPressure => "--pressure",
+        Quantity::Speed => "--speed",
+        Quantity::Rotation => "--angle",
+        Quantity::PressureAngle => "--pressure-angle",
+        Quantity::Addendum => "--addendum",
+        Quantity::Clearance => "--clearance",
+        Quantity::ProfileShift => "--shift",
+        Quantity::Backlash => "--backlash",
+        Quantity::Fillet => "--fillet",
+        Quantity::Displacement => "--displacement",
+        Quantity::Torque => "--torque",
+        Quantity::DisplacementTolerance => "--tolerance",
+        Quantity::WidthOverDiameter => "--width-over-diameter",
+        Quantity::OuterDiameter => "--outer-diameter",
+        Quantity::Ripple => "--ripple",
+        Quantity::FamilyPoints => "--places",
+        Quantity::Resolution => "--resolution",
         _ => return None,
     })
 }

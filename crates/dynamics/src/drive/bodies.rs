@@ -6,7 +6,7 @@ use super::result::{GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
 use super::spec::{Bore, CarrierSpec, DriveSpec};
 use super::warning::Warning;
 use crate::Error;
-use crate::planetary::PlanetaryDrive;
+use crate::planetary::{GearSet, PlanetaryDrive};
 use crate::units::{inertia, kg_m2, kilograms, millimeters};
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::Carrier;
@@ -81,13 +81,13 @@ fn gear_mass(
 /// The drive with everything that turns on its shafts.
 pub(super) fn planetary_drive(
     spec: &DriveSpec,
-    teeth: ToothNumbers,
+    set: GearSet,
     gear_set: &GearSetGeometry,
     masses: &Masses,
 ) -> PlanetaryDrive {
     let planet = masses.planet.body.total();
     PlanetaryDrive {
-        teeth,
+        set,
         sun_inertia: masses.sun.body.total().polar_inertia + spec.motor_inertia,
         planet_inertia: planet.polar_inertia,
         planet_mass: planet.mass,

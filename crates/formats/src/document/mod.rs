@@ -8,6 +8,7 @@ mod index;
 mod path;
 mod position;
 mod reader;
+mod renamed;
 mod words;
 
 use std::sync::Arc;
@@ -27,6 +28,7 @@ use crate::{
     quantity::QuantityError,
     yaml::{self, Value},
 };
+pub use renamed::RENAMED;
 
 /// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is not one.
 pub const SIZE_LIMIT: u64 = 4 << 20;
@@ -207,7 +209,9 @@ impl Document {
             }
             let Fault(problem) = error.into_inner();
             let position = match &*problem {
-                Problem::UnknownKey { .. } | Problem::DuplicateKey { .. } => self.key_position(&path),
+                Problem::UnknownKey { .. } | Problem::RenamedKey { .. } | Problem::DuplicateKey { .. } => {
+                    self.key_position(&path)
+                }
                 Problem::UnknownName { found, .. } if node.is_some_and(Value::is_mapping) => {
                     path.push(Segment::Key(found.clone()));
                     self.key_position(&path)

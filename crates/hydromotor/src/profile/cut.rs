@@ -32,6 +32,7 @@ use super::form::Teeth;
 use super::track::{Frame, Side, Track};
 use crate::Error;
 use crate::motor::Shape;
+use crate::quantity::WheelKind;
 use crate::roots::bracketed;
 use crate::tolerance::{ALONGSIDE, LEAST_ADDENDUM, MET, STEP};
 use std::f64::consts::PI;
@@ -239,7 +240,7 @@ impl Cut {
             let land = next - after.foot;
             if land <= 0.0 {
                 return Err(Error::PointedTip {
-                    wheel: if side == Side::Stator { "stator" } else { "rotor" },
+                    wheel: if side == Side::Stator { WheelKind::Stator } else { WheelKind::Rotor },
                     addendum: teeth.wheel_addendum,
                     most: Self::greatest_addendum(&track, teeth, middle),
                 });
@@ -277,7 +278,7 @@ impl Cut {
         let pitch = middle + sign * teeth.half_space;
         let Some((tip, foot, missing)) = Self::tip(track, teeth, pitch, sign, teeth.wheel_addendum) else {
             return Err(Error::NoTip {
-                wheel: if track.side == Side::Stator { "stator" } else { "rotor" },
+                wheel: if track.side == Side::Stator { WheelKind::Stator } else { WheelKind::Rotor },
                 addendum: teeth.wheel_addendum,
             });
         };

@@ -66,6 +66,7 @@ mod found;
 mod front;
 mod point;
 
+use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
 
 use crate::Error;
@@ -261,14 +262,16 @@ impl MotorSearch {
             |quantity, value, low, high, unit| Error::OutOfRange { quantity, value, low, high, unit };
         finite_heights(self.heights)?;
         let sizing = Sizing::new(&self.demand, &self.limits.size)?;
-        let ripple = self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive("ripple", ripple, ""))?;
+        let ripple =
+            self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive(Quantity::Ripple, ripple, ""))?;
         let least_radius = self.limits.least_radius.unwrap_or(0.0);
         if !(least_radius.is_finite() && least_radius >= 0.0) {
-            return Err(out_of("least radius", least_radius, 0.0, f64::INFINITY, "modules"));
+            return Err(out_of(Quantity::LeastRadius, least_radius, 0.0, f64::INFINITY, "modules"));
         }
-        for (what, range) in
-            [("rotor lobes", &self.limits.rotor_lobes), ("rotor teeth", &self.limits.rotor_teeth)]
-        {
+        for (what, range) in [
+            (Quantity::RotorLobes, &self.limits.rotor_lobes),
+            (Quantity::RotorTeeth, &self.limits.rotor_teeth),
+        ] {
             let (from, to) = (*range.start(), *range.end());
             if from > to {
                 return Err(Error::EmptyRange { what, from, to });
@@ -276,12 +279,12 @@ impl MotorSearch {
         }
         if !(3..=MOST_POINTS).contains(&self.points) {
             let points = f64::from(self.points);
-            return Err(out_of("points of a family", points, 3.0, f64::from(MOST_POINTS), ""));
+            return Err(out_of(Quantity::FamilyPoints, points, 3.0, f64::from(MOST_POINTS), ""));
         }
         if let Some(resolution) = self.resolution
             && !(0.001..=1.0).contains(&resolution)
         {
-            return Err(out_of("resolution", resolution, 0.001, 1.0, ""));
+            return Err(out_of(Quantity::Resolution, resolution, 0.001, 1.0, ""));
         }
         Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius })
     }

@@ -64,6 +64,7 @@ mod window;
 use crate::SelectionError;
 use crate::front::{Entry, front, non_dominated};
 use crate::objectives::{Costs, Objectives, Order, nowhere_worse};
+use crate::quantity::Limited;
 use crate::requirements::Requirements;
 use crate::threads::map;
 use crate::units::in_metres;
@@ -438,10 +439,13 @@ impl ToothSearch {
             if value > 0.0 { Ok(value / unit) } else { Err(SelectionError::Limit { what, value }) }
         };
         let module = match &self.module {
-            Some(range) => Some([relative("module", *range.start())?, relative("module", *range.end())?]),
+            Some(range) => {
+                Some([relative(Limited::Module, *range.start())?, relative(Limited::Module, *range.end())?])
+            }
             None => None,
         };
-        let ring = self.ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative("ring diameter", limit))?;
+        let ring =
+            self.ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative(Limited::RingDiameter, limit))?;
         Ok(SizeLimits { module, ring })
     }
 
