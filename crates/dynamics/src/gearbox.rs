@@ -42,7 +42,7 @@ pub struct PlanetMass {
 /// ```
 /// use epicyclic_dynamics::gearbox::{Masses, moving_links};
 /// use epicyclic_dynamics::reduction::reduced_inertia;
-/// use epicyclic_schemes::{Gearbox, set::SetSpec};
+/// use epicyclic_train::{Gearbox, set::SetSpec};
 /// use uom::si::f64::MomentOfInertia;
 /// use uom::si::moment_of_inertia::kilogram_square_meter;
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
