@@ -75,6 +75,18 @@ pub const PENDING: &[Word] = &[
 /// Files in which a word may stand, and why.
 const EXCEPTIONS: &[(&str, &str)] = &[];
 
+/// Names of others that have such a word in them: of the standard library, and of text.
+const OF_OTHERS: &[&str] = &[
+    "is_control",
+    "ControlCharacter",
+    "control-character",
+    ".lock()",
+    "try_lock",
+    "OnceLock",
+    "LazyLock",
+    "TryLockError",
+];
+
 /// Places where a word has returned.
 #[must_use]
 pub fn check(sources: &[Source]) -> Vec<Breach> {
@@ -132,7 +144,15 @@ fn places(text: &str, word: &Word) -> Vec<usize> {
             joined && (here == *wanted || plural)
         }) && (word.within != Keys || is_key(text, parts[first].start, parts[first + wanted.len() - 1].end))
     };
-    (0..parts.len()).filter(|first| matches_at(*first)).map(|first| parts[first].start).collect()
+    let starts = (0..parts.len()).filter(|first| matches_at(*first)).map(|first| parts[first].start);
+    starts.filter(|start| !OF_OTHERS.iter().any(|name| stands_in(text, *start, name))).collect()
+}
+
+/// Whether a place of a text is within a name.
+fn stands_in(text: &str, place: usize, name: &str) -> bool {
+    (0..name.len()).any(|before| {
+        place.checked_sub(before).is_some_and(|start| text.as_bytes()[start..].starts_with(name.as_bytes()))
+    })
 }
 
 /// Whether what is between two parts joins them to one term.
@@ -203,6 +223,10 @@ mod tests {
     #[test]
     fn a_name_is_looked_for_in_code_and_a_key_where_keys_stand() {
         assert_eq!(count("crates/gears/src/a.rs", "fn controls() {} // under control"), 1);
+        assert_eq!(
+            count("crates/gears/src/a.rs", "fn a(c: char) { c.is_control(); Problem::ControlCharacter }"),
+            0
+        );
         assert_eq!(count("docs/src/a.md", "under control"), 0);
         assert_eq!(count("examples/a.yaml", "wheels: { sun: 12 }\n# wheels turn: they do\n"), 1);
     }
