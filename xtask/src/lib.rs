@@ -6,6 +6,7 @@
 //! | [`calculations`] | what a case can compute |
 //! | [`report`] | how an outcome is shown |
 //! | [`verify`], [`schema`], [`new_case`] | the commands, a file each |
+//! | [`tidy`] | what ARCHITECTURE.md promises of the code, a rule a file |
 //!
 //! One way through: YAML → case → calculation → domain types → result → judgement → report.
 
@@ -14,6 +15,7 @@ pub mod cases;
 pub mod new_case;
 pub mod report;
 pub mod schema;
+pub mod tidy;
 pub mod verify;
 
 use std::path::PathBuf;

@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
-use xtask::{new_case, schema, verify};
+use xtask::{new_case, schema, tidy, verify};
 
 /// Verification of the project against its source documents.
 #[derive(Debug, Parser)]
@@ -17,6 +17,7 @@ enum Command {
     Verify(verify::Arguments),
     Schema(schema::Arguments),
     NewCase(new_case::Arguments),
+    Tidy(tidy::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -24,6 +25,7 @@ fn main() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::NewCase(arguments) => new_case::run(&arguments),
+        Command::Tidy(arguments) => tidy::run(&arguments),
     };
     match result {
         Ok(code) => code,

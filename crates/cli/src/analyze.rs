@@ -1,28 +1,25 @@
 //! The command `analyze`: what a gearbox does in each of its gears.
 
-mod combinations;
-mod gear;
-mod inputs;
-mod overview;
-mod planet_bearings;
-mod shared;
-mod subject;
+mod several;
 
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
-use crate::report::Report;
+use epicyclic_answers::Error;
+use epicyclic_answers::analyze::inputs::Given;
+use epicyclic_answers::analyze::{self as answers, Input, LoadQuantity};
+use epicyclic_answers::gearbox::{self, Content, Subject};
+use epicyclic_answers::transmissions;
 use epicyclic_formats::{Document, Quantity};
-use epicyclic_train::{Analysis, Error, Gearbox, InputLoad};
-pub(crate) use overview::fast_planets;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::{Analysis, Gearbox, InputLoad};
+use epicyclic_views::{AsReport as _, Report};
 use std::path::{Path, PathBuf};
-use subject::Content;
-pub(crate) use subject::{Subject, efficiency};
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
 ///
-/// Without --gear a table of all gears and of what is engaged in each; with --gear everything about one. Speeds are
+/// Without --gear a table of all gears with their engagement table; with --gear everything about one. Speeds are
 /// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
 /// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
 /// A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at some.
@@ -44,7 +41,7 @@ Keys of the file:
   sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
         kind, planet_teeth, planets, efficiency or meshes; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
-        planet_bore; for their bearings' life bearing_capacity, bearing_rolling
+        planet_bore; for their bearings' life load_rating, bearing_rolling
   compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
         [teeth]), meshes (gears: [one, other], efficiency), and optionally
         planets, bevels_left, bevels_right, planet_shafts
@@ -62,12 +59,12 @@ pub(crate) struct Args {
     #[arg(long, value_name = "NAME")]
     gear: Option<String>,
 
-    /// Every set of brakes and clutches, with its state.
+    /// Every combination of shift elements, with its state.
     #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
     all_combinations: bool,
 
     #[command(flatten)]
-    several: inputs::Several,
+    several: several::Several,
 
     #[command(flatten)]
     load: Load,
@@ -87,7 +84,7 @@ pub(crate) struct Choice {
     #[arg(long, value_name = "NAME")]
     transmission: Option<String>,
 
-    /// Efficiency under a carrier at rest of each set for which the file states no losses: 0.97 or 97%. Of a compound
+    /// Efficiency with the carrier fixed of each set for which the file states no losses: 0.97 or 97%. Of a compound
     /// set each mesh takes its square root.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
@@ -113,6 +110,17 @@ impl Choice {
     pub(crate) fn file(&self) -> &Path {
         &self.file
     }
+
+    fn question(&self) -> Result<gearbox::Choice, Failure> {
+        let efficiency = self.efficiency.map(efficiency).transpose()?;
+        Ok(gearbox::Choice { transmission: self.transmission.clone(), efficiency })
+    }
+}
+
+/// The efficiency of a set that `--efficiency` gives.
+pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
+    MeshEfficiency::new(eta.0.value)
+        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }
 
 /// What its input does.
@@ -145,36 +153,102 @@ impl Load {
     }
 }
 
-/// What is known of the input's motion and load.
-#[derive(Debug, Clone, Copy)]
-struct Input {
-    speed: Option<AngularVelocity>,
-    load: Option<InputLoad>,
-}
-
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.choice.file)?;
-    let report = match subject::read(&args.choice, &document, args.gear.is_some() || args.all_combinations)? {
-        Content::Several(transmissions) => {
-            if let Some(option) = args.choice.given().or(args.load.given()) {
-                let names = subject::names(&transmissions);
-                let message = format!(
-                    "it is for one gearbox, and the file has {}; add --transmission with one of{names}",
-                    transmissions.len()
-                );
-                return Err(Failure::Option { option, message });
+    let choice = args.choice.question()?;
+    let subject = if args.gear.is_some() || args.all_combinations {
+        gearbox::one(&document, &choice).map_err(refuse)?
+    } else {
+        match gearbox::read(&document, &choice).map_err(refuse)? {
+            Content::One(subject) => *subject,
+            Content::Several(all) => {
+                let answer = transmissions::answer(&all);
+                return match args.choice.given().or(args.load.given()) {
+                    Some(option) => Err(for_one_gearbox(option, &answer)),
+                    None => args.output.deliver(&answer),
+                };
             }
-            subject::list(&transmissions)
         }
-        Content::One(subject) => report(args, &subject, &document)?,
     };
-    report.deliver(&args.output)
+    let input = args.load.input();
+    match &args.gear {
+        Some(name) if args.several.is_given() => inputs(args, &subject, name),
+        Some(name) if args.load.given().is_none() && subject.has_inputs(name) => inputs(args, &subject, name),
+        Some(name) => args.output.deliver(&answers::gear::answer(&subject, name, input).map_err(refuse)?),
+        None if args.all_combinations => {
+            args.output.deliver(&answers::combinations::answer(&subject).map_err(refuse)?)
+        }
+        None => args.output.deliver(&answers::overview::answer(&subject, input).map_err(refuse)?),
+    }
+}
+
+fn inputs(args: &Args, subject: &Subject<'_>, gear: &str) -> Result<(), Failure> {
+    match args.several.map()? {
+        Some(ranges) => {
+            let torques = args.several.torques();
+            let map = answers::inputs::map(subject, gear, &ranges, torques.as_deref()).map_err(refuse)?;
+            args.output.deliver(&map)
+        }
+        None => {
+            let answer = answers::inputs::answer(subject, gear, &args.several.wanted()).map_err(refuse)?;
+            args.output.deliver(&answer)
+        }
+    }
+}
+
+/// An option for one gearbox, of a file that holds several.
+fn for_one_gearbox(option: &'static str, all: &transmissions::Transmissions) -> Failure {
+    let names = all.transmissions.iter().map(|one| one.name.as_str());
+    let message = format!(
+        "it is for one gearbox, and the file has {}; add --transmission with one of{}",
+        all.transmissions.len(),
+        below_each_other(names)
+    );
+    Failure::Option { option, message }
+}
+
+/// Names to choose from, each on a line of its own.
+fn below_each_other<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
+    names.into_iter().map(|name| format!("\n  {name}")).collect()
+}
+
+/// What an answer refuses, under the option that it is about.
+pub(crate) fn refuse(error: Error) -> Failure {
+    let listed = |names: &[String]| below_each_other(names.iter().map(String::as_str));
+    let (option, message) = match &error {
+        Error::OneGearbox => {
+            ("--transmission", "the file holds one gearbox; leave the option out".to_owned())
+        }
+        Error::SeveralTransmissions { names } => {
+            ("--transmission", format!("the file has {}; name one of{}", names.len(), listed(names)))
+        }
+        Error::NoTransmission { name, names } => {
+            ("--transmission", format!("no name in the file has `{name}` in it; there are{}", listed(names)))
+        }
+        Error::AmbiguousTransmission { name, names } => (
+            "--transmission",
+            format!("`{name}` is part of several names; write more of one of{}", listed(names)),
+        ),
+        Error::NoGear { .. } => ("--gear", error.to_string()),
+        Error::Load { quantity: LoadQuantity::Torque, .. } => ("--torque", error.to_string()),
+        Error::Load { quantity: LoadQuantity::Power, .. } => ("--power", error.to_string()),
+        Error::NoLink { given, .. } | Error::Inputs { given, .. } => {
+            let option = match given {
+                Given::Speeds => "--speeds",
+                Given::Torques => "--torques",
+                Given::Map => "--map",
+            };
+            (option, error.to_string())
+        }
+        _ => return error.into(),
+    };
+    Failure::Option { option, message }
 }
 
 /// Everything about one gearbox, gear by gear.
-pub(crate) struct Everything {
-    pub(crate) subject: Subject,
+pub(crate) struct Everything<'d> {
+    pub(crate) subject: Subject<'d>,
     pub(crate) overview: Report,
     /// One a gear, in their order.
     pub(crate) gears: Vec<Report>,
@@ -185,71 +259,27 @@ pub(crate) fn gearbox(
     choice: &Choice,
     document: &Document,
 ) -> Result<(Gearbox, epicyclic_formats::Path), Failure> {
-    let subject = only(choice, document)?;
+    let subject = gearbox::one(document, &choice.question()?).map_err(refuse)?;
     Ok((subject.gearbox, subject.base))
 }
 
-fn only(choice: &Choice, document: &Document) -> Result<Subject, Failure> {
-    match subject::read(choice, document, true)? {
-        Content::One(subject) => Ok(*subject),
-        Content::Several(_) => unreachable!("one of several is asked for"),
-    }
-}
-
 /// Everything about the gearbox of a file, of which only one may be meant.
-pub(crate) fn everything(choice: &Choice, document: &Document, load: &Load) -> Result<Everything, Failure> {
-    let subject = only(choice, document)?;
-    let overview = overview::report(&subject, load.input())?;
-    let gears = subject.gearbox.gears().iter();
-    let gears = gears.map(|gear| gear::report(&subject, gear.name(), load.input()));
-    Ok(Everything { gears: gears.collect::<Result<_, _>>()?, overview, subject })
-}
-
-fn report(args: &Args, subject: &Subject, document: &Document) -> Result<Report, Failure> {
-    let input = args.load.input();
-    match &args.gear {
-        Some(name) if args.several.is_given() => inputs::report(subject, document, name, &args.several),
-        Some(name) if args.load.given().is_none() && inputs::in_file(subject, name) => {
-            inputs::report(subject, document, name, &args.several)
-        }
-        Some(name) => gear::report(subject, name, input),
-        None if args.all_combinations => combinations::report(subject),
-        None => overview::report(subject, input),
-    }
-}
-
-/// The analysis with what the input's speed and load make of it.
-struct Worked<'g> {
-    analysis: Analysis<'g>,
-    /// `None` where no load is given, or where the gear cannot take it.
-    operation: Option<epicyclic_train::Operation>,
+pub(crate) fn everything<'d>(
+    choice: &Choice,
+    document: &'d Document,
+    load: &Load,
+) -> Result<Everything<'d>, Failure> {
+    let subject = gearbox::one(document, &choice.question()?).map_err(refuse)?;
+    let overview = answers::overview::answer(&subject, load.input()).map_err(refuse)?.report();
+    let of_gear = |gear: &epicyclic_train::Gear| {
+        let answer = answers::gear::answer(&subject, gear.name(), load.input()).map_err(refuse)?;
+        Ok(answer.report())
+    };
+    let gears = subject.gearbox.gears().iter().map(of_gear).collect::<Result<_, Failure>>()?;
+    Ok(Everything { gears, overview, subject })
 }
 
 /// The analysis of a gear that `--gear` names.
 pub(crate) fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Failure> {
-    match gearbox.analyze(gear) {
-        // With few short names, the nearest says less than all.
-        Err(Error::Unknown { .. }) => {
-            let all: Vec<&str> = gearbox.gears().iter().map(epicyclic_train::Gear::name).collect();
-            let message = format!("no gear is called `{gear}`: there are {}", all.join(", "));
-            Err(Failure::Option { option: "--gear", message })
-        }
-        analysis => Ok(analysis?),
-    }
-}
-
-fn work<'g>(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Worked<'g>, Failure> {
-    let analysis = analysis(gearbox, gear)?;
-    // At a torque alone, powers depend on a speed that nobody gave: none is shown.
-    let speed =
-        input.speed.unwrap_or(AngularVelocity::new::<uom::si::angular_velocity::radian_per_second>(1.0));
-    let operation = match input.load.map(|load| analysis.at(speed, load)) {
-        None | Some(Err(Error::NotDriven { .. })) => None,
-        Some(Err(Error::OperatingPoint { why })) => {
-            let option = if matches!(input.load, Some(InputLoad::Power(_))) { "--power" } else { "--torque" };
-            return Err(Failure::Option { option, message: format!("{why} (gear {gear})") });
-        }
-        Some(operation) => Some(operation?),
-    };
-    Ok(Worked { analysis, operation })
+    answers::analysis(gearbox, gear).map_err(refuse)
 }

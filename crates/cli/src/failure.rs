@@ -54,6 +54,12 @@ pub(crate) enum Failure {
     /// A fault in a file, with its line and column.
     #[error(transparent)]
     Document(#[from] epicyclic_formats::Error),
+    /// A question without an answer.
+    #[error(transparent)]
+    Answer(#[from] epicyclic_answers::Error),
+    /// An answer that cannot be shown.
+    #[error(transparent)]
+    View(epicyclic_views::Error),
     /// A demand that no gear meets.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
@@ -87,12 +93,6 @@ pub(crate) enum Failure {
     /// A hydromotor that cannot be.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),
-    /// A search that no hydromotor passes.
-    #[error("no motor within the limits: {funnel}")]
-    NoMotor {
-        /// What refused them.
-        funnel: String,
-    },
     /// What an option says cannot be.
     #[error("{option}: {message}")]
     Option {
@@ -129,12 +129,6 @@ pub(crate) enum Failure {
         /// What to change.
         remedy: &'static str,
     },
-    /// A figure of an answer that no double holds.
-    #[error("not a finite number: {figure}; a given number is too small or too large for it")]
-    NotFinite {
-        /// Where it stands in the answer.
-        figure: String,
-    },
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
     Format(String),
@@ -146,8 +140,8 @@ impl Failure {
         match self {
             Self::NothingFound(_)
             | Self::SelfCrossing { .. }
-            | Self::NoMotor { .. }
             | Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => NOTHING_FOUND,
+            Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
                 INPUT_OUTPUT
             }
@@ -159,7 +153,7 @@ impl Failure {
     pub(crate) fn told(&self) -> String {
         let text = self.to_string();
         match self {
-            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::NoMotor { .. } => text,
+            Self::SelfCrossing { .. } | Self::NothingFound(_) => text,
             // Names to choose from stand below each other, set in.
             Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
             _ => one_line(&text).into_owned(),
@@ -186,11 +180,25 @@ impl Failure {
                 gear_place(document, base, gear, "name")
             }
             Self::Picture(E::NoRatio { .. }) => gearbox("gears"),
-            Self::Picture(E::Motor(error)) | Self::Motor(error) => motor::place(error),
-            Self::Picture(_) | Self::NotFinite { .. } => base.clone(),
+            Self::Picture(E::Motor(error))
+            | Self::Motor(error)
+            | Self::Answer(epicyclic_answers::Error::Motor(error)) => motor::place(error),
+            Self::Picture(_)
+            | Self::Answer(epicyclic_answers::Error::NotFinite { .. })
+            | Self::View(epicyclic_views::Error::NotFinite { .. }) => base.clone(),
             _ => return self,
         };
         document.error(&place, Problem::Refused { message: self.to_string() }).into()
+    }
+}
+
+impl From<epicyclic_views::Error> for Failure {
+    fn from(error: epicyclic_views::Error) -> Self {
+        match error {
+            epicyclic_views::Error::Picture(error) => Self::Picture(error),
+            epicyclic_views::Error::Gearbox(error) => Self::Gearbox(error),
+            error => Self::View(error),
+        }
     }
 }
 

@@ -1,15 +1,13 @@
 //! The command `machine`: which speeds a mining machine needs, and how many.
 
-mod cutters;
-mod list;
-mod series;
-mod wheel;
-
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::OutputArgs;
+use epicyclic_answers::Error;
+use epicyclic_answers::machine::{self, Forces, Throw, Wheel};
 use epicyclic_formats::{Number, Quantity};
-use epicyclic_schemes::Error;
+use epicyclic_schemes::Error as SchemeError;
+use epicyclic_schemes::quantity::Quantity as Of;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
 /// Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
@@ -187,38 +185,77 @@ struct Rotor {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let (report, output) = match &args.command {
-        Command::List(list) => (list::report(list.name.as_deref()), &list.output),
-        Command::Speeds(speeds) => (series::report(&speeds.speeds.values()), &speeds.output),
-        Command::ChainCutter(chain) => (cutters::chain(chain), &chain.output),
-        Command::Drum(drum) => (cutters::drum(drum), &drum.output),
-        Command::Rotor(rotor) => (wheel::report(rotor), &rotor.output),
-    };
-    report.map_err(refuse)?.deliver(output)
+    match &args.command {
+        Command::List(list) => list.output.deliver(&machine::list(list.name.as_deref()).map_err(refuse)?),
+        Command::Speeds(speeds) => {
+            speeds.output.deliver(&machine::speeds(&speeds.speeds.values()).map_err(refuse)?)
+        }
+        Command::ChainCutter(chain) => {
+            let forces = chain.rock.forces();
+            let found =
+                machine::chain_cutter(chain.pick_spacing.0, chain.feed.0, chain.chip.0, forces.as_ref());
+            chain.output.deliver(&found.map_err(refuse)?)
+        }
+        Command::Drum(drum) => {
+            let forces = drum.rock.forces();
+            let found = machine::drum(drum.diameter.0, drum.feed.0, drum.chip.0, drum.picks, forces.as_ref());
+            drum.output.deliver(&found.map_err(refuse)?)
+        }
+        Command::Rotor(rotor) => rotor.output.deliver(&machine::rotor(&rotor.wheel()).map_err(refuse)?),
+    }
+}
+
+impl Rock {
+    fn forces(&self) -> Option<Forces> {
+        let (here, elsewhere) = (self.force?.0, self.other_forces.as_ref()?.values());
+        Some(Forces { here, elsewhere })
+    }
+}
+
+impl Rotor {
+    fn wheel(&self) -> Wheel {
+        let throw = match (self.discharge, self.release, &self.chute, self.radius_ratio) {
+            (Some(discharge), ..) => Throw::Discharge(discharge.get()),
+            (None, Some(release), Some(chute), Some(ratio)) => {
+                Throw::Flight { release: release.0, chutes: chute.values(), radius_ratio: ratio.get() }
+            }
+            _ => unreachable!("the options require each other"),
+        };
+        Wheel {
+            boom_radius: self.boom_radius.0,
+            slewing: self.slewing.0,
+            chip_width: self.chip_width.0,
+            buckets: self.buckets,
+            boom_angle: self.boom_angle.0,
+            radius: self.wheel_radius.0,
+            throw,
+        }
+    }
 }
 
 /// The option that a refusal speaks of.
 fn refuse(error: Error) -> Failure {
+    let Error::Design(error) = error else { return error.into() };
     let option = match &error {
-        Error::NotPositive { quantity, .. } => match *quantity {
-            "pick spacing" => "--pick-spacing",
-            "feed" => "--feed",
-            "mean chip thickness" | "greatest chip thickness" => "--chip",
-            "drum diameter" => "--diameter",
-            "picks per line" => "--picks",
-            "cutting force" => "--force",
-            "other cutting force" => "--other-forces",
-            "boom radius" => "--boom-radius",
-            "slewing speed" => "--slewing",
-            "chip width" => "--chip-width",
-            "number of buckets" => "--buckets",
-            "cosine of the boom angle" => "--boom-angle",
-            "wheel radius" => "--wheel-radius",
-            "Ω" => "--discharge",
+        SchemeError::NotPositive { quantity, .. } => match quantity {
+            Of::PickSpacing => "--pick-spacing",
+            Of::Feed => "--feed",
+            Of::MeanChip | Of::GreatestChip => "--chip",
+            Of::DrumDiameter => "--diameter",
+            Of::PicksPerLine => "--picks",
+            Of::CuttingForce => "--force",
+            Of::OtherCuttingForce => "--other-forces",
+            Of::BoomRadius => "--boom-radius",
+            Of::SlewingSpeed => "--slewing",
+            Of::ChipWidth => "--chip-width",
+            Of::Buckets => "--buckets",
+            Of::BoomAngleCosine => "--boom-angle",
+            Of::WheelRadius => "--wheel-radius",
+            Of::Discharge => "--discharge",
             _ => return error.into(),
         },
-        Error::SpeedCount { .. } | Error::SpeedsOutOfOrder { .. } => "<SPEEDS>",
-        Error::NoFlight { .. } => "--release, --chute",
+        SchemeError::SpeedCount { .. } | SchemeError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
+        SchemeError::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };
     Failure::Option { option, message: error.to_string() }

@@ -15,7 +15,6 @@
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
-//! | [`report`], [`figure`] | answers of several parts, and their values, written three ways |
 //! | [`input`] | files that are read |
 //! | [`output`] | formats of an answer, and where it goes |
 //! | [`writing`] | files written whole, and all of a call or none |
@@ -31,7 +30,6 @@ mod completions;
 mod draw;
 mod drive;
 mod failure;
-mod figure;
 mod input;
 mod lists;
 mod machine;
@@ -41,7 +39,6 @@ mod options;
 mod output;
 mod page;
 mod progress;
-mod report;
 #[cfg(test)]
 mod robustness;
 mod schema;

@@ -1,19 +1,14 @@
 //! The command `motor`: a planetary hydromotor from its numbers to its drawings, and the search for one.
 
 mod design;
-mod facts;
 mod files;
-mod lists;
 mod search;
-mod teeth;
 
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use crate::report::Report;
+use epicyclic_answers as answers;
 use epicyclic_drawing::Scene;
 use epicyclic_formats::{Document, Number, Quantity};
-use epicyclic_hydromotor::Motor;
-use epicyclic_hydromotor::profile::Profile;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
@@ -200,33 +195,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(Command::Search(args)) = &args.command {
         return search::run(args);
     }
-    let design = design::read(&args.design)?;
-    let files = files::content(&args.design.files, &design)?;
-    let report = facts::report(&design)?;
-    report.deliver_with(files, &args.design.output)
+    let designed = design::read(&args.design)?;
+    let files = files::content(&args.design.files, &designed)?;
+    let answer = answers::motor::answer(&designed).map_err(design::refuse)?;
+    args.design.output.deliver_with(files, &answer)
 }
 
 /// The motor of a file as a drawing.
 pub(crate) fn picture(document: &Document, view: View) -> Result<Scene, Failure> {
-    let (_, drawn) = design::of_file(document)?;
-    files::scene(view, &drawn)
-}
-
-/// Everything about the motor of a file.
-pub(crate) struct Everything {
-    /// The file's title.
-    pub(crate) title: Option<String>,
-    pub(crate) motor: Motor,
-    /// The teeth, where the form gives any.
-    pub(crate) profile: Option<Profile>,
-    /// Angle of the rotor in the drawings.
-    pub(crate) angle: Angle,
-    pub(crate) report: Report,
-}
-
-/// Everything about the motor of a file.
-pub(crate) fn everything(document: &Document) -> Result<Everything, Failure> {
-    let (title, drawn) = design::of_file(document)?;
-    let report = facts::report(&drawn)?;
-    Ok(Everything { title, motor: drawn.motor, profile: drawn.profile.ok(), angle: drawn.angle, report })
+    let (_, designed) = answers::motor::of_file(document)?;
+    files::scene(view, &designed)
 }

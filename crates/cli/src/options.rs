@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use epicyclic_formats::Span;
-use epicyclic_gears::Error;
+use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::{Error, Quantity};
 use std::ops::RangeInclusive;
 
 /// The option that a search for tooth numbers refuses; the number of planets has its own name in each command.
@@ -12,12 +13,12 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
         Error::RingToSunRange { .. } => "--k",
         Error::Tolerance { .. } => "--tolerance",
         Error::Ratio { .. } => "--ratio",
-        Error::ToothRange { gear: "sun", .. } => "--sun",
-        Error::ToothRange { gear: "planet", .. } => "--planet",
-        Error::ToothRange { gear: "ring", .. } => "--ring",
-        Error::Negative { quantity: "tip gap", .. } => "--tip-gap",
-        Error::Negative { quantity: "addendum coefficient", .. } => "--addendum",
-        Error::OutOfRange { quantity: "pressure angle", .. } => "--pressure-angle",
+        Error::ToothRange { gear: SimpleGear::Sun, .. } => "--sun",
+        Error::ToothRange { gear: SimpleGear::Planet, .. } => "--planet",
+        Error::ToothRange { gear: SimpleGear::Ring, .. } => "--ring",
+        Error::Negative { quantity: Quantity::TipGap, .. } => "--tip-gap",
+        Error::Negative { quantity: Quantity::AddendumCoefficient, .. } => "--addendum",
+        Error::OutOfRange { quantity: Quantity::PressureAngle, .. } => "--pressure-angle",
         _ => return None,
     })
 }

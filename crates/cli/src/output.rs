@@ -2,14 +2,13 @@
 
 use crate::failure::Failure;
 use crate::writing::{Content, write_files};
-use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use epicyclic_answers::answer::to_json;
+use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
+use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
 use std::io::{self, IsTerminal as _, Write};
 use std::path::PathBuf;
-
-/// Columns that every table fits in, on whatever terminal.
-pub(crate) const WIDTH: u16 = 80;
 
 /// How the answer is written and where.
 #[derive(Debug, clap::Args)]
@@ -47,9 +46,54 @@ impl OutputArgs {
         self.target.output.is_some()
     }
 
-    /// Writes the answer.
-    pub(crate) fn write(&self, answer: &str) -> Result<(), Failure> {
-        self.write_with(vec![], answer)
+    /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown
+    /// as well.
+    pub(crate) fn deliver<A: Answer + AsReport>(&self, answer: &A) -> Result<(), Failure> {
+        self.deliver_with(vec![], answer)
+    }
+
+    /// The same with other files of the same call, all of them or none.
+    pub(crate) fn deliver_with<A: Answer + AsReport>(
+        &self,
+        files: Vec<Content>,
+        answer: &A,
+    ) -> Result<(), Failure> {
+        let report = answer.report();
+        let text = match self.format {
+            Format::Json => to_json(answer)?,
+            Format::Table => {
+                finite::check(answer)?;
+                report.table()
+            }
+            Format::Csv => {
+                finite::check(answer)?;
+                report.csv()?
+            }
+        };
+        self.write_with(files, &text)?;
+        self.tell(&report);
+        Ok(())
+    }
+
+    /// An answer that is not yet a record of its own.
+    pub(crate) fn deliver_report(&self, files: Vec<Content>, report: &Report) -> Result<(), Failure> {
+        report.refuse_infinite()?;
+        let text = match self.format {
+            Format::Table => report.table(),
+            Format::Json => json(&report.json())?,
+            Format::Csv => report.csv()?,
+        };
+        self.write_with(files, &text)?;
+        self.tell(report);
+        Ok(())
+    }
+
+    fn tell(&self, report: &Report) {
+        if self.is_file() {
+            for warning in report.warnings.iter().flatten() {
+                complain(&format!("warning: {}", visible::one_line(&warning.1)));
+            }
+        }
     }
 
     /// Writes the answer and other files of the same call, all of them or none.
@@ -111,36 +155,4 @@ pub(crate) fn complain(line: &str) {
 pub(crate) fn json(answer: &impl Serialize) -> Result<String, Failure> {
     let text = serde_json::to_string_pretty(answer).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(text + "\n")
-}
-
-/// CSV of a header and rows.
-pub(crate) fn csv(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<String, Failure> {
-    let fail = |error: csv::Error| Failure::Format(error.to_string());
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(header).map_err(fail)?;
-    for row in rows {
-        writer.write_record(row).map_err(fail)?;
-    }
-    let bytes = writer.into_inner().map_err(|error| Failure::Format(error.to_string()))?;
-    String::from_utf8(bytes).map_err(|error| Failure::Format(error.to_string()))
-}
-
-/// A plain table; the columns at `right` are aligned to the right.
-pub(crate) fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>, right: &[usize]) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH);
-    if header.iter().any(|title| !title.is_empty()) {
-        table.set_header(header.iter().map(|title| visible::one_line(title)));
-    }
-    let shown = |row: Vec<String>| -> Vec<String> {
-        row.iter().map(|cell| visible::one_line(cell).into_owned()).collect()
-    };
-    table.add_rows(rows.into_iter().map(shown));
-    for index in right {
-        if let Some(column) = table.column_mut(*index) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    let lines = table.lines().map(|line| line.trim_end().to_owned() + "\n");
-    lines.collect()
 }

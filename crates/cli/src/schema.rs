@@ -1,13 +1,27 @@
-//! The command `schema`: the JSON Schema of the files that the program reads, for editors.
+//! The command `schema`: JSON Schemas of the files that the program reads and of the answers that it gives.
 
 use crate::failure::Failure;
 use crate::output::{self, Target};
+use epicyclic_answers::analyze::combinations::Combinations;
+use epicyclic_answers::analyze::gear::OneGear;
+use epicyclic_answers::analyze::inputs::{Inputs, Map};
+use epicyclic_answers::analyze::overview::Overview;
+use epicyclic_answers::answer::schema;
+use epicyclic_answers::drive::Drive;
+use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
+use epicyclic_answers::motor::Motor;
+use epicyclic_answers::motor_search::MotorSearch;
+use epicyclic_answers::schemes::{Scheme, Schemes};
+use epicyclic_answers::select::Select;
+use epicyclic_answers::select::teeth::SelectTeeth;
+use epicyclic_answers::teeth::Teeth;
+use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
 use schemars::schema_for;
 
-/// The JSON Schema of a file that the program reads, for editors and checks.
+/// The JSON Schema of a file that the program reads, or of an answer in JSON.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -16,7 +30,7 @@ Example:
 With the YAML language server a first line `# yaml-language-server:
 $schema=gearbox.schema.json` then completes and checks the file.")]
 pub(crate) struct Args {
-    /// Which file.
+    /// Which file or answer.
     #[arg(value_enum)]
     of: Of,
 
@@ -24,7 +38,7 @@ pub(crate) struct Args {
     target: Target,
 }
 
-/// The files.
+/// The files, then the answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Of {
     /// Of `epicyclic drive`.
@@ -35,6 +49,44 @@ enum Of {
     Transmissions,
     /// Of `epicyclic report`: a hydromotor.
     Motor,
+    /// The answer of `epicyclic analyze`: all gears.
+    AnswerAnalyze,
+    /// The answer of `epicyclic analyze --gear`.
+    AnswerAnalyzeGear,
+    /// The answer of `epicyclic analyze --gear` with several inputs.
+    AnswerAnalyzeInputs,
+    /// The answer of `epicyclic analyze --map`.
+    AnswerAnalyzeMap,
+    /// The answer of `epicyclic analyze --all-combinations`.
+    AnswerAnalyzeCombinations,
+    /// The answer of `epicyclic analyze` on a list of transmissions.
+    AnswerTransmissions,
+    /// The answer of `epicyclic drive`.
+    AnswerDrive,
+    /// The answer of `epicyclic motor`.
+    AnswerMotor,
+    /// The answer of `epicyclic motor search`.
+    AnswerMotorSearch,
+    /// The answer of `epicyclic teeth`.
+    AnswerTeeth,
+    /// The answer of `epicyclic select`.
+    AnswerSelect,
+    /// The answer of `epicyclic select --teeth`.
+    AnswerSelectTeeth,
+    /// The answer of `epicyclic schemes`.
+    AnswerSchemes,
+    /// The answer of `epicyclic schemes` with a name.
+    AnswerScheme,
+    /// The answer of `epicyclic machine list`.
+    AnswerMachines,
+    /// The answer of `epicyclic machine speeds`.
+    AnswerMachineSpeeds,
+    /// The answer of `epicyclic machine chain-cutter`.
+    AnswerMachineChainCutter,
+    /// The answer of `epicyclic machine drum`.
+    AnswerMachineDrum,
+    /// The answer of `epicyclic machine rotor`.
+    AnswerMachineRotor,
 }
 
 /// Runs the command.
@@ -44,6 +96,25 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Gearbox => schema_for!(GearboxFile),
         Of::Transmissions => schema_for!(TransmissionsFile),
         Of::Motor => schema_for!(MotorFile),
+        Of::AnswerAnalyze => schema::<Overview>(),
+        Of::AnswerAnalyzeGear => schema::<OneGear>(),
+        Of::AnswerAnalyzeInputs => schema::<Inputs>(),
+        Of::AnswerAnalyzeMap => schema::<Map>(),
+        Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
+        Of::AnswerTransmissions => schema::<Transmissions>(),
+        Of::AnswerDrive => schema::<Drive>(),
+        Of::AnswerMotor => schema::<Motor>(),
+        Of::AnswerMotorSearch => schema::<MotorSearch>(),
+        Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerSelect => schema::<Select>(),
+        Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
+        Of::AnswerSchemes => schema::<Schemes>(),
+        Of::AnswerScheme => schema::<Scheme>(),
+        Of::AnswerMachines => schema::<Machines>(),
+        Of::AnswerMachineSpeeds => schema::<MachineSpeeds>(),
+        Of::AnswerMachineChainCutter => schema::<ChainCutter>(),
+        Of::AnswerMachineDrum => schema::<Drum>(),
+        Of::AnswerMachineRotor => schema::<Rotor>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

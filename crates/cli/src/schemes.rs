@@ -1,22 +1,17 @@
 //! The command `schemes`: the catalogue of two- and three-speed schemes.
 
-mod formulas;
-mod list;
-mod numbers;
-mod one;
-
 use crate::failure::Failure;
 use crate::output::OutputArgs;
+use epicyclic_answers::Error;
+use epicyclic_answers::schemes::{self, SizeName, SizeProblem, Sized, Sizes};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
-use epicyclic_train::Gearbox;
 use uom::si::f64::Ratio;
 
 /// The catalogue of two- and three-speed schemes of planetary gearboxes.
 ///
-/// Three of two speeds (I, II, III: one row, one brake, direct drive) and eleven of three (I-1 to III-3: two rows, two
+/// Three of two speeds (I, II, III: one set, one brake, direct drive) and eleven of three (I-1 to III-3: two sets, two
 /// brakes, direct drive). Without a name all of them; with one its links, formulas and ranges, and for given k or
 /// ratios its numbers. D is the driving shaft, B the driven one, T1 and T2 are braked in gears 1 and 2; k is the ring's
 /// teeth over the sun's.
@@ -31,11 +26,11 @@ pub(crate) struct Args {
     #[arg(value_name = "SCHEME")]
     scheme: Option<String>,
 
-    /// Row parameter of row 1, ring over sun.
+    /// Ring-to-sun ratio of set 1.
     #[arg(long, group = "first", requires = "scheme", allow_negative_numbers = true)]
     k1: Option<Number>,
 
-    /// Row parameter of row 2.
+    /// Ring-to-sun ratio of set 2.
     #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_negative_numbers = true)]
     k2: Option<Number>,
 
@@ -47,7 +42,7 @@ pub(crate) struct Args {
     #[arg(long, requires = "scheme", allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// Efficiency of each row under a resting carrier, 0.97 or 97%; of a scheme with numbers.
+    /// Efficiency of each set with its carrier fixed, 0.97 or 97%; of a scheme with numbers.
     #[arg(
         long,
         value_name = "NUMBER",
@@ -57,7 +52,7 @@ pub(crate) struct Args {
     )]
     efficiency: Quantity<Ratio>,
 
-    /// Row parameters over which ranges of ratios are taken.
+    /// Ring-to-sun ratios over which ranges of ratios are taken.
     #[arg(long, value_name = "RANGE", default_value = "1.7..7")]
     k: Span<f64>,
 
@@ -65,19 +60,21 @@ pub(crate) struct Args {
     output: OutputArgs,
 }
 
-/// A scheme with its numbers.
-pub(crate) struct Dimensioned {
-    k: Vec<RingToSunRatio>,
-    pub(crate) gearbox: Gearbox,
-}
-
-/// What says how large the rows of a scheme are: the options of these names.
+/// What says how large the sets of a scheme are: the options of these names.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sizes {
+pub(crate) struct SizeOptions {
     pub(crate) k1: Option<Number>,
     pub(crate) k2: Option<Number>,
     pub(crate) ratio1: Option<Number>,
     pub(crate) ratio2: Option<Number>,
+}
+
+impl SizeOptions {
+    fn sizes(self) -> Sizes {
+        let [k1, k2, ratio1, ratio2] =
+            [self.k1, self.k2, self.ratio1, self.ratio2].map(|number| number.map(Number::get));
+        Sizes { k1, k2, ratio1, ratio2 }
+    }
 }
 
 /// Runs the command.
@@ -85,55 +82,42 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let usual = RingToSunRange::USED;
     let span = args.k.within(usual.low()..=usual.high());
     let span = span.map_err(|error| Failure::Range { option: "--k", error })?;
-    let range = RingToSunRange::new(*span.start(), *span.end()).map_err(refuse("--k"))?;
-    let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(refuse("--efficiency"))?;
-    let report = match &args.scheme {
-        None => list::report(range),
-        Some(name) => {
-            let scheme = name.parse::<Scheme>()?;
-            let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
-            one::report(scheme, range, eta0, dimensioned(sizes, scheme, eta0)?.as_ref())?
-        }
-    };
-    report.deliver(&args.output)
+    let range = RingToSunRange::new(*span.start(), *span.end()).map_err(of_option("--k"))?;
+    let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(of_option("--efficiency"))?;
+    let Some(name) = &args.scheme else { return args.output.deliver(&schemes::list(range)) };
+    let options = SizeOptions { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
+    let found = schemes::one(name.parse()?, range, options.sizes(), eta0);
+    args.output.deliver(&found.map_err(refuse)?)
 }
 
-fn refuse<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {
+/// The scheme with the ring-to-sun ratios or ratios that were given, if any were.
+pub(crate) fn sized(
+    options: SizeOptions,
+    scheme: Scheme,
+    eta0: MeshEfficiency,
+) -> Result<Option<Sized>, Failure> {
+    schemes::sized(scheme, options.sizes(), eta0).map_err(refuse)
+}
+
+fn of_option<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {
     move |error| Failure::Option { option, message: error.to_string() }
 }
 
-/// The scheme with the parameters or ratios that were given, if any were.
-pub(crate) fn dimensioned(
-    sizes: Sizes,
-    scheme: Scheme,
-    eta0: MeshEfficiency,
-) -> Result<Option<Dimensioned>, Failure> {
-    let missing = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
-    let first = match (sizes.k1, sizes.ratio1) {
-        (Some(k), _) => RingToSunRatio::new(k.get()).map_err(refuse("--k1"))?,
-        (None, Some(ratio)) => {
-            scheme.first_stage().ring_to_sun_ratio(ratio.get()).map_err(refuse("--ratio1"))?
-        }
-        (None, None) if sizes.ratio2.is_some() => return missing("--ratio2", "give --ratio1 or --k1 too"),
-        (None, None) => return Ok(None),
+/// The option that a refusal speaks of.
+fn refuse(error: Error) -> Failure {
+    let Error::SchemeSize { size, problem } = error else { return error.into() };
+    let option = match size {
+        SizeName::K1 => "--k1",
+        SizeName::K2 => "--k2",
+        SizeName::Ratio1 => "--ratio1",
+        SizeName::Ratio2 => "--ratio2",
     };
-    let second = match (scheme, sizes.k2, sizes.ratio2) {
-        (Scheme::Two(_), None, None) => None,
-        (Scheme::Two(_), Some(_), _) => {
-            return missing("--k2", &format!("scheme {} has one row", scheme.name()));
+    let message = match problem {
+        SizeProblem::FirstMissing => "give --ratio1 or --k1 too".to_owned(),
+        SizeProblem::SecondMissing { scheme } => {
+            format!("{scheme} has two sets: give --k2 or --ratio2 too")
         }
-        (Scheme::Two(_), ..) => return missing("--ratio2", &format!("scheme {} has one row", scheme.name())),
-        (Scheme::Three(_), Some(k), _) => Some(RingToSunRatio::new(k.get()).map_err(refuse("--k2"))?),
-        (Scheme::Three(three), None, Some(ratio)) => {
-            Some(three.second_ring_to_sun_ratio(first, ratio.get()).map_err(refuse("--ratio2"))?)
-        }
-        (Scheme::Three(_), None, None) => {
-            return missing("--k2", &format!("{} has two rows: give --k2 or --ratio2 too", scheme.name()));
-        }
+        problem => problem.to_string(),
     };
-    let gearbox = match (scheme, second) {
-        (Scheme::Three(three), Some(second)) => three.gearbox(first, second, eta0)?,
-        _ => scheme.first_stage().gearbox(first, eta0)?,
-    };
-    Ok(Some(Dimensioned { k: [Some(first), second].into_iter().flatten().collect(), gearbox }))
+    Failure::Option { option, message }
 }

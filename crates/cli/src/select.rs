@@ -1,32 +1,32 @@
 //! The command `select`: which gearbox gives these speeds.
 
-mod candidates;
-mod duty;
-mod measures;
-mod teeth;
-mod why;
-mod winner;
-mod words;
-
 use crate::failure::Failure;
 use crate::lists::{List, Numbers, Quantities};
-use crate::output::OutputArgs;
+use crate::options;
+use crate::output::{Format, OutputArgs, complain};
+use crate::progress::Progress;
+use epicyclic_answers::Error;
+use epicyclic_answers::select::duty::{Duty, DutyProblem, DutyQuantity, Load};
+use epicyclic_answers::select::teeth::{self, SizeLimits};
+use epicyclic_answers::select::{self, Wanted};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
-use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::{
-    Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space, select_with,
-};
-use uom::si::f64::{Length, Pressure, Ratio, Velocity};
+use epicyclic_selection::quantity::{KRange, Limited, Rated};
+use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
+use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
+
+/// Designs shown unless said otherwise: in a table, and of tooth numbers.
+const SHOWN: usize = 10;
 
 /// The planetary gearbox for two or three speeds: every scheme measured, judged and compared.
 ///
 /// The fastest speed is direct drive; the others give the ratios wanted of one or two braked gears. Each mechanism is
-/// tried with both orders of the ratios and both signs, its row parameters follow, and every criterion is stated with
+/// tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every criterion is stated with
 /// what it found. Nothing is weighed: of what meets the criteria, the order of objectives picks the first, and the
-/// front is what no other design beats in everything.
+/// non-dominated designs are those that no other beats in everything.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -36,7 +36,7 @@ Example:
   epicyclic select --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm
 
 Objectives of --order: efficiency (the least of a gear), speed (the largest of a
-link, or of a planet on its carrier), parameter (distance of ln k from --prefer),
+link, or of a planet relative to its carrier), k (distance of ln k from --prefer),
 error (of a ratio), size (of the largest ring at one load of the teeth).")]
 pub(crate) struct Args {
     /// Speeds of the machine, the slowest first.
@@ -47,11 +47,11 @@ pub(crate) struct Args {
     #[arg(long, allow_hyphen_values = true)]
     ratios: Option<Numbers>,
 
-    /// All 111 structures of two rows (or the 6 of one), and not only the source's.
+    /// All 111 structures of two sets (or the 6 of one), and not only the source's.
     #[arg(long)]
     all_structures: bool,
 
-    /// Tooth numbers of both rows: all tooth sets, none left out.
+    /// Tooth numbers of both sets: all combinations, none left out.
     #[arg(long)]
     teeth: bool,
 
@@ -60,23 +60,23 @@ pub(crate) struct Args {
     limit: Option<usize>,
 
     /// What decides first, and what next where that is equal: size, efficiency.
-    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, parameter, error, size")]
+    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
     order: List<Objective>,
 
     #[command(flatten)]
-    wanted: Wanted,
+    wanted: RatioOptions,
 
     #[command(flatten)]
     criteria: Criteria,
 
     #[command(flatten)]
-    duty: duty::Duty,
+    duty: DutyOptions,
 
     #[command(flatten)]
     size: Size,
 
     #[command(flatten)]
-    teeth_bounds: teeth::Bounds,
+    teeth_bounds: BoundOptions,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -85,7 +85,7 @@ pub(crate) struct Args {
 /// How the ratios are taken.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Ratios")]
-struct Wanted {
+struct RatioOptions {
     /// How far a ratio may be off: 10%, or 0.1.
     #[arg(long, default_value = "10%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
@@ -123,15 +123,15 @@ enum SignChoice {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Criteria")]
 struct Criteria {
-    /// Row parameters allowed, ring over sun.
+    /// Ring-to-sun ratios allowed.
     #[arg(long, value_name = "RANGE", default_value = "1.3..10")]
     k: Span<f64>,
 
-    /// Row parameters preferred.
+    /// Ring-to-sun ratios preferred.
     #[arg(long, value_name = "RANGE", default_value = "2.5..3")]
     prefer: Span<f64>,
 
-    /// Efficiency of each row under a resting carrier, 0.97 or 97%.
+    /// Efficiency of each set with its carrier fixed, 0.97 or 97%.
     #[arg(long, value_name = "NUMBER", default_value = "0.9702", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
 
@@ -143,19 +143,19 @@ struct Criteria {
     #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
     link_speed: Number,
 
-    /// Greatest speed of a planet on its carrier over the input's.
+    /// Greatest speed of a planet relative to its carrier over the input's.
     #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
     planet_speed: Number,
 
-    /// Greatest slip of the open locking clutch over the input's speed.
+    /// Greatest slip of the open direct-drive clutch over the input's speed.
     #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
     clutch_slip: Number,
 
-    /// Refuse what turns the output one way in a braked gear and the other way in direct drive.
+    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct drive.
     #[arg(long)]
-    one_sense: bool,
+    same_direction: bool,
 
-    /// Accept schemes that cannot be drawn without links crossing.
+    /// Accept schemes that are not drawable: a link would cross another.
     #[arg(long)]
     allow_crossing: bool,
 }
@@ -178,38 +178,111 @@ struct Size {
     )]
     face_width_ratio: Number,
 
-    /// Planets of each row, where no teeth say.
+    /// Planets of each set, where no teeth say.
     #[arg(long, value_name = "N", default_value = "3")]
     planets: u32,
 
-    /// How much more than its share the most loaded of 2, 3, … 8 planets carries: seven numbers.
+    /// Mesh load factors K_γ with 2, 3, … 8 planets: seven numbers; how much more than its share the most loaded mesh carries.
     #[arg(long, value_name = "NUMBERS")]
-    load_sharing: Option<Numbers>,
+    mesh_load_factors: Option<Numbers>,
 
     /// Greatest pitch diameter of a ring; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
     ring_diameter: Option<Quantity<Length>>,
 
-    /// Least module that a row may need; with --teeth.
+    /// Least module that a set may need; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
     least_module: Option<Quantity<Length>>,
 
-    /// Greatest module that a row may need; with --teeth.
+    /// Greatest module that a set may need; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
     greatest_module: Option<Quantity<Length>>,
 }
 
+/// What is known of the input.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Duty")]
+#[group(id = "duty")]
+struct DutyOptions {
+    /// Speed of the input, 1475 rpm: gives the speed of the output in each gear.
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    input: Option<Quantity<AngularVelocity>>,
+
+    /// Power into the input, 75 kW; needs --input. Gives torques and losses in each gear.
+    #[arg(long, requires = "input", conflicts_with = "torque", group = "load", allow_hyphen_values = true)]
+    power: Option<Quantity<Power>>,
+
+    /// Torque on the input, 500 N·m, in place of --power.
+    #[arg(long, group = "load", allow_hyphen_values = true)]
+    torque: Option<Quantity<Torque>>,
+}
+
+/// Tooth numbers tried.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Tooth numbers, with --teeth")]
+struct BoundOptions {
+    /// Teeth of the suns.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
+    sun: Span<u32>,
+
+    /// Teeth of the planets.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
+    planet: Span<u32>,
+
+    /// Teeth of the rings.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
+    ring: Span<u32>,
+
+    /// Number of planets of a set, from 2 to 8.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
+    planet_count: Span<u32>,
+}
+
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let requirements = requirements(args)?;
-    let order = Order::new(&args.order.0).map_err(refuse)?;
+    let duty = args.duty.duty();
+    duty.torque().map_err(|error| refuse(args, error))?;
+    let requirements = requirements(args, &duty)?;
+    let order = Order::new(&args.order.0).map_err(|error| refuse(args, error.into()))?;
     if args.teeth {
-        return teeth::run(args, &requirements, order);
+        return with_teeth(args, requirements, order, duty);
     }
+    let most = match (args.limit, args.output.format) {
+        (Some(limit), _) => limit,
+        (None, Format::Table) => SHOWN,
+        (None, _) => usize::MAX,
+    };
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
-    let found = select_with(&requirements, &space, order, Some(&drawable_direct_clutches)).map_err(refuse)?;
-    candidates::report(args, &requirements, order, &found)?.deliver(&args.output)?;
-    if found.accepted.is_empty() { Err(nothing_found()) } else { Ok(()) }
+    let found = select::answer(&Wanted { requirements, order, space, most, duty });
+    let found = found.map_err(|error| refuse(args, error))?;
+    args.output.deliver(&found)?;
+    if found.accepted == 0 { Err(nothing_found()) } else { Ok(()) }
+}
+
+fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty) -> Result<(), Failure> {
+    let most = args.limit.unwrap_or(SHOWN);
+    let structures = if args.all_structures { Structure::all() } else { Structure::catalogue() };
+    let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
+    let limits = SizeLimits {
+        ring_diameter: length(args.size.ring_diameter),
+        least_module: length(args.size.least_module),
+        greatest_module: length(args.size.greatest_module),
+    };
+    let bounds = bounds(args)?;
+    let wanted = teeth::Wanted { requirements, order, structures, bounds, limits, most, duty };
+    let shown = Progress::new();
+    let found =
+        teeth::answer(&wanted, &|progress| shown.at(progress.done as f64 / progress.of.max(1) as f64));
+    drop(shown);
+    let found = found.map_err(|error| refuse(args, error))?;
+    args.output.deliver(&found)?;
+    if found.searched.accepted == 0 || (found.designs.is_empty() && most > 0) {
+        return Err(nothing_found());
+    }
+    if args.output.format != Format::Table && found.shown == most {
+        complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
+    }
+    Ok(())
 }
 
 /// The answer says why; this says it to whoever sees only the end.
@@ -217,12 +290,33 @@ fn nothing_found() -> Failure {
     Failure::NothingFound("no design meets every criterion".to_owned())
 }
 
-/// The structures that the search goes through.
-fn structures(args: &Args) -> Vec<Structure> {
-    if args.all_structures { Structure::all() } else { Structure::catalogue() }
+impl DutyOptions {
+    fn duty(&self) -> Duty {
+        let torque = self.torque.map(|torque| Load::Torque(torque.0));
+        Duty {
+            input_speed: self.input.map(|speed| speed.0),
+            load: torque.or_else(|| self.power.map(|power| Load::Power(power.0))),
+        }
+    }
 }
 
-fn requirements(args: &Args) -> Result<Requirements, Failure> {
+fn bounds(args: &Args) -> Result<Bounds, Failure> {
+    let usual = Bounds::default();
+    let given = &args.teeth_bounds;
+    let closed =
+        |option, span: Span<u32>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
+    let k = args.criteria.k.within(usual.ring_to_sun_ratio.clone());
+    Ok(Bounds {
+        sun: options::of_wheel("--sun", given.sun, usual.sun)?,
+        planet: options::of_wheel("--planet", given.planet, usual.planet)?,
+        ring: options::of_wheel("--ring", given.ring, usual.ring)?,
+        planets: closed("--planet-count", given.planet_count, usual.planets)?,
+        ring_to_sun_ratio: k.map_err(|error| Failure::Range { option: "--k", error })?,
+        ..Bounds::default()
+    })
+}
+
+fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
     let series = match (&args.speeds, &args.ratios) {
         (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values(), 1),
         (None, ratios) => {
@@ -255,31 +349,34 @@ fn requirements(args: &Args) -> Result<Requirements, Failure> {
             link_speed: criteria.link_speed.get(),
             planet_speed: criteria.planet_speed.get(),
             clutch_slip: criteria.clutch_slip.get(),
-            same_direction: criteria.one_sense,
+            same_direction: criteria.same_direction,
             drawable: !criteria.allow_crossing,
         },
         eta0,
-        rating: rating(args)?,
-        ..Requirements::new(series.map_err(|error| refuse(error.into()))?)
+        rating: rating(args, duty)?,
+        ..Requirements::new(series.map_err(|error| refuse_selection(error.into()))?)
     })
 }
 
-fn rating(args: &Args) -> Result<Rating, Failure> {
+fn rating(args: &Args, duty: &Duty) -> Result<Rating, Failure> {
     let size = &args.size;
     let usual = Rating::default();
-    let mesh_load_factors = match &size.load_sharing {
+    let mesh_load_factors = match &size.mesh_load_factors {
         None => usual.mesh_load_factors,
         Some(numbers) => {
             let numbers: Vec<f64> = numbers.0.iter().map(|number| number.get()).collect();
             let count = numbers.len();
             numbers.try_into().map_err(|_| Failure::Option {
-                option: "--load-sharing",
+                option: "--mesh-load-factors",
                 message: format!("{count} numbers where seven are due, for 2 to 8 planets"),
             })?
         }
     };
     Ok(Rating {
-        load: args.duty.torque()?.zip(size.load_factor.map(|factor| factor.0)),
+        load: duty
+            .torque()
+            .map_err(|error| refuse(args, error))?
+            .zip(size.load_factor.map(|factor| factor.0)),
         face_width_ratio: size.face_width_ratio.get(),
         mesh_load_factors,
         planets: size.planets,
@@ -287,7 +384,50 @@ fn rating(args: &Args) -> Result<Rating, Failure> {
 }
 
 /// The option that a refusal speaks of.
-fn refuse(error: epicyclic_selection::Error) -> Failure {
+fn refuse(args: &Args, error: Error) -> Failure {
+    let option = |option, message: String| Failure::Option { option, message };
+    match error {
+        Error::Selection(error) => refuse_selection(error),
+        Error::Duty(problem) => refuse_duty(args, problem),
+        Error::OneSet => {
+            let message = format!("{error}; `epicyclic teeth` finds the tooth numbers of one set");
+            option("--teeth", message)
+        }
+        Error::TooManyDesigns { .. } => {
+            let message = format!(
+                "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
+            );
+            option("--limit", message)
+        }
+        Error::ModuleRange { .. } => option("--least-module", error.to_string()),
+        error => error.into(),
+    }
+}
+
+fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
+    const DUE: &str = "a finite quantity above 0 is due";
+    let duty = &args.duty;
+    let (option, written) = match problem {
+        DutyProblem::NotPositive { quantity: DutyQuantity::InputSpeed } => {
+            ("--input", duty.input.map(|speed| speed.to_string()))
+        }
+        DutyProblem::NotPositive { quantity: DutyQuantity::Torque } => {
+            ("--torque", duty.torque.map(|torque| torque.to_string()))
+        }
+        DutyProblem::NotPositive { quantity: DutyQuantity::Power } => {
+            ("--power", duty.power.map(|power| power.to_string()))
+        }
+        DutyProblem::TorqueOfPower { torque_n_m } => {
+            let written = duty.power.zip(duty.input);
+            ("--power", written.map(|(power, speed)| format!("{power} at {speed}, {torque_n_m} N·m")))
+        }
+        DutyProblem::PowerWithoutSpeed => return Error::Duty(problem).into(),
+    };
+    let message = written.map_or_else(|| DUE.to_owned(), |written| format!("{written}: {DUE}"));
+    Failure::Option { option, message }
+}
+
+fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
     use epicyclic_schemes::Error as S;
     use epicyclic_selection::Error as E;
     let option = match &error {
@@ -297,17 +437,17 @@ fn refuse(error: epicyclic_selection::Error) -> Failure {
             "--ratios"
         }
         E::Tolerance { .. } => "--tolerance",
-        E::RingToSunRange { what: "preferred", .. } => "--prefer",
+        E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
         E::RingToSunRange { .. } => "--k",
-        E::Limit { what: "efficiency", .. } => "--least-efficiency",
-        E::Limit { what: "link speed", .. } => "--link-speed",
-        E::Limit { what: "planet speed", .. } => "--planet-speed",
-        E::Limit { what: "clutch slip", .. } => "--clutch-slip",
-        E::Limit { what: "module", .. } => "--least-module, --greatest-module",
-        E::Limit { what: "ring diameter", .. } | E::SizeWithoutTorque => "--ring-diameter",
-        E::Rating { what: "mesh load factor", .. } => "--load-sharing",
-        E::Rating { what: "face-width ratio", .. } => "--face-width-ratio",
-        E::Rating { what: "load factor K", .. } => "--load-factor",
+        E::Limit { what: Limited::Efficiency, .. } => "--least-efficiency",
+        E::Limit { what: Limited::LinkSpeed, .. } => "--link-speed",
+        E::Limit { what: Limited::PlanetSpeed, .. } => "--planet-speed",
+        E::Limit { what: Limited::ClutchSlip, .. } => "--clutch-slip",
+        E::Limit { what: Limited::Module, .. } => "--least-module, --greatest-module",
+        E::Limit { what: Limited::RingDiameter, .. } | E::SizeWithoutTorque => "--ring-diameter",
+        E::Rating { what: Rated::MeshLoadFactor, .. } => "--mesh-load-factors",
+        E::Rating { what: Rated::FaceWidthRatio, .. } => "--face-width-ratio",
+        E::Rating { what: Rated::LoadFactor, .. } => "--load-factor",
         E::PlanetNumber { .. } => "--planets",
         E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
         E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",

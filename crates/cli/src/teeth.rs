@@ -1,11 +1,11 @@
 //! The command `teeth`: every tooth set for a ratio.
 
-mod answer;
-
 use crate::failure::Failure;
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use epicyclic_answers as answers;
+use epicyclic_answers::teeth::{Wanted, answer};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
 use epicyclic_gears::rack::BasicRack;
@@ -16,9 +16,6 @@ use uom::si::f64::{Angle, Ratio};
 
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
-
-/// The most sets that are written: their text is built whole, in some 100 MB.
-const MOST_SHOWN: usize = 100_000;
 
 /// Every tooth set of a simple planetary gear for a ratio.
 ///
@@ -98,8 +95,10 @@ enum Spacing {
 
 fn mode(text: &str) -> Result<Mode, String> {
     Mode::ALL.into_iter().find(|mode| mode.to_string() == text).ok_or_else(|| {
-        let all: Vec<String> =
-            Mode::ALL.iter().map(|mode| format!("{mode} ({})", answer::in_words(*mode))).collect();
+        let all: Vec<String> = Mode::ALL
+            .iter()
+            .map(|mode| format!("{mode} ({} to {}, {} at rest)", mode.input(), mode.output(), mode.fixed()))
+            .collect();
         format!("write one of {}", all.join(", "))
     })
 }
@@ -110,24 +109,28 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let shown = Progress::new();
     let format = args.output.format;
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
-    let (ratio, tolerance) = (args.ratio.get(), args.tolerance.0.si());
-    let most = limit.min(MOST_SHOWN);
-    let ranked =
-        bounds.first_for_ratio(ratio, args.mode, tolerance, most, |share| shown.at(share)).map_err(refuse)?;
+    let wanted = Wanted {
+        ratio: args.ratio.get(),
+        mode: args.mode,
+        tolerance: args.tolerance.0.si(),
+        bounds,
+        most: limit,
+    };
+    let answer = answer(&wanted, |share| shown.at(share)).map_err(|error| match error {
+        answers::Error::Gear(error) => refuse(error),
+        answers::Error::TooMany { found, most } => Failure::Option {
+            option: "--limit",
+            message: format!(
+                "{found} tooth sets are within the tolerance and at most {most} are written: narrow --tolerance, --k \
+                 or the ranges of teeth, or ask for the most exact with --limit {most}"
+            ),
+        },
+        error => error.into(),
+    })?;
     drop(shown);
-    if limit > MOST_SHOWN && ranked.found > MOST_SHOWN as u64 {
-        let message = format!(
-            "{} tooth sets are within the tolerance and at most {MOST_SHOWN} are written: narrow --tolerance, --k or \
-             the ranges of teeth, or ask for the most exact with --limit {MOST_SHOWN}",
-            ranked.found
-        );
-        return Err(Failure::Option { option: "--limit", message });
-    }
-    let answer =
-        answer::Answer { ratio, mode: args.mode, tolerance, found: ranked.found, shown: &ranked.first };
-    args.output.write(&answer.text(format)?)?;
-    if format != Format::Table && (answer.shown.len() as u64) < answer.found {
-        complain(&format!("note: {}", answer.count()));
+    args.output.deliver(&answer)?;
+    if format != Format::Table && (answer.shown as u64) < answer.found {
+        complain(&format!("note: {}", epicyclic_views::teeth::count(&answer)));
     }
     Ok(())
 }

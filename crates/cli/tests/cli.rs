@@ -62,7 +62,7 @@ fn a_drive_that_does_not_start_forward_is_warned_of() {
     assert_eq!((outcome.as_str(), acceleration, time), ("held", 0.0, None));
     assert!(warning.contains("holds loads from 3000.4 to 3264.7 N·m"), "{warning}");
     let (outcome, acceleration, time, warning) = at("3300 N·m");
-    assert_eq!((outcome.as_str(), time), ("runs-backward", None));
+    assert_eq!((outcome.as_str(), time), ("runs_backward", None));
     assert!(acceleration < 0.0 && warning.contains("turns the drive backward"), "{acceleration} {warning}");
     let (outcome, acceleration, time, _) = at("2900 N·m");
     assert_eq!(outcome, "starts");
@@ -264,7 +264,7 @@ fn a_drive_with_less_load_and_more_inertia() {
         "ratio: 6\nstart: { load: 2 kN·m }\nattached: { motor: 0.05 kg·m², machine: 12 kg·m² }\n",
     );
     let seen = session(folder.path(), &["drive", "drive.yaml"]);
-    insta::assert_snapshot!(&seen[seen.find("Reduced to").unwrap()..]);
+    insta::assert_snapshot!(&seen[seen.find("Equivalent inertia").unwrap()..]);
 }
 
 #[test]

@@ -16,7 +16,7 @@ const BOX: &str = "\
 gearbox: conveyor
 input: D
 output: B
-rows: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94, efficiency: 0.97 }]
+sets: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94, efficiency: 0.97 }]
 brakes: [{ id: K1, link: T1 }]
 clutches: [{ id: K2, links: [D, B] }]
 gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }]
@@ -297,7 +297,7 @@ fn the_same_fault_of_a_file_ends_with_the_same_code() {
     write("unknown-key.yaml", format!("{BOX}colour: red\n"));
     write(
         "no-row.yaml",
-        BOX.replace("rows: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94, efficiency: 0.97 }]", "rows: []"),
+        BOX.replace("sets: [{ id: P, sun: D, ring: T1, carrier: B, k: 2.94, efficiency: 0.97 }]", "sets: []"),
     );
     write("k.yaml", BOX.replace("2.94", "0.5"));
     write("no-link.yaml", BOX.replace("link: T1", "link: T9"));

@@ -42,7 +42,7 @@ fn forces_on_the_bearings_of_planets() {
     let folder = examples();
     let forces = |args: &[&str]| {
         let seen = session(&folder, &[&["analyze"], args].concat());
-        let from = seen.find("Force on").or_else(|| seen.find("Torque that the pins")).unwrap();
+        let from = seen.find("Force on").or_else(|| seen.find("Torque of the planet pins")).unwrap();
         let to = seen[from..].find("\n\n").unwrap();
         format!("$ {}\n{}\n", args.join(" "), &seen[from..from + to])
     };
@@ -85,7 +85,7 @@ fn sizes_that_are_refused() {
 }
 
 #[test]
-fn every_set_of_controls() {
+fn every_combination_of_shift_elements() {
     insta::assert_snapshot!(sessions(
         &examples(),
         &[
@@ -349,7 +349,7 @@ fn the_gearbox_of_a_conveyor() {
         here().path(),
         &[
             &["select", "--speeds", CONVEYOR][..],
-            &["select", "--speeds", CONVEYOR, "--one-sense", "--order", "size", "--format", "csv"],
+            &["select", "--speeds", CONVEYOR, "--same-direction", "--order", "size", "--format", "csv"],
             &["select", "--speeds", CONVEYOR, "--torque", "500 N·m", "--load-factor", "2 MPa"],
         ]
     ));
@@ -361,7 +361,7 @@ fn the_gearbox_of_a_bucket_wheel() {
         here().path(),
         &[
             &["select", "--speeds", WHEEL][..],
-            &["select", "--speeds", WHEEL, "--one-sense"],
+            &["select", "--speeds", WHEEL, "--same-direction"],
             &["select", "--speeds", WHEEL, "--all-structures", "--limit", "4", "--planet-speed", "2.3"],
             &[
                 "select",
@@ -406,20 +406,24 @@ fn torques_and_powers_at_a_load_agree_with_the_lists() {
     let torque = 75e3 / speed;
     let near = |one: f64, other: f64| (one - other).abs() < 1e-9 * torque.max(other.abs());
     let mut checked = 0;
-    for row in json["operation"].as_array().unwrap() {
-        let of = |key: &str| row[key].as_f64().unwrap();
-        let candidate =
-            json["candidates"].as_array().unwrap().iter().find(|one| one["no"] == row["candidate"]).unwrap();
-        assert!(near(of("input_torque_n_m"), torque));
-        assert!(near(of("entering_w"), of("leaving_w") + of("loss_w")));
-        assert!(near(of("output_torque_n_m") * of("output_speed_rad_s"), -of("leaving_w")));
-        let (key, list) = match row["gear"].as_str().unwrap() {
-            "1" => ("k1_torque_n_m", "brake_1"),
-            "2" => ("k2_torque_n_m", "brake_2"),
-            _ => ("lock_torque_n_m", "lock_torque"),
-        };
-        assert!(near(of(key), candidate[list].as_f64().unwrap() * torque), "{row} {candidate}");
-        checked += 1;
+    for candidate in json["candidates"].as_array().unwrap() {
+        for row in candidate["operation"].as_array().unwrap() {
+            let of = |key: &str| row[key].as_f64().unwrap();
+            assert!(near(of("input_torque_n_m"), torque));
+            assert!(near(of("entering_w"), of("leaving_w") + of("loss_w")));
+            assert!(near(of("output_torque_n_m") * of("output_speed_rad_s"), -of("leaving_w")));
+            let clutches = candidate["direct_drive_clutches"].as_array().unwrap();
+            let (key, of_input) = match row["gear"].as_str().unwrap() {
+                "1" => ("k1_torque_n_m", &candidate["gears"][0]["brake_torque_of_input"]),
+                "2" => ("k2_torque_n_m", &candidate["gears"][1]["brake_torque_of_input"]),
+                _ => (
+                    "direct_drive_clutch_torque_n_m",
+                    &clutches.iter().find(|clutch| clutch["chosen"] == true).unwrap()["torque_of_input"],
+                ),
+            };
+            assert!(near(of(key), of_input.as_f64().unwrap() * torque), "{row} {candidate}");
+            checked += 1;
+        }
     }
     assert!(checked >= 6, "{checked}");
 }
@@ -465,7 +469,7 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "2.5", "--tolerance", "200%"],
             &["select", "--ratios", "2.5", "--efficiency", "1.2"],
             &["select", "--ratios", "2.5", "--planets", "1"],
-            &["select", "--ratios", "2.5", "--load-sharing", "1, 1.1"],
+            &["select", "--ratios", "2.5", "--mesh-load-factors", "1, 1.1"],
             &["select", "--ratios", "2.5", "--load-factor", "2 MPa"],
             &["select", "--ratios", "2.5", "--torque", "0 N·m"],
             &["select", "--ratios", "2.5", "--torque", "5 N·m", "--load-factor", "-2 MPa"],
@@ -480,7 +484,7 @@ fn selections_that_are_refused() {
                 "--face-width-ratio",
                 "0"
             ],
-            &["select", "--ratios", "2.5", "--load-sharing", "1, 1, 1, 1, 0, 1, 1"],
+            &["select", "--ratios", "2.5", "--mesh-load-factors", "1, 1, 1, 1, 0, 1, 1"],
             &["select", "--ratios", "2.5", "--power", "75 kW"],
             &["select", "--ratios", "2.5", "--power", "75 kW", "--input", "0 rpm"],
             &["select", "--ratios", "2.5", "--power", "-75 kW", "--input", "1475 rpm"],
@@ -557,13 +561,12 @@ fn no_key_of_an_answer_hides_another() {
 fn lists_of_an_answer_count_alike() {
     let args = ["select", "--ratios", "2.5, 4", "--all-structures", "--limit", "2", "--format", "json"];
     let json: serde_json::Value = serde_json::from_slice(&output(here().path(), &args).stdout).unwrap();
-    let numbers = |list: &str, key: &str| -> std::collections::BTreeSet<u64> {
-        json[list].as_array().unwrap().iter().map(|one| one[key].as_u64().unwrap()).collect()
-    };
-    let shown = numbers("candidates", "no");
-    assert_eq!(shown.len(), 4);
-    for list in ["speeds", "locks", "shifts", "verdicts"] {
-        assert_eq!(numbers(list, "candidate"), shown, "{list}");
+    let candidates = json["candidates"].as_array().unwrap();
+    assert_eq!(candidates.len(), 4);
+    for candidate in candidates {
+        let count = |list: &str| candidate[list].as_array().unwrap().len();
+        let lists = ["sets", "gears", "direct_drive_clutches", "engagement_table", "criteria", "operation"];
+        assert_eq!(lists.map(count), [2, 2, 6, 3, 8, 0], "{candidate}");
     }
 }
 

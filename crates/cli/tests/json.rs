@@ -1,9 +1,15 @@
-//! The keys of every command's JSON are those of `docs/src/reference/json.md`, no more and no fewer.
+//! Every answer in JSON is one by its own schema, and every key of a schema is written by some answer. The keys of answers
+//! that have no schema are those of `docs/src/reference/json.md`, no more and no fewer.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 mod common;
 
+use boon::{Compiler, Schemas};
 use common::{examples, output};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,6 +24,7 @@ const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
 const RUNS: &[(&str, &[&str])] = &[
     ("teeth", &["teeth", "--ratio", "6", "--limit", "1"]),
     ("drive", &["drive", "xe215cll-drive.yaml"]),
+    ("drive", &["drive", "every-drive-key.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "prius"]),
     ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--gear", "1"]),
@@ -27,7 +34,17 @@ const RUNS: &[(&str, &[&str])] = &[
         "analyze",
         &["analyze", "sized-gearbox.yaml", "--gear", "slow", "--power", "75 kW", "--speed", "1475 rpm"],
     ),
+    ("analyze", &["analyze", "sized-gearbox.yaml", "--torque", "500 N·m"]),
+    ("analyze", &["analyze", "power-split.yaml"]),
+    ("analyze", &["analyze", "power-split.yaml", "--gear", "drive", "--speed", "2000 rpm"]),
+    ("analyze", &["analyze", "power-split.yaml", "--gear", "generator held", "--speeds", "engine=1000 rpm"]),
     ("analyze", &["analyze", "free.yaml"]),
+    ("analyze", &["analyze", "redundant.yaml"]),
+    ("analyze", &["analyze", "redundant.yaml", "--gear", "slow", "--torque", "500 N·m"]),
+    ("analyze", &["analyze", "redundant.yaml", "--all-combinations"]),
+    ("analyze", &["analyze", "wolfrom-self-locking.yaml", "--all-combinations"]),
+    ("analyze", &["analyze", "apart.yaml"]),
+    ("analyze", &["analyze", "apart.yaml", "--gear", "1"]),
     ("analyze", &["analyze", "free.yaml", "--gear", "free"]),
     ("analyze", &["analyze", "patterns.yaml", "--gear", "slow"]),
     ("analyze", &["analyze", "ravigneaux.yaml"]),
@@ -48,7 +65,90 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
-    ("select", &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "1"]),
+    ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s"]),
+    (
+        "select",
+        &[
+            "select",
+            "--speeds",
+            WHEEL,
+            "--power",
+            "75 kW",
+            "--input",
+            "1475 rpm",
+            "--load-factor",
+            "2 MPa",
+            "--all-structures",
+        ],
+    ),
+    (
+        "select",
+        &[
+            "select",
+            "--ratios",
+            "0.6, 0.4",
+            "--all-structures",
+            "--planet-speed",
+            "20",
+            "--link-speed",
+            "20",
+            "--clutch-slip",
+            "20",
+        ],
+    ),
+    ("select", &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "2"]),
+    (
+        "select",
+        &[
+            "select",
+            "--speeds",
+            WHEEL,
+            "--teeth",
+            "--ring",
+            "..60",
+            "--limit",
+            "2",
+            "--torque",
+            "500 N·m",
+            "--input",
+            "1475 rpm",
+            "--load-factor",
+            "2 MPa",
+            "--ring-diameter",
+            "1 m",
+            "--least-module",
+            "1 mm",
+            "--greatest-module",
+            "8 mm",
+        ],
+    ),
+    (
+        "select",
+        &[
+            "select",
+            "--ratios",
+            "3, 0.5",
+            "--teeth",
+            "--ring",
+            "..60",
+            "--limit",
+            "40",
+            "--all-structures",
+            "--signs",
+            "any",
+            "--allow-crossing",
+            "--planet-speed",
+            "20",
+            "--link-speed",
+            "20",
+            "--clutch-slip",
+            "20",
+            "--least-efficiency",
+            "0",
+            "--order",
+            "error",
+        ],
+    ),
     ("schemes", &["schemes"]),
     ("schemes", &["schemes", "II-3", "--ratio1", "1.465", "--ratio2", "2.56"]),
     ("machine list", &["machine", "list"]),
@@ -139,6 +239,25 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("motor", &["motor", "--stator", "4", "--rotor", "3", "--z3", "44", "--zs", "5", "--module", "1 mm"]),
+    // Tips without room: where they overlap is told.
+    (
+        "motor",
+        &[
+            "motor",
+            "--stator",
+            "5",
+            "--rotor",
+            "3",
+            "--z3",
+            "55",
+            "--zs",
+            "10",
+            "--module",
+            "2 mm",
+            "--clearance",
+            "0.02",
+        ],
+    ),
     ("motor", &["motor", "--stator", "3", "--rotor", "1", "--z3", "108", "--zs", "13", "--module", "1 mm"]),
     (
         "motor",
@@ -198,6 +317,17 @@ const FREE: &str = "gearbox: free\ninput: D\noutput: B\nsets: [{ id: P, sun: D, 
 const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nsets:\n  - { id: P, kind: stepped_rings, \
                         sun: a, ring: b, carrier: H, k: 0.99, efficiency: 97 % }\ngears: [{ name: slow }]\n";
 
+/// Two sets and two brakes that do the work of one.
+const REDUNDANT: &str = "gearbox: redundant\ninput: D\noutput: B\nsets:\n  - { id: P1, sun: D, ring: T1, carrier: B, k: 3 }\n  \
+                         - { id: P2, sun: D, ring: T1, carrier: B, k: 3 }\nbrakes:\n  - { id: K1, link: T1 }\n  - { id: \
+                         K2, link: T1 }\ngears: [{ name: slow, engaged: [K1, K2] }]\n";
+/// Planets whose radii and mesh contradict each other.
+const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id: set\n    carrier: c\n    suns: { s: 30 }\n    \
+                     rings: { r: 72 }\n    planet_gears: { short: [18], long: [18] }\n    planets: 3\n    module: 2 mm\n    \
+                     planet_sizes: { short: { carrier_radius: 90 mm }, long: { carrier_radius: 40 mm } }\n    meshes:\n      - { gears: [s, short] }\n      \
+                     - { gears: [short, long] }\n      - { gears: [long, r] }\nbrakes: [{ id: K, link: c }]\ngears: [{ \
+                     name: \"1\", engaged: [K] }]\n";
+
 fn folder() -> tempfile::TempDir {
     let folder = common::here();
     for file in std::fs::read_dir(examples()).unwrap() {
@@ -206,6 +336,8 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
+    std::fs::write(folder.path().join("redundant.yaml"), REDUNDANT).unwrap();
+    std::fs::write(folder.path().join("apart.yaml"), APART).unwrap();
     folder
 }
 
@@ -227,15 +359,100 @@ fn collect(value: &Value, path: &str, found: &mut BTreeSet<String>) {
     }
 }
 
-fn written() -> Keys {
-    let (folder, mut keys) = (folder(), Keys::new());
-    for (section, args) in RUNS {
+/// The answers of all runs, by section.
+fn answers() -> Vec<(&'static str, Value)> {
+    let folder = folder();
+    let answer = |(section, args): &(&'static str, &[&str])| {
         let done = output(folder.path(), &[args, &["--format", "json"][..]].concat());
         assert!(done.status.success(), "{args:?} {done:?}");
-        let json = serde_json::from_slice(&done.stdout).unwrap();
-        collect(&json, "", keys.entry((*section).to_owned()).or_default());
+        (*section, serde_json::from_slice(&done.stdout).unwrap())
+    };
+    RUNS.iter().map(answer).collect()
+}
+
+fn written() -> Keys {
+    let mut keys = Keys::new();
+    for (section, json) in answers().into_iter().filter(|(_, json)| json.get("answer").is_none()) {
+        collect(&json, "", keys.entry(section.to_owned()).or_default());
     }
     keys
+}
+
+/// The schema of an answer, as the program tells it.
+fn schema(name: &str) -> Value {
+    let done = output(Path::new("."), &["schema", &format!("answer-{name}")]);
+    assert!(done.status.success(), "{name}: {done:?}");
+    serde_json::from_slice(&done.stdout).unwrap()
+}
+
+/// Every key that a schema has, `[]` for the entries of a list and `*` for those of a map.
+fn keys_of(schema: &Value, part: &Value, path: &str, found: &mut BTreeSet<String>) {
+    if let Some(name) = part.get("$ref").and_then(Value::as_str) {
+        let part = schema.pointer(name.strip_prefix('#').unwrap()).unwrap();
+        return keys_of(schema, part, path, found);
+    }
+    for choices in ["anyOf", "oneOf", "allOf"] {
+        for choice in part.get(choices).and_then(Value::as_array).into_iter().flatten() {
+            keys_of(schema, choice, path, found);
+        }
+    }
+    if let Some(entries) = part.get("items") {
+        keys_of(schema, entries, &format!("{path}[]"), found);
+    }
+    if let Some(entries) = part.get("additionalProperties").filter(|entries| entries.is_object()) {
+        keys_of(schema, entries, &format!("{path}.*"), found);
+    }
+    for (key, inner) in part.get("properties").and_then(Value::as_object).into_iter().flatten() {
+        let path = format!("{path}.{key}");
+        keys_of(schema, inner, &path, found);
+        found.insert(path);
+    }
+}
+
+/// Every key of an answer that has a value, in the words of [`keys_of`].
+fn keys_with_values(schema: &BTreeSet<String>, value: &Value, path: &str, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Null => {}
+        Value::Object(entries) => {
+            for (key, inner) in entries {
+                let named = format!("{path}.{key}");
+                let path = if schema.contains(&named) { named } else { format!("{path}.*") };
+                keys_with_values(schema, inner, &path, found);
+            }
+            found.insert(path.to_owned());
+        }
+        Value::Array(entries) => {
+            entries.iter().for_each(|entry| keys_with_values(schema, entry, &format!("{path}[]"), found));
+            if !entries.is_empty() {
+                found.insert(path.to_owned());
+            }
+        }
+        _ => _ = found.insert(path.to_owned()),
+    }
+}
+
+#[test]
+fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
+    let mut written: BTreeMap<String, (Value, BTreeSet<String>, BTreeSet<String>)> = BTreeMap::new();
+    for (section, json) in answers() {
+        let Some(name) = json.get("answer").and_then(Value::as_str) else { continue };
+        let (schema, keys, found) = written.entry(name.to_owned()).or_insert_with(|| {
+            let (schema, mut keys) = (schema(name), BTreeSet::new());
+            keys_of(&schema, &schema, "", &mut keys);
+            (schema, keys, BTreeSet::new())
+        });
+        let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
+        compiler.add_resource("answer.json", schema.clone()).unwrap();
+        let index = compiler.compile("answer.json", &mut schemas).unwrap();
+        if let Err(error) = schemas.validate(&json, index) {
+            panic!("{section}: {error:#}");
+        }
+        keys_with_values(keys, &json, "", found);
+    }
+    for (name, (_, keys, found)) in &written {
+        let missing: Vec<&String> = keys.difference(found).collect();
+        assert!(missing.is_empty(), "{name}: no run here gives a value to {missing:?}");
+    }
 }
 
 fn documented() -> Keys {

@@ -276,7 +276,8 @@ fn the_design_that_is_drawn_is_the_motor_listed() {
     let done = output(folder.path(), &with(&SEARCH, &wanted));
     assert!(done.status.success(), "{}", text(&done.stderr));
     let answer: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
-    let (design, size) = (&answer["designs"][1], &answer["sizes"][1]);
+    let design = &answer["designs"][1];
+    let size = &design["size"];
     let drawing = Drawing::load_file(folder.path().join("best.dxf").to_str().unwrap()).unwrap();
     let stator = drawing.entities().find(|entity| entity.common.layer == "stator").unwrap();
     let EntityType::LwPolyline(stator) = &stator.specific else { panic!("a polyline") };

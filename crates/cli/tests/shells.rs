@@ -35,7 +35,7 @@ fn completions_know_every_command_and_its_options() {
         for command in &commands {
             assert!(script.contains(command.as_str()), "{shell}: {command}");
         }
-        for option in ["no-undercut", "all-structures", "load-sharing"] {
+        for option in ["no-undercut", "all-structures", "mesh-load-factors"] {
             assert!(script.contains(option), "{shell}: {option}");
         }
     }

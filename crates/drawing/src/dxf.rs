@@ -10,9 +10,9 @@
 use std::fmt::{Display, Write};
 
 use crate::error::Error;
+use crate::label::{Align, Text, one_line};
 use crate::scene::{Item, Scene, Shape};
 use crate::style::{Color, Dash, Style};
-use crate::text::{Align, Text, one_line};
 
 /// Handles of what every drawing has.
 mod handle {

@@ -27,14 +27,18 @@
 //! # Ok::<(), epicyclic_drawing::Error>(())
 //! ```
 
+mod bounds;
 pub mod dxf;
 mod error;
+mod label;
 pub mod scene;
 pub mod style;
 pub mod svg;
 pub mod text;
+mod tolerance;
 
+pub use bounds::{Bounds, Point};
 pub use error::Error;
-pub use scene::{Bounds, LayerId, Point, Scene, Shape, Vertex};
+pub use label::{Align, Text};
+pub use scene::{LayerId, Scene, Shape, Vertex};
 pub use style::{Color, Dash, Style};
-pub use text::{Align, Text};

@@ -7,9 +7,9 @@ use svg::Document;
 use svg::node::element::{Circle, Group, Path, Rectangle, Text as TextElement, Title};
 
 use crate::error::Error;
+use crate::label::{Align, FONTS, Text, one_line};
 use crate::scene::{Item, Point, Scene, Shape, Vertex, arc_of_side, sides};
 use crate::style::{Color, Style};
-use crate::text::{Align, FONTS, Text, one_line};
 
 /// Blank border of the image in millimetres.
 pub const MARGIN_MM: f64 = 4.0;

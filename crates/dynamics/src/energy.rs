@@ -7,9 +7,8 @@
 //! # Source
 //! excavator-dynamics, kinetic energy of the moving parts.
 
-use crate::units::{energy, joules, kg_m2, kilograms, rad_per_s};
+use crate::units::{energy, joules, kg_m2, kilograms, m_per_s, rad_per_s};
 use uom::si::f64::{AngularVelocity, Energy, Mass, MomentOfInertia, Velocity};
-use uom::si::velocity::meter_per_second;
 
 /// One body as it moves: all values absolute, seen from the housing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +33,7 @@ impl MovingBody {
     /// Its kinetic energy, `½·J·ω² + ½·m·v²` (König).
     #[must_use]
     pub fn kinetic_energy(&self) -> Energy {
-        let v_m_s = self.centre_speed.get::<meter_per_second>();
+        let v_m_s = m_per_s(self.centre_speed);
         let turning = kg_m2(self.inertia) * rad_per_s(self.speed).powi(2);
         energy(0.5 * (turning + kilograms(self.mass) * v_m_s * v_m_s))
     }
@@ -50,6 +49,7 @@ pub fn kinetic_energy<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>) -> E
 mod tests {
     use super::*;
     use crate::units::{angular_velocity, inertia, mass};
+    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn a_rolling_disc_has_both_parts() {

@@ -19,13 +19,14 @@
 
 use crate::Error;
 use crate::units::{inertia, kg_m2, kilograms, meters};
+use std::fmt;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
 /// A moving link, or several alike.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
     /// What it is called.
-    pub name: String,
+    pub name: LinkName,
     /// How many alike.
     pub count: u32,
     /// Inertia of one about its own axis.
@@ -47,10 +48,83 @@ pub struct Orbit {
     pub speed_ratio: f64,
 }
 
+/// What a link is called.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LinkName {
+    /// The sun of a drive, with or without the motor.
+    Sun,
+    /// The rotor of the motor.
+    Motor,
+    /// The planets of a drive.
+    Planets,
+    /// The carrier of a drive, with or without the driven machine.
+    Carrier,
+    /// The driven machine.
+    Machine,
+    /// A shaft by itself.
+    Shaft,
+    /// A link of a gearbox, by its name.
+    Named(String),
+    /// The planets of a set of a gearbox, by the set's name.
+    PlanetsOf(String),
+}
+
+impl From<&str> for LinkName {
+    fn from(name: &str) -> Self {
+        Self::Named(name.to_owned())
+    }
+}
+
+impl fmt::Display for LinkName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sun => "sun",
+            Self::Motor => "motor",
+            Self::Planets => "planets",
+            Self::Carrier => "carrier",
+            Self::Machine => "driven machine",
+            Self::Shaft => "the shaft",
+            Self::Named(name) => name,
+            Self::PlanetsOf(set) => return write!(f, "planets of {set}"),
+        })
+    }
+}
+
+/// A property of a link that an error speaks of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Property {
+    /// Mass.
+    Mass,
+    /// Inertia.
+    Inertia,
+    /// Radius of the circle of its centre.
+    Radius,
+    /// Speed over that of the driving shaft.
+    SpeedRatio,
+    /// Speed of its circling over that of the driving shaft.
+    OrbitSpeedRatio,
+    /// Torque on it.
+    Torque,
+}
+
+impl fmt::Display for Property {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Mass => "mass",
+            Self::Inertia => "inertia",
+            Self::Radius => "radius",
+            Self::SpeedRatio => "speed ratio",
+            Self::OrbitSpeedRatio => "orbit's speed ratio",
+            Self::Torque => "torque",
+        })
+    }
+}
+
 impl Link {
     /// A link that turns about the main axis.
     #[must_use]
-    pub fn central(name: impl Into<String>, inertia: MomentOfInertia, speed_ratio: f64) -> Self {
+    pub fn central(name: impl Into<LinkName>, inertia: MomentOfInertia, speed_ratio: f64) -> Self {
         Self { name: name.into(), count: 1, inertia, speed_ratio, orbit: None }
     }
 
@@ -74,13 +148,14 @@ impl Link {
                 Err(Error::NotFinite { link: self.name.clone(), what, value })
             }
         };
-        let own = body("inertia", kg_m2(self.inertia))? * ratio("speed ratio", self.speed_ratio)?.powi(2);
+        let own = body(Property::Inertia, kg_m2(self.inertia))?
+            * ratio(Property::SpeedRatio, self.speed_ratio)?.powi(2);
         let carried = match &self.orbit {
             None => 0.0,
             Some(orbit) => {
-                body("mass", kilograms(orbit.mass))?
-                    * (body("radius", meters(orbit.radius))?
-                        * ratio("orbit's speed ratio", orbit.speed_ratio)?)
+                body(Property::Mass, kilograms(orbit.mass))?
+                    * (body(Property::Radius, meters(orbit.radius))?
+                        * ratio(Property::OrbitSpeedRatio, orbit.speed_ratio)?)
                     .powi(2)
             }
         };
@@ -133,13 +208,13 @@ mod tests {
     #[test]
     fn impossible_bodies_are_refused() {
         let with = |j: f64, u: f64| Link::central("drum", inertia(j), u).equivalent_inertia().unwrap_err();
-        assert!(matches!(with(-1.0, 1.0), Error::Impossible { what: "inertia", .. }));
-        assert!(matches!(with(1.0, f64::NAN), Error::NotFinite { what: "speed ratio", .. }));
+        assert!(matches!(with(-1.0, 1.0), Error::Impossible { what: Property::Inertia, .. }));
+        assert!(matches!(with(1.0, f64::NAN), Error::NotFinite { what: Property::SpeedRatio, .. }));
         let thrown = Link {
             orbit: Some(Orbit { mass: mass(-1.0), radius: length(1.0), speed_ratio: 1.0 }),
             ..Link::central("stone", inertia(0.0), 1.0)
         };
-        assert!(matches!(thrown.equivalent_inertia(), Err(Error::Impossible { what: "mass", .. })));
+        assert!(matches!(thrown.equivalent_inertia(), Err(Error::Impossible { what: Property::Mass, .. })));
     }
 
     prop_compose! {

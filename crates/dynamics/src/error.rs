@@ -1,6 +1,7 @@
 //! What this crate refuses.
 
-use crate::drive::BoredGear;
+use crate::drive::{BoredGear, Given};
+use crate::equivalent_inertia::{LinkName, Property};
 
 /// A mechanism that cannot move as described.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -10,9 +11,9 @@ pub enum Error {
     #[error("{what} of {link} is {value} in SI units: it is finite and not negative")]
     Impossible {
         /// The link concerned.
-        link: String,
+        link: LinkName,
         /// Which property.
-        what: &'static str,
+        what: Property,
         /// Its value in SI units.
         value: f64,
     },
@@ -20,11 +21,27 @@ pub enum Error {
     #[error("{what} of {link} is {value}: it is finite")]
     NotFinite {
         /// The link concerned.
-        link: String,
+        link: LinkName,
         /// Which property.
-        what: &'static str,
+        what: Property,
         /// Its value.
         value: f64,
+    },
+    /// A load that is not a number.
+    #[error("load torque of the carrier is {value}: it is finite")]
+    LoadNotFinite {
+        /// The value given, N·m.
+        value: f64,
+    },
+    /// A quantity of the drive that must be finite and above 0.
+    #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
+    NotPositive {
+        /// Which.
+        quantity: Given,
+        /// The value given, in `unit`.
+        value: f64,
+        /// Unit of `value`; empty for a plain number.
+        unit: &'static str,
     },
     /// Nothing moves, so there is nothing to accelerate.
     #[error("the equivalent inertia is 0: give at least one moving link an inertia or a mass")]
@@ -97,4 +114,27 @@ pub enum Error {
     /// An invalid gear set.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
+}
+
+impl Error {
+    /// Name of the fault, which does not change with the message: `impossible`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Impossible { .. } => "impossible",
+            Self::NotFinite { .. } => "not-finite",
+            Self::LoadNotFinite { .. } => "load-not-finite",
+            Self::NotPositive { .. } => "not-positive",
+            Self::NoInertia => "no-inertia",
+            Self::DoesNotStart { .. } => "does-not-start",
+            Self::SelfLocking => "self-locking",
+            Self::UnequalCentreDistances { .. } => "unequal-centre-distances",
+            Self::BoreTooLarge { .. } => "bore-too-large",
+            Self::Overflow { .. } => "overflow",
+            Self::UnknownPart { .. } => "unknown-part",
+            Self::NoSpeed { .. } => "no-speed",
+            Self::Gearbox(error) => error.name(),
+            Self::Gear(error) => error.name(),
+        }
+    }
 }

@@ -4,7 +4,7 @@
 //! the masses to them. Gears of an ordinary pair turn as the links they stand on.
 
 use crate::Error;
-use crate::equivalent_inertia::{Link, Orbit};
+use crate::equivalent_inertia::{Link, LinkName, Orbit};
 use epicyclic_train::Gearbox;
 use uom::si::f64::{Length, Mass, MomentOfInertia};
 
@@ -74,7 +74,7 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
     for (name, inertia) in &masses.links {
         let link = gearbox.link(name).ok_or_else(|| unknown(name))?;
         let speed = analysis.speed(link).ok_or_else(|| no_speed(name))?;
-        links.push(Link::central(name, *inertia, speed));
+        links.push(Link::central(name.as_str(), *inertia, speed));
     }
     for (name, planets) in &masses.planets {
         let set = gearbox.sets().iter().position(|set| set.id() == name).ok_or_else(|| unknown(name))?;
@@ -88,7 +88,7 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
             let speed = moving.and_then(|moving| moving.speed).ok_or_else(|| no_speed(name))?;
             let orbit = Orbit { mass: planet.mass, radius: planet.radius, speed_ratio: carrier };
             links.push(Link {
-                name: format!("planets of {name}"),
+                name: LinkName::PlanetsOf(name.clone()),
                 count: planets.count,
                 inertia: planet.inertia,
                 speed_ratio: speed,

@@ -26,6 +26,7 @@ pub mod gearbox;
 pub mod lagrange;
 pub mod loads;
 pub mod planetary;
+mod tolerance;
 mod units;
 
 pub use error::Error;

@@ -4,6 +4,7 @@
 //! excavator-dynamics, torques and powers on the shafts.
 
 use crate::Error;
+use crate::equivalent_inertia::{LinkName, Property};
 use crate::units::{n_m, power, rad_per_s, torque, watts};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use uom::si::f64::{AngularVelocity, Power, Torque};
@@ -17,7 +18,7 @@ pub fn shaft_torque(carried: Power, speed: AngularVelocity) -> Result<Torque, Er
     if value.is_finite() {
         Ok(torque(value))
     } else {
-        Err(Error::NotFinite { link: "the shaft".into(), what: "torque", value })
+        Err(Error::NotFinite { link: LinkName::Shaft, what: Property::Torque, value })
     }
 }
 

@@ -1,18 +1,23 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
+use uom::si::angle::{degree, radian};
 use uom::si::angular_acceleration::radian_per_second_squared;
-use uom::si::angular_velocity::radian_per_second;
+use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::energy::joule;
 use uom::si::f64::{
-    AngularAcceleration, AngularVelocity, Energy, Force, Length, Mass, MomentOfInertia, Power, Time, Torque,
+    Angle, AngularAcceleration, AngularVelocity, Energy, Force, Length, Mass, MassDensity, MomentOfInertia,
+    Power, Pressure, Time, Torque, Velocity,
 };
 use uom::si::force::newton;
-use uom::si::length::meter;
+use uom::si::length::{meter, millimeter};
 use uom::si::mass::kilogram;
+use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::moment_of_inertia::kilogram_square_meter;
-use uom::si::power::watt;
+use uom::si::power::{kilowatt, watt};
+use uom::si::pressure::{megapascal, pascal};
 use uom::si::time::second;
 use uom::si::torque::newton_meter;
+use uom::si::velocity::meter_per_second;
 
 macro_rules! conversions {
     ($($quantity:ty, $unit:ty: $get:ident, $new:ident;)*) => {$(
@@ -39,4 +44,41 @@ conversions! {
     Power, watt: watts, power;
     Time, second: seconds, time;
     Torque, newton_meter: n_m, torque;
+    Velocity, meter_per_second: m_per_s, velocity;
+}
+
+pub(crate) fn radians(angle: Angle) -> f64 {
+    angle.get::<radian>()
+}
+
+pub(crate) fn degrees(angle: Angle) -> f64 {
+    angle.get::<degree>()
+}
+
+pub(crate) fn millimeters(length: Length) -> f64 {
+    length.get::<millimeter>()
+}
+
+pub(crate) fn kilowatts(power: Power) -> f64 {
+    power.get::<kilowatt>()
+}
+
+pub(crate) fn rpm(speed: AngularVelocity) -> f64 {
+    speed.get::<revolution_per_minute>()
+}
+
+pub(crate) fn pascals(pressure: Pressure) -> f64 {
+    pressure.get::<pascal>()
+}
+
+pub(crate) fn megapascals(pressure: Pressure) -> f64 {
+    pressure.get::<megapascal>()
+}
+
+pub(crate) fn stress(value_mpa: f64) -> Pressure {
+    Pressure::new::<megapascal>(value_mpa)
+}
+
+pub(crate) fn density(value_kg_m3: f64) -> MassDensity {
+    MassDensity::new::<kilogram_per_cubic_meter>(value_kg_m3)
 }

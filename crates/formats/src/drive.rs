@@ -4,7 +4,7 @@
 //! power: 30 kW
 //! speed: 1450 rpm
 //! ratio: 5
-//! wheels: { module: 5 mm, face_width: 50 mm }
+//! gear_set: { module: 5 mm, face_width: 50 mm }
 //! ```
 //!
 //! is enough; every other key has a default, stated at the field. A [`DriveFile`] says what was written,
@@ -46,8 +46,8 @@ pub struct DriveFile {
     pub teeth: Option<TeethFile>,
     /// Efficiencies of the meshes.
     pub mesh_efficiency: Option<MeshEfficiencyFile>,
-    /// Module, width and material of the wheels.
-    pub wheels: WheelsFile,
+    /// Module, width and material of the gears.
+    pub gear_set: GearSetFile,
     /// Shafts and bearings. Default: sized by reduced torsional stress.
     pub shafts: Option<ShaftsFile>,
     /// The carrier. Default: taken as massless, with a warning.
@@ -102,10 +102,10 @@ pub struct MeshEfficiencyFile {
     pub planet_ring: Option<Quantity<Ratio>>,
 }
 
-/// Module, width and material of the wheels.
+/// Module, width and material of the gears.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct WheelsFile {
+pub struct GearSetFile {
     /// Module.
     pub module: Quantity<Length>,
     /// Face width.
@@ -116,7 +116,7 @@ pub struct WheelsFile {
     pub clearance: Option<Number>,
     /// Pressure angle. It decides which gears are undercut, and the radial forces. Default 20 deg.
     pub pressure_angle: Option<Quantity<Angle>>,
-    /// Density of wheels and carrier. Default 7850 kg/m³, steel.
+    /// Density of gears and carrier. Default 7850 kg/m³, steel.
     pub density: Option<Quantity<MassDensity>>,
     /// Bore of the sun: `shaft`, the default, its shaft's diameter; `bearing`, its bearing's outside diameter; or a
     /// diameter.
@@ -239,13 +239,13 @@ impl Misfit {
 /// ```
 /// use epicyclic_formats::{Document, drive};
 ///
-/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\nwheels: { module: 5 mm, face_width: 50 mm }\n";
+/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\ngear_set: { module: 5 mm, face_width: 50 mm }\n";
 /// let (file, spec) = drive::read(&Document::parse_one("drive.yaml", text)?)?;
 /// assert_eq!((file.title, spec.ratio), (None, 5.0));
 ///
-/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\nwheels: { module: 5, face_width: 50 mm }\n";
+/// let text = b"power: 30 kW\nspeed: 1450 rpm\nratio: 5\ngear_set: { module: 5, face_width: 50 mm }\n";
 /// let error = drive::read(&Document::parse_one("drive.yaml", text)?).unwrap_err();
-/// assert!(error.to_string().starts_with("drive.yaml:4:19: wheels.module: 5: no unit; write 5 mm"));
+/// assert!(error.to_string().starts_with("drive.yaml:4:21: gear_set.module: 5: no unit; write 5 mm"));
 /// # Ok::<(), epicyclic_formats::Error>(())
 /// ```
 ///

@@ -152,6 +152,14 @@ pub enum Problem {
         /// The keys known here.
         allowed: Vec<String>,
     },
+    /// A key that has another name today.
+    #[error("the key {key} is now {new}; write {new}")]
+    RenamedKey {
+        /// The key.
+        key: String,
+        /// Its name today.
+        new: String,
+    },
     /// A key that must be here.
     #[error("the key {key} is missing")]
     MissingKey {
@@ -224,6 +232,7 @@ impl Problem {
             Self::Anchor => "anchor",
             Self::Tag { .. } => "tag",
             Self::UnknownKey { .. } => "unknown-key",
+            Self::RenamedKey { .. } => "renamed-key",
             Self::MissingKey { .. } => "missing-key",
             Self::UnknownName { .. } => "unknown-name",
             Self::WrongType { .. } => "wrong-type",

@@ -25,10 +25,10 @@
 //!
 //! Efficiencies are parts of 1 or per cent. For the forces on planets a set may have `planets`, `module` or
 //! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life
-//! of their bearings `bearing_capacity`; the gearbox `density` and `pressure_angle`.
+//! of their bearings `load_rating`; the gearbox `density` and `pressure_angle`.
 //!
 //! # Real transmissions
-//! [`TransmissionsFile`]: a list `transmissions`, each with sets, nodes that join members, elements that join nodes
+//! [`TransmissionsFile`]: a list `transmissions`, each with sets, links that join members, shift elements that join links
 //! when engaged, and gears with what is published of them.
 //!
 //! ```
@@ -65,7 +65,7 @@ mod place;
 mod transmissions;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use place::{gear_place, located};
-pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionRow, TransmissionsFile};
+pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 
 /// A description that is no gearbox.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -109,20 +109,20 @@ pub enum DescriptionError {
         /// What is missing.
         missing: &'static str,
     },
-    /// A member of a set in no node.
-    #[error("set `{set}`: `{member}` is in no node")]
-    MemberInNoNode {
+    /// A member of a set in no link.
+    #[error("set `{set}`: `{member}` is in no link")]
+    MemberInNoLink {
         /// The set.
         set: String,
         /// The member.
         member: String,
     },
-    /// A member in two nodes.
-    #[error("`{member}` is in two nodes, `{first}` and `{second}`: make them one")]
-    MemberInTwoNodes {
+    /// A member in two links.
+    #[error("`{member}` is in two links, `{first}` and `{second}`: make them one")]
+    MemberInTwoLinks {
         /// The member.
         member: String,
-        /// One node.
+        /// One link.
         first: String,
         /// The other.
         second: String,
@@ -154,6 +154,26 @@ pub enum DescriptionError {
     Gearbox(#[from] epicyclic_train::Error),
 }
 
+impl DescriptionError {
+    /// Name of the fault, which does not change with the message: `row-known-in-one-way`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::RowKnownInOneWay { .. } => "row-known-in-one-way",
+            Self::Carrier { .. } => "carrier",
+            Self::Losses { .. } => "losses",
+            Self::PlanetTeeth { .. } => "planet-teeth",
+            Self::Missing { .. } => "missing",
+            Self::MemberInNoLink { .. } => "member-in-no-link",
+            Self::MemberInTwoLinks { .. } => "member-in-two-links",
+            Self::Set { source, .. } => source.name(),
+            Self::NoSuchPlanet { .. } => "no-such-planet",
+            Self::Clutch { .. } => "clutch",
+            Self::Gearbox(error) => error.name(),
+        }
+    }
+}
+
 /// A gearbox of any structure.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -168,7 +188,7 @@ pub struct GearboxFile {
     #[serde(default)]
     pub links: Vec<String>,
     /// Planet sets with two central gears, and pairs on fixed axes.
-    #[serde(default, alias = "rows")]
+    #[serde(default)]
     pub sets: Vec<SetEntry>,
     /// Planet sets of any other form, gear by gear.
     #[serde(default)]
@@ -253,7 +273,7 @@ pub struct SetEntry {
     pub planet_mass: Option<Quantity<Mass>>,
     /// Dynamic load rating of the bearings of one planet together, for their life.
     #[serde(default)]
-    pub bearing_capacity: Option<Quantity<Force>>,
+    pub load_rating: Option<Quantity<Force>>,
     /// What rolls in these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
@@ -476,7 +496,7 @@ impl GearboxFile {
                 face_width: entry.face_width.map(|width| width.0),
                 planet_bore: entry.planet_bore.map(|bore| bore.0),
                 planet_mass: entry.planet_mass.map(|mass| mass.0),
-                bearing: entry.bearing_capacity.map(|capacity| (capacity.0, entry.bearing_rolling.into())),
+                bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
                 ..usual
             };
         }

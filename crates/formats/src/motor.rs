@@ -17,6 +17,7 @@
 
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_hydromotor::quantity::{Quantity as Of, WheelKind};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -175,9 +176,9 @@ pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), E
 /// The key that a refusal of the numbers is about; the root where it is about all of them.
 #[must_use]
 pub fn place(error: &MotorError) -> Path {
-    let of_wheel = |wheel: &str, stator, rotor, satellite| match wheel {
-        "stator" => stator,
-        "rotor" => rotor,
+    let of_wheel = |wheel: &WheelKind, stator, rotor, satellite| match wheel {
+        WheelKind::Stator => stator,
+        WheelKind::Rotor => rotor,
         _ => satellite,
     };
     let key = match error {
@@ -193,29 +194,29 @@ pub fn place(error: &MotorError) -> Path {
         MotorError::OutsideFamilyByCrest { .. } => "a",
         MotorError::NotPositive { quantity, .. }
         | MotorError::NotFinite { quantity, .. }
-        | MotorError::OutOfRange { quantity, .. } => of_quantity(quantity),
+        | MotorError::OutOfRange { quantity, .. } => of_quantity(*quantity),
         _ => "",
     };
     key.split('.').filter(|key| !key.is_empty()).fold(Path::root(), Path::key)
 }
 
-/// The key of a quantity, by the name that the refusals give it.
-fn of_quantity(quantity: &str) -> &'static str {
+/// The key of a quantity.
+fn of_quantity(quantity: Of) -> &'static str {
     match quantity {
-        "module" => "module",
-        "l" => "l",
-        "a" => "a",
-        "part of the family" => "part",
-        "width" => "width",
-        "pressure drop" | "high pressure" => "pressure",
-        "speed" => "speed",
-        "rotation" => "angle",
-        "pressure angle" => "teeth.pressure_angle",
-        "addendum" => "teeth.addendum",
-        "clearance" => "teeth.clearance",
-        "profile shift" => "teeth.shift",
-        "backlash" => "teeth.backlash",
-        "fillet" => "teeth.fillet",
+        Of::Module => "module",
+        Of::TroughDistance => "l",
+        Of::CrestDistance => "a",
+        Of::FamilyPart => "part",
+        Of::Width => "width",
+        Of::PressureDrop | Of::HighPressure => "pressure",
+        Of::Speed => "speed",
+        Of::Rotation => "angle",
+        Of::PressureAngle => "teeth.pressure_angle",
+        Of::Addendum => "teeth.addendum",
+        Of::Clearance => "teeth.clearance",
+        Of::ProfileShift => "teeth.shift",
+        Of::Backlash => "teeth.backlash",
+        Of::Fillet => "teeth.fillet",
         _ => "",
     }
 }

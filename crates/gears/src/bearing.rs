@@ -7,11 +7,9 @@ use std::sync::LazyLock;
 
 use uom::si::f64::Length;
 
-use crate::Error;
-use crate::units::{length_from_mm, metres, millimetres, positive_length};
-
-/// Two lengths closer than this (1 nm) are the same bore: millimetres in binary are not exact.
-const SAME_M: f64 = 1e-9;
+use crate::tolerance::SAME_M;
+use crate::units::{length_from_mm, metres, millimetres, positive_length, shown_mm};
+use crate::{Error, Quantity};
 
 static TABLE: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
     include_str!("../data/deep_groove_ball_bearings.csv")
@@ -81,6 +79,14 @@ pub struct Bearing {
     pub chamfer: Length,
     /// Whether the row was confirmed.
     pub verification: Verification,
+}
+
+/// Designation, bore, outside diameter and width: `310 (50 × 110 × 27 mm)`.
+impl fmt::Display for Bearing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [bore, outside, width] = [self.bore, self.outside_diameter, self.width].map(shown_mm);
+        write!(f, "{} ({bore} × {outside} × {width} mm)", self.designation)
+    }
 }
 
 impl Bearing {
@@ -162,7 +168,7 @@ pub fn by_designation(designation: &str) -> Result<&'static Bearing, Error> {
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> {
-    let bore_m = positive_length("bore", bore)?;
+    let bore_m = positive_length(Quantity::Bore, bore)?;
     of_series(series).find(|bearing| (metres(bearing.bore) - bore_m).abs() < SAME_M).ok_or_else(|| {
         let below = of_series(series).rfind(|bearing| metres(bearing.bore) < bore_m);
         let above = of_series(series).find(|bearing| metres(bearing.bore) > bore_m);
@@ -186,7 +192,7 @@ pub fn by_bore(series: Series, bore: Length) -> Result<&'static Bearing, Error> 
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn smallest_for_shaft(series: Series, shaft_diameter: Length) -> Result<&'static Bearing, Error> {
-    let shaft_m = positive_length("shaft diameter", shaft_diameter)?;
+    let shaft_m = positive_length(Quantity::ShaftDiameter, shaft_diameter)?;
     of_series(series).find(|bearing| metres(bearing.bore) > shaft_m - SAME_M).ok_or_else(|| {
         Error::NoBearingForShaft {
             series: series.number(),
@@ -203,6 +209,11 @@ fn of_series(series: Series) -> impl DoubleEndedIterator<Item = &'static Bearing
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_bearing_shows_its_dimensions() {
+        assert_eq!(by_designation("310").unwrap().to_string(), "310 (50 × 110 × 27 mm)");
+    }
 
     const SERIES: [Series; 3] = [Series::Light200, Series::Medium300, Series::Heavy400];
 
@@ -286,7 +297,7 @@ mod tests {
         assert_eq!(neighbours(51.0), [50.0, 55.0]);
         assert_eq!(neighbours(17.0), [20.0]);
         assert_eq!(neighbours(110.0), [100.0]);
-        assert!(matches!(at(f64::NAN), Err(Error::NotPositive { quantity: "bore", .. })));
+        assert!(matches!(at(f64::NAN), Err(Error::NotPositive { quantity: Quantity::Bore, .. })));
     }
 
     #[test]
@@ -302,7 +313,7 @@ mod tests {
             }
         }
         let refused = smallest_for_shaft(Series::Medium300, length_from_mm(-5.0));
-        assert!(matches!(refused, Err(Error::NotPositive { quantity: "shaft diameter", .. })));
+        assert!(matches!(refused, Err(Error::NotPositive { quantity: Quantity::ShaftDiameter, .. })));
         let refused = smallest_for_shaft(Series::Medium300, length_from_mm(101.0));
         assert!(matches!(refused, Err(Error::NoBearingForShaft { series: 300, .. })));
     }

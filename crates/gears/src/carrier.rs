@@ -7,9 +7,10 @@ use std::f64::consts::PI;
 
 use uom::si::f64::{Length, MassDensity, MomentOfInertia};
 
-use crate::Error;
 use crate::mass::{self, MassProperties};
+use crate::quantity::Counted;
 use crate::units::{inertia, kilograms, length, length_from_to, metres, positive_density, positive_length};
+use crate::{Error, Quantity};
 
 /// Round hole through an arm, on its centre line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,25 +116,20 @@ impl Carrier {
     /// wider than `2·R·tan(π/N)`, where adjacent arms would overlap.
     pub fn new(arms: u32, arm: Arm, hub: Hub, density: MassDensity) -> Result<Self, Error> {
         if arms == 0 {
-            return Err(Error::TooFew { what: "arms", count: arms, at_least: 1 });
+            return Err(Error::TooFew { what: Counted::Arms, count: arms, at_least: 1 });
         }
-        let length_m = positive_length("arm length", arm.length)?;
-        let width_m = positive_length("arm width", arm.width)?;
-        positive_length("arm thickness", arm.thickness)?;
-        let outer_m = positive_length("hub outside radius", hub.outer_radius)?;
-        length_from_to("hub inside radius", hub.inner_radius, 0.0, outer_m)?;
+        let length_m = positive_length(Quantity::ArmLength, arm.length)?;
+        let width_m = positive_length(Quantity::ArmWidth, arm.width)?;
+        positive_length(Quantity::ArmThickness, arm.thickness)?;
+        let outer_m = positive_length(Quantity::HubOutsideRadius, hub.outer_radius)?;
+        length_from_to(Quantity::HubInsideRadius, hub.inner_radius, 0.0, outer_m)?;
         if let Some(hole) = arm.hole {
-            let radius_m = positive_length("hole radius", hole.radius)?;
-            length_from_to("hole radius", hole.radius, 0.0, length_m.min(width_m) / 2.0)?;
-            length_from_to(
-                "distance of the hole from the outer end",
-                hole.from_outer_end,
-                radius_m,
-                length_m - radius_m,
-            )?;
+            let radius_m = positive_length(Quantity::HoleRadius, hole.radius)?;
+            length_from_to(Quantity::HoleRadius, hole.radius, 0.0, length_m.min(width_m) / 2.0)?;
+            length_from_to(Quantity::HoleDistance, hole.from_outer_end, radius_m, length_m - radius_m)?;
         }
         if arms >= 3 {
-            length_from_to("arm width", arm.width, 0.0, 2.0 * outer_m * (PI / f64::from(arms)).tan())?;
+            length_from_to(Quantity::ArmWidth, arm.width, 0.0, 2.0 * outer_m * (PI / f64::from(arms)).tan())?;
         }
         Ok(Self {
             arms,
@@ -321,28 +317,31 @@ mod tests {
     #[test]
     fn refused_carriers_say_why() {
         let of = |arms, arm, hub| Carrier::new(arms, arm, hub, steel());
-        assert_eq!(of(0, arm(), hub()), Err(Error::TooFew { what: "arms", count: 0, at_least: 1 }));
+        assert_eq!(of(0, arm(), hub()), Err(Error::TooFew { what: Counted::Arms, count: 0, at_least: 1 }));
         let refused = |arm| match of(4, arm, hub()) {
             Err(Error::NotPositive { quantity, .. } | Error::OutOfRange { quantity, .. }) => quantity,
             other => panic!("{other:?}"),
         };
-        assert_eq!(refused(Arm { length: mm(0.0), ..arm() }), "arm length");
-        assert_eq!(refused(Arm { width: mm(f64::NAN), ..arm() }), "arm width");
-        assert_eq!(refused(Arm { thickness: mm(-1.0), ..arm() }), "arm thickness");
+        assert_eq!(refused(Arm { length: mm(0.0), ..arm() }), Quantity::ArmLength);
+        assert_eq!(refused(Arm { width: mm(f64::NAN), ..arm() }), Quantity::ArmWidth);
+        assert_eq!(refused(Arm { thickness: mm(-1.0), ..arm() }), Quantity::ArmThickness);
         // Four arms around R = 105 touch when 210 mm wide.
-        assert_eq!(refused(Arm { width: mm(210.1), ..arm() }), "arm width");
+        assert_eq!(refused(Arm { width: mm(210.1), ..arm() }), Quantity::ArmWidth);
         assert!(of(4, Arm { width: mm(209.9), ..arm() }, hub()).is_ok());
         let with_hole =
             |radius, e| Arm { hole: Some(Hole { radius: mm(radius), from_outer_end: mm(e) }), ..arm() };
-        assert_eq!(refused(with_hole(0.0, 50.0)), "hole radius");
-        assert_eq!(refused(with_hole(40.0, 50.0)), "hole radius");
-        assert_eq!(refused(with_hole(30.0, 29.0)), "distance of the hole from the outer end");
-        assert_eq!(refused(with_hole(30.0, 156.0)), "distance of the hole from the outer end");
+        assert_eq!(refused(with_hole(0.0, 50.0)), Quantity::HoleRadius);
+        assert_eq!(refused(with_hole(40.0, 50.0)), Quantity::HoleRadius);
+        assert_eq!(refused(with_hole(30.0, 29.0)), Quantity::HoleDistance);
+        assert_eq!(refused(with_hole(30.0, 156.0)), Quantity::HoleDistance);
         let thin = Hub { inner_radius: mm(105.0), ..hub() };
-        assert!(matches!(of(4, arm(), thin), Err(Error::OutOfRange { quantity: "hub inside radius", .. })));
+        assert!(matches!(
+            of(4, arm(), thin),
+            Err(Error::OutOfRange { quantity: Quantity::HubInsideRadius, .. })
+        ));
         let flat = Hub { width: mm(0.0), ..hub() };
         assert!(matches!(of(4, arm(), flat), Err(Error::NotPositive { .. })));
         let weightless = Carrier::new(4, arm(), hub(), MassDensity::new::<kilogram_per_cubic_meter>(0.0));
-        assert!(matches!(weightless, Err(Error::NotPositive { quantity: "density", .. })));
+        assert!(matches!(weightless, Err(Error::NotPositive { quantity: Quantity::Density, .. })));
     }
 }

@@ -20,12 +20,20 @@
 
 use crate::Error;
 use crate::simple_set::{BasicRatio, Member, Mode};
+use crate::tolerance::LEAST_EFFICIENCY;
 use crate::units::{n_m, torque};
+use std::fmt;
 use uom::si::f64::Torque;
 
 /// Efficiency `η₀` of a gear set (or of one mesh) with the carrier fixed, `0 < η₀ ≤ 1`.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct MeshEfficiency(f64);
+
+impl fmt::Display for MeshEfficiency {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
 
 impl MeshEfficiency {
     /// A gear without losses.
@@ -45,7 +53,7 @@ impl MeshEfficiency {
 
     /// The least that is taken: far below any gear, and large enough that products and reciprocals over all sets of a
     /// gearbox stay numbers.
-    pub const LEAST: f64 = 1e-6;
+    pub const LEAST: f64 = LEAST_EFFICIENCY;
 
     /// The efficiency as a number.
     #[must_use]
@@ -57,6 +65,14 @@ impl MeshEfficiency {
     #[must_use]
     pub fn loss(self) -> f64 {
         1.0 - self.0
+    }
+
+    /// Part of the loss of two meshes in a row that the first has, `ln η_1/(ln η_1 + ln η_2)`: `(η_1·η_2)` to this power
+    /// is `η_1`. A half where neither loses.
+    #[must_use]
+    pub fn share_of_loss(first: Self, second: Self) -> f64 {
+        let [first, second] = [first, second].map(|eta| eta.get().ln());
+        if first + second == 0.0 { 0.5 } else { first / (first + second) }
     }
 
     /// Efficiency of a set from those of its meshes, which the power passes one after the other:

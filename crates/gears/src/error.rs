@@ -1,7 +1,9 @@
 //! What this crate refuses.
 
 use crate::geometry::GearKind;
+use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::simple_set::{Member, Mode};
+use crate::tolerance;
 
 /// An input that describes no gear, or a requirement that no gear meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -52,7 +54,7 @@ pub enum Error {
     #[error("{gear} teeth from {from} to {to}: write the smaller first, and at most {most}")]
     ToothRange {
         /// The gear concerned.
-        gear: &'static str,
+        gear: SimpleGear,
         /// Lower end.
         from: u32,
         /// Upper end.
@@ -116,7 +118,7 @@ pub enum Error {
     #[error("{count} {what}: at least {at_least} needed")]
     TooFew {
         /// What is counted.
-        what: &'static str,
+        what: Counted,
         /// The count given.
         count: u32,
         /// The least count allowed.
@@ -127,7 +129,7 @@ pub enum Error {
     #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
     NotPositive {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// Unit of `value`; empty for a plain number.
@@ -138,7 +140,7 @@ pub enum Error {
     #[error("{quantity} is {value} {unit}; it must be finite and not below 0")]
     Negative {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// Unit of `value`; empty for a plain number.
@@ -149,7 +151,7 @@ pub enum Error {
     #[error("{quantity} is {value} {unit}; it must lie between {low} and {high} {unit}")]
     OutOfRange {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// Lower bound, in `unit`.
@@ -164,7 +166,7 @@ pub enum Error {
     #[error("{quantity} is {value} {unit}; it must be above {low} {unit}")]
     NotAbove {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// What it must exceed, in `unit`.
@@ -287,10 +289,53 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// Name of the fault, which does not change with the message: `no-teeth`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NoTeeth => "no-teeth",
+            Self::RingToSunRatio { .. } => "ring-to-sun-ratio",
+            Self::BasicRatio { .. } => "basic-ratio",
+            Self::SameMember(_) => "same-member",
+            Self::CarrierUndetermined => "carrier-undetermined",
+            Self::KnownSpeeds { .. } => "known-speeds",
+            Self::Efficiency { .. } => "efficiency",
+            Self::EfficiencyTooSmall { .. } => "efficiency-too-small",
+            Self::ToothRange { .. } => "tooth-range",
+            Self::PlanetNumber { .. } => "planet-number",
+            Self::RingToSunRange { .. } => "ring-to-sun-range",
+            Self::Tolerance { .. } => "tolerance",
+            Self::Ratio { .. } => "ratio",
+            Self::NoToothNumbers { .. } => "no-tooth-numbers",
+            Self::TooFew { .. } => "too-few",
+            Self::NotPositive { .. } => "not-positive",
+            Self::Negative { .. } => "negative",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::NotAbove { .. } => "not-above",
+            Self::WrongGearKind { .. } => "wrong-gear-kind",
+            Self::NoRoot { .. } => "no-root",
+            Self::NoInternalTip { .. } => "no-internal-tip",
+            Self::ModulesDiffer { .. } => "modules-differ",
+            Self::PressureAnglesDiffer { .. } => "pressure-angles-differ",
+            Self::BothInternal { .. } => "both-internal",
+            Self::InternalNotLarger { .. } => "internal-not-larger",
+            Self::NoStandardDiameter { .. } => "no-standard-diameter",
+            Self::UnknownBearing { .. } => "unknown-bearing",
+            Self::NoSuchBore { .. } => "no-such-bore",
+            Self::NoBearingForShaft { .. } => "no-bearing-for-shaft",
+        }
+    }
+}
+
 /// A number with an exponent where its digits alone would fill a line.
 fn short(value: f64) -> String {
     let size = value.abs();
-    if size != 0.0 && !(1e-6..1e15).contains(&size) { format!("{value:e}") } else { value.to_string() }
+    if size != 0.0 && !(tolerance::PLAIN..1e15).contains(&size) {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
 }
 
 fn planets(from: u32, to: u32) -> String {
@@ -335,7 +380,8 @@ mod tests {
             error.to_string(),
             "tolerance 1e308: at least 0 and below 1, which is 100 %; 0.01 means one per cent"
         );
-        let error = Error::OutOfRange { quantity: "bore", value: 9.0, low: 0.0, high: 8.0, unit: "mm" };
+        let error =
+            Error::OutOfRange { quantity: Quantity::Bore, value: 9.0, low: 0.0, high: 8.0, unit: "mm" };
         assert_eq!(error.to_string(), "bore is 9 mm; it must lie between 0 and 8 mm");
     }
 }

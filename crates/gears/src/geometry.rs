@@ -8,14 +8,11 @@ use std::fmt;
 use uom::si::f64::Length;
 
 pub use crate::rack::BasicRack;
+use crate::tolerance::SAME;
 use crate::units::{degrees, millimetres, positive, positive_length, radians};
-use crate::{Error, ToothCount};
+use crate::{Error, Quantity, ToothCount};
 
-/// Relative difference below which two modules or pressure angles are the same: two spellings of one number in
-/// different units differ by a few units in the last place.
-const SAME: f64 = 1e-12;
-
-/// External or internal gear: on which side of the pitch circle the teeth stand.
+/// On which side of the pitch circle the teeth stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum GearKind {
     /// Teeth point away from the axis: sun, planet.
@@ -81,8 +78,8 @@ impl ToothedGear {
     /// [`Error::NotPositive`] for the module or `h_a*`, [`Error::Negative`] for `c*`, [`Error::OutOfRange`] for a
     /// pressure angle outside 0…90°, [`Error::NoRoot`] or [`Error::NoInternalTip`] for too few teeth.
     pub fn new(kind: GearKind, module: Length, teeth: ToothCount, rack: BasicRack) -> Result<Self, Error> {
-        positive_length("module", module)?;
-        positive("addendum coefficient", rack.addendum, "")?;
+        positive_length(Quantity::Module, module)?;
+        positive(Quantity::AddendumCoefficient, rack.addendum, "")?;
         rack.check()?;
         let gear = Self { kind, module, teeth, rack };
         let z = teeth.get();
@@ -298,17 +295,26 @@ mod tests {
         let of = |module_mm, rack| ToothedGear::new(GearKind::External, length_from_mm(module_mm), z, rack);
         for bad in [0.0, -8.0, f64::NAN, f64::INFINITY] {
             let refused = of(bad, rack(0.2));
-            assert!(matches!(refused, Err(Error::NotPositive { quantity: "module", unit: "mm", .. })));
+            assert!(matches!(
+                refused,
+                Err(Error::NotPositive { quantity: Quantity::Module, unit: "mm", .. })
+            ));
             let refused = of(8.0, BasicRack { addendum: bad, ..BasicRack::default() });
-            assert!(matches!(refused, Err(Error::NotPositive { quantity: "addendum coefficient", .. })));
+            assert!(matches!(
+                refused,
+                Err(Error::NotPositive { quantity: Quantity::AddendumCoefficient, .. })
+            ));
         }
         assert!(matches!(
             of(8.0, rack(-0.1)),
-            Err(Error::Negative { quantity: "clearance coefficient", .. })
+            Err(Error::Negative { quantity: Quantity::ClearanceCoefficient, .. })
         ));
         for bad in [0.0, 90.0, f64::NAN] {
             let rack = BasicRack { pressure_angle: angle_from_degrees(bad), ..BasicRack::default() };
-            assert!(matches!(of(8.0, rack), Err(Error::OutOfRange { quantity: "pressure angle", .. })));
+            assert!(matches!(
+                of(8.0, rack),
+                Err(Error::OutOfRange { quantity: Quantity::PressureAngle, .. })
+            ));
         }
         let two = ToothedGear::external(length_from_mm(8.0), teeth(2));
         assert!(matches!(two, Err(Error::NoRoot { teeth: 2, at_least: 3, root_mm }) if root_mm < 0.0));

@@ -18,6 +18,7 @@
 //! | [`shaft`] | shaft diameter by a low allowable torsional stress, standard diameters |
 //! | [`life`] | how long a rolling bearing lasts |
 //! | [`bearing`] | deep-groove ball bearings by designation, bore or shaft |
+//! | [`quantity`] | what the values are of that an error refuses |
 //!
 //! Quantities are `uom` quantities; nothing here prints, reads or writes.
 //!
@@ -49,14 +50,17 @@ pub mod geometry;
 pub mod life;
 pub mod mass;
 pub mod planet_bearing;
+pub mod quantity;
 pub mod rack;
 pub mod shaft;
 pub mod simple_set;
 pub mod spacing;
 pub mod synthesis;
 pub mod teeth;
+mod tolerance;
 mod units;
 pub mod willis;
 
 pub use error::Error;
+pub use quantity::Quantity;
 pub use teeth::ToothCount;

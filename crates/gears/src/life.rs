@@ -20,8 +20,8 @@ use std::f64::consts::TAU;
 
 use uom::si::f64::{AngularVelocity, Force, Time};
 
-use crate::Error;
 use crate::units::{newtons, not_negative, positive, rad_per_s, seconds};
+use crate::{Error, Quantity};
 
 /// What rolls in a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -70,9 +70,9 @@ pub fn basic_rating_life(
     load: Force,
     speed: AngularVelocity,
 ) -> Result<Option<Time>, Error> {
-    let load_rating_n = positive("basic dynamic load rating of the bearing", newtons(load_rating), "N")?;
-    let load_n = not_negative("load of the bearing", newtons(load), "N")?;
-    let omega_rad_s = not_negative("speed of the bearing", rad_per_s(speed).abs(), "rad/s")?;
+    let load_rating_n = positive(Quantity::LoadRating, newtons(load_rating), "N")?;
+    let load_n = not_negative(Quantity::BearingLoad, newtons(load), "N")?;
+    let omega_rad_s = not_negative(Quantity::BearingSpeed, rad_per_s(speed).abs(), "rad/s")?;
     let life_s = (load_rating_n / load_n).powf(rolling.exponent()) * 1e6 * TAU / omega_rad_s;
     Ok(life_s.is_finite().then(|| seconds(life_s)))
 }

@@ -7,10 +7,10 @@ use std::ops::{Add, Mul};
 
 use uom::si::f64::{Length, Mass, MassDensity, MomentOfInertia, Volume};
 
-use crate::Error;
 use crate::geometry::{GearKind, ToothedGear};
 use crate::units::{inertia, length_above, length_from_to, mass, metres, positive_density, positive_length};
 use crate::units::{positive_mass, volume};
+use crate::{Error, Quantity};
 
 /// Fraction of the annulus between root and tip circle that the teeth fill: a tooth takes as much as a space.
 pub const TOOTH_FILL: f64 = 0.5;
@@ -99,9 +99,9 @@ pub fn ring(
     width: Length,
     density: MassDensity,
 ) -> Result<MassProperties, Error> {
-    let outside_m = positive_length("outside diameter", outside_diameter)?;
-    let bore_m = length_from_to("bore diameter", bore_diameter, 0.0, outside_m)?;
-    let width_m = positive_length("width", width)?;
+    let outside_m = positive_length(Quantity::OutsideDiameter, outside_diameter)?;
+    let bore_m = length_from_to(Quantity::BoreDiameter, bore_diameter, 0.0, outside_m)?;
+    let width_m = positive_length(Quantity::Width, width)?;
     Ok(ring_of(outside_m, bore_m, width_m, 1.0, positive_density(density)?))
 }
 
@@ -180,8 +180,8 @@ impl GearBody {
     ) -> Result<Self, Error> {
         expect_kind(gear, GearKind::External)?;
         let (tip_m, root_m) = (metres(gear.tip_diameter()), metres(gear.root_diameter()));
-        let width_m = positive_length("face width", face_width)?;
-        let bore_m = length_from_to("bore diameter", bore_diameter, 0.0, root_m)?;
+        let width_m = positive_length(Quantity::FaceWidth, face_width)?;
+        let bore_m = length_from_to(Quantity::BoreDiameter, bore_diameter, 0.0, root_m)?;
         let density_kg_m3 = positive_density(density)?;
         Ok(Self {
             tooth_zone: ring_of(tip_m, root_m, width_m, TOOTH_FILL, density_kg_m3),
@@ -202,8 +202,8 @@ impl GearBody {
     ) -> Result<Self, Error> {
         expect_kind(gear, GearKind::Internal)?;
         let (tip_m, root_m) = (metres(gear.tip_diameter()), metres(gear.root_diameter()));
-        let width_m = positive_length("face width", face_width)?;
-        let rim_m = length_above("rim diameter", rim_diameter, root_m)?;
+        let width_m = positive_length(Quantity::FaceWidth, face_width)?;
+        let rim_m = length_above(Quantity::RimDiameter, rim_diameter, root_m)?;
         let density_kg_m3 = positive_density(density)?;
         Ok(Self {
             tooth_zone: ring_of(root_m, tip_m, width_m, TOOTH_FILL, density_kg_m3),
@@ -273,9 +273,9 @@ pub fn published_gear_inertia(
     bore_diameter: Length,
 ) -> Result<MomentOfInertia, Error> {
     let mass_kg = positive_mass(gear_mass)?;
-    let tip_m = positive_length("tip diameter", tip_diameter)?;
-    let root_m = length_from_to("root diameter", root_diameter, 0.0, tip_m)?;
-    let bore_m = length_from_to("bore diameter", bore_diameter, 0.0, root_m)?;
+    let tip_m = positive_length(Quantity::TipDiameter, tip_diameter)?;
+    let root_m = length_from_to(Quantity::RootDiameter, root_diameter, 0.0, tip_m)?;
+    let bore_m = length_from_to(Quantity::BoreDiameter, bore_diameter, 0.0, root_m)?;
     let [j1, j2, j3] = [tip_m, root_m, bore_m].map(|diameter_m| mass_kg * (diameter_m / 2.0).powi(2) / 2.0);
     Ok(inertia(match reading {
         FormulaEight::Likely => (j1 + j2) / 2.0 - j3,
@@ -364,15 +364,18 @@ mod tests {
     fn refused_bodies_say_why() {
         let (external, internal) = (gear(GearKind::External, 20), gear(GearKind::Internal, 100));
         let refused = ring(mm(100.0), mm(100.0), mm(10.0), density(STEEL));
-        assert!(matches!(refused, Err(Error::OutOfRange { quantity: "bore diameter", .. })));
+        assert!(matches!(refused, Err(Error::OutOfRange { quantity: Quantity::BoreDiameter, .. })));
         let refused = ring(mm(100.0), mm(50.0), mm(10.0), density(0.0));
-        assert!(matches!(refused, Err(Error::NotPositive { quantity: "density", unit: "kg/m³", .. })));
+        assert!(matches!(
+            refused,
+            Err(Error::NotPositive { quantity: Quantity::Density, unit: "kg/m³", .. })
+        ));
         let refused = ring(mm(100.0), mm(50.0), mm(f64::NAN), density(STEEL));
-        assert!(matches!(refused, Err(Error::NotPositive { quantity: "width", .. })));
+        assert!(matches!(refused, Err(Error::NotPositive { quantity: Quantity::Width, .. })));
         let refused = GearBody::external(&external, mm(60.0), mm(140.8), density(STEEL));
-        assert!(matches!(refused, Err(Error::OutOfRange { quantity: "bore diameter", .. })));
+        assert!(matches!(refused, Err(Error::OutOfRange { quantity: Quantity::BoreDiameter, .. })));
         let refused = GearBody::internal(&internal, mm(60.0), mm(819.2), density(STEEL));
-        assert!(matches!(refused, Err(Error::NotAbove { quantity: "rim diameter", .. })));
+        assert!(matches!(refused, Err(Error::NotAbove { quantity: Quantity::RimDiameter, .. })));
         let refused = GearBody::external(&internal, mm(60.0), mm(0.0), density(STEEL));
         assert_eq!(
             refused,
@@ -392,14 +395,17 @@ mod tests {
                 mm(bore),
             )
         };
-        assert!(matches!(eight(0.0, 3.0, 2.0, 1.0), Err(Error::NotPositive { quantity: "mass", .. })));
+        assert!(matches!(
+            eight(0.0, 3.0, 2.0, 1.0),
+            Err(Error::NotPositive { quantity: Quantity::Mass, .. })
+        ));
         assert!(matches!(
             eight(1.0, 3.0, 3.0, 1.0),
-            Err(Error::OutOfRange { quantity: "root diameter", .. })
+            Err(Error::OutOfRange { quantity: Quantity::RootDiameter, .. })
         ));
         assert!(matches!(
             eight(1.0, 3.0, 2.0, 2.0),
-            Err(Error::OutOfRange { quantity: "bore diameter", .. })
+            Err(Error::OutOfRange { quantity: Quantity::BoreDiameter, .. })
         ));
     }
 }

@@ -30,7 +30,12 @@
 //! since the moments of one force about two axes differ by the force times their distance. The forces of a planet's
 //! meshes then add to `F_t` exactly. The nominal tooth force `T_i/(n·r_i)`, which strength is calculated from, lays the
 //! whole torque on the pitch circle: it leaves out the torque of friction on the planet, and its sum over both meshes is
-//! larger than `F_t` by a part of the order of the loss. `F_r` above is of the nominal forces.
+//! larger than `F_t` by a part of the order of the loss.
+//!
+//! A planet with two meshes, as in a simple set, hands on the torque `T_g` that it takes, so both forces follow from the
+//! torques on the central gears and from how the loss is shared between the meshes ([`two_mesh_forces`]); `F_r` is then
+//! of these. Where a planet has more meshes, what each loses does not follow from the torques on the central gears, and
+//! `F_r` above is of the nominal forces.
 //!
 //! In a simple set without losses both meshes press with the same force `F`: the tangential parts add to `2·F`, and
 //! the radial ones cancel. Left out: weight, helix angle, unequal load sharing among the planets (mesh load factor `K_γ` > 1), and in a stepped planet
@@ -38,11 +43,12 @@
 
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Torque};
 
-use crate::Error;
 use crate::geometry::GearKind;
+use crate::quantity::Counted;
 use crate::units::{
-    acute_angle, force, n_m, newtons, not_negative, positive_length, positive_mass, rad_per_s,
+    acute_angle, force, n_m, newtons, not_negative, positive, positive_length, positive_mass, rad_per_s,
 };
+use crate::{Error, Quantity};
 
 /// A central gear as a planet feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,8 +83,8 @@ pub fn tangential_force(
     carrier_radius: Length,
 ) -> Result<Force, Error> {
     let count = count(planets)?;
-    let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
-    Ok(force(size("torque on the carrier", n_m(carrier_torque), "N·m")? / (count * radius_m)))
+    let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
+    Ok(force(size(Quantity::CarrierTorque, n_m(carrier_torque), "N·m")? / (count * radius_m)))
 }
 
 /// Tangential force of a mesh at each of `planets` planets, friction of the teeth included: `|T_1 + T_2|/(n·a)`.
@@ -109,8 +115,8 @@ pub fn mesh_force(
     centre_distance: Length,
 ) -> Result<Force, Error> {
     let count = count(planets)?;
-    let distance_m = positive_length("centre distance", centre_distance)?;
-    let sum_n_m = size("torque of a mesh", n_m(first) + n_m(second), "N·m")?;
+    let distance_m = positive_length(Quantity::CentreDistance, centre_distance)?;
+    let sum_n_m = size(Quantity::MeshTorque, n_m(first) + n_m(second), "N·m")?;
     Ok(force(sum_n_m / (count * distance_m)))
 }
 
@@ -121,18 +127,90 @@ pub fn mesh_force(
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
 pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
     let count = count(planets)?;
-    let alpha_rad = acute_angle("pressure angle", pressure_angle)?;
-    let mut sum_n = 0.0;
+    let mut meshes = Vec::with_capacity(gears.len());
     for gear in gears {
-        let radius_m = positive_length("pitch radius", gear.pitch_radius)?;
-        let torque_n_m = size("torque on a central gear", n_m(gear.torque), "N·m")?;
-        let outwards = match gear.kind {
-            GearKind::External => 1.0,
-            GearKind::Internal => -1.0,
-        };
-        sum_n += outwards * torque_n_m / (count * radius_m);
+        let radius_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
+        let torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
+        meshes.push((gear.kind, force(torque_n_m / (count * radius_m))));
     }
-    Ok(force(sum_n * alpha_rad.tan()))
+    radial_force_of(&meshes, pressure_angle)
+}
+
+/// Tangential forces of the two meshes of each planet with central gears, friction of the teeth included.
+///
+/// ```text
+/// ρ   = (|T_2|·r_g2/r_2)/(|T_1|·r_g1/r_1)        η_1·η_2 where power flows from gear 1 to gear 2, its inverse the other way
+/// T_g = |T_1|·(r_g1/r_1)·ρ^s                      torque that the planets take and hand on
+/// F_1 = (|T_1| ± T_g)/(n·r_w)                     + external, − internal
+/// F_2 = (|T_2| ± T_g)/(n·r_w)
+/// ```
+///
+/// with `r_g = r_w − r` in an external mesh, `r − r_w` in an internal one, and `s` the first mesh's part of the loss
+/// ([`share_of_loss`](crate::efficiency::MeshEfficiency::share_of_loss)). Where one of the torques is 0, so is `T_g`.
+///
+/// # Errors
+/// [`Error::TooFew`] without planets, [`Error::NotPositive`] for a radius, also that of a planet, [`Error::Negative`] for a
+/// torque that is not finite.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::geometry::GearKind;
+/// use epicyclic_gears::planet_bearing::{Push, two_mesh_forces};
+/// use uom::si::f64::{Length, Torque};
+/// use uom::si::{force::newton, length::millimeter, torque::newton_meter};
+///
+/// // Sun 40 mm, planets 80 mm, ring 200 mm; 3 % lost on the way to the planets, 2 % on the way to the ring.
+/// let (mm, n_m) = (Length::new::<millimeter>, Torque::new::<newton_meter>);
+/// let sun = Push { kind: GearKind::External, pitch_radius: mm(40.0), torque: n_m(100.0) };
+/// let ring = Push { kind: GearKind::Internal, pitch_radius: mm(200.0), torque: n_m(475.3) };
+/// let share = 0.97_f64.ln() / (0.97_f64 * 0.98).ln();
+/// let [of_sun, of_ring] = two_mesh_forces(&[sun, ring], share, 4, mm(120.0))?;
+/// assert!((of_sun.get::<newton>() - (100.0 + 194.0) / 0.48).abs() < 1e-9);
+/// assert!((of_ring.get::<newton>() - (475.3 - 194.0) / 0.48).abs() < 1e-9);
+/// # Ok::<(), epicyclic_gears::Error>(())
+/// ```
+pub fn two_mesh_forces(
+    gears: &[Push; 2],
+    share: f64,
+    planets: u32,
+    carrier_radius: Length,
+) -> Result<[Force; 2], Error> {
+    let count = count(planets)?;
+    let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
+    let mut torques_n_m = [0.0; 2];
+    let mut levers = [0.0; 2];
+    for ((gear, torque_n_m), lever) in gears.iter().zip(&mut torques_n_m).zip(&mut levers) {
+        let gear_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
+        let planet_m = match gear.kind {
+            GearKind::External => radius_m - gear_m,
+            GearKind::Internal => gear_m - radius_m,
+        };
+        *lever = positive(Quantity::PitchRadius, planet_m * 1e3, "mm")? * 1e-3 / gear_m;
+        *torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
+    }
+    let [first, second] = [0, 1].map(|mesh| torques_n_m[mesh] * levers[mesh]);
+    let planet_n_m = if first > 0.0 && second > 0.0 { first * (second / first).powf(share) } else { 0.0 };
+    let of_mesh = |mesh: usize| {
+        let planet_n_m = match gears[mesh].kind {
+            GearKind::External => planet_n_m,
+            GearKind::Internal => -planet_n_m,
+        };
+        force((torques_n_m[mesh] + planet_n_m).abs() / (count * radius_m))
+    };
+    Ok([of_mesh(0), of_mesh(1)])
+}
+
+/// Radial force of meshes of these tangential forces on a planet, outwards positive: `Σ ±F·tan α`.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < α < 90°.
+pub fn radial_force_of(meshes: &[(GearKind, Force)], pressure_angle: Angle) -> Result<Force, Error> {
+    let alpha_rad = acute_angle(Quantity::PressureAngle, pressure_angle)?;
+    let outwards_n = meshes.iter().map(|(kind, mesh)| match kind {
+        GearKind::External => newtons(*mesh),
+        GearKind::Internal => -newtons(*mesh),
+    });
+    Ok(force(outwards_n.sum::<f64>() * alpha_rad.tan()))
 }
 
 /// Force that keeps a planet on its circle, `m·r_w·ω_H²`; its bearing feels it outwards.
@@ -158,8 +236,8 @@ pub fn centrifugal_force(
     carrier_speed: AngularVelocity,
 ) -> Result<Force, Error> {
     let mass_kg = positive_mass(planet_mass)?;
-    let radius_m = positive_length("radius of the planets' centres", carrier_radius)?;
-    let omega_rad_s = size("speed of the carrier", rad_per_s(carrier_speed), "rad/s")?;
+    let radius_m = positive_length(Quantity::CarrierRadius, carrier_radius)?;
+    let omega_rad_s = size(Quantity::CarrierSpeed, rad_per_s(carrier_speed), "rad/s")?;
     Ok(force(mass_kg * radius_m * omega_rad_s.powi(2)))
 }
 
@@ -171,12 +249,12 @@ pub fn resultant(tangential: Force, radial: Force) -> Force {
 
 fn count(planets: u32) -> Result<f64, Error> {
     if planets == 0 {
-        return Err(Error::TooFew { what: "planets", count: 0, at_least: 1 });
+        return Err(Error::TooFew { what: Counted::Planets, count: 0, at_least: 1 });
     }
     Ok(f64::from(planets))
 }
 
-fn size(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+fn size(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
     not_negative(quantity, value.abs(), unit)
 }
 
@@ -211,17 +289,41 @@ mod tests {
         assert_eq!(newtons(resultant(force(3.0), force(-4.0))), 5.0);
     }
 
+    /// Forward and backward, the planet's torque is what the loss of each mesh leaves of the other side's.
+    #[test]
+    fn both_meshes_of_a_planet_know_the_torque_that_it_hands_on() {
+        let [of_sun, of_ring] = [0.97, 0.98].map(|eta| MeshEfficiency::new(eta).unwrap());
+        let share = MeshEfficiency::share_of_loss(of_sun, of_ring);
+        let push =
+            |kind, radius, torque_n_m| Push { kind, pitch_radius: mm(radius), torque: torque(torque_n_m) };
+        for (ring_n_m, planet_n_m) in [(475.3, 194.0), (500.0 / 0.9506, 200.0 / 0.97), (500.0, 200.0)] {
+            let gears = [push(GearKind::External, 40.0, 100.0), push(GearKind::Internal, 200.0, ring_n_m)];
+            let found = two_mesh_forces(&gears, share, 4, mm(120.0)).unwrap().map(newtons);
+            let by_hand = [100.0 + planet_n_m, ring_n_m - planet_n_m].map(|sum| sum / 0.48);
+            for (found, by_hand) in found.into_iter().zip(by_hand) {
+                assert!((found / by_hand - 1.0).abs() < 1e-12, "{found} {by_hand}");
+            }
+            let [first, second] = gears;
+            let turned = two_mesh_forces(&[second, first], 1.0 - share, 4, mm(120.0)).unwrap();
+            assert!((newtons(turned[0]) / found[1] - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(MeshEfficiency::share_of_loss(MeshEfficiency::IDEAL, MeshEfficiency::IDEAL), 0.5);
+        let beyond = push(GearKind::External, 130.0, 1.0);
+        let refused = two_mesh_forces(&[beyond, beyond], 0.5, 4, mm(120.0)).unwrap_err();
+        assert!(matches!(refused, Error::NotPositive { quantity: Quantity::PitchRadius, .. }));
+    }
+
     #[test]
     fn refusals_name_value_and_bounds() {
         let refused = tangential_force(torque(1.0), 0, mm(1.0)).unwrap_err();
         assert_eq!(refused.to_string(), "0 planets: at least 1 needed");
         let refused = tangential_force(torque(f64::NAN), 3, mm(1.0)).unwrap_err();
-        assert!(matches!(refused, Error::Negative { quantity: "torque on the carrier", .. }));
+        assert!(matches!(refused, Error::Negative { quantity: Quantity::CarrierTorque, .. }));
         let refused = tangential_force(torque(1.0), 3, mm(0.0)).unwrap_err();
         assert!(matches!(refused, Error::NotPositive { .. }));
         let refused = centrifugal_force(mass(-1.0), mm(1.0), angular_velocity(1.0)).unwrap_err();
-        assert!(matches!(refused, Error::NotPositive { quantity: "mass", .. }));
+        assert!(matches!(refused, Error::NotPositive { quantity: Quantity::Mass, .. }));
         let refused = radial_force(&[], 3, angle_from_degrees(90.0)).unwrap_err();
-        assert!(matches!(refused, Error::OutOfRange { quantity: "pressure angle", .. }));
+        assert!(matches!(refused, Error::OutOfRange { quantity: Quantity::PressureAngle, .. }));
     }
 }

@@ -4,7 +4,7 @@
 //! numbers. No other file of the crate has a pressure angle or an addendum of its own.
 
 use crate::units::{acute_angle, angle_from_degrees, not_negative, radians};
-use crate::{Error, ToothCount};
+use crate::{Error, Quantity, ToothCount};
 use uom::si::f64::Angle;
 
 /// Proportions of the standard basic rack tooth profile, in modules.
@@ -48,9 +48,9 @@ impl BasicRack {
     /// # Errors
     /// [`Error::Negative`] for `h_a*` or `c*`, [`Error::OutOfRange`] unless 0 < α < 90°.
     pub fn check(&self) -> Result<(), Error> {
-        not_negative("addendum coefficient", self.addendum, "modules")?;
-        not_negative("clearance coefficient", self.clearance, "modules")?;
-        acute_angle("pressure angle", self.pressure_angle)?;
+        not_negative(Quantity::AddendumCoefficient, self.addendum, "modules")?;
+        not_negative(Quantity::ClearanceCoefficient, self.clearance, "modules")?;
+        acute_angle(Quantity::PressureAngle, self.pressure_angle)?;
         Ok(())
     }
 
@@ -125,14 +125,14 @@ mod tests {
         assert_eq!(BasicRack::default().check(), Ok(()));
         assert!(matches!(
             rack(-1.0, 20.0).check(),
-            Err(Error::Negative { quantity: "addendum coefficient", .. })
+            Err(Error::Negative { quantity: Quantity::AddendumCoefficient, .. })
         ));
         let bad = BasicRack { clearance: f64::NAN, ..BasicRack::default() };
-        assert!(matches!(bad.check(), Err(Error::Negative { quantity: "clearance coefficient", .. })));
+        assert!(matches!(bad.check(), Err(Error::Negative { quantity: Quantity::ClearanceCoefficient, .. })));
         for alpha in [0.0, 90.0, -20.0, f64::NAN] {
             assert!(matches!(
                 rack(1.0, alpha).check(),
-                Err(Error::OutOfRange { quantity: "pressure angle", .. })
+                Err(Error::OutOfRange { quantity: Quantity::PressureAngle, .. })
             ));
         }
     }

@@ -8,9 +8,10 @@ use std::ops::RangeInclusive;
 
 use uom::si::f64::{Length, Pressure, Torque};
 
-use crate::Error;
+use crate::tolerance::ROUNDING;
 use crate::units::{length, length_from_mm, length_from_to, metres, millimetres, positive_length};
 use crate::units::{positive_stress, positive_torque, stress};
+use crate::{Error, Quantity};
 
 /// Usual range of the low allowable stress `[τ]`, MPa (excavator-dynamics (3), steels 40, 15 and St6).
 pub const USUAL_ALLOWABLE_STRESS_MPA: RangeInclusive<f64> = 15.0..=20.0;
@@ -25,10 +26,6 @@ pub const STANDARD_DIAMETERS_MM: [f64; 69] = [
     180.0, 190.0, 200.0, 210.0, 220.0, 240.0, 250.0, 260.0, 280.0, 300.0, 320.0, 340.0, 360.0, 380.0, 400.0,
     420.0, 450.0, 480.0, 500.0,
 ];
-
-/// A listed diameter counts as thick enough when it falls short by less than this fraction: a shaft needed to be
-/// exactly 50 mm must not become 53 mm by the rounding of a cube root.
-const ROUNDING: f64 = 1e-12;
 
 /// Diameter `d` of a solid shaft that carries a torque at the allowable stress.
 ///
@@ -83,10 +80,10 @@ pub fn diameter(torque: Torque, allowable_stress: Pressure) -> Result<Length, Er
 /// ```
 pub fn hollow_diameter(torque: Torque, allowable_stress: Pressure, bore_ratio: f64) -> Result<Length, Error> {
     let torque_nm = positive_torque(torque)?;
-    let stress_pa = positive_stress("allowable stress", allowable_stress)?;
+    let stress_pa = positive_stress(Quantity::AllowableStress, allowable_stress)?;
     if !(0.0..1.0).contains(&bore_ratio) {
         return Err(Error::OutOfRange {
-            quantity: "bore ratio",
+            quantity: Quantity::BoreRatio,
             value: bore_ratio,
             low: 0.0,
             high: 1.0,
@@ -144,8 +141,8 @@ pub fn torsional_stress(torque: Torque, diameter: Length) -> Result<Pressure, Er
 /// ```
 pub fn hollow_torsional_stress(torque: Torque, outside: Length, inside: Length) -> Result<Pressure, Error> {
     let torque_nm = positive_torque(torque)?;
-    let outside_m = positive_length("shaft diameter", outside)?;
-    let inside_m = length_from_to("shaft bore", inside, 0.0, outside_m)?;
+    let outside_m = positive_length(Quantity::ShaftDiameter, outside)?;
+    let inside_m = length_from_to(Quantity::ShaftBore, inside, 0.0, outside_m)?;
     Ok(stress(16.0 * torque_nm * outside_m / (PI * (outside_m.powi(4) - inside_m.powi(4)))))
 }
 
@@ -167,7 +164,7 @@ pub fn hollow_torsional_stress(torque: Torque, outside: Length, inside: Length) 
 /// # Ok::<(), epicyclic_gears::Error>(())
 /// ```
 pub fn standard_diameter(needed: Length) -> Result<Length, Error> {
-    let enough_m = positive_length("needed shaft diameter", needed)? * (1.0 - ROUNDING);
+    let enough_m = positive_length(Quantity::NeededShaftDiameter, needed)? * (1.0 - ROUNDING);
     STANDARD_DIAMETERS_MM
         .into_iter()
         .map(length_from_mm)
@@ -224,21 +221,24 @@ mod tests {
     fn refused_shafts_say_why() {
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let refused = diameter(torque(bad), allowable(20.0));
-            assert!(matches!(refused, Err(Error::NotPositive { quantity: "torque", unit: "N·m", .. })));
+            assert!(matches!(
+                refused,
+                Err(Error::NotPositive { quantity: Quantity::Torque, unit: "N·m", .. })
+            ));
             let refused = diameter(torque(1.0), allowable(bad));
             assert!(matches!(
                 refused,
-                Err(Error::NotPositive { quantity: "allowable stress", unit: "MPa", .. })
+                Err(Error::NotPositive { quantity: Quantity::AllowableStress, unit: "MPa", .. })
             ));
             let refused = torsional_stress(torque(1.0), length_from_mm(bad));
-            assert!(matches!(refused, Err(Error::NotPositive { quantity: "shaft diameter", .. })));
+            assert!(matches!(refused, Err(Error::NotPositive { quantity: Quantity::ShaftDiameter, .. })));
             assert!(matches!(standard_diameter(length_from_mm(bad)), Err(Error::NotPositive { .. })));
         }
         for bad in [-0.1, 1.0, f64::NAN] {
             let refused = hollow_diameter(torque(1.0), allowable(20.0), bad);
-            assert!(matches!(refused, Err(Error::OutOfRange { quantity: "bore ratio", .. })));
+            assert!(matches!(refused, Err(Error::OutOfRange { quantity: Quantity::BoreRatio, .. })));
             let refused = hollow_torsional_stress(torque(1.0), length_from_mm(1.0), length_from_mm(bad));
-            assert!(matches!(refused, Err(Error::OutOfRange { quantity: "shaft bore", .. })));
+            assert!(matches!(refused, Err(Error::OutOfRange { quantity: Quantity::ShaftBore, .. })));
         }
         let refused = standard_diameter(length_from_mm(500.1));
         assert!(matches!(refused, Err(Error::NoStandardDiameter { largest_mm, .. }) if largest_mm > 499.0));

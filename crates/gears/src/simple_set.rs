@@ -117,6 +117,12 @@ impl fmt::Display for Mode {
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct RingToSunRatio(f64);
 
+impl fmt::Display for RingToSunRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
 impl RingToSunRatio {
     /// A ring-to-sun ratio.
     ///
@@ -167,6 +173,12 @@ impl From<RingToSunRatio> for BasicRatio {
 /// | internal pair | [`internal`](Self::internal) | `+z_2/z_1` |
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BasicRatio(f64);
+
+impl fmt::Display for BasicRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
 
 impl BasicRatio {
     /// A basic ratio from its value.

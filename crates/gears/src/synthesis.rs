@@ -20,13 +20,15 @@
 //! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
 //! and the factor is an integer that shares no divisor with `N`.
 
-use crate::Error;
+use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
 use crate::spacing::PlanetSpacing;
 use crate::teeth::ToothCount;
 use crate::units::{not_negative, radians};
+use crate::{Error, Quantity};
 use std::f64::consts::PI;
+use std::fmt;
 use std::ops::RangeInclusive;
 
 /// Tooth numbers and number of planets of a simple set that goes together.
@@ -40,6 +42,13 @@ pub struct ToothNumbers {
     pub ring: ToothCount,
     /// Number of planets, `N`.
     pub planets: u32,
+}
+
+/// Sun, planet, ring and how many planets: `20/40/100 ×4`.
+impl fmt::Display for ToothNumbers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}/{} ×{}", self.sun, self.planet, self.ring, self.planets)
+    }
 }
 
 impl ToothNumbers {
@@ -113,13 +122,18 @@ impl Default for Bounds {
 
 impl Bounds {
     fn check(&self) -> Result<(), Error> {
-        for (what, range) in [("sun", &self.sun), ("planet", &self.planet), ("ring", &self.ring)] {
+        let ranges = [
+            (SimpleGear::Sun, &self.sun),
+            (SimpleGear::Planet, &self.planet),
+            (SimpleGear::Ring, &self.ring),
+        ];
+        for (gear, range) in ranges {
             if *range.start() == 0 {
                 return Err(Error::NoTeeth);
             }
             if range.is_empty() || *range.end() > MOST_TEETH {
                 let (from, to) = (*range.start(), *range.end());
-                return Err(Error::ToothRange { gear: what, from, to, most: MOST_TEETH });
+                return Err(Error::ToothRange { gear, from, to, most: MOST_TEETH });
             }
         }
         if self.planets.is_empty() || *self.planets.start() < 2 || *self.planets.end() > MOST_PLANETS {
@@ -134,7 +148,7 @@ impl Bounds {
             return Err(Error::RingToSunRange { from, to });
         }
         self.rack.check()?;
-        not_negative("tip gap", self.tip_gap, "modules")?;
+        not_negative(Quantity::TipGap, self.tip_gap, "modules")?;
         Ok(())
     }
 
@@ -523,6 +537,14 @@ mod tests {
     }
 
     #[test]
+    fn values_show_as_they_are_written() {
+        let numbers = ToothNumbers { sun: teeth(20), planet: teeth(40), ring: teeth(100), planets: 4 };
+        assert_eq!(numbers.to_string(), "20/40/100 ×4");
+        assert_eq!(format!("{:.2}", numbers.basic_ratio()), "-5.00");
+        assert_eq!(crate::efficiency::MeshEfficiency::IDEAL.to_string(), "1");
+    }
+
+    #[test]
     fn a_ratio_out_of_reach_names_the_nearest() {
         let error = Bounds::default().for_ratio(20.0, sun_to_carrier(), 0.01).unwrap_err();
         let Error::NoToothNumbers { nearest: Some(nearest), .. } = error else { panic!("{error}") };
@@ -536,13 +558,13 @@ mod tests {
             (Bounds { sun: 0..=20, ..base() }, Error::NoTeeth),
             (
                 Bounds { sun: RangeInclusive::new(20, 19), ..base() },
-                Error::ToothRange { gear: "sun", from: 20, to: 19, most: MOST_TEETH },
+                Error::ToothRange { gear: SimpleGear::Sun, from: 20, to: 19, most: MOST_TEETH },
             ),
             (Bounds { planets: 1..=3, ..base() }, Error::PlanetNumber { from: 1, to: 3, most: MOST_PLANETS }),
             (Bounds { ring_to_sun_ratio: 0.9..=3.0, ..base() }, Error::RingToSunRange { from: 0.9, to: 3.0 }),
             (
                 Bounds { rack: BasicRack { addendum: -1.0, ..BasicRack::default() }, ..base() },
-                Error::Negative { quantity: "addendum coefficient", value: -1.0, unit: "modules" },
+                Error::Negative { quantity: Quantity::AddendumCoefficient, value: -1.0, unit: "modules" },
             ),
         ];
         for (bounds, expected) in cases {
@@ -588,7 +610,7 @@ mod tests {
         let wide = |to| Bounds { ring_to_sun_ratio: 1.0001..=2.0, planets: 2..=2, tip_gap: 0.0, ..sun(to) };
         assert_eq!(MOST_TEETH, 10_000);
         assert_eq!(wide(10_000).tooth_numbers().unwrap().len(), 1);
-        let refused = Error::ToothRange { gear: "sun", from: 9_998, to: 10_001, most: 10_000 };
+        let refused = Error::ToothRange { gear: SimpleGear::Sun, from: 9_998, to: 10_001, most: 10_000 };
         assert_eq!(wide(10_001).tooth_numbers(), Err(refused));
     }
 

@@ -19,7 +19,7 @@ use uom::si::time::second;
 use uom::si::torque::newton_meter;
 use uom::si::volume::cubic_meter;
 
-use crate::Error;
+use crate::{Error, Quantity};
 
 pub(crate) fn rad_per_s(speed: AngularVelocity) -> f64 {
     speed.get::<radian_per_second>()
@@ -102,14 +102,14 @@ pub(crate) fn degrees(value: Angle) -> f64 {
 }
 
 /// Millimetres for a message: without the rounding of binary fractions, 210 for 209.99999999999997.
-fn shown_mm(value: Length) -> f64 {
+pub(crate) fn shown_mm(value: Length) -> f64 {
     let (value_mm, picometres) = (millimetres(value), 1e9);
     let rounded = (value_mm * picometres).round() / picometres;
     if rounded.is_finite() { rounded } else { value_mm }
 }
 
 /// A finite number above 0.
-pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
@@ -118,19 +118,19 @@ pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -
 }
 
 /// A finite number of at least 0.
-pub(crate) fn not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+pub(crate) fn not_negative(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
     if value.is_finite() && value >= 0.0 { Ok(value) } else { Err(Error::Negative { quantity, value, unit }) }
 }
 
 /// A length above 0, in metres.
-pub(crate) fn positive_length(quantity: &'static str, value: Length) -> Result<f64, Error> {
+pub(crate) fn positive_length(quantity: Quantity, value: Length) -> Result<f64, Error> {
     positive(quantity, millimetres(value), "mm")?;
     Ok(metres(value))
 }
 
 /// A length of at least `low_m` and below `high_m`, in metres.
 pub(crate) fn length_from_to(
-    quantity: &'static str,
+    quantity: Quantity,
     value: Length,
     low_m: f64,
     high_m: f64,
@@ -144,7 +144,7 @@ pub(crate) fn length_from_to(
 }
 
 /// A length above `low_m`, in metres.
-pub(crate) fn length_above(quantity: &'static str, value: Length, low_m: f64) -> Result<f64, Error> {
+pub(crate) fn length_above(quantity: Quantity, value: Length, low_m: f64) -> Result<f64, Error> {
     let value_m = positive_length(quantity, value)?;
     if value_m > low_m {
         return Ok(value_m);
@@ -155,27 +155,27 @@ pub(crate) fn length_above(quantity: &'static str, value: Length, low_m: f64) ->
 
 /// A torque above 0, in N·m.
 pub(crate) fn positive_torque(value: Torque) -> Result<f64, Error> {
-    positive("torque", value.get::<newton_meter>(), "N·m")
+    positive(Quantity::Torque, value.get::<newton_meter>(), "N·m")
 }
 
 /// A stress above 0, in Pa.
-pub(crate) fn positive_stress(quantity: &'static str, value: Pressure) -> Result<f64, Error> {
+pub(crate) fn positive_stress(quantity: Quantity, value: Pressure) -> Result<f64, Error> {
     positive(quantity, value.get::<megapascal>(), "MPa")?;
     Ok(value.get::<pascal>())
 }
 
 /// A density above 0, in kg/m³.
 pub(crate) fn positive_density(value: MassDensity) -> Result<f64, Error> {
-    positive("density", value.get::<kilogram_per_cubic_meter>(), "kg/m³")
+    positive(Quantity::Density, value.get::<kilogram_per_cubic_meter>(), "kg/m³")
 }
 
 /// A mass above 0, in kg.
 pub(crate) fn positive_mass(value: Mass) -> Result<f64, Error> {
-    positive("mass", kilograms(value), "kg")
+    positive(Quantity::Mass, kilograms(value), "kg")
 }
 
 /// An angle strictly between 0 and 90°, in radians.
-pub(crate) fn acute_angle(quantity: &'static str, value: Angle) -> Result<f64, Error> {
+pub(crate) fn acute_angle(quantity: Quantity, value: Angle) -> Result<f64, Error> {
     let value_rad = radians(value);
     if value_rad > 0.0 && value_rad < FRAC_PI_2 {
         return Ok(value_rad);

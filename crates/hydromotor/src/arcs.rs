@@ -42,6 +42,7 @@
 //! # Source
 //! rotary-hydromotor (1). It prints `L/(2n)`, with `n₃ = N` in `θ₃ = π/n₃`.
 
+use crate::quantity::Quantity;
 use std::f64::consts::PI;
 
 use uom::si::f64::{Angle, Length};
@@ -134,14 +135,14 @@ pub enum Known {
 }
 
 impl Known {
-    fn name(self) -> &'static str {
+    fn quantity(self) -> Quantity {
         match self {
-            Self::TroughDistance(_) => "l",
-            Self::CrestDistance(_) => "a",
-            Self::TroughRadius(_) => "R₁",
-            Self::CrestRadius(_) => "R₂",
-            Self::TroughAngle(_) => "Γ",
-            Self::CrestAngle(_) => "B",
+            Self::TroughDistance(_) => Quantity::TroughDistance,
+            Self::CrestDistance(_) => Quantity::CrestDistance,
+            Self::TroughRadius(_) => Quantity::TroughRadius,
+            Self::CrestRadius(_) => Quantity::CrestRadius,
+            Self::TroughAngle(_) => Quantity::TroughAngle,
+            Self::CrestAngle(_) => Quantity::CrestAngle,
         }
     }
 }
@@ -189,10 +190,10 @@ impl StatorArcs {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn with(numbers: MotorNumbers, module: Length, known: [Known; 2]) -> Result<Vec<Self>, Error> {
-        let module = positive_length("module", module)?;
+        let module = positive_length(Quantity::Module, module)?;
         let theta3 = PI / f64::from(numbers.stator_lobes());
         let half_length = half_length(numbers);
-        let [first, second] = known.map(Known::name);
+        let [first, second] = known.map(Known::quantity);
         let undetermined = |why| Error::PairUndetermined { first, second, why };
         let [one, other] = known.map(|known| scaled(known, theta3, module));
         let (one, other) = (one?, other?);
@@ -279,12 +280,12 @@ fn scaled(known: Known, theta3: f64, module: Length) -> Result<Scaled, Error> {
         Err(Error::OutOfRange { quantity, value, low, high, unit: "°" })
     };
     Ok(match known {
-        Known::TroughDistance(l) => Scaled::L(modules("l", l)?),
-        Known::CrestDistance(a) => Scaled::A(modules("a", a)?),
-        Known::TroughRadius(r1) => Scaled::R1(modules("R₁", r1)?),
-        Known::CrestRadius(r2) => Scaled::R2(modules("R₂", r2)?),
-        Known::TroughAngle(gamma) => gamma_of("Γ", gamma, 0.0, PI - theta3)?,
-        Known::CrestAngle(beta) => gamma_of("B", beta, theta3, PI)?,
+        Known::TroughDistance(l) => Scaled::L(modules(Quantity::TroughDistance, l)?),
+        Known::CrestDistance(a) => Scaled::A(modules(Quantity::CrestDistance, a)?),
+        Known::TroughRadius(r1) => Scaled::R1(modules(Quantity::TroughRadius, r1)?),
+        Known::CrestRadius(r2) => Scaled::R2(modules(Quantity::CrestRadius, r2)?),
+        Known::TroughAngle(gamma) => gamma_of(Quantity::TroughAngle, gamma, 0.0, PI - theta3)?,
+        Known::CrestAngle(beta) => gamma_of(Quantity::CrestAngle, beta, theta3, PI)?,
     })
 }
 
@@ -417,9 +418,9 @@ mod tests {
         let none = with(Known::TroughRadius(mm(1.0)), Known::CrestDistance(mm(500.0)));
         assert!(matches!(none, Error::NoArcs { .. }));
         let negative = with(Known::TroughRadius(mm(-1.0)), Known::CrestDistance(mm(15.0)));
-        assert!(matches!(negative, Error::NotPositive { quantity: "R₁", .. }));
+        assert!(matches!(negative, Error::NotPositive { quantity: Quantity::TroughRadius, .. }));
         let wide = with(Known::TroughRadius(mm(1.0)), Known::CrestAngle(angle(3.2)));
-        assert!(matches!(wide, Error::OutOfRange { quantity: "B", .. }));
+        assert!(matches!(wide, Error::OutOfRange { quantity: Quantity::CrestAngle, .. }));
         let infinite = with(Known::TroughRadius(mm(1.0)), Known::CrestAngle(angle(f64::NAN)));
         assert!(matches!(infinite, Error::NotFinite { .. }));
         let known = [Known::TroughRadius(mm(1.0)), Known::CrestRadius(mm(15.0))];

@@ -10,6 +10,7 @@
 //!
 //! Curvature is positive where the curve bends round the axis, negative on the stator's arc 1.
 
+use crate::quantity::Quantity;
 use std::f64::consts::FRAC_PI_2;
 
 use uom::si::f64::{Angle, Curvature, Length};
@@ -97,7 +98,7 @@ impl Centrode<'_> {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn at(&self, arc_length: Length) -> Result<CurvePoint, Error> {
-        let s = finite_modules("arc length", arc_length, self.motor.module())?;
+        let s = finite_modules(Quantity::ArcLength, arc_length, self.motor.module())?;
         Ok(match self.wheel {
             Wheel::Stator => self.point(By::StatorArc, s),
             Wheel::Rotor => self.point(By::RotorArc, s),
@@ -110,7 +111,7 @@ impl Centrode<'_> {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn at_polar_angle(&self, polar_angle: Angle) -> Result<CurvePoint, Error> {
-        let theta = finite_angle("polar angle", polar_angle)?;
+        let theta = finite_angle(Quantity::PolarAngle, polar_angle)?;
         Ok(match self.wheel {
             Wheel::Stator => self.point(By::StatorAngle, theta),
             Wheel::Rotor => self.point(By::RotorAngle, theta),
@@ -124,7 +125,7 @@ impl Centrode<'_> {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn at_rotation(&self, rotation: Angle) -> Result<CurvePoint, Error> {
-        let phase = finite_angle("rotation", rotation)?;
+        let phase = finite_angle(Quantity::Rotation, rotation)?;
         Ok(match self.wheel {
             Wheel::Stator | Wheel::Rotor => self.point(By::Phase, phase),
             Wheel::Satellite => {

@@ -24,6 +24,7 @@
 //! # Source
 //! rotary-hydromotor gives none of this; its restored vectors list `A_max − A_min` and `q/b`.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Area, Length, Volume};
 
 use crate::Error;
@@ -42,6 +43,36 @@ pub struct Chamber {
     pub area: Area,
     /// How its area grows with the rotation, `dA/dφ`, a radian; negative while it shrinks.
     pub growth: Area,
+}
+
+/// What a chamber does as the rotor runs counter-clockwise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// It grows and fills from the high pressure.
+    Filling,
+    /// It shrinks and empties into the low one.
+    Emptying,
+    /// It changes over at its greatest or least area, closed to both.
+    AtExtreme,
+}
+
+/// A growth counts as none below this part of the greatest among the chambers: what rounding leaves of it at an extreme.
+const AT_EXTREME: f64 = 1e-6;
+
+impl Phase {
+    /// Of a chamber among all at the same angle.
+    #[must_use]
+    pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
+        let most = all.iter().map(|chamber| chamber.growth.value.abs()).fold(0.0, f64::max);
+        let growth = chamber.growth.value;
+        if growth.abs() <= AT_EXTREME * most {
+            Self::AtExtreme
+        } else if growth > 0.0 {
+            Self::Filling
+        } else {
+            Self::Emptying
+        }
+    }
 }
 
 impl Motor {
@@ -63,7 +94,7 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn chambers(&self, rotation: Angle) -> Result<Vec<Chamber>, Error> {
-        let rotation = finite_angle("rotation", rotation)?;
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let chamber = |index: u32| {
             let phase = self.phase(rotation, index);
             let [back, front] =
@@ -118,7 +149,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the width.
     pub fn displacement(&self, width: Length) -> Result<Volume, Error> {
-        let width = positive_length("width", width)?;
+        let width = positive_length(Quantity::Width, width)?;
         Ok(volume(self.displacement_kernel(), self.module(), width))
     }
 
@@ -128,13 +159,13 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] unless there are 1 to 100 000 steps.
     pub fn chamber_outline(&self, rotation: Angle, index: u32, steps: u32) -> Result<Vec<Point>, Error> {
-        let points = self.outline(finite_angle("rotation", rotation)?, index, steps)?;
+        let points = self.outline(finite_angle(Quantity::Rotation, rotation)?, index, steps)?;
         Ok(points.into_iter().map(|[x, y]| Point { x: self.length(x), y: self.length(y) }).collect())
     }
 
     fn outline(&self, rotation: f64, index: u32, steps: u32) -> Result<Vec<[f64; 2]>, Error> {
         if !(1..=100_000).contains(&steps) {
-            let (quantity, value) = ("steps", f64::from(steps));
+            let (quantity, value) = (Quantity::Steps, f64::from(steps));
             return Err(Error::OutOfRange { quantity, value, low: 1.0, high: 1e5, unit: "" });
         }
         let index = index % self.numbers().satellites();

@@ -11,6 +11,7 @@
 //!
 //! Necessary for teeth, not sufficient: undercut and interference are those of the profiles.
 
+use crate::quantity::Quantity;
 use uom::si::f64::Length;
 
 use crate::Error;
@@ -86,7 +87,8 @@ pub struct Envelope {
 
 /// Heights that are finite and not below 0.
 pub(crate) fn finite_heights(heights: ToothHeights) -> Result<(), Error> {
-    for (quantity, value) in [("addendum", heights.addendum), ("dedendum", heights.dedendum)] {
+    for (quantity, value) in [(Quantity::Addendum, heights.addendum), (Quantity::Dedendum, heights.dedendum)]
+    {
         if !(value.is_finite() && value >= 0.0) {
             return Err(Error::OutOfRange {
                 quantity,
@@ -208,7 +210,10 @@ mod tests {
     #[test]
     fn heights_below_nothing_are_refused() {
         let heights = ToothHeights { addendum: -1.0, ..ToothHeights::default() };
-        assert!(matches!(motor(40.0).checks(heights), Err(Error::OutOfRange { quantity: "addendum", .. })));
+        assert!(matches!(
+            motor(40.0).checks(heights),
+            Err(Error::OutOfRange { quantity: Quantity::Addendum, .. })
+        ));
         let heights = ToothHeights { dedendum: f64::NAN, ..ToothHeights::default() };
         assert!(motor(40.0).checks(heights).is_err());
     }

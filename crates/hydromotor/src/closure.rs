@@ -54,6 +54,7 @@
 //! # Source
 //! The source has no such condition: it draws the rotor and does not check that it closes.
 
+use crate::quantity::Quantity;
 use std::f64::consts::PI;
 
 use uom::si::f64::Length;
@@ -63,6 +64,7 @@ use crate::arcs::{Arcs, StatorArcs, half_length};
 use crate::numbers::MotorNumbers;
 use crate::real::{Dual, Real};
 use crate::roots::{bracketed, quadrature};
+use crate::tolerance::{EDGE_ANGLE, WITHIN};
 use crate::units::{length, millimetres, positive_length, positive_modules};
 
 /// The greatest distance `l` in modules that the crate reckons with; arc 1 is straight to a billionth then.
@@ -168,8 +170,11 @@ pub fn closure(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Closure, Erro
     let r = f64::from(numbers.satellite_teeth()) / 2.0;
     let Arcs { theta3, half_length, l, a, least, .. } = arcs.arcs;
     if least <= 2.0 * r || arcs.arcs.r2 <= r {
-        let (quantity, value, low) =
-            if least <= 2.0 * r { ("l − R₁", least, 2.0 * r) } else { ("R₂", arcs.arcs.r2, r) };
+        let (quantity, value, low) = if least <= 2.0 * r {
+            (Quantity::TroughDistanceLessRadius, least, 2.0 * r)
+        } else {
+            (Quantity::CrestRadius, arcs.arcs.r2, r)
+        };
         let [value, low] = [value, low].map(|modules| millimetres(length(modules, arcs.module)));
         return Err(Error::OutOfRange { quantity, value, low, high: f64::INFINITY, unit: "mm" });
     }
@@ -257,7 +262,7 @@ impl Family {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn new(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
-        let module = positive_length("module", module)?;
+        let module = positive_length(Quantity::Module, module)?;
         let intervals = Kernel::of(numbers).intervals(module);
         if intervals.is_empty() { Err(Error::NoFamily) } else { Ok(Self { numbers, module, intervals }) }
     }
@@ -285,7 +290,7 @@ impl Family {
     /// # Errors
     /// [`Error::NotPositive`]; [`Error::OutsideFamily`] with the family's intervals.
     pub fn at(&self, trough_distance: Length) -> Result<StatorArcs, Error> {
-        let l = positive_modules("l", trough_distance, self.module)?;
+        let l = positive_modules(Quantity::TroughDistance, trough_distance, self.module)?;
         let inside = |interval: &Interval| {
             let inverse = l.recip();
             inverse < interval.lower.inverse() && inverse > interval.upper.inverse()
@@ -315,7 +320,7 @@ impl Family {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn at_crest_distance(&self, crest_distance: Length) -> Result<StatorArcs, Error> {
-        let a = positive_modules("a", crest_distance, self.module)?;
+        let a = positive_modules(Quantity::CrestDistance, crest_distance, self.module)?;
         let kernel = Kernel::of(self.numbers);
         let mut intervals_mm = Vec::new();
         for interval in &self.intervals {
@@ -347,7 +352,7 @@ impl Family {
         if !(part > 0.0 && part < 1.0) {
             let (low, high) = (0.0, 1.0);
             return Err(Error::OutOfRange {
-                quantity: "part of the family",
+                quantity: Quantity::FamilyPart,
                 value: part,
                 low,
                 high,
@@ -388,8 +393,8 @@ impl Family {
 /// # Errors
 /// As [`Family::new`] and [`Family::at`].
 pub fn arcs_at(numbers: MotorNumbers, module: Length, trough_distance: Length) -> Result<StatorArcs, Error> {
-    let module = positive_length("module", module)?;
-    let l = positive_modules("l", trough_distance, module)?;
+    let module = positive_length(Quantity::Module, module)?;
+    let l = positive_modules(Quantity::TroughDistance, trough_distance, module)?;
     let kernel = Kernel::of(numbers);
     match kernel.solve(l).filter(|arcs| l <= GREATEST_DISTANCE && kernel.is_regular(arcs)) {
         Some(arcs) => Ok(StatorArcs { arcs, module }),
@@ -472,7 +477,7 @@ impl Kernel {
     /// Where `R₁ = 0` and the rotor closes. From the circle, `B = θ₃`, which lacks angle, to `l = 2r`, where the
     /// residual is without bound; `l` falls with `B`.
     fn lower_end(&self) -> Arcs {
-        let beta = bracketed(self.theta3 * (1.0 + 1e-12), PI, |beta| {
+        let beta = bracketed(self.theta3 * (1.0 + EDGE_ANGLE), PI, |beta| {
             let arcs = self.cornered(beta);
             if arcs.l <= 2.0 * self.r { f64::INFINITY } else { rotor_span(&arcs, self.r) - self.wanted }
         });
@@ -496,7 +501,7 @@ impl Kernel {
         };
         let stretch = |inverse: f64| of_arcs(inverse, least_stretch);
         let flank = |inverse: f64| of_arcs(inverse, flank);
-        let (straight, start) = (GREATEST_DISTANCE.recip(), corner.l.recip() * (1.0 - 1e-9));
+        let (straight, start) = (GREATEST_DISTANCE.recip(), corner.l.recip() * (1.0 - WITHIN));
         let (last, upper) = if stretch(straight) > 0.0 {
             (straight, end(Limit::StraightArc, None))
         } else {
@@ -517,7 +522,7 @@ impl Kernel {
             intervals.push(Interval { lower, upper: radial(start) });
         }
         // At the cusp itself rounding may leave no root; a hair before it there is one.
-        let last = last + (start - last) * 1e-9;
+        let last = last + (start - last) * WITHIN;
         if flank(last) > 0.0 {
             intervals.push(Interval { lower: radial(last), upper });
         }

@@ -32,6 +32,7 @@ use crate::arcs::half_length;
 use crate::contact::{By, Conjugate, Contact, conjugate_curvature, inverse};
 use crate::numbers::MotorNumbers;
 use crate::roots::{bracketed, quadrature, quadratures};
+use crate::tolerance::WITHIN;
 use crate::units::degrees;
 
 const PANELS: u32 = 48;
@@ -105,7 +106,7 @@ impl Cosine {
         let r = f64::from(numbers.satellite_teeth()) / 2.0;
         let wanted = PI / f64::from(numbers.stator_lobes()) + PI / n;
         let of = |amplitude| Law::of_length(n, r, amplitude, half_length(numbers));
-        let cusp_amplitude = bracketed(0.0, 1.0 - 1e-9, |amplitude| of(amplitude).stretch());
+        let cusp_amplitude = bracketed(0.0, 1.0 - WITHIN, |amplitude| of(amplitude).stretch());
         let excess = |amplitude: f64| of(amplitude).span() - wanted;
         let left = excess(cusp_amplitude);
         if left >= 0.0 {

@@ -1,5 +1,7 @@
 //! What this crate refuses.
 
+use crate::quantity::{Quantity, WheelKind};
+
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -8,19 +10,19 @@ pub enum Error {
     #[error("a {wheel} with 0 lobes: it has at least 1")]
     NoLobes {
         /// The wheel concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
     },
     /// A wheel without teeth.
     #[error("a {wheel} with 0 teeth: it has at least 1")]
     NoTeeth {
         /// The wheel concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
     },
     /// More teeth than the crate reckons with.
     #[error("a {wheel} with {teeth} teeth: at most {most}")]
     TooManyTeeth {
         /// The wheel concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
         /// The teeth given.
         teeth: u32,
         /// The greatest number allowed.
@@ -59,7 +61,7 @@ pub enum Error {
     )]
     TeethPerLobe {
         /// The wheel concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
         /// Its teeth.
         teeth: u32,
         /// Its lobes.
@@ -97,7 +99,7 @@ pub enum Error {
     #[error("{what} from {from} to {to}: write the smaller first")]
     EmptyRange {
         /// What ranges.
-        what: &'static str,
+        what: Quantity,
         /// Lower end.
         from: u32,
         /// Upper end.
@@ -107,7 +109,7 @@ pub enum Error {
     #[error("{quantity} is {value}{}; it must be finite and above 0", spaced(.unit))]
     NotPositive {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// Unit of `value`.
@@ -117,7 +119,7 @@ pub enum Error {
     #[error("{quantity} is {value}{}; it must be finite", spaced(.unit))]
     NotFinite {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// Unit of `value`.
@@ -127,7 +129,7 @@ pub enum Error {
     #[error("{quantity} is {value}{unit}; it must lie between {low} and {high}{unit}", unit = spaced(.unit))]
     OutOfRange {
         /// The quantity's name.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given, in `unit`.
         value: f64,
         /// Lower bound, in `unit`.
@@ -141,9 +143,9 @@ pub enum Error {
     #[error("{first} and {second} do not determine the arcs: {why}")]
     PairUndetermined {
         /// The first parameter.
-        first: &'static str,
+        first: Quantity,
         /// The second parameter.
-        second: &'static str,
+        second: Quantity,
         /// Why not.
         why: &'static str,
     },
@@ -151,9 +153,9 @@ pub enum Error {
     #[error("no pair of arcs has {first} and {second} of these values: {why}")]
     NoArcs {
         /// The first parameter.
-        first: &'static str,
+        first: Quantity,
         /// The second parameter.
-        second: &'static str,
+        second: Quantity,
         /// The condition that fails.
         why: &'static str,
     },
@@ -194,7 +196,7 @@ pub enum Error {
     #[error("a tooth of the {wheel} is pointed at an addendum of {addendum} modules: below {most:.4}")]
     PointedTip {
         /// The wheel or tool concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
         /// The addendum, modules.
         addendum: f64,
         /// Where the flanks meet, modules.
@@ -204,7 +206,7 @@ pub enum Error {
     #[error("a fillet of {fillet} modules: the tip of the {tool} has room for at most {most:.4}")]
     FilletTooLarge {
         /// The tool that is rounded.
-        tool: &'static str,
+        tool: WheelKind,
         /// The radius given, modules.
         fillet: f64,
         /// The greatest radius, modules.
@@ -214,7 +216,7 @@ pub enum Error {
     #[error("a flank of the {wheel} does not reach an addendum of {addendum} modules: it has a cusp before")]
     NoTip {
         /// The wheel concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
         /// The addendum, modules.
         addendum: f64,
     },
@@ -224,7 +226,7 @@ pub enum Error {
     )]
     NoFlank {
         /// The wheel concerned.
-        wheel: &'static str,
+        wheel: WheelKind,
     },
     /// A search without a module to choose from.
     #[error("no modules to choose from: give at least one, or a width, or a width over the diameter")]
@@ -233,7 +235,7 @@ pub enum Error {
     #[error("{what} from {from} to {to}{}: write the smaller first, neither below 0", spaced(.unit))]
     EmptyLimits {
         /// What is limited.
-        what: &'static str,
+        what: Quantity,
         /// Lower end.
         from: f64,
         /// Upper end.
@@ -249,6 +251,40 @@ pub enum Error {
         /// The greatest number allowed.
         most: u64,
     },
+}
+
+impl Error {
+    /// Name of the fault, which does not change with the message: `no-lobes`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NoLobes { .. } => "no-lobes",
+            Self::NoTeeth { .. } => "no-teeth",
+            Self::TooManyTeeth { .. } => "too-many-teeth",
+            Self::LobesNotMore { .. } => "lobes-not-more",
+            Self::LobesTooDifferent { .. } => "lobes-too-different",
+            Self::TeethPerLobe { .. } => "teeth-per-lobe",
+            Self::TeethPerLobeDiffer { .. } => "teeth-per-lobe-differ",
+            Self::SatelliteTooLarge { .. } => "satellite-too-large",
+            Self::EmptyRange { .. } => "empty-range",
+            Self::NotPositive { .. } => "not-positive",
+            Self::NotFinite { .. } => "not-finite",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::PairUndetermined { .. } => "pair-undetermined",
+            Self::NoArcs { .. } => "no-arcs",
+            Self::OutsideFamily { .. } => "outside-family",
+            Self::OutsideFamilyByCrest { .. } => "outside-family-by-crest",
+            Self::NoFamily => "no-family",
+            Self::NoCosineRotor { .. } => "no-cosine-rotor",
+            Self::PointedTip { .. } => "pointed-tip",
+            Self::FilletTooLarge { .. } => "fillet-too-large",
+            Self::NoTip { .. } => "no-tip",
+            Self::NoFlank { .. } => "no-flank",
+            Self::NoModules => "no-modules",
+            Self::EmptyLimits { .. } => "empty-limits",
+            Self::TooManySets { .. } => "too-many-sets",
+        }
+    }
 }
 
 /// A unit after its number, and a space but for degrees; of a plain number none.

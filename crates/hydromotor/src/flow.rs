@@ -11,11 +11,13 @@
 //! period) and where a satellite passes a junction of the arcs. Its extremes are sought on each smooth piece, at the ends and at
 //! the zeros of `dQ/dφ` between eight places.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, AngularVelocity, Area, Length, Power, Pressure, Torque, VolumeRate};
 
 use crate::Error;
 use crate::contact::Conjugate;
 use crate::motor::Motor;
+use crate::tolerance::{BESIDE_JUMP, WITHIN};
 use crate::units::{
     area, finite_angle, finite_pressure, finite_speed, positive_length, power, torque, volume, volume_rate,
 };
@@ -43,7 +45,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn flow_per_width(&self, rotation: Angle) -> Result<Area, Error> {
-        Ok(area(self.flow_kernel(finite_angle("rotation", rotation)?).0, self.module()))
+        Ok(area(self.flow_kernel(finite_angle(Quantity::Rotation, rotation)?).0, self.module()))
     }
 
     /// `Q/b` and its slope in units of the module.
@@ -101,7 +103,7 @@ impl Motor {
             rest.min(2.0 * half - rest)
         });
         let mut ends = vec![0.0];
-        ends.extend(kink.filter(|&kink| kink > 1e-9 * half && kink < (1.0 - 1e-9) * half));
+        ends.extend(kink.filter(|&kink| kink > WITHIN * half && kink < (1.0 - WITHIN) * half));
         ends.push(half);
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut meet = |value: f64| {
@@ -111,7 +113,7 @@ impl Motor {
         meet(self.flow_kernel(0.0).0);
         for pair in ends.windows(2) {
             // Slopes jump at the ends: taken a hair within.
-            let hair = 1e-7 * (pair[1] - pair[0]);
+            let hair = BESIDE_JUMP * (pair[1] - pair[0]);
             let (from, to) = (pair[0] + hair, pair[1] - hair);
             let mut before = (from, self.flow_kernel(from));
             for i in 1..=PIECES {
@@ -133,7 +135,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the width, [`Error::NotFinite`] for the speed.
     pub fn mean_flow(&self, width: Length, speed: AngularVelocity) -> Result<VolumeRate, Error> {
-        let (width, speed) = (positive_length("width", width)?, finite_speed(speed)?);
+        let (width, speed) = (positive_length(Quantity::Width, width)?, finite_speed(speed)?);
         Ok(volume_rate(volume(self.displacement_kernel() / TAU, self.module(), width), speed))
     }
 
@@ -161,8 +163,8 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn theoretical_torque(&self, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
-        let width = positive_length("width", width)?;
-        let pressure_drop = finite_pressure("pressure drop", pressure_drop)?;
+        let width = positive_length(Quantity::Width, width)?;
+        let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
         Ok(torque(volume(self.displacement_kernel() / TAU, self.module(), width), pressure_drop))
     }
 
@@ -171,9 +173,9 @@ impl Motor {
     /// # Errors
     /// As [`theoretical_torque`](Self::theoretical_torque), and [`Error::NotFinite`] for the rotation.
     pub fn torque(&self, rotation: Angle, width: Length, pressure_drop: Pressure) -> Result<Torque, Error> {
-        let width = positive_length("width", width)?;
-        let pressure_drop = finite_pressure("pressure drop", pressure_drop)?;
-        let (flow, _) = self.flow_kernel(finite_angle("rotation", rotation)?);
+        let width = positive_length(Quantity::Width, width)?;
+        let pressure_drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?;
+        let (flow, _) = self.flow_kernel(finite_angle(Quantity::Rotation, rotation)?);
         Ok(torque(volume(flow, self.module(), width), pressure_drop))
     }
 

@@ -18,6 +18,7 @@
 //!
 //! Left out: contact forces of the teeth, which share `F` between stator and rotor, inertia, friction.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
 use crate::Error;
@@ -93,9 +94,10 @@ impl Motor {
         high: Pressure,
         low: Pressure,
     ) -> Result<Vec<SatelliteForce>, Error> {
-        let rotation = finite_angle("rotation", rotation)?;
-        let width = positive_length("width", width)?;
-        let (high, low) = (finite_pressure("high pressure", high)?, finite_pressure("low pressure", low)?);
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
+        let width = positive_length(Quantity::Width, width)?;
+        let (high, low) =
+            (finite_pressure(Quantity::HighPressure, high)?, finite_pressure(Quantity::LowPressure, low)?);
         let count = self.numbers().satellites();
         let contacts: Vec<_> =
             (0..count).map(|j| self.shape.at(By::Phase, self.phase(rotation, j))).collect();

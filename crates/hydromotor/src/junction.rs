@@ -23,6 +23,7 @@
 //! rotary-hydromotor (2)–(8). In (2) it prints `O₁P₁`, which is the distance from the *rotor's* centre; in (4) the copy lost
 //! the root; (6)–(8) are restored by integrating the rolling, of which (5) is the primitive.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
@@ -76,7 +77,11 @@ pub fn junction(numbers: MotorNumbers, arcs: &StatorArcs) -> Result<Junction, Er
     if least <= 2.0 * r {
         let [value, low] = [least, 2.0 * r].map(|modules| millimetres(length(modules, arcs.module)));
         return Err(Error::OutOfRange {
-            quantity: "l − R₁", value, low, high: f64::INFINITY, unit: "mm"
+            quantity: Quantity::TroughDistanceLessRadius,
+            value,
+            low,
+            high: f64::INFINITY,
+            unit: "mm",
         });
     }
     // b ∓ 1 as products: (l − R₁)·(l − R₁ − 2r) and (l + R₁)·(l + R₁ + 2r) over 2·l·(R₁ + r).
@@ -120,7 +125,10 @@ mod tests {
         let family = Family::new(numbers, mm(2.0)).unwrap();
         let arcs = family.at(mm(80.0)).unwrap();
         let huge = MotorNumbers::new(9, 6, 270, 44).unwrap();
-        assert!(matches!(junction(huge, &arcs), Err(Error::OutOfRange { quantity: "l − R₁", .. })));
+        assert!(matches!(
+            junction(huge, &arcs),
+            Err(Error::OutOfRange { quantity: Quantity::TroughDistanceLessRadius, .. })
+        ));
     }
 
     proptest! {

@@ -4,6 +4,7 @@
 //! The stator rests, with the middle of a crest on the x axis; angles are counter-clockwise from there. The *rotation* of
 //! the rotor is counter-clockwise from where one of its crests is on the x axis too, with satellite 0 between.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
@@ -66,7 +67,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotPositive`] for the module, [`Error::NoCosineRotor`] where none closes.
     pub fn of_cosine_law(numbers: MotorNumbers, module: Length) -> Result<Self, Error> {
-        let module = positive_length("module", module)?;
+        let module = positive_length(Quantity::Module, module)?;
         Ok(Self { numbers, module, shape: Shape::Cosine(Cosine::new(numbers)?) })
     }
 
@@ -115,7 +116,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn contact(&self, rotation: Angle) -> Result<SatelliteContact, Error> {
-        Ok(self.contact_by(By::Phase, finite_angle("rotation", rotation)?))
+        Ok(self.contact_by(By::Phase, finite_angle(Quantity::Rotation, rotation)?))
     }
 
     /// A satellite's contact where it has rolled an arc of the stator since it stood between two crests.
@@ -123,7 +124,7 @@ impl Motor {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn contact_at_stator_arc(&self, arc: Length) -> Result<SatelliteContact, Error> {
-        Ok(self.contact_by(By::StatorArc, finite_modules("stator arc", arc, self.module)?))
+        Ok(self.contact_by(By::StatorArc, finite_modules(Quantity::StatorArc, arc, self.module)?))
     }
 
     fn contact_by(&self, by: By, value: f64) -> SatelliteContact {

@@ -27,6 +27,7 @@
 //! rotary-hydromotor, conditions 1–4. The copy lost the sides of `Z_1/n = Z_3/N` and the bound of `Z_s`; both are
 //! restored from the mechanics, and follow from the closure of the rotor ([`crate::closure`]).
 
+use crate::quantity::{Quantity, WheelKind};
 use std::ops::RangeInclusive;
 
 use crate::Error;
@@ -67,18 +68,22 @@ impl MotorNumbers {
         stator_teeth: u32,
         satellite_teeth: u32,
     ) -> Result<Self, Error> {
-        for (wheel, lobes) in [("stator", stator_lobes), ("rotor", rotor_lobes)] {
+        for (wheel, lobes) in [(WheelKind::Stator, stator_lobes), (WheelKind::Rotor, rotor_lobes)] {
             if lobes == 0 {
                 return Err(Error::NoLobes { wheel });
             }
         }
-        for (wheel, teeth) in [("stator", stator_teeth), ("satellite", satellite_teeth)] {
+        for (wheel, teeth) in [(WheelKind::Stator, stator_teeth), (WheelKind::Satellite, satellite_teeth)] {
             if teeth == 0 {
                 return Err(Error::NoTeeth { wheel });
             }
         }
         if stator_teeth > MOST_TEETH {
-            return Err(Error::TooManyTeeth { wheel: "stator", teeth: stator_teeth, most: MOST_TEETH });
+            return Err(Error::TooManyTeeth {
+                wheel: WheelKind::Stator,
+                teeth: stator_teeth,
+                most: MOST_TEETH,
+            });
         }
         let (stator, rotor, most) = (stator_lobes, rotor_lobes, MOST_LOBE_DIFFERENCE);
         if stator <= rotor {
@@ -87,7 +92,7 @@ impl MotorNumbers {
         if stator - rotor > most {
             return Err(Error::LobesTooDifferent { stator, rotor, most });
         }
-        evenly_shared("stator", stator_teeth, stator_lobes)?;
+        evenly_shared(WheelKind::Stator, stator_teeth, stator_lobes)?;
         let numbers = Self { stator_lobes, rotor_lobes, stator_teeth, satellite_teeth };
         // (Z_3 − Z_1)/2 is half a whole number: the greatest Z_s below it is the next whole one down.
         let twice_limit = stator_teeth - numbers.rotor_teeth();
@@ -114,10 +119,10 @@ impl MotorNumbers {
         satellite_teeth: u32,
     ) -> Result<Self, Error> {
         if rotor_teeth == 0 {
-            return Err(Error::NoTeeth { wheel: "rotor" });
+            return Err(Error::NoTeeth { wheel: WheelKind::Rotor });
         }
         if rotor_lobes > 0 {
-            evenly_shared("rotor", rotor_teeth, rotor_lobes)?;
+            evenly_shared(WheelKind::Rotor, rotor_teeth, rotor_lobes)?;
         }
         let numbers = Self::new(stator_lobes, rotor_lobes, stator_teeth, satellite_teeth)?;
         if rotor_teeth == numbers.rotor_teeth() {
@@ -193,7 +198,7 @@ impl MotorNumbers {
     }
 }
 
-fn evenly_shared(wheel: &'static str, teeth: u32, lobes: u32) -> Result<(), Error> {
+fn evenly_shared(wheel: WheelKind, teeth: u32, lobes: u32) -> Result<(), Error> {
     if teeth.is_multiple_of(lobes) {
         return Ok(());
     }
@@ -267,9 +272,9 @@ impl Bounds {
     /// `N`, `n`, teeth per lobe, and the range of `Z_s`, which may be empty.
     fn lobes(&self) -> Result<impl Iterator<Item = (u32, u32, u32, RangeInclusive<u32>)>, Error> {
         for (what, range) in [
-            ("stator lobes", &self.stator_lobes),
-            ("stator teeth", &self.stator_teeth),
-            ("satellite teeth", &self.satellite_teeth),
+            (Quantity::StatorLobes, &self.stator_lobes),
+            (Quantity::StatorTeeth, &self.stator_teeth),
+            (Quantity::SatelliteTeeth, &self.satellite_teeth),
         ] {
             let (from, to) = (*range.start(), *range.end());
             if from > to {
@@ -278,7 +283,11 @@ impl Bounds {
         }
         let [least_teeth, most_teeth] = [*self.stator_teeth.start(), *self.stator_teeth.end()];
         if most_teeth > MOST_TEETH {
-            return Err(Error::TooManyTeeth { wheel: "stator", teeth: most_teeth, most: MOST_TEETH });
+            return Err(Error::TooManyTeeth {
+                wheel: WheelKind::Stator,
+                teeth: most_teeth,
+                most: MOST_TEETH,
+            });
         }
         let [least_satellite, most_satellite] = [*self.satellite_teeth.start(), *self.satellite_teeth.end()];
         // A lobe has at least one tooth: no more lobes than teeth.
@@ -313,22 +322,26 @@ mod tests {
     #[test]
     fn every_condition_has_its_own_error() {
         let refused = |n3, n1, z3, zs| MotorNumbers::new(n3, n1, z3, zs).unwrap_err();
-        assert_eq!(refused(0, 3, 55, 10), Error::NoLobes { wheel: "stator" });
-        assert_eq!(refused(5, 0, 55, 10), Error::NoLobes { wheel: "rotor" });
-        assert_eq!(refused(5, 3, 0, 10), Error::NoTeeth { wheel: "stator" });
-        assert_eq!(refused(5, 3, 55, 0), Error::NoTeeth { wheel: "satellite" });
+        assert_eq!(refused(0, 3, 55, 10), Error::NoLobes { wheel: WheelKind::Stator });
+        assert_eq!(refused(5, 0, 55, 10), Error::NoLobes { wheel: WheelKind::Rotor });
+        assert_eq!(refused(5, 3, 0, 10), Error::NoTeeth { wheel: WheelKind::Stator });
+        assert_eq!(refused(5, 3, 55, 0), Error::NoTeeth { wheel: WheelKind::Satellite });
         assert!(matches!(refused(5, 3, 20_000, 10), Error::TooManyTeeth { .. }));
         assert!(matches!(refused(5, 5, 55, 10), Error::LobesNotMore { .. }));
         assert!(matches!(refused(3, 5, 55, 10), Error::LobesNotMore { .. }));
         assert!(matches!(refused(7, 3, 70, 10), Error::LobesTooDifferent { .. }));
-        let uneven = Error::TeethPerLobe { wheel: "stator", teeth: 56, lobes: 5, below: 55, above: 60 };
+        let uneven =
+            Error::TeethPerLobe { wheel: WheelKind::Stator, teeth: 56, lobes: 5, below: 55, above: 60 };
         assert_eq!(refused(5, 3, 56, 10), uneven);
         assert_eq!(refused(5, 3, 55, 11), Error::SatelliteTooLarge { teeth: 11, limit: 11.0, most: 10 });
         assert_eq!(refused(5, 4, 55, 6), Error::SatelliteTooLarge { teeth: 6, limit: 5.5, most: 5 });
         assert!(MotorNumbers::new(5, 4, 55, 5).is_ok());
         let with = |z1| MotorNumbers::with_rotor_teeth(5, 3, 55, z1, 10).unwrap_err();
-        assert_eq!(with(0), Error::NoTeeth { wheel: "rotor" });
-        assert!(matches!(with(34), Error::TeethPerLobe { wheel: "rotor", below: 33, above: 36, .. }));
+        assert_eq!(with(0), Error::NoTeeth { wheel: WheelKind::Rotor });
+        assert!(matches!(
+            with(34),
+            Error::TeethPerLobe { wheel: WheelKind::Rotor, below: 33, above: 36, .. }
+        ));
         assert_eq!(with(30), Error::TeethPerLobeDiffer { rotor_teeth: 30, needed: 33 });
     }
 
@@ -336,7 +349,7 @@ mod tests {
     #[allow(clippy::reversed_empty_ranges)] // the fault under test
     fn bounds_the_wrong_way_round_are_refused() {
         let bounds = Bounds { stator_lobes: 6..=5, ..Bounds::default() };
-        assert_eq!(bounds.all(), Err(Error::EmptyRange { what: "stator lobes", from: 6, to: 5 }));
+        assert_eq!(bounds.all(), Err(Error::EmptyRange { what: Quantity::StatorLobes, from: 6, to: 5 }));
         let many = Bounds { stator_teeth: 1..=u32::MAX, ..Bounds::default() };
         assert!(matches!(many.all(), Err(Error::TooManyTeeth { .. })));
     }

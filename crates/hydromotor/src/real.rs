@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
+use crate::tolerance::SERIES;
+
 /// What the kernels of system (1) and of the closure need of a number.
 pub(crate) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
@@ -21,7 +23,7 @@ pub(crate) trait Real:
 /// Both branches of the integral `J` in one function that is smooth where they meet. Nothing cancels near 0.
 pub(crate) fn arc(z: f64) -> f64 {
     let root = z.abs().sqrt();
-    if root < 1e-8 {
+    if root < SERIES {
         1.0 - z / 3.0
     } else if z > 0.0 {
         root.atan() / root

@@ -7,6 +7,7 @@
 //! α = (θ₃ − μ) − s₃/r = Φ − (θ₁ − μ) − s₁/r
 //! ```
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Length};
 
 use crate::Error;
@@ -67,7 +68,7 @@ impl Motor {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn satellites(&self, rotation: Angle) -> Result<Vec<Satellite>, Error> {
-        let rotation = finite_angle("rotation", rotation)?;
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let r = self.shape.satellite_radius();
         let point = |[x, y]: [f64; 2]| Point { x: self.length(x), y: self.length(y) };
         let satellite = |index: u32| {

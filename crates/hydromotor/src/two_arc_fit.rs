@@ -23,6 +23,7 @@ use uom::si::f64::{Angle, Curvature, Length};
 
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
+use crate::tolerance::{BETTER, DIFFERENCE, FINER, LEVEL, NOISE, REACH, SINGULAR};
 use crate::units::{angle, curvature};
 
 /// Places along the half-lobe at which the distance is looked at.
@@ -225,7 +226,7 @@ fn within_reach(points: &[[f64; 2]], start: (Parameters, f64), span: f64) -> (Pa
     let whole = parameters[0];
     let mut reach = 1e-2 * whole;
     let mut slopes = rows(points, parameters, span);
-    while reach > 1e-10 * whole {
+    while reach > REACH * whole {
         let mut bounded = slopes.clone();
         bounded.extend((0..3).map(|i| {
             let mut row = [0.0; 4];
@@ -235,7 +236,7 @@ fn within_reach(points: &[[f64; 2]], start: (Parameters, f64), span: f64) -> (Pa
         let better = linear_best(&bounded).and_then(|step| {
             let moved = std::array::from_fn(|i| parameters[i] + step[i]);
             let now = greatest(points, moved, span);
-            (now < deviation * (1.0 - 1e-13)).then_some((moved, now))
+            (now < deviation * (1.0 - BETTER)).then_some((moved, now))
         });
         match better {
             Some((moved, now)) => {
@@ -259,14 +260,14 @@ fn compass(points: &[[f64; 2]], start: (Parameters, f64), span: f64) -> Option<(
                 parameters[i] + reach * digit
             });
             let now = greatest(points, moved, span);
-            (now < deviation * (1.0 - 1e-6)).then_some((moved, now))
+            (now < deviation * (1.0 - FINER)).then_some((moved, now))
         })
     })
 }
 
 /// Of each point, how its distance goes with the parameters, and the distance.
 fn rows(points: &[[f64; 2]], parameters: Parameters, span: f64) -> Vec<[f64; 4]> {
-    let h = 1e-6 * parameters[0];
+    let h = DIFFERENCE * parameters[0];
     let moved = |i: usize, by: f64| {
         let mut moved = parameters;
         moved[i] += by;
@@ -311,7 +312,7 @@ fn linear_best(rows: &[[f64; 4]]) -> Option<Parameters> {
             rows.iter().map(distance).enumerate().fold((0, 0.0), |best: (usize, f64), (i, value)| {
                 if value.abs() > best.1.abs() { (i, value) } else { best }
             });
-        if most.abs() <= height * (1.0 + 1e-10) || basis.contains(&worst) {
+        if most.abs() <= height * (1.0 + LEVEL) || basis.contains(&worst) {
             return Some([x, y, z]);
         }
         // The new row replaces the one whose weight vanishes first.
@@ -326,7 +327,7 @@ fn linear_best(rows: &[[f64; 4]]) -> Option<Parameters> {
         let sign = most.signum();
         let shares = weighed(std::array::from_fn(|i| column(worst, sign, i)))?;
         // Shares below the differences' own noise are none.
-        let ratio = |i: usize| if shares[i] > 1e-7 { weights[i] / shares[i] } else { f64::INFINITY };
+        let ratio = |i: usize| if shares[i] > NOISE { weights[i] / shares[i] } else { f64::INFINITY };
         let leaving = (0..4).min_by(|&a, &b| ratio(a).total_cmp(&ratio(b)))?;
         basis[leaving] = worst;
         signs[leaving] = sign;
@@ -340,7 +341,7 @@ fn solved(mut rows: [[f64; 5]; 4]) -> Option<[f64; 4]> {
         let pivot = (i..4).max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs()))?;
         rows.swap(i, pivot);
         let lead = rows[i];
-        if lead[i].abs() <= 1e-12 || lead[i].is_nan() {
+        if lead[i].abs() <= SINGULAR || lead[i].is_nan() {
             return None;
         }
         for row in rows.iter_mut().skip(i + 1) {

@@ -2,6 +2,7 @@
 //!
 //! The kernels work in units of the module: lengths over `m`, areas over `m²`.
 
+use crate::quantity::Quantity;
 use uom::si::angle::{degree, radian};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::area::square_meter;
@@ -29,6 +30,14 @@ pub(crate) fn radians(value: Angle) -> f64 {
 
 pub(crate) fn degrees(angle_rad: f64) -> f64 {
     angle(angle_rad).get::<degree>()
+}
+
+pub(crate) fn in_degrees(value: Angle) -> f64 {
+    value.get::<degree>()
+}
+
+pub(crate) fn angle_of_degrees(value_deg: f64) -> Angle {
+    Angle::new::<degree>(value_deg)
 }
 
 /// Millimetres of a length in modules.
@@ -79,7 +88,7 @@ pub(crate) fn force(across: Length, width: Length, pressure: Pressure) -> Force 
 }
 
 /// A length that is finite and above 0.
-pub(crate) fn positive_length(quantity: &'static str, value: Length) -> Result<Length, Error> {
+pub(crate) fn positive_length(quantity: Quantity, value: Length) -> Result<Length, Error> {
     let value_mm = millimetres(value);
     if value_mm.is_finite() && value_mm > 0.0 {
         Ok(value)
@@ -89,12 +98,12 @@ pub(crate) fn positive_length(quantity: &'static str, value: Length) -> Result<L
 }
 
 /// A length that is finite and above 0, in modules.
-pub(crate) fn positive_modules(quantity: &'static str, value: Length, module: Length) -> Result<f64, Error> {
+pub(crate) fn positive_modules(quantity: Quantity, value: Length, module: Length) -> Result<f64, Error> {
     positive_length(quantity, value).map(|value| modules(value, module))
 }
 
 /// An angle that is finite, in radians.
-pub(crate) fn finite_angle(quantity: &'static str, value: Angle) -> Result<f64, Error> {
+pub(crate) fn finite_angle(quantity: Quantity, value: Angle) -> Result<f64, Error> {
     let value_rad = radians(value);
     if value_rad.is_finite() {
         Ok(value_rad)
@@ -104,7 +113,7 @@ pub(crate) fn finite_angle(quantity: &'static str, value: Angle) -> Result<f64, 
 }
 
 /// A length that is finite, in modules.
-pub(crate) fn finite_modules(quantity: &'static str, value: Length, module: Length) -> Result<f64, Error> {
+pub(crate) fn finite_modules(quantity: Quantity, value: Length, module: Length) -> Result<f64, Error> {
     let value_modules = modules(value, module);
     if value_modules.is_finite() {
         Ok(value_modules)
@@ -114,7 +123,7 @@ pub(crate) fn finite_modules(quantity: &'static str, value: Length, module: Leng
 }
 
 /// A pressure that is finite.
-pub(crate) fn finite_pressure(quantity: &'static str, value: Pressure) -> Result<Pressure, Error> {
+pub(crate) fn finite_pressure(quantity: Quantity, value: Pressure) -> Result<Pressure, Error> {
     let value_mpa = value.get::<megapascal>();
     if value_mpa.is_finite() {
         Ok(value)
@@ -129,7 +138,7 @@ pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Er
     if value_rad_s.is_finite() {
         Ok(value)
     } else {
-        Err(Error::NotFinite { quantity: "speed", value: value_rad_s, unit: "rad/s" })
+        Err(Error::NotFinite { quantity: Quantity::Speed, value: value_rad_s, unit: "rad/s" })
     }
 }
 

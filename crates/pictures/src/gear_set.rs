@@ -2,23 +2,49 @@
 
 use epicyclic_drawing::{Align, Color, Error, Point, Scene, Shape, Style, Text};
 use epicyclic_gears::geometry::ToothedGear;
-use uom::si::angle::radian;
+
+use crate::units::{mm, rad};
 use uom::si::f64::{Angle, Length};
-use uom::si::length::millimeter;
 
 /// Sun, planets and ring of a simple set.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearSet<'a> {
     /// The sun.
-    pub sun: &'a ToothedGear,
+    pub sun: Circles,
     /// A planet.
-    pub planet: &'a ToothedGear,
+    pub planet: Circles,
     /// The ring.
-    pub ring: &'a ToothedGear,
+    pub ring: Circles,
     /// Radius of the planets' orbit.
     pub centre_distance: Length,
     /// Where the planets are.
     pub angles: &'a [Angle],
+}
+
+/// What is drawn of a gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Circles {
+    /// Its teeth.
+    pub teeth: u32,
+    /// Pitch diameter.
+    pub pitch_diameter: Length,
+    /// Tip diameter.
+    pub tip_diameter: Length,
+    /// Root diameter.
+    pub root_diameter: Length,
+}
+
+impl Circles {
+    /// Those of a gear.
+    #[must_use]
+    pub fn of(gear: &ToothedGear) -> Self {
+        Self {
+            teeth: gear.teeth().get(),
+            pitch_diameter: gear.pitch_diameter(),
+            tip_diameter: gear.tip_diameter(),
+            root_diameter: gear.root_diameter(),
+        }
+    }
 }
 
 impl GearSet<'_> {
@@ -27,12 +53,10 @@ impl GearSet<'_> {
     /// # Errors
     /// As [`Scene::check`]: for gears larger than 100 m.
     pub fn scene(&self) -> Result<Scene, Error> {
-        let mm = |length: Length| length.get::<millimeter>();
-        let radius = |gear: &ToothedGear| 0.5 * mm(gear.tip_diameter());
+        let radius = |gear: &Circles| 0.5 * mm(gear.tip_diameter);
         // Lines and letters keep their proportion to the set, whatever its size.
-        let outside = 0.5 * mm(self.ring.root_diameter());
+        let outside = 0.5 * mm(self.ring.root_diameter);
         let unit = outside / 60.0;
-        let teeth = |gear: &ToothedGear| gear.teeth().get();
         let mut scene = Scene::new("The gear set along its axis");
         let axes = scene.layer("axes", Style::centre_line().width(0.15 * unit))?;
         let body = Style::line(0.35 * unit);
@@ -43,35 +67,35 @@ impl GearSet<'_> {
         let circle = |centre: Point, diameter: Length| Shape::Circle { centre, radius: 0.5 * mm(diameter) };
         let centre = Point::default();
         scene.add(ring, Shape::Circle { centre, radius: outside + 5.0 * unit });
-        scene.add_styled(ring, body.fill(Color::WHITE), circle(centre, self.ring.tip_diameter()));
+        scene.add_styled(ring, body.fill(Color::WHITE), circle(centre, self.ring.tip_diameter));
         let thin = Style::line(0.15 * unit);
-        scene.add_styled(ring, thin, circle(centre, self.ring.root_diameter()));
+        scene.add_styled(ring, thin, circle(centre, self.ring.root_diameter));
         let orbit = Shape::Circle { centre, radius: mm(self.centre_distance) };
-        let mut gear = |layer, centre: Point, gear: &ToothedGear| {
-            scene.add(layer, circle(centre, gear.tip_diameter()));
-            scene.add_styled(layer, thin, circle(centre, gear.root_diameter()));
-            scene.add(axes, circle(centre, gear.pitch_diameter()));
+        let mut gear = |layer, centre: Point, gear: &Circles| {
+            scene.add(layer, circle(centre, gear.tip_diameter));
+            scene.add_styled(layer, thin, circle(centre, gear.root_diameter));
+            scene.add(axes, circle(centre, gear.pitch_diameter));
             let arm = radius(gear) + 1.5 * unit;
             let hair = 0.25 * arm;
             scene.add(axes, Shape::line([centre.x - hair, centre.y], [centre.x + hair, centre.y]));
             scene.add(axes, Shape::line([centre.x, centre.y - hair], [centre.x, centre.y + hair]));
         };
-        gear(sun, centre, self.sun);
+        gear(sun, centre, &self.sun);
         for angle in self.angles {
-            gear(planets, Point::polar(centre, mm(self.centre_distance), angle.get::<radian>()), self.planet);
+            gear(planets, Point::polar(centre, mm(self.centre_distance), rad(*angle)), &self.planet);
         }
-        scene.add(axes, circle(centre, self.ring.pitch_diameter()));
+        scene.add(axes, circle(centre, self.ring.pitch_diameter));
         scene.add(axes, orbit);
         let x = outside + 9.0 * unit;
         let lines = [
-            format!("sun z₁ = {}", teeth(self.sun)),
-            format!("{} planets z₂ = {}", self.angles.len(), teeth(self.planet)),
-            format!("ring z₃ = {}", teeth(self.ring)),
+            format!("sun z₁ = {}", self.sun.teeth),
+            format!("{} planets z₂ = {}", self.angles.len(), self.planet.teeth),
+            format!("ring z₃ = {}", self.ring.teeth),
             format!(
                 "pitch diameters {}, {}, {} mm",
-                short(mm(self.sun.pitch_diameter())),
-                short(mm(self.planet.pitch_diameter())),
-                short(mm(self.ring.pitch_diameter()))
+                short(mm(self.sun.pitch_diameter)),
+                short(mm(self.planet.pitch_diameter)),
+                short(mm(self.ring.pitch_diameter))
             ),
             format!("centre distance {} mm", short(mm(self.centre_distance))),
         ];
@@ -95,6 +119,8 @@ mod tests {
     use epicyclic_drawing::text::overlaps;
     use epicyclic_gears::geometry::{BasicRack, GearKind};
     use epicyclic_gears::teeth::ToothCount;
+    use uom::si::angle::radian;
+    use uom::si::length::millimeter;
 
     #[test]
     fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {
@@ -102,11 +128,11 @@ mod tests {
         let gear = |kind, teeth| {
             ToothedGear::new(kind, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
         };
-        let [sun, planet] = [18, 36].map(|teeth| gear(GearKind::External, teeth));
-        let ring = gear(GearKind::Internal, 90);
+        let [sun, planet] = [18, 36].map(|teeth| Circles::of(&gear(GearKind::External, teeth)));
+        let ring = Circles::of(&gear(GearKind::Internal, 90));
         let angles = [0.0, 2.0, 4.0].map(Angle::new::<radian>);
         let centre_distance = Length::new::<millimeter>(216.0);
-        let set = GearSet { sun: &sun, planet: &planet, ring: &ring, centre_distance, angles: &angles };
+        let set = GearSet { sun, planet, ring, centre_distance, angles: &angles };
         let scene = set.scene().unwrap();
         assert_eq!(overlaps(&scene), vec![]);
         // The pitch circles of planets touch the sun's and the ring's: 216 − 144 = 72, 216 + 144 = 360.

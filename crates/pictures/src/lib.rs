@@ -15,5 +15,7 @@ pub mod gear_set;
 pub mod gearbox;
 pub mod motor;
 pub mod plot;
+mod tolerance;
+mod units;
 
 pub use error::Error;

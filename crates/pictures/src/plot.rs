@@ -1,5 +1,6 @@
 //! Curves over an axis: a plot with ticks, a grid and a legend.
 
+use crate::tolerance::{LEAST_SPAN, MARK};
 use epicyclic_drawing::{Align, Color, Dash, Error, LayerId, Point, Scene, Shape, Style, Text};
 
 /// Height of the letters.
@@ -229,15 +230,15 @@ impl Axis {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
         // What does not change is shown in the middle of a span of its own size.
-        let slack = if high - low > 1e-9 * low.abs().max(high.abs()) {
+        let slack = if high - low > MARK * low.abs().max(high.abs()) {
             0.0
         } else {
-            (0.5 * low.abs()).max(1e-9).max(if low == 0.0 { 1.0 } else { 0.0 })
+            (0.5 * low.abs()).max(LEAST_SPAN).max(if low == 0.0 { 1.0 } else { 0.0 })
         };
         let (low, high) = (low - slack, high + slack);
         let step = round_step((high - low) / (length_mm / 14.0));
         if to_round_numbers {
-            let (low, high) = ((low / step + 1e-9).floor() * step, (high / step - 1e-9).ceil() * step);
+            let (low, high) = ((low / step + MARK).floor() * step, (high / step - MARK).ceil() * step);
             Self { low, high, step, length_mm }
         } else {
             Self { low, high, step, length_mm }
@@ -253,8 +254,8 @@ impl Axis {
     }
 
     fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
-        let (first, step) = ((self.low / self.step - 1e-9).ceil(), self.step);
-        let last = (self.high / step + 1e-9).floor();
+        let (first, step) = ((self.low / self.step - MARK).ceil(), self.step);
+        let last = (self.high / step + MARK).floor();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         // a step is at least a twelfth of the axis or so
         let count = (last - first).clamp(0.0, 100.0) as u32;
@@ -267,7 +268,7 @@ impl Axis {
         let decimals = (-self.step.log10().floor()).clamp(0.0, 12.0) as usize;
         let size = self.low.abs().max(self.high.abs());
         if size >= 1e6 || self.step < 1e-4 {
-            let text = format!("{:.3e}", if tick.abs() < 1e-9 * size { 0.0 } else { tick });
+            let text = format!("{:.3e}", if tick.abs() < MARK * size { 0.0 } else { tick });
             return text;
         }
         let text = format!("{tick:.decimals$}").replace('-', "−");
@@ -285,7 +286,7 @@ fn round_step(step: f64) -> f64 {
     [1.0, 2.0, 5.0]
         .into_iter()
         .map(|part| part * power)
-        .find(|round| *round >= step * (1.0 - 1e-9))
+        .find(|round| *round >= step * (1.0 - MARK))
         .unwrap_or(10.0 * power)
 }
 

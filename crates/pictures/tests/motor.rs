@@ -8,10 +8,11 @@
 
 use epicyclic_drawing::{Color, Point, Scene, Shape, Vertex, svg, text};
 use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
-use epicyclic_pictures::motor::{Phase, TOLERANCE_MM, centrodes, chambers, outline, teeth, whole};
+use epicyclic_pictures::motor::{TOLERANCE_MM, centrodes, chambers, outline, teeth, whole};
 use proptest::prelude::*;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};

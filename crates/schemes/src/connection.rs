@@ -40,6 +40,7 @@ use crate::catalogue::range::limits;
 use crate::catalogue::simple_set::{fraction, ring_to_sun_ratio};
 use crate::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, with_role};
 use crate::pair::{self, coefficients};
+use crate::quantity::ConnectionPart;
 use crate::standing::Standing;
 use crate::structures::{Structure, gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -100,7 +101,7 @@ pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, Er
         Shaft::Driven => superposed_ratio(first, 1.0, connection),
         Shaft::Driving => 1.0 / superposed_ratio(1.0 / first, 1.0, connection),
     };
-    if second.is_finite() { Ok(second) } else { Err(refused("connection", connection)) }
+    if second.is_finite() { Ok(second) } else { Err(refused(ConnectionPart::Connection, connection)) }
 }
 
 /// The connection ratio `i_c` that a pair of ratios needs: (2.37) and (2.38).
@@ -120,7 +121,7 @@ pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, Er
 pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, Error> {
     let first = stage_one(first)?;
     if second == 0.0 || !second.is_finite() {
-        return Err(refused("second gear", second));
+        return Err(refused(ConnectionPart::SecondGear, second));
     }
     let onto_b = (first - second) / (first - 1.0);
     Ok(match shaft {
@@ -133,11 +134,11 @@ fn stage_one(ratio: f64) -> Result<f64, Error> {
     if ratio.is_finite() && ratio != 0.0 && ratio != 1.0 {
         Ok(ratio)
     } else {
-        Err(refused("first gear", ratio))
+        Err(refused(ConnectionPart::FirstGear, ratio))
     }
 }
 
-fn refused(what: &'static str, ratio: f64) -> Error {
+fn refused(what: ConnectionPart, ratio: f64) -> Error {
     Error::ConnectionRatio { what, ratio }
 }
 

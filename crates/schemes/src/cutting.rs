@@ -4,6 +4,7 @@
 //! multispeed-gearboxes (2.1)–(2.4).
 
 use crate::Error;
+use crate::quantity::Quantity;
 use crate::units::{metres, metres_per_second, newtons};
 use uom::si::f64::{Force, Length, Velocity};
 
@@ -29,8 +30,8 @@ use uom::si::f64::{Force, Length, Velocity};
 /// # Source
 /// (2.1).
 pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, Error> {
-    lengths([("pick spacing", pick_spacing), ("mean chip thickness", mean_chip)])?;
-    speed("feed", feed)?;
+    lengths([(Quantity::PickSpacing, pick_spacing), (Quantity::MeanChip, mean_chip)])?;
+    speed(Quantity::Feed, feed)?;
     Ok(feed * (pick_spacing / mean_chip).value * (1.07 * 60.0 / 100.0))
 }
 
@@ -70,9 +71,9 @@ pub fn drum_speed(
     greatest_chip: Length,
     picks_per_line: u32,
 ) -> Result<Velocity, Error> {
-    lengths([("drum diameter", diameter), ("greatest chip thickness", greatest_chip)])?;
-    speed("feed", feed)?;
-    positive("picks per line", f64::from(picks_per_line), "")?;
+    lengths([(Quantity::DrumDiameter, diameter), (Quantity::GreatestChip, greatest_chip)])?;
+    speed(Quantity::Feed, feed)?;
+    positive(Quantity::PicksPerLine, f64::from(picks_per_line), "")?;
     let turns = (diameter / greatest_chip).value / f64::from(picks_per_line);
     Ok(feed * turns * (5.24 * 60.0 / 100.0))
 }
@@ -90,9 +91,9 @@ pub fn drum_speed(
 /// # Source
 /// (2.3).
 pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, Error> {
-    speed("cutting speed", cutting)?;
-    positive("cutting force", newtons(force), "N")?;
-    positive("other cutting force", newtons(other_force), "N")?;
+    speed(Quantity::CuttingSpeed, cutting)?;
+    positive(Quantity::CuttingForce, newtons(force), "N")?;
+    positive(Quantity::OtherCuttingForce, newtons(other_force), "N")?;
     Ok(cutting * (force / other_force).value)
 }
 
@@ -104,21 +105,21 @@ pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Re
 /// # Source
 /// (2.4).
 pub fn matching_feed(feed: Velocity, cutting: Velocity, other_cutting: Velocity) -> Result<Velocity, Error> {
-    speed("feed", feed)?;
-    speed("cutting speed", cutting)?;
-    speed("other cutting speed", other_cutting)?;
+    speed(Quantity::Feed, feed)?;
+    speed(Quantity::CuttingSpeed, cutting)?;
+    speed(Quantity::OtherCuttingSpeed, other_cutting)?;
     Ok(feed * (other_cutting / cutting).value)
 }
 
-fn lengths(of: [(&'static str, Length); 2]) -> Result<(), Error> {
+fn lengths(of: [(Quantity, Length); 2]) -> Result<(), Error> {
     of.into_iter().try_for_each(|(what, length)| positive(what, metres(length), "m"))
 }
 
-fn speed(what: &'static str, speed: Velocity) -> Result<(), Error> {
+fn speed(what: Quantity, speed: Velocity) -> Result<(), Error> {
     positive(what, metres_per_second(speed), "m/s")
 }
 
-pub(crate) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Error> {
+pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<(), Error> {
     if value > 0.0 && value.is_finite() { Ok(()) } else { Err(Error::NotPositive { quantity, value, unit }) }
 }
 

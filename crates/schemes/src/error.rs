@@ -2,6 +2,8 @@
 //!
 //! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are requirements that no scheme meets.
 
+use crate::quantity::{ConnectionPart, Quantity, SeriesParameter};
+
 /// An invalid input, or requirements that nothing meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -61,7 +63,7 @@ pub enum Error {
     )]
     ConnectionRatio {
         /// Of what: a gear or the connection.
-        what: &'static str,
+        what: ConnectionPart,
         /// The ratio given.
         ratio: f64,
     },
@@ -85,7 +87,7 @@ pub enum Error {
     #[error("{what} = {value}: a range of speeds is above 1")]
     SpeedRange {
         /// `d` or `q`.
-        what: &'static str,
+        what: SeriesParameter,
         /// The value given.
         value: f64,
     },
@@ -127,7 +129,7 @@ pub enum Error {
     #[error("{quantity} = {value} {unit}: it is a finite number above 0")]
     NotPositive {
         /// Which.
-        quantity: &'static str,
+        quantity: Quantity,
         /// The value given.
         value: f64,
         /// Its unit.
@@ -159,4 +161,32 @@ pub enum Error {
     /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
+}
+
+impl Error {
+    /// Name of the fault, which does not change with the message: `unknown-scheme`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::UnknownScheme { .. } => "unknown-scheme",
+            Self::UnknownStructure { .. } => "unknown-structure",
+            Self::NotAStructure { .. } => "not-a-structure",
+            Self::RingToSunRange { .. } => "ring-to-sun-range",
+            Self::RatioOutOfReach { .. } => "ratio-out-of-reach",
+            Self::ConnectionRatio { .. } => "connection-ratio",
+            Self::SpeedCount { .. } => "speed-count",
+            Self::SpeedsOutOfOrder { .. } => "speeds-out-of-order",
+            Self::SpeedRange { .. } => "speed-range",
+            Self::MiddleSpeed { .. } => "middle-speed",
+            Self::RatioCount { .. } => "ratio-count",
+            Self::Ratio { .. } => "ratio",
+            Self::EqualRatios { .. } => "equal-ratios",
+            Self::DirectPlace { .. } => "direct-place",
+            Self::NotPositive { .. } => "not-positive",
+            Self::NoFlight { .. } => "no-flight",
+            Self::UnknownMachine { .. } => "unknown-machine",
+            Self::GearSet(error) => error.name(),
+            Self::Gearbox(error) => error.name(),
+        }
+    }
 }

@@ -30,6 +30,7 @@ pub mod direct_drive;
 mod error;
 pub mod machines;
 pub mod pair;
+pub mod quantity;
 pub mod ratio_series;
 pub mod rotor;
 pub mod standing;

@@ -19,6 +19,7 @@
 //! multispeed-gearboxes, tables 1.1, 1.2, 2.1.
 
 use crate::Error;
+use crate::quantity::SeriesParameter;
 use epicyclic_train::names::nearest;
 use std::fmt;
 use std::sync::LazyLock;
@@ -145,7 +146,7 @@ pub struct Recommendation {
 /// [`Error::SpeedRange`] for `d ≤ 1`.
 pub fn recommended_speeds(speed_range: f64) -> Result<Recommendation, Error> {
     if !(speed_range > 1.0 && speed_range.is_finite()) {
-        return Err(Error::SpeedRange { what: "d", value: speed_range });
+        return Err(Error::SpeedRange { what: SeriesParameter::SpeedRange, value: speed_range });
     }
     let ends = [1.2, 1.5, 2.5];
     let speeds = 1 + ends.iter().filter(|end| speed_range >= **end).count() as u32;

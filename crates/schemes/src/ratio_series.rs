@@ -21,6 +21,7 @@
 //! multispeed-gearboxes (2.10)–(2.21), (2.33)–(2.35). It calls the combined regime undesirable.
 
 use crate::Error;
+use crate::quantity::SeriesParameter;
 use crate::units::metres_per_second;
 use uom::si::f64::Velocity;
 
@@ -94,7 +95,7 @@ impl RatioSeries {
     /// # Source
     /// Section 3.2.
     pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, Error> {
-        range("d", d)?;
+        range(SeriesParameter::SpeedRange, d)?;
         match q {
             None => Self::of_braked_gears(&[d]),
             Some(q) if q > 1.0 && q < d => Self::of_braked_gears(&[q, d]),
@@ -131,7 +132,7 @@ impl RatioSeries {
     /// (2.10)–(2.19).
     pub fn geometric(step: f64, count: usize, direct: usize) -> Result<Self, Error> {
         counts(count, direct)?;
-        range("q", step)?;
+        range(SeriesParameter::Step, step)?;
         let power = |place: usize| step.powi(place as i32 - (direct as i32 - 1));
         Ok(Self { ratios: (0..count).map(power).collect(), direct: direct - 1 })
     }
@@ -185,7 +186,7 @@ fn counts(count: usize, direct: usize) -> Result<(), Error> {
     Ok(())
 }
 
-fn range(what: &'static str, value: f64) -> Result<(), Error> {
+fn range(what: SeriesParameter, value: f64) -> Result<(), Error> {
     if value > 1.0 && value.is_finite() { Ok(()) } else { Err(Error::SpeedRange { what, value }) }
 }
 
@@ -195,7 +196,7 @@ fn range(what: &'static str, value: f64) -> Result<(), Error> {
 /// [`Error::SpeedCount`], [`Error::SpeedRange`] for `d ≤ 1`.
 pub fn step(speed_range: f64, count: usize) -> Result<f64, Error> {
     counts(count, 1)?;
-    range("d", speed_range)?;
+    range(SeriesParameter::SpeedRange, speed_range)?;
     Ok(speed_range.powf(1.0 / (count as f64 - 1.0)))
 }
 

@@ -7,6 +7,7 @@
 
 use crate::Error;
 use crate::cutting::positive;
+use crate::quantity::Quantity;
 use crate::units::{acceleration, angular_velocity, degrees, m_per_s2, metres, rad_per_s, radians};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length};
@@ -47,14 +48,14 @@ pub fn optimal_speed(
     buckets: u32,
     boom_angle: Angle,
 ) -> Result<AngularVelocity, Error> {
-    positive("boom radius", metres(boom_radius), "m")?;
-    positive("slewing speed", rad_per_s(slewing), "rad/s")?;
-    positive("chip width", metres(chip_width), "m")?;
-    positive("number of buckets", f64::from(buckets), "")?;
+    positive(Quantity::BoomRadius, metres(boom_radius), "m")?;
+    positive(Quantity::SlewingSpeed, rad_per_s(slewing), "rad/s")?;
+    positive(Quantity::ChipWidth, metres(chip_width), "m")?;
+    positive(Quantity::Buckets, f64::from(buckets), "")?;
     let cos = radians(boom_angle).cos();
     let is_acute = radians(boom_angle).abs() < FRAC_PI_2;
     if !is_acute {
-        return Err(Error::NotPositive { quantity: "cosine of the boom angle", value: cos, unit: "" });
+        return Err(Error::NotPositive { quantity: Quantity::BoomAngleCosine, value: cos, unit: "" });
     }
     Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
 }
@@ -74,7 +75,7 @@ pub fn optimal_speed(
 /// (2.5), restored.
 pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Error> {
     let omega_rad_s = rad_per_s(optimal);
-    positive("optimal speed", omega_rad_s, "rad/s")?;
+    positive(Quantity::OptimalSpeed, omega_rad_s, "rad/s")?;
     Ok(angular_velocity(0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt())))
 }
 
@@ -96,9 +97,9 @@ pub fn least_speed(
     gravity: Acceleration,
     wheel_radius: Length,
 ) -> Result<AngularVelocity, Error> {
-    positive("Ω", discharge, "")?;
-    positive("acceleration of fall", m_per_s2(gravity), "m/s²")?;
-    positive("wheel radius", metres(wheel_radius), "m")?;
+    positive(Quantity::Discharge, discharge, "")?;
+    positive(Quantity::FallAcceleration, m_per_s2(gravity), "m/s²")?;
+    positive(Quantity::WheelRadius, metres(wheel_radius), "m")?;
     let squared = discharge * m_per_s2(gravity) / metres(wheel_radius);
     Ok(angular_velocity(squared.sqrt()))
 }
@@ -155,8 +156,8 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
 /// # Source
 /// (2.9).
 pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, Error> {
-    positive("greatest speed", rad_per_s(greatest), "rad/s")?;
-    positive("least speed", rad_per_s(least), "rad/s")?;
+    positive(Quantity::GreatestSpeed, rad_per_s(greatest), "rad/s")?;
+    positive(Quantity::LeastSpeed, rad_per_s(least), "rad/s")?;
     Ok((greatest / least).value)
 }
 

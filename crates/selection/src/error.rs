@@ -1,6 +1,7 @@
 //! What selection and search refuse.
 
 use super::objectives::Objective;
+use crate::quantity::{KRange, Limited, Rated};
 
 /// Invalid requirements, or a search too large.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -36,7 +37,7 @@ pub enum Error {
     #[error("{what} ring-to-sun ratios from {from} to {to}: above 1, finite, the smaller first")]
     RingToSunRange {
         /// Allowed or preferred.
-        what: &'static str,
+        what: KRange,
         /// Lower end.
         from: f64,
         /// Upper end.
@@ -46,7 +47,7 @@ pub enum Error {
     #[error("limit of {what} {value}: a number, not below 0")]
     Limit {
         /// Of what.
-        what: &'static str,
+        what: Limited,
         /// The value given.
         value: f64,
     },
@@ -54,7 +55,7 @@ pub enum Error {
     #[error("{what} {value}{}{unit}: finite and above 0", if unit.is_empty() { "" } else { " " })]
     Rating {
         /// Which.
-        what: &'static str,
+        what: Rated,
         /// The value given.
         value: f64,
         /// Its unit; empty of a plain number.
@@ -152,6 +153,34 @@ pub enum Error {
     Gearbox(#[from] epicyclic_train::Error),
 }
 
+impl Error {
+    /// Name of the fault, which does not change with the message: `speed-count`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::SpeedCount { .. } => "speed-count",
+            Self::RatioCount { .. } => "ratio-count",
+            Self::Tolerance { .. } => "tolerance",
+            Self::RingToSunCount { .. } => "ring-to-sun-count",
+            Self::RingToSunRange { .. } => "ring-to-sun-range",
+            Self::Limit { .. } => "limit",
+            Self::Rating { .. } => "rating",
+            Self::PlanetNumber { .. } => "planet-number",
+            Self::RepeatedObjective { .. } => "repeated-objective",
+            Self::UnknownObjective { .. } => "unknown-objective",
+            Self::SizeWithoutTorque => "size-without-torque",
+            Self::TooManyToothSets { .. } => "too-many-tooth-sets",
+            Self::TooManyWindows { .. } => "too-many-windows",
+            Self::TooManyPairs { .. } => "too-many-pairs",
+            Self::FrontTooLarge { .. } => "front-too-large",
+            Self::Cancelled => "cancelled",
+            Self::GearSet(error) => error.name(),
+            Self::Scheme(error) => error.name(),
+            Self::Gearbox(error) => error.name(),
+        }
+    }
+}
+
 /// `6.4e7`: pairs of so many.
 fn pairs_of(count: u64) -> String {
     let count = count as f64;
@@ -173,9 +202,9 @@ mod tests {
         assert!(message(Error::SpeedCount { count: 1 }).starts_with("1 speed: "));
         assert!(message(Error::RatioCount { count: 1 }).starts_with("1 ratio: "));
         assert_eq!(message(Error::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
-        let rating = Error::Rating { what: "input torque", value: -1.0, unit: "N·m" };
+        let rating = Error::Rating { what: Rated::InputTorque, value: -1.0, unit: "N·m" };
         assert_eq!(message(rating), "input torque -1 N·m: finite and above 0");
-        let rating = Error::Rating { what: "face-width ratio", value: 0.0, unit: "" };
+        let rating = Error::Rating { what: Rated::FaceWidthRatio, value: 0.0, unit: "" };
         assert_eq!(message(rating), "face-width ratio 0: finite and above 0");
     }
 }

@@ -39,9 +39,11 @@ mod error;
 pub mod front;
 pub mod mechanism;
 pub mod objectives;
+pub mod quantity;
 pub mod requirements;
 pub mod search;
 pub mod size;
+mod threads;
 mod tolerance;
 mod units;
 

@@ -44,7 +44,7 @@ impl Objective {
         match self {
             Self::Efficiency => "efficiency",
             Self::Speed => "speed",
-            Self::RingToSun => "parameter",
+            Self::RingToSun => "k",
             Self::RatioError => "error",
             Self::Size => "size",
         }
@@ -169,7 +169,7 @@ mod tests {
     fn an_order_names_each_once() {
         let order = Order::new(&[Objective::Size, Objective::Speed]).unwrap();
         let names = order.objectives().map(Objective::name);
-        assert_eq!(names, ["size", "speed", "efficiency", "parameter", "error"]);
+        assert_eq!(names, ["size", "speed", "efficiency", "k", "error"]);
         let twice = Order::new(&[Objective::Size, Objective::Size]);
         assert_eq!(twice, Err(Error::RepeatedObjective { objective: Objective::Size }));
         assert_eq!("error".parse(), Ok(Objective::RatioError));

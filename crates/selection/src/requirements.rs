@@ -2,6 +2,7 @@
 
 use super::Error;
 use super::size::Rating;
+use crate::quantity::{KRange, Limited};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::RatioSeries;
 use std::ops::RangeInclusive;
@@ -139,17 +140,18 @@ impl Requirements {
             return Err(Error::Tolerance { tolerance: self.tolerance });
         }
         let limits = &self.limits;
-        for (what, range) in [("allowed", &limits.ring_to_sun), ("preferred", &limits.preferred)] {
+        for (what, range) in [(KRange::Allowed, &limits.ring_to_sun), (KRange::Preferred, &limits.preferred)]
+        {
             let (from, to) = (*range.start(), *range.end());
             if !(from > 1.0 && from <= to && to.is_finite()) {
                 return Err(Error::RingToSunRange { what, from, to });
             }
         }
         for (what, value) in [
-            ("efficiency", limits.efficiency),
-            ("link speed", limits.link_speed),
-            ("planet speed", limits.planet_speed),
-            ("clutch slip", limits.clutch_slip),
+            (Limited::Efficiency, limits.efficiency),
+            (Limited::LinkSpeed, limits.link_speed),
+            (Limited::PlanetSpeed, limits.planet_speed),
+            (Limited::ClutchSlip, limits.clutch_slip),
         ] {
             if value.is_nan() || value < 0.0 {
                 return Err(Error::Limit { what, value });

@@ -28,6 +28,7 @@
 //! module within a diameter; shafts, bearings and shift elements.
 
 use super::Error;
+use crate::quantity::Rated;
 use crate::units::{metres, n_m, pascal};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, Pressure, Torque};
@@ -60,16 +61,16 @@ impl Rating {
         let check = |what, value: f64, unit| {
             if value > 0.0 && value.is_finite() { Ok(()) } else { Err(Error::Rating { what, value, unit }) }
         };
-        check("face-width ratio", self.face_width_ratio, "")?;
+        check(Rated::FaceWidthRatio, self.face_width_ratio, "")?;
         for factor in self.mesh_load_factors {
-            check("mesh load factor", factor, "")?;
+            check(Rated::MeshLoadFactor, factor, "")?;
         }
         if !PLANETS.contains(&self.planets) {
             return Err(Error::PlanetNumber { planets: self.planets, most: MOST_PLANETS });
         }
         if let Some((torque, load_factor)) = self.load {
-            check("input torque", n_m(torque), "N·m")?;
-            check("load factor K", pascal(load_factor), "Pa")?;
+            check(Rated::InputTorque, n_m(torque), "N·m")?;
+            check(Rated::LoadFactor, pascal(load_factor), "Pa")?;
         }
         Ok(())
     }

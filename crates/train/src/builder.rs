@@ -1,7 +1,7 @@
 //! Describing a gearbox by names, and checking that the description is one.
 
-use crate::compound::{CentralKind, CompoundSpec};
-use crate::error::CompoundFault;
+use crate::compound::{CentralKind, CompoundSpec, GearName};
+use crate::error::{CompoundFault, Place, Terminal};
 use crate::gearbox::{Gear, ShiftElement, ascending};
 use crate::groups::Groups;
 use crate::names::nearest;
@@ -233,11 +233,11 @@ impl GearboxBuilder {
             output: LinkId::GROUND,
             warnings: vec![],
         };
-        gearbox.input = terminal(&gearbox, self.input.as_deref(), "input")?;
-        gearbox.output = terminal(&gearbox, self.output.as_deref(), "output")?;
+        gearbox.input = terminal(&gearbox, self.input.as_deref(), Terminal::Input)?;
+        gearbox.output = terminal(&gearbox, self.output.as_deref(), Terminal::Output)?;
         let mut groups = Groups::new(gearbox.links.len());
         for [first, second] in &self.permanent {
-            let place = || "a permanent connection".to_owned();
+            let place = || Place::Connection;
             let pair = [link(&gearbox, first, place)?, link(&gearbox, second, place)?];
             if !groups.join(pair[0].0, pair[1].0) {
                 return Err(Error::CyclicGrounds { first: first.clone(), second: second.clone() });
@@ -257,7 +257,7 @@ impl GearboxBuilder {
             return Err(Error::Spread { exponent });
         }
         for (id, [first, second], one_way) in self.shift_elements {
-            let place = || format!("shift element `{id}`");
+            let place = || Place::ShiftElement(id.clone());
             let mut pair = [link(&gearbox, &first, place)?, link(&gearbox, &second, place)?];
             if pair[0] == pair[1] {
                 return Err(Error::ShiftElementJoinsItself { shift_element: id, link: first });
@@ -302,22 +302,22 @@ fn unique<'a>(what: Named, names: impl Iterator<Item = &'a str>) -> Result<(), E
     Ok(())
 }
 
-fn link(gearbox: &Gearbox, name: &str, place: impl Fn() -> String) -> Result<LinkId, Error> {
+fn link(gearbox: &Gearbox, name: &str, place: impl Fn() -> Place) -> Result<LinkId, Error> {
     gearbox.link(name).ok_or_else(|| gearbox.unknown_link(name, place()))
 }
 
-fn terminal(gearbox: &Gearbox, name: Option<&str>, which: &'static str) -> Result<LinkId, Error> {
+fn terminal(gearbox: &Gearbox, name: Option<&str>, which: Terminal) -> Result<LinkId, Error> {
     let name = name.ok_or(Error::NoTerminal { terminal: which })?;
-    let found = link(gearbox, name, || which.to_owned())?;
+    let found = link(gearbox, name, || Place::Terminal(which))?;
     if found == LinkId::GROUND {
-        return Err(Error::GroundedTerminal { place: which.to_owned() });
+        return Err(Error::GroundedTerminal { place: Place::Terminal(which) });
     }
     Ok(found)
 }
 
 fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Result<PlanetSet, Error> {
     let id = description.id().to_owned();
-    let place = || format!("set `{id}`");
+    let place = || Place::Set(id.clone());
     let (carrier, parts) = match &description {
         Description::Short(spec) => {
             let [a, b, h] = &spec.members;
@@ -367,10 +367,10 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
     if spec.centrals.len() < 2 {
         return Err(fault(CompoundFault::TooFewMembers { given: spec.centrals.len() }));
     }
-    let teeth = |gear: &str, count: u32| {
-        ToothCount::new(count).map_err(|_| fault(CompoundFault::NoTeeth { gear: gear.to_owned() }))
+    let teeth = |gear: &GearName, count: u32| {
+        ToothCount::new(count).map_err(|_| fault(CompoundFault::NoTeeth { gear: gear.clone() }))
     };
-    let mut gears: Vec<(String, GearOf)> = vec![];
+    let mut gears: Vec<(GearName, GearOf)> = vec![];
     let mut planets = vec![];
     for (place, planet) in spec.planets.iter().enumerate() {
         if planet.teeth.len() > MOST_PLANETS {
@@ -383,13 +383,11 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
         let mut counts = vec![];
         if planet.teeth.is_empty() {
             counts.push(None);
-            gears.push((planet.name.clone(), GearOf::Planet(place, 0)));
+            gears.push((GearName::only(&planet.name), GearOf::Planet(place, 0)));
         }
         for (step, &count) in planet.teeth.iter().enumerate() {
-            let name = match planet.teeth.len() {
-                1 => planet.name.clone(),
-                _ => format!("{}.{}", planet.name, step + 1),
-            };
+            let step_of_several = (planet.teeth.len() > 1).then_some(step + 1);
+            let name = GearName { of: planet.name.clone(), step: step_of_several };
             counts.push(Some(teeth(&name, count)?));
             gears.push((name, GearOf::Planet(place, step)));
         }
@@ -397,7 +395,7 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
     }
     let mut centrals = vec![];
     for (place, central) in spec.centrals.iter().enumerate() {
-        let link = link(gearbox, &central.link, || format!("set `{}`", spec.id))?;
+        let link = link(gearbox, &central.link, || Place::Set(spec.id.clone()))?;
         let (teeth, body) = match (&central.planet, central.kind) {
             (Some(name), CentralKind::PlanetShaft) => {
                 let planet = spec.planets.iter().position(|planet| planet.name == *name);
@@ -407,30 +405,30 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
                 };
                 (None, spec.centrals.len() + planet.ok_or_else(|| fault(unknown()))?)
             }
-            _ => (Some(teeth(&central.name, central.teeth)?), place),
+            _ => (Some(teeth(&GearName::only(&central.name), central.teeth)?), place),
         };
         if centrals.iter().any(|other: &Central| other.body == body) {
             let planet = central.planet.clone().unwrap_or_default();
             return Err(fault(CompoundFault::TwoShafts { name: central.name.clone(), planet }));
         }
-        gears.push((central.name.clone(), GearOf::Central(place)));
+        gears.push((GearName::only(&central.name), GearOf::Central(place)));
         centrals.push(Central { link, kind: central.kind, teeth, body });
     }
     let mut names = std::collections::BTreeSet::new();
-    let bodies = spec
-        .planets
-        .iter()
-        .map(|planet| &planet.name)
-        .filter(|name| !gears.iter().any(|(gear, _)| gear == *name));
-    if let Some(twice) = gears.iter().map(|(name, _)| name).chain(bodies).find(|name| !names.insert(*name)) {
-        return Err(fault(CompoundFault::NameTwice { name: twice.clone() }));
+    // What meshes are written with: `long.2` may be a step of a planet or a central gear.
+    let spelt: Vec<String> = gears.iter().map(|(name, _)| name.to_string()).collect();
+    let bodies = spec.planets.iter().map(|planet| &planet.name).filter(|name| !spelt.contains(name));
+    let bodies = bodies.map(|name| (name.as_str(), GearName::only(name)));
+    let named = spelt.iter().map(String::as_str).zip(gears.iter().map(|(name, _)| name.clone()));
+    if let Some((_, name)) = named.chain(bodies).find(|(spelling, _)| !names.insert(*spelling)) {
+        return Err(fault(CompoundFault::NameTwice { name }));
     }
     let gear = |name: &str| {
-        let known = gears.iter().find(|(gear, _)| gear == name);
-        known.map(|(_, gear)| *gear).ok_or_else(|| {
+        let known = spelt.iter().position(|spelling| spelling == name);
+        known.map(|place| gears[place].1).ok_or_else(|| {
             fault(CompoundFault::UnknownGear {
                 name: name.to_owned(),
-                suggestion: nearest(name, gears.iter().map(|(gear, _)| gear.as_str())),
+                suggestion: nearest(name, spelt.iter().map(String::as_str)),
             })
         })
     };
@@ -507,22 +505,19 @@ fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
 }
 
 fn build_gear(gearbox: &Gearbox, spec: GearSpec) -> Result<Gear, Error> {
-    let place = format!("gear `{}`", spec.name);
-    let engaged = spec
-        .engaged
-        .iter()
-        .map(|id| gearbox.shift_element(id, place.clone()))
-        .collect::<Result<Vec<_>, _>>()?;
-    let own = |name: Option<&str>, default: LinkId, which: &str| {
+    let place = || Place::Gear(spec.name.clone());
+    let engaged =
+        spec.engaged.iter().map(|id| gearbox.shift_element(id, place)).collect::<Result<Vec<_>, _>>()?;
+    let own = |name: Option<&str>, default: LinkId, which: Terminal| {
         let Some(name) = name else { return Ok(default) };
-        let place = || format!("{which} of gear `{}`", spec.name);
+        let place = || Place::TerminalOf(which, spec.name.clone());
         match link(gearbox, name, place)? {
             LinkId::GROUND => Err(Error::GroundedTerminal { place: place() }),
             link => Ok(link),
         }
     };
-    let input = own(spec.input.as_deref(), gearbox.input, "input")?;
-    let output = own(spec.output.as_deref(), gearbox.output, "output")?;
+    let input = own(spec.input.as_deref(), gearbox.input, Terminal::Input)?;
+    let output = own(spec.output.as_deref(), gearbox.output, Terminal::Output)?;
     Ok(Gear { name: spec.name.into(), engaged: ascending(engaged).into(), input, output })
 }
 

@@ -34,6 +34,7 @@
 //! ```
 
 use epicyclic_gears::efficiency::MeshEfficiency;
+use std::fmt;
 
 /// What a member of a set is, beside the carrier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -113,6 +114,32 @@ pub struct CompoundSpec {
     pub meshes: Vec<MeshSpec>,
     /// How many of each planet stand around the axis.
     pub planet_count: Option<u32>,
+}
+
+/// The name of a gear of a set: of a central gear, of a planet, or of a step of a planet with several gears.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GearName {
+    /// The central gear or planet.
+    pub of: String,
+    /// Which gear of the planet, from 1, where it has several.
+    pub step: Option<usize>,
+}
+
+impl GearName {
+    /// The only gear of a central gear or planet.
+    #[must_use]
+    pub fn only(of: &str) -> Self {
+        Self { of: of.to_owned(), step: None }
+    }
+}
+
+impl fmt::Display for GearName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.step {
+            None => f.write_str(&self.of),
+            Some(step) => write!(f, "{}.{step}", self.of),
+        }
+    }
 }
 
 impl CompoundSpec {

@@ -1,5 +1,6 @@
 //! What this crate refuses, and what it only remarks on.
 
+use crate::compound::GearName;
 use crate::set::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
@@ -37,6 +38,61 @@ impl fmt::Display for Named {
     }
 }
 
+/// Where power enters or leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Terminal {
+    /// Where it enters.
+    Input,
+    /// Where it leaves.
+    Output,
+}
+
+impl fmt::Display for Terminal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Input => "input",
+            Self::Output => "output",
+        })
+    }
+}
+
+/// What names a link, a shift element or a gear in a description or a request; displays as ``input of gear `1` ``.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// The gearbox of this name.
+    Gearbox(String),
+    /// A set.
+    Set(String),
+    /// A shift element.
+    ShiftElement(String),
+    /// A permanent connection.
+    Connection,
+    /// A gear: the shift elements engaged in it.
+    Gear(String),
+    /// A gear without a name.
+    UnnamedGear,
+    /// A terminal of the gearbox.
+    Terminal(Terminal),
+    /// The terminal of a gear.
+    TerminalOf(Terminal, String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Gearbox(name) => write!(f, "gearbox `{name}`"),
+            Self::Set(id) => write!(f, "set `{id}`"),
+            Self::ShiftElement(id) => write!(f, "shift element `{id}`"),
+            Self::Connection => f.write_str("a permanent connection"),
+            Self::Gear(name) => write!(f, "gear `{name}`"),
+            Self::UnnamedGear => f.write_str("a gear"),
+            Self::Terminal(terminal) => write!(f, "{terminal}"),
+            Self::TerminalOf(terminal, gear) => write!(f, "{terminal} of gear `{gear}`"),
+        }
+    }
+}
+
 /// A description that is no gearbox, or a question that it cannot answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -48,8 +104,8 @@ pub enum Error {
         what: Named,
         /// The name given.
         name: String,
-        /// Who names it, as `set \`P1\``.
-        place: String,
+        /// Who names it.
+        place: Place,
         /// The nearest name that exists, or all of them where none is near.
         suggestion: Option<String>,
     },
@@ -152,8 +208,8 @@ pub enum Error {
     /// The housing named as input or output.
     #[error("{place} is `ground`: power enters and leaves at links that can turn")]
     GroundedTerminal {
-        /// Which terminal, as `input of gear \`1\``.
-        place: String,
+        /// Which terminal.
+        place: Place,
     },
     /// A gearbox larger than is solved.
     #[error("{count} {}: at most {limit} are allowed", plural(*what))]
@@ -178,10 +234,10 @@ pub enum Error {
     #[error("{0}")]
     Inputs(#[from] InputsFault),
     /// An input or output that was never named.
-    #[error("no {terminal}: name the link where power {}", if *terminal == "input" { "enters" } else { "leaves" })]
+    #[error("no {terminal}: name the link where power {}", match terminal { Terminal::Input => "enters", Terminal::Output => "leaves" })]
     NoTerminal {
-        /// `input` or `output`.
-        terminal: &'static str,
+        /// Which.
+        terminal: Terminal,
     },
     /// A request for numbers of a gear that is not driven.
     #[error("the gear is not driven: {state}")]
@@ -207,6 +263,35 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// Name of the fault, which does not change with the message: `unknown`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Unknown { .. } => "unknown",
+            Self::Duplicate { .. } => "duplicate",
+            Self::CoincidentMembers { .. } => "coincident-members",
+            Self::RingToSunRatio { .. } => "ring-to-sun-ratio",
+            Self::BasicRatio { .. } => "basic-ratio",
+            Self::Spread { .. } => "spread",
+            Self::StepsMissing { .. } => "steps-missing",
+            Self::PlanetCount { .. } => "planet-count",
+            Self::Compound { .. } => "compound",
+            Self::ShiftElementJoinsItself { .. } => "shift-element-joins-itself",
+            Self::CyclicGrounds { .. } => "cyclic-grounds",
+            Self::GroundedTerminal { .. } => "grounded-terminal",
+            Self::TooMany { .. } => "too-many",
+            Self::NoSets => "no-sets",
+            Self::ForeignGear { .. } => "foreign-gear",
+            Self::Inputs(_) => "inputs",
+            Self::NoTerminal { .. } => "no-terminal",
+            Self::NotDriven { .. } => "not-driven",
+            Self::OperatingPoint { .. } => "operating-point",
+            Self::ValueCount { .. } => "value-count",
+        }
+    }
+}
+
 /// What is wrong with the description of a compound set.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -221,7 +306,7 @@ pub enum CompoundFault {
     #[error("gear `{gear}` has 0 teeth: at least 1 is due")]
     NoTeeth {
         /// The gear.
-        gear: String,
+        gear: GearName,
     },
     /// A planet with too many gears.
     #[error("planet `{planet}` has {given} gears: {most} at most are allowed")]
@@ -237,7 +322,7 @@ pub enum CompoundFault {
     #[error("`{name}` is named twice: central gears and planets of a set have names of their own")]
     NameTwice {
         /// The name.
-        name: String,
+        name: GearName,
     },
     /// Two shafts of one planet.
     #[error(

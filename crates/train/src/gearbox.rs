@@ -1,6 +1,7 @@
 //! A gearbox: planet sets, the links that tie them, the shift elements that join links, and its gears.
 
 use crate::drawn::DrawnSet;
+use crate::error::{Place, Terminal};
 use crate::names::nearest;
 use crate::{Error, GearboxBuilder, Named, PlanetSet, Warning};
 use epicyclic_gears::simple_set::Fraction;
@@ -250,7 +251,7 @@ impl Gearbox {
         self.gears.iter().find(|gear| gear.name() == name).ok_or_else(|| Error::Unknown {
             what: Named::Gear,
             name: name.into(),
-            place: format!("gearbox `{}`", self.name),
+            place: Place::Gearbox(self.name.clone()),
             suggestion: nearest(name, self.gears.iter().map(Gear::name)),
         })
     }
@@ -261,28 +262,29 @@ impl Gearbox {
     /// [`Error::Unknown`] for a shift element or link that does not exist, [`Error::GroundedTerminal`]
     /// where power would enter or leave at the housing.
     pub fn gear_of(&self, engaged: &[&str], input: &str, output: &str) -> Result<Gear, Error> {
-        let place = || "a gear".to_owned();
-        let shift_elements =
-            engaged.iter().map(|id| self.shift_element(id, place())).collect::<Result<Vec<_>, _>>()?;
-        let terminal = |name: &str, which: &str| match self.link(name) {
-            Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: which.into() }),
+        let shift_elements = engaged
+            .iter()
+            .map(|id| self.shift_element(id, || Place::UnnamedGear))
+            .collect::<Result<Vec<_>, _>>()?;
+        let terminal = |name: &str, which| match self.link(name) {
+            Some(LinkId::GROUND) => Err(Error::GroundedTerminal { place: Place::Terminal(which) }),
             Some(link) => Ok(link),
-            None => Err(self.unknown_link(name, which.into())),
+            None => Err(self.unknown_link(name, Place::Terminal(which))),
         };
         Ok(Gear {
             name: engaged.join("+").into(),
             engaged: ascending(shift_elements).into(),
-            input: terminal(input, "input")?,
-            output: terminal(output, "output")?,
+            input: terminal(input, Terminal::Input)?,
+            output: terminal(output, Terminal::Output)?,
         })
     }
 
-    pub(crate) fn shift_element(&self, id: &str, place: String) -> Result<usize, Error> {
+    pub(crate) fn shift_element(&self, id: &str, place: impl Fn() -> Place) -> Result<usize, Error> {
         self.shift_elements.iter().position(|shift_element| shift_element.id == id).ok_or_else(|| {
             Error::Unknown {
                 what: Named::ShiftElement,
                 name: id.into(),
-                place,
+                place: place(),
                 suggestion: nearest(
                     id,
                     self.shift_elements.iter().map(|shift_element| shift_element.id.as_str()),
@@ -291,7 +293,7 @@ impl Gearbox {
         })
     }
 
-    pub(crate) fn unknown_link(&self, name: &str, place: String) -> Error {
+    pub(crate) fn unknown_link(&self, name: &str, place: Place) -> Error {
         Error::Unknown {
             what: Named::Link,
             name: name.into(),

@@ -96,7 +96,7 @@ mod units;
 pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Values};
-pub use error::{CompoundFault, Error, InputsFault, Named, Warning};
+pub use error::{CompoundFault, Error, InputsFault, Named, Place, Terminal, Warning};
 pub use gearbox::{GROUND, Gear, Gearbox, LinkId, ShiftElement};
 pub use operating::{InputLoad, Operation};
 pub use planet_set::PlanetSet;

@@ -20,7 +20,7 @@
 //! Of `N` planets that carry alike, each feels
 //!
 //! ```text
-//! central gear c      moment T_c/N about the main axis    radial force ±|T_c|·tan α/(N·r_c)   + sun, − ring
+//! central gear c      moment T_c/N about the main axis    radial force ±F_c·tan α             + sun, − ring
 //! planet shaft w      moment T_w/N
 //! planet q            F_q = τ_q/r_p at the pitch point, across the line of centres            |F_q|·tan α apart
 //! F_t = Σ moments/R   F_r = Σ radial parts    F_c = M·R·ω_H²    F = √(F_t² + (F_r + F_c)²)
@@ -44,7 +44,9 @@
 //! # Losses
 //! The torques of a gear with losses do not balance about a planet's own axis: the model takes the loss of a mesh
 //! from the torque and leaves the force at the pitch point, so mesh forces `T_c/(N·r_c)` and the carrier's torque
-//! differ by the loss. Here the *moments about the main axis* are taken, which balance exactly, so that the bearings
+//! differ by the loss. A planet between two central gears and nothing else hands on what it takes, and its mesh forces
+//! `F_c` are those of [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere
+//! `F_c = |T_c|/(N·r_c)`. Here the *moments about the main axis* are taken, which balance exactly, so that the bearings
 //! hand the carrier what the torques say. The force between two planets follows from the torques of the central gears
 //! on both sides of that mesh, `τ_q·g_p·N = ½·(Σ g·T beyond − Σ g·T on this side)`, with `g` the speeds relative to
 //! the carrier: without losses both halves are one number; with them it is right within half the set's loss. It needs
@@ -60,19 +62,19 @@ use crate::compound::CentralKind;
 use crate::planet_places::{
     Given, NoPair, Places, apart, central_mesh, places, planet_mesh, planet_of, teeth_of,
 };
-use crate::planet_set::{GearOf, MeshKind, PlanetSet};
+use crate::planet_set::{GearOf, Mesh, MeshKind, PlanetSet};
 use crate::set::{Gearing, SetKind, SetSpec};
 use crate::tolerance::NO_TORQUE;
 use crate::units::{
     degrees, force, in_metres, kg_per_m3, kilograms, metres, n_m, rad_per_s, radians, torque,
 };
 use crate::{Gearbox, LinkId, LoadCase, Operation};
+use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::life::{self, Rolling};
 use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::planet_bearing::{self, Push};
-use epicyclic_gears::{Error, ToothCount};
-use std::fmt;
+use epicyclic_gears::{Error, Quantity, ToothCount};
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
 
 /// What is known of the size of a set. What is said of all planets or meshes stands for each that says nothing
@@ -148,7 +150,6 @@ impl Default for SetSize {
 
 /// What is missing for a force, or why none follows.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Lack {
     /// The number of planets.
     Planets,
@@ -160,18 +161,18 @@ pub enum Lack {
     Teeth,
     /// The radius of the centre of a planet in mesh with this one.
     OtherRadius {
-        /// The other planet.
-        other: String,
+        /// The other planet, by its place in [`PlanetSet::planets`].
+        other: usize,
     },
     /// Module or teeth of the mesh with another planet.
     Distance {
-        /// The other planet.
-        other: String,
+        /// The other planet, by its place in [`PlanetSet::planets`].
+        other: usize,
     },
     /// Two planets in mesh that cannot stand at their radii.
     Triangle {
-        /// The other planet.
-        other: String,
+        /// The other planet, by its place in [`PlanetSet::planets`].
+        other: usize,
         /// Radius of this planet's centre and of the other's.
         radii: [Length; 2],
         /// Distance of the centres by module and teeth.
@@ -181,40 +182,6 @@ pub enum Lack {
     Mass,
     /// Bevel planets are left out.
     Bevel,
-}
-
-impl fmt::Display for Lack {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let in_mm = |length: &Length| in_metres(*length) * 1e3;
-        match self {
-            Self::Planets => f.write_str("the number of planets is missing"),
-            Self::Radius => {
-                f.write_str("the module with the teeth, or the radius of the planets' centres, is missing")
-            }
-            Self::CommonRadius => f.write_str(
-                "one radius is given for planets that differ, and not taken: give each planet its own",
-            ),
-            Self::Teeth => f.write_str("the teeth are missing, and with them the radial force of the meshes"),
-            Self::OtherRadius { other } => {
-                write!(f, "the radius of the centre of {other}, in mesh with it, is missing")
-            }
-            Self::Distance { other } => {
-                write!(f, "module or teeth of the mesh with {other} are missing")
-            }
-            Self::Triangle { other, radii, distance } => write!(
-                f,
-                "its centre at a radius of {:.3} mm and that of {other} at {:.3} mm cannot stand {:.3} mm apart, as \
-                 module and teeth of their mesh ask",
-                in_mm(&radii[0]),
-                in_mm(&radii[1]),
-                in_mm(distance)
-            ),
-            Self::Mass => {
-                f.write_str("the mass of a planet, or its face width, is missing for the centrifugal force")
-            }
-            Self::Bevel => f.write_str("forces on bevel planets are not computed"),
-        }
-    }
 }
 
 /// A mesh of a planet.
@@ -263,6 +230,8 @@ pub struct PlanetBearing {
     shafts: Vec<usize>,
     members: usize,
     is_only: bool,
+    /// Part of the loss that the first of its two meshes has, where it has two, both with central gears.
+    loss_share: Option<f64>,
 }
 
 /// Forces on the bearing of each planet, as far as they follow.
@@ -340,6 +309,7 @@ impl PlanetSet {
                     shafts: self.shafts_of(planet),
                     members: self.members().len(),
                     is_only: self.planets().len() == 1,
+                    loss_share: self.loss_share(planet),
                 };
                 if is_bevel {
                     bearing.lacks.push(Lack::Bevel);
@@ -398,6 +368,17 @@ impl PlanetSet {
         (0..self.centrals().len()).filter(is_shaft).collect()
     }
 
+    /// How the loss of a planet that only hands on power between two central gears is shared by its meshes.
+    fn loss_share(&self, planet: usize) -> Option<f64> {
+        let own = |mesh: &&Mesh| mesh.gears.iter().any(|gear| planet_of(*gear) == Some(planet));
+        let meshes: Vec<&Mesh> = self.meshes().iter().filter(own).collect();
+        let [first, second] = meshes.as_slice() else { return None };
+        let with_central = |mesh: &Mesh| mesh.gears.iter().any(|gear| planet_of(*gear).is_none());
+        let is_idler = with_central(first) && with_central(second) && self.planets().len() == 1;
+        (is_idler && self.shafts_of(planet).is_empty())
+            .then(|| MeshEfficiency::share_of_loss(first.efficiency, second.efficiency))
+    }
+
     /// What is given of the places, in metres.
     fn given(&self, size: &SetSize) -> Given {
         let mut given = Given::nothing(self);
@@ -452,7 +433,6 @@ impl PlanetSet {
             direction: None,
             weights: self.torque_between(planet, mesh),
         };
-        let name = || self.planet_name(other);
         match places.pairs[mesh] {
             Ok(pair) => {
                 let [z, z_other] = [gears[own], with].map(|gear| teeth_of(self, gear));
@@ -467,18 +447,14 @@ impl PlanetSet {
                     places.radii[planet].zip(places.radii[other]).map(|(own, other)| towards(own, other));
             }
             Err(NoPair::Radius(missing)) if missing == other => {
-                lacks.push(Lack::OtherRadius { other: name() });
+                lacks.push(Lack::OtherRadius { other });
             }
-            Err(NoPair::Distance) => lacks.push(Lack::Distance { other: name() }),
+            Err(NoPair::Distance) => lacks.push(Lack::Distance { other }),
             Err(NoPair::Triangle { mut radii, distance }) => {
                 if own == 1 {
                     radii.swap(0, 1);
                 }
-                lacks.push(Lack::Triangle {
-                    other: name(),
-                    radii: radii.map(metres),
-                    distance: metres(distance),
-                });
+                lacks.push(Lack::Triangle { other, radii: radii.map(metres), distance: metres(distance) });
             }
             // The planet's own radius is missing, and said to be.
             Err(NoPair::Radius(_) | NoPair::OtherMesh) => {}
@@ -582,20 +558,20 @@ impl SetSize {
             }
             Err(Error::OutOfRange { quantity, value: given as f64, low: 0.0, high: most as f64, unit: "" })
         };
-        most("number of planets with a size", self.planets.len(), set.planets().len())?;
-        most("number of meshes with a size", self.meshes.len(), set.meshes().len())?;
+        most(Quantity::SizedPlanets, self.planets.len(), set.planets().len())?;
+        most(Quantity::SizedMeshes, self.meshes.len(), set.meshes().len())?;
         let mut lengths = vec![
-            ("module", self.module),
-            ("radius of the planets' centres", self.carrier_radius),
-            ("face width", self.face_width),
-            ("bore of a planet", self.planet_bore),
+            (Quantity::Module, self.module),
+            (Quantity::CarrierRadius, self.carrier_radius),
+            (Quantity::FaceWidth, self.face_width),
+            (Quantity::PlanetBore, self.planet_bore),
         ];
-        lengths.extend(self.meshes.iter().map(|mesh| ("module", mesh.module)));
+        lengths.extend(self.meshes.iter().map(|mesh| (Quantity::Module, mesh.module)));
         for (own, planet) in self.planets.iter().zip(set.planets()) {
-            most("number of face widths of a planet", own.face_widths.len(), planet.gears.len())?;
-            lengths.push(("radius of the planets' centres", own.carrier_radius));
-            lengths.push(("bore of a planet", own.bore));
-            lengths.extend(own.face_widths.iter().map(|width| ("face width", *width)));
+            most(Quantity::SizedFaceWidths, own.face_widths.len(), planet.gears.len())?;
+            lengths.push((Quantity::CarrierRadius, own.carrier_radius));
+            lengths.push((Quantity::PlanetBore, own.bore));
+            lengths.extend(own.face_widths.iter().map(|width| (Quantity::FaceWidth, *width)));
         }
         for (quantity, length) in lengths {
             if let Some(value_m) = length.map(in_metres)
@@ -607,7 +583,7 @@ impl SetSize {
         for mass in self.planets.iter().map(|own| own.mass).chain([self.planet_mass]).flatten() {
             let value = kilograms(mass);
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::NotPositive { quantity: "mass of a planet", value, unit: "kg" });
+                return Err(Error::NotPositive { quantity: Quantity::PlanetMass, value, unit: "kg" });
             }
         }
         for (load_rating, _) in self.planets.iter().map(|own| own.bearing).chain([self.bearing]).flatten() {
@@ -686,7 +662,7 @@ impl PlanetBearing {
         let Some(radius) = self.radius else { return Ok(forces) };
         if let Some(given) = torques.map(<[Torque]>::len).filter(|given| *given != self.members) {
             let (value, due) = (given as f64, self.members as f64);
-            let quantity = "number of torques on the members";
+            let quantity = Quantity::MemberTorques;
             return Err(Error::OutOfRange { quantity, value, low: due, high: due, unit: "" });
         }
         if let (Some(planets), Some([centrals @ .., carrier])) = (self.planets, torques) {
@@ -708,7 +684,15 @@ impl PlanetBearing {
             // Its own limits.
             let of_carrier = planet_bearing::tangential_force(*carrier, planets, radius)?;
             if let (Some(pushes), Some([outwards_n, _])) = (pushes, between) {
-                let of_centrals = planet_bearing::radial_force(&pushes, planets, self.pressure_angle)?;
+                let of_centrals = match (self.loss_share, pushes.as_slice()) {
+                    (Some(share), [first, second]) => {
+                        let pair = [*first, *second];
+                        let meshes = planet_bearing::two_mesh_forces(&pair, share, planets, radius)?;
+                        let meshes = [0, 1].map(|mesh| (pair[mesh].kind, meshes[mesh]));
+                        planet_bearing::radial_force_of(&meshes, self.pressure_angle)?
+                    }
+                    _ => planet_bearing::radial_force(&pushes, planets, self.pressure_angle)?,
+                };
                 forces.radial = Some(of_centrals + force(outwards_n));
             }
             forces.tangential = if self.is_only {
@@ -770,7 +754,6 @@ mod tests {
     use super::*;
     use crate::set::{MeshLoss, SetSpec};
     use crate::units::{angular_velocity, torque};
-    use epicyclic_gears::efficiency::MeshEfficiency;
     use uom::si::{force::newton, length::millimeter, mass::kilogram};
 
     fn mm(value: f64) -> Length {
@@ -835,7 +818,7 @@ mod tests {
         let gearbox = self::gearbox(double);
         let size = SetSize { carrier_radius: Some(mm(50.0)), ..SetSize::default() };
         let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
-        let other = |name: &str| Lack::OtherRadius { other: name.into() };
+        let radius_of_other = Lack::OtherRadius { other: 0 };
         let first = [Lack::Planets, Lack::CommonRadius, Lack::Radius, Lack::Mass];
         assert_eq!(bearings[0].lacks, first);
         // The planets' teeth are missing, so no size helps but the radii; then the distance is missing.
@@ -843,10 +826,10 @@ mod tests {
         let size = SetSize { planets: vec![PlanetSize::default(), own(60.0)], ..SetSize::default() };
         let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
         assert_eq!(bearings[0].lacks, [Lack::Planets, Lack::Radius, Lack::Mass]);
-        assert_eq!(bearings[1].lacks, [Lack::Planets, other("planet 1"), Lack::Mass]);
+        assert_eq!(bearings[1].lacks, [Lack::Planets, radius_of_other, Lack::Mass]);
         let size = SetSize { planets: vec![own(50.0), own(60.0)], ..SetSize::default() };
         let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
-        let distance = Lack::Distance { other: "planet 2".into() };
+        let distance = Lack::Distance { other: 1 };
         assert_eq!(bearings[0].lacks, [Lack::Planets, distance, Lack::Mass]);
         let bevel = SetSpec::teeth("P", SetKind::Bevel, ["a", "b", "H"], 20, 60).unwrap();
         assert_eq!(only(&self::gearbox(bevel), &SetSize::default()).lacks, [Lack::Bevel]);
@@ -954,17 +937,17 @@ mod tests {
         let gearbox = gearbox(set);
         let own = PlanetSize { carrier_radius: Some(mm(81.0)), ..PlanetSize::default() };
         let bearings = gearbox.planet_bearings(0, &SetSize { planets: vec![own], ..size }).unwrap().unwrap();
-        assert_eq!(
-            bearings[0].lacks[0].to_string(),
-            "its centre at a radius of 81.000 mm and that of planet 2 at 40.000 mm cannot stand 40.000 mm apart, as \
-             module and teeth of their mesh ask"
-        );
+        let Lack::Triangle { other: 1, radii, distance } = bearings[0].lacks[0] else {
+            unreachable!("{:?}", bearings[0].lacks)
+        };
+        let in_mm = [radii[0], radii[1], distance].map(|length| (1e3 * in_metres(length)).round());
+        assert_eq!(in_mm, [81.0, 40.0, 40.0]);
         let torques = [100.0, -300.0, 200.0].map(torque);
         let forces = bearings[1].forces(Some(&torques), Some(angular_velocity(0.0))).unwrap();
         assert_eq!((forces.tangential, forces.radial, forces.total), (None, None, None));
         assert_eq!(forces.centrifugal, Some(Force::default()));
         let refused = bearings[1].forces(Some(&torques[..2]), None).unwrap_err();
-        assert!(matches!(refused, Error::OutOfRange { quantity: "number of torques on the members", .. }));
+        assert!(matches!(refused, Error::OutOfRange { quantity: Quantity::MemberTorques, .. }));
     }
 
     #[test]

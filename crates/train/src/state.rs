@@ -27,7 +27,6 @@ use std::ops::Range;
 
 /// State of a gear, with the links it concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum State {
     /// The input drives the output at a ratio that follows from the teeth, with torques that follow
     /// from one torque.

@@ -9,8 +9,8 @@ use epicyclic_train::compound::CompoundSpec;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::tolerance::MOST_SETS;
 use epicyclic_train::{
-    CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Solution, Values,
-    Warning,
+    CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Place, Solution,
+    Terminal, Values, Warning,
 };
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
@@ -127,14 +127,17 @@ fn permanent_connections_close_no_loop() {
 
 #[test]
 fn power_does_not_enter_at_the_housing() {
-    assert_eq!(fault(sound().input("ground")), Error::GroundedTerminal { place: "input".into() });
+    assert_eq!(
+        fault(sound().input("ground")),
+        Error::GroundedTerminal { place: Place::Terminal(Terminal::Input) }
+    );
     let gear = GearSpec { name: "2".into(), engaged: vec![], input: None, output: Some("ground".into()) };
     assert_eq!(
         fault(sound().gear_spec(gear)),
-        Error::GroundedTerminal { place: "output of gear `2`".into() }
+        Error::GroundedTerminal { place: Place::TerminalOf(Terminal::Output, "2".into()) }
     );
     let unfinished = Gearbox::builder("box").set(SetSpec::simple("1", ["a", "b", "c"], 2.0));
-    assert_eq!(fault(unfinished), Error::NoTerminal { terminal: "input" });
+    assert_eq!(fault(unfinished), Error::NoTerminal { terminal: Terminal::Input });
     assert_eq!(fault(Gearbox::builder("nothing")), Error::NoSets);
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Calculation, Refusal, Results};
 use epicyclic_dynamics::energy::{MovingBody, kinetic_energy};
-use epicyclic_dynamics::planetary::{PlanetaryDrive, SpeedRatios, Turning};
+use epicyclic_dynamics::planetary::{GearSet, PlanetaryDrive, Turning};
 use epicyclic_dynamics::{lagrange, loads};
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::ToothCount;
@@ -115,7 +115,7 @@ fn tooth_set(sun: u32, planet: u32, ring: u32, planets: u32) -> Result<ToothNumb
 
 fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
     let drive = PlanetaryDrive {
-        teeth: tooth_set(given.sun, given.planet, given.ring, given.planets)?,
+        set: GearSet::new(tooth_set(given.sun, given.planet, given.ring, given.planets)?)?,
         sun_inertia: given.sun_inertia.0,
         planet_inertia: given.planet_inertia.0,
         planet_mass: given.planet_mass.0,
@@ -123,8 +123,8 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         carrier_inertia: given.carrier_inertia.0,
     };
     let (driving, load) = (given.driving_torque.0, given.load_torque.0);
-    let ratios = drive.speed_ratios()?;
-    let force = drive.generalized_force(driving, load)?;
+    let ratios = drive.set.ratios();
+    let force = drive.generalized_force(driving, load);
     let motion = drive.motion(driving, load)?;
     let sun_planet = MeshEfficiency::new(given.sun_planet.get())?;
     let planet_ring = MeshEfficiency::new(given.planet_ring.get())?;
@@ -138,7 +138,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .number("carrier_speed_ratio", ratios.carrier)
         .quantity("kinetic_energy", kinetic_energy(&drive.bodies(given.speed.0)?))
         .quantity("reduced_inertia", drive.equivalent_inertia()?);
-    for link in drive.links()? {
+    for link in drive.links() {
         results.quantity(format!("share.{}", link.name), link.equivalent_inertia()?);
     }
     results
@@ -155,7 +155,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .quantity("with_losses.acceleration.carrier", lossy.accelerations.carrier)
         .quantity("with_losses.held.from", held_from)
         .quantity("with_losses.held.to", held_to)
-        .quantity("with_losses.mesh_loss", drive.mesh_loss(&lossy, given.speed.0, sun_planet, planet_ring)?);
+        .quantity("with_losses.mesh_loss", drive.mesh_loss(&lossy, given.speed.0, sun_planet, planet_ring));
     if let Ok(time) = lagrange::starting_time(given.speed.0, force, drive.equivalent_inertia()?) {
         results.quantity("starting_time", time);
     }
@@ -177,7 +177,7 @@ struct LinkAccelerationsGiven {
 }
 
 fn link_accelerations(given: &LinkAccelerationsGiven) -> Result<Results, Refusal> {
-    let ratios = SpeedRatios::of(&tooth_set(given.sun, given.planet, given.ring, 1)?)?;
+    let ratios = GearSet::new(tooth_set(given.sun, given.planet, given.ring, 1)?)?.ratios();
     let mut results = Results::default();
     results
         .quantity("planet", lagrange::link_acceleration(given.acceleration.0, ratios.planet))

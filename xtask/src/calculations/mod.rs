@@ -98,54 +98,25 @@ pub struct Refusal {
     pub message: String,
 }
 
-impl Refusal {
-    /// A refusal named after an error's variant.
-    fn of<E: std::fmt::Debug + std::fmt::Display>(error: &E) -> Self {
-        Self { name: variant_name(error), message: error.to_string() }
-    }
-}
-
-impl From<epicyclic_gears::Error> for Refusal {
-    fn from(error: epicyclic_gears::Error) -> Self {
-        Self::of(&error)
-    }
-}
-
-impl From<epicyclic_train::Error> for Refusal {
-    fn from(error: epicyclic_train::Error) -> Self {
-        Self::of(&error)
-    }
-}
-
-impl From<epicyclic_hydromotor::Error> for Refusal {
-    fn from(error: epicyclic_hydromotor::Error) -> Self {
-        Self::of(&error)
-    }
-}
-
-impl From<epicyclic_dynamics::Error> for Refusal {
-    fn from(error: epicyclic_dynamics::Error) -> Self {
-        match error {
-            epicyclic_dynamics::Error::Gear(error) => error.into(),
-            epicyclic_dynamics::Error::Gearbox(error) => error.into(),
-            error => Self::of(&error),
+/// Errors with a name of their own.
+macro_rules! refusals {
+    ($($error:ty,)*) => {$(
+        impl From<$error> for Refusal {
+            fn from(error: $error) -> Self {
+                Self { name: error.name().to_owned(), message: error.to_string() }
+            }
         }
-    }
+    )*};
 }
 
-/// Name of an enum's variant in kebab case, `NoToothNumbers { .. }` → `no-tooth-numbers`, from its derived
-/// `Debug`, which starts with it.
-fn variant_name(error: &impl std::fmt::Debug) -> String {
-    let debug = format!("{error:?}");
-    let variant = debug.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or_default();
-    let mut name = String::new();
-    for c in variant.chars() {
-        if c.is_ascii_uppercase() && !name.is_empty() {
-            name.push('-');
-        }
-        name.push(c.to_ascii_lowercase());
-    }
-    name
+refusals! {
+    epicyclic_gears::Error,
+    epicyclic_train::Error,
+    epicyclic_schemes::Error,
+    epicyclic_selection::Error,
+    epicyclic_dynamics::Error,
+    epicyclic_hydromotor::Error,
+    epicyclic_formats::gearbox::DescriptionError,
 }
 
 /// Why a calculation gave no results.
@@ -227,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_refusal_is_named_after_its_variant() {
+    fn a_refusal_bears_the_name_of_the_innermost_error() {
         assert_eq!(Refusal::from(epicyclic_gears::Error::NoTeeth).name, "no-teeth");
         let wrapped = epicyclic_dynamics::Error::Gear(epicyclic_gears::Error::Efficiency { eta: 2.0 });
         assert_eq!(Refusal::from(wrapped).name, "efficiency");

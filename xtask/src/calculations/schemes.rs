@@ -1,7 +1,7 @@
 //! Calculations of gearboxes and of the machines they serve.
 
 use super::{Calculation, Refusal, Results};
-use epicyclic_formats::gearbox::{DescriptionError, GearboxFile};
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
@@ -11,7 +11,7 @@ use epicyclic_schemes::connection::{self, Connection, Shaft};
 use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
 use epicyclic_schemes::standing::{Standing, Use};
-use epicyclic_schemes::{Error, cutting, rotor};
+use epicyclic_schemes::{cutting, rotor};
 use epicyclic_train::{Gearbox, mobility};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -63,26 +63,6 @@ pub(super) fn calculations() -> Vec<Calculation> {
         Calculation::new("schemes.rotor", "speeds of a bucket wheel", rotor_speeds),
         Calculation::new("schemes.discharge", "least speed of a bucket wheel from free flight", discharge),
     ]
-}
-
-impl From<Error> for Refusal {
-    fn from(error: Error) -> Self {
-        match error {
-            Error::GearSet(error) => error.into(),
-            Error::Gearbox(error) => error.into(),
-            error => Self::of(&error),
-        }
-    }
-}
-
-impl From<DescriptionError> for Refusal {
-    fn from(error: DescriptionError) -> Self {
-        match error {
-            DescriptionError::Gearbox(error) => error.into(),
-            DescriptionError::Set { source, .. } => source.into(),
-            error => Self::of(&error),
-        }
-    }
 }
 
 /// A gearbox and which of its gears.

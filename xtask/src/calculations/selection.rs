@@ -26,15 +26,6 @@ pub(super) fn calculations() -> Vec<Calculation> {
     ]
 }
 
-impl From<epicyclic_selection::Error> for Refusal {
-    fn from(error: epicyclic_selection::Error) -> Self {
-        match error {
-            epicyclic_selection::Error::Scheme(error) => error.into(),
-            error => Self::of(&error),
-        }
-    }
-}
-
 /// Wanted speeds or ratios, and what to choose among.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -105,7 +96,7 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
-/// How many structures outside the source's eleven, both rows at work, have positive ratios and this
+/// How many of the 36 candidates outside the source's eleven, both rows at work, have positive ratios and this
 /// efficiency in both gears, whatever else there is to object to.
 fn unlisted_above(found: &Selection, efficiency: f64) -> usize {
     let all = found.accepted.iter().chain(&found.rejected);

@@ -3,7 +3,7 @@
 use crate::cases::tolerance::Rounding;
 use epicyclic_formats::yaml::Value as Yaml;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A case: inputs, a calculation, and what the source publishes of its results.
@@ -27,6 +27,9 @@ pub struct Case {
     /// Name of the error that these inputs must raise, in place of `expect`.
     #[serde(default)]
     pub expect_error: Option<String>,
+    /// Where the figures were read, if not in the source itself.
+    #[serde(default)]
+    pub evidence: Option<Evidence>,
     /// How a formula was inferred that the copy of the source lost.
     #[serde(default)]
     pub restored: Option<String>,
@@ -44,10 +47,23 @@ pub enum Verdict {
     Agrees,
     /// It does not follow from the source's own inputs.
     Contradicted,
+    /// It follows from the source's inputs by a restored reading, and stands in no print: the copy lost it, or the
+    /// document never had it. Judged as [`Verdict::Agrees`], counted apart.
+    Reconstructed,
     /// The source sets it: an input, not a result.
     Given,
     /// The copy lost it.
     Unrecoverable,
+}
+
+/// Where a figure was read, if not in the source that it is cited from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Evidence {
+    /// In another publication that quotes the source.
+    Secondary,
+    /// In none that is named.
+    Unverified,
 }
 
 /// A published figure.
@@ -69,7 +85,8 @@ pub struct Expectation {
     /// Of a contradicted figure, the right value by an independent calculation, to 1e-6.
     #[serde(default)]
     pub computed: Option<String>,
-    /// That calculation as arithmetic, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`.
+    /// That calculation as arithmetic, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`; of a yes or no
+    /// the margin, above 0 for yes.
     #[serde(default)]
     pub arithmetic: Option<String>,
     /// Why: the derivation of a contradiction, the reason for a tolerance.
@@ -81,6 +98,9 @@ pub struct Expectation {
     /// Of an unrecoverable figure, what is legible.
     #[serde(default)]
     pub legible: Option<String>,
+    /// Where this figure was read, if not as those of the case.
+    #[serde(default)]
+    pub evidence: Option<Evidence>,
     /// Places of this figure, where they are not those of the case.
     #[serde(default)]
     pub cite: Option<String>,

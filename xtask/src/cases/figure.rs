@@ -1,7 +1,7 @@
 //! One published figure, judged.
 
 use crate::calculations::Value;
-use crate::cases::case::{Expectation, Verdict};
+use crate::cases::case::{Evidence, Expectation, Verdict};
 use crate::cases::tolerance::Printed;
 use epicyclic_formats::quantity::format::significant;
 use epicyclic_formats::quantity::{self, Dimension, Unit, find_unit};
@@ -16,6 +16,8 @@ const STATED: f64 = 1e-6;
 pub enum Status {
     /// Published and computed agree.
     Agrees,
+    /// Computed and a restored reading agree; the print is lost, or there never was one.
+    Reconstructed,
     /// The source contradicts its own inputs, as the case says.
     Contradicted,
     /// Taken as input.
@@ -26,6 +28,32 @@ pub enum Status {
     Refused,
     /// The case does not hold.
     Failed,
+}
+
+/// What a figure is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// A number, with a unit or without, or a fraction.
+    Number,
+    /// A statement that holds or does not.
+    YesNo,
+    /// A name or a state.
+    Word,
+}
+
+impl Kind {
+    /// Of a figure as printed.
+    #[must_use]
+    pub fn of(published: &str) -> Self {
+        let is_number = |text: &str| quantity::parse(text).is_ok();
+        match published.trim() {
+            "yes" | "no" => Self::YesNo,
+            text if is_number(text) => Self::Number,
+            text if text.split_once('/').is_some_and(|(p, q)| is_number(p) && is_number(q)) => Self::Number,
+            _ => Self::Word,
+        }
+    }
 }
 
 /// A figure with its verdict.
@@ -41,6 +69,10 @@ pub struct Figure {
     pub column: usize,
     /// What became of it.
     pub status: Status,
+    /// What it is; of a printed figure.
+    pub kind: Option<Kind>,
+    /// Where it was read, if not in the source itself.
+    pub evidence: Option<Evidence>,
     /// As printed.
     pub published: Option<String>,
     /// As computed, in the unit of the printed figure.
@@ -108,10 +140,40 @@ fn judge_exact(expectation: &Expectation, published: &str, computed: &str) -> Ju
         Verdict::Contradicted if expectation.computed.as_deref() != Some(computed) => {
             judgement.failed(format!("`computed` differs from the result {computed}"))
         }
-        Verdict::Contradicted => judgement,
+        Verdict::Contradicted => {
+            match expectation.arithmetic.as_deref().map(|text| stated_exactly(text, computed)) {
+                Some(Err(why)) => judgement.failed(why),
+                _ => judgement,
+            }
+        }
         _ if agrees => judgement,
         _ => judgement.failed(format!("published {published}, computed {computed}")),
     }
+}
+
+/// Whether arithmetic gives a count; or, of a yes or no, a margin above 0 or below.
+fn stated_exactly(arithmetic: &str, computed: &str) -> Result<(), String> {
+    let result = evaluated(arithmetic)?;
+    let holds = match computed {
+        "yes" => result > 0.0,
+        "no" => result < 0.0,
+        count => match count.parse::<f64>() {
+            Ok(count) => close(result, count),
+            Err(_) => {
+                return Err("`arithmetic` gives a number, and `computed` is a word: remove it".to_owned());
+            }
+        },
+    };
+    if holds {
+        Ok(())
+    } else {
+        Err(format!("`arithmetic` gives {}, not `computed` {computed}", significant(result, 10)))
+    }
+}
+
+fn evaluated(arithmetic: &str) -> Result<f64, String> {
+    exmex::eval_str::<f64>(arithmetic.replace(char::is_whitespace, " ").trim())
+        .map_err(|error| format!("`arithmetic` does not read: {error}"))
 }
 
 fn starts_to_agree() -> String {
@@ -166,13 +228,13 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
             .failed(format!("`computed` differs from the result {found} by more than {STATED:e}"));
     }
     if let Some(arithmetic) = &expectation.arithmetic {
-        match exmex::eval_str::<f64>(arithmetic.replace(char::is_whitespace, " ").trim()) {
+        match evaluated(arithmetic) {
             Ok(result) if close(result, stated.value) => {}
             Ok(result) => {
                 return judgement
                     .failed(format!("`arithmetic` gives {}, not `computed`", significant(result, 10)));
             }
-            Err(error) => return judgement.failed(format!("`arithmetic` does not read: {error}")),
+            Err(why) => return judgement.failed(why),
         }
     }
     judgement
@@ -198,6 +260,7 @@ mod tests {
             because: None,
             printed_unit: None,
             legible: None,
+            evidence: None,
             cite: None,
         }
     }
@@ -253,6 +316,23 @@ mod tests {
     }
 
     #[test]
+    fn arithmetic_of_a_statement_is_a_margin_and_of_a_count_the_count() {
+        let with = |published: &str, computed: &str, arithmetic: &str| Expectation {
+            arithmetic: Some(arithmetic.into()),
+            ..contradicted(published, computed)
+        };
+        let no = Value::Text("no".into());
+        assert_eq!(failure(&with("yes", "no", "2 - 2.28"), &no), None);
+        assert!(
+            failure(&with("yes", "no", "2 - 1.9"), &no).is_some_and(|why| why.contains("not `computed` no"))
+        );
+        assert_eq!(failure(&with("no", "yes", "1.56 - 1.3"), &Value::Text("yes".into())), None);
+        assert_eq!(failure(&with("2", "1", "6 - 4 - 1"), &Value::Count(1)), None);
+        assert!(failure(&with("2", "1", "6 - 4"), &Value::Count(1)).is_some());
+        assert!(failure(&with("none", "planets", "1"), &Value::Text("planets".into())).is_some());
+    }
+
+    #[test]
     fn a_figure_of_another_dimension_fails() {
         assert!(failure(&expectation("521.8 kW"), &torque(521.8)).is_some());
         assert!(failure(&expectation("521.8"), &torque(521.8)).is_some());
@@ -265,6 +345,25 @@ mod tests {
         assert_eq!(failure(&wrong, &torque(26.09)), None);
         let right = Expectation { printed_unit: Some("Nm".into()), ..expectation("26.09 N·m") };
         assert!(failure(&right, &torque(26.09)).is_some());
+    }
+
+    #[test]
+    fn a_figure_is_a_number_a_statement_or_a_word() {
+        for number in ["521.8 N·m", "4", "-0.5", "33/7", "0.3 rad"] {
+            assert_eq!(Kind::of(number), Kind::Number, "{number}");
+        }
+        assert_eq!(Kind::of("yes"), Kind::YesNo);
+        for word in ["driven", "II-3", "I"] {
+            assert_eq!(Kind::of(word), Kind::Word, "{word}");
+        }
+    }
+
+    #[test]
+    fn a_reconstructed_figure_is_judged_like_one_that_agrees() {
+        let restored = |published| Expectation { verdict: Verdict::Reconstructed, ..expectation(published) };
+        assert_eq!(failure(&restored("521.8 N·m"), &torque(521.803)), None);
+        assert!(failure(&restored("521.7 N·m"), &torque(521.803)).is_some());
+        assert!(failure(&restored("no"), &Value::Text("yes".into())).is_some());
     }
 
     #[test]

@@ -27,6 +27,9 @@ pub struct Place {
     pub place: String,
     /// What stands there.
     pub what: String,
+    /// What stands there is a restored reading, which the document as it was received does not print.
+    #[serde(default)]
+    pub reconstructed: bool,
     /// Why no case covers it.
     #[serde(default)]
     pub excused: Option<String>,

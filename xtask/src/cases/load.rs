@@ -236,7 +236,7 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
             Verdict::Contradicted if !has_because => {
                 Some(needs("a contradiction", "because", "the calculation behind `computed`"))
             }
-            Verdict::Agrees | Verdict::Given
+            Verdict::Agrees | Verdict::Reconstructed | Verdict::Given
                 if expectation.computed.is_some() || expectation.arithmetic.is_some() =>
             {
                 Some("`computed` and `arithmetic` belong to a contradicted figure".to_owned())
@@ -247,8 +247,21 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
             _ => None,
         };
         if let Some(message) = message {
-            fault(path, "incomplete-figure", message);
+            fault(path.clone(), "incomplete-figure", message);
         }
+        let cite = expectation.cite.as_deref().unwrap_or(&case.cite);
+        let restored = |place: &str| {
+            let places = source.index.iter().flat_map(|index| &index.places);
+            places.into_iter().any(|known| known.place == place && known.reconstructed)
+        };
+        let message = match (expectation.verdict, index::places(cite).any(restored)) {
+            (Verdict::Agrees, true) => "a restored reading is no print: write `verdict: reconstructed`",
+            (Verdict::Reconstructed, false) => {
+                "it cites a print: remove `verdict: reconstructed`, or cite the reading"
+            }
+            _ => continue,
+        };
+        fault(path, "restored-figure", message.to_owned());
     }
     faults
 }

@@ -2,7 +2,7 @@
 
 use crate::calculations::{Calculation, Failure, Refusal, Results, Value};
 use crate::cases::case::{From, Taken, Verdict};
-use crate::cases::figure::{Figure, Judgement, Status, judge, si_unit};
+use crate::cases::figure::{Figure, Judgement, Kind, Status, judge, si_unit};
 use crate::cases::index::places;
 use crate::cases::load::{Fault, Loaded, Source};
 use crate::cases::snapshot;
@@ -246,6 +246,8 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
             line: position.line,
             column: position.column,
             status: Status::Failed,
+            kind: None,
+            evidence: None,
             published: Some(name.clone()),
             computed: None,
             difference: None,
@@ -266,7 +268,11 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
                     (Status::Given, judge_given(loaded, quantity, expectation.published.as_deref()))
                 }
                 verdict => {
-                    let held = if verdict == Verdict::Agrees { Status::Agrees } else { Status::Contradicted };
+                    let held = match verdict {
+                        Verdict::Contradicted => Status::Contradicted,
+                        Verdict::Reconstructed => Status::Reconstructed,
+                        _ => Status::Agrees,
+                    };
                     let judgement = results.get(quantity).map_or_else(
                         || {
                             let known: Vec<&str> = results.iter().map(|(name, _)| name).collect();
@@ -288,6 +294,8 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
                 line: position.line,
                 column: position.column,
                 status: if judgement.failure.is_some() { Status::Failed } else { status },
+                kind: expectation.published.as_deref().map(Kind::of),
+                evidence: expectation.evidence.or(case.evidence),
                 published: expectation.published.clone(),
                 computed: judgement.computed,
                 difference: judgement.difference,
@@ -331,6 +339,8 @@ fn refused(loaded: &Loaded, refusal: &Refusal) -> Figure {
         line: position.line,
         column: position.column,
         status: if failure.is_some() { Status::Failed } else { Status::Refused },
+        kind: None,
+        evidence: None,
         published: case.expect_error.clone(),
         computed: Some(refusal.name.clone()),
         difference: None,

@@ -1,6 +1,7 @@
 //! Outcomes for people: what agrees, what is contradicted and why, what is lost, what does not hold.
 
-use crate::cases::figure::{Figure, Status};
+use crate::cases::case::Evidence;
+use crate::cases::figure::{Figure, Kind, Status};
 use crate::cases::run::Outcome;
 use std::fmt::Write;
 
@@ -35,9 +36,13 @@ fn source(text: &mut String, outcome: &Outcome) {
         if of(status).next().is_some() {
             text.push('\n');
             line(text, 2, heading);
-            let mut by_case: Vec<(&str, Vec<&str>)> = Vec::new();
+            let mut by_case: Vec<(&str, Vec<String>)> = Vec::new();
             for figure in of(status) {
                 let (case, quantity) = figure.name.split_once('/').unwrap_or((&figure.name, ""));
+                let quantity = match figure.evidence {
+                    Some(evidence) => format!("{quantity} ({})", evidence_word(evidence)),
+                    None => quantity.to_owned(),
+                };
                 match by_case.last_mut() {
                     Some((last, quantities)) if *last == case => quantities.push(quantity),
                     _ => by_case.push((case, vec![quantity])),
@@ -49,6 +54,7 @@ fn source(text: &mut String, outcome: &Outcome) {
         }
     };
     listing(text, "agrees", Status::Agrees);
+    listing(text, "agrees with the restored reading; not in print", Status::Reconstructed);
     listing(text, "given", Status::Given);
 
     if of(Status::Contradicted).next().is_some() {
@@ -123,7 +129,11 @@ fn counts(outcomes: &[Outcome]) -> String {
     let figures: usize = outcomes.iter().map(|outcome| outcome.figures.len()).sum();
     let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let (figures, cases) = (many(figures, "figure"), many(cases, "case"));
-    let mut text = format!("{figures} of {cases}: {} agree", of(Status::Agrees));
+    let kinds = |status| kinds(outcomes, status);
+    let mut text = format!("{figures} of {cases}: {} agree{}", of(Status::Agrees), kinds(Status::Agrees));
+    if of(Status::Reconstructed) > 0 {
+        let _ = write!(text, ", {} reconstructed{}", of(Status::Reconstructed), kinds(Status::Reconstructed));
+    }
     for (status, word) in [
         (Status::Contradicted, "contradicted"),
         (Status::Given, "given"),
@@ -136,6 +146,35 @@ fn counts(outcomes: &[Outcome]) -> String {
         }
     }
     text
+}
+
+const fn evidence_word(evidence: Evidence) -> &'static str {
+    match evidence {
+        Evidence::Secondary => "secondary source",
+        Evidence::Unverified => "unverified",
+    }
+}
+
+/// What the figures of a status are, where they are not all numbers read in their source: ` (58 numbers, 4 yes or no)`.
+fn kinds(outcomes: &[Outcome], status: Status) -> String {
+    let figures =
+        || outcomes.iter().flat_map(|outcome| &outcome.figures).filter(|figure| figure.status == status);
+    let count = |is: &dyn Fn(&Figure) -> bool| figures().filter(|figure| is(figure)).count();
+    let kind = |kind: Kind| count(&|figure| figure.kind == Some(kind));
+    let evidence = |evidence: Evidence| count(&|figure| figure.evidence == Some(evidence));
+    let parts = [
+        (kind(Kind::Number), "numbers"),
+        (kind(Kind::YesNo), "yes or no"),
+        (kind(Kind::Word), "words"),
+        (evidence(Evidence::Secondary), "by secondary sources"),
+        (evidence(Evidence::Unverified), "unverified"),
+    ];
+    if parts[1..].iter().all(|(count, _)| *count == 0) {
+        return String::new();
+    }
+    let parts: Vec<String> =
+        parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+    format!(" ({})", parts.join(", "))
 }
 
 fn totals(text: &mut String, outcomes: &[Outcome]) {

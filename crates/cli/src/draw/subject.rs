@@ -4,7 +4,7 @@ use super::{Args, View};
 use crate::analyze::{self, Choice};
 use crate::failure::Failure;
 use crate::input;
-use crate::schemes::{Sizes, dimensioned};
+use crate::schemes::{SizeOptions, sized};
 use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
@@ -71,8 +71,8 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
         Some(eta) => analyze::efficiency(eta)?,
         None => MeshEfficiency::IDEAL,
     };
-    let sizes = Sizes { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
-    if let Some(found) = dimensioned(sizes, scheme, eta)? {
+    let sizes = SizeOptions { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
+    if let Some(found) = sized(sizes, scheme, eta)? {
         return Ok(Subject::of_catalogue(found.gearbox, true));
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
@@ -83,8 +83,9 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
         return option("--k1", message);
     }
     let any = |is_there: bool| is_there.then(|| Number::new(ANY_K).ok()).flatten();
-    let sizes = Sizes { k1: any(true), k2: any(matches!(scheme, Scheme::Three(_))), ..Sizes::default() };
-    match dimensioned(sizes, scheme, eta)? {
+    let sizes =
+        SizeOptions { k1: any(true), k2: any(matches!(scheme, Scheme::Three(_))), ..SizeOptions::default() };
+    match sized(sizes, scheme, eta)? {
         Some(found) => Ok(Subject::of_catalogue(found.gearbox, false)),
         None => option("--k1", "needed".into()),
     }

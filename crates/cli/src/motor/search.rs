@@ -1,30 +1,24 @@
 //! The command `motor search`: the Pareto front of hydromotors for a displacement or torque.
 
-mod answer;
-mod funnel;
-
-use super::design::{Chosen, Drawn, refuse};
+use super::design::refuse;
 use super::{Files, files};
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::{Format, OutputArgs, complain};
+use epicyclic_answers as answers;
+use epicyclic_answers::motor_search::Wanted;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_hydromotor::checks::ToothHeights;
-use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::numbers::Bounds;
-use epicyclic_hydromotor::profile::limits::Limit;
-use epicyclic_hydromotor::profile::{Profile, ToothForm};
-use epicyclic_hydromotor::search::{
-    Demand, Design, Dimensions, Limits, LobeDivisor, MotorSearch, Size, SizeLimits,
-};
-use std::collections::HashSet;
+use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_hydromotor::search::{Demand, Limits, LobeDivisor, MotorSearch, Size, SizeLimits};
 use std::str::FromStr;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio, Torque, Volume};
 
 /// Designs shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 12;
 
-/// Motors for a displacement or torque that no other surpasses.
+/// Non-dominated motors for a displacement or torque.
 ///
 /// Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits, the motors
 /// remain that none surpasses in displacement over volume, ripple and least curvature radius together. The module is
@@ -180,46 +174,28 @@ enum Order {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let search = search(args)?;
-    let mut found = search.front().map_err(refuse)?;
-    if found.designs.is_empty() {
-        return Err(Failure::NoMotor { funnel: funnel::in_short(&found) });
-    }
-    let all = found.designs.len();
-    if args.with_teeth {
-        found.designs.retain(|design| teeth(design) == Teeth::Hold);
-        if found.designs.is_empty() {
-            let funnel =
-                format!("on none of the {all} designs that pass do the default teeth keep their limits");
-            return Err(Failure::NoMotor { funnel });
-        }
-    }
-    match args.by {
-        Order::Volume => {}
-        Order::Ripple => found.designs.sort_by(|one, other| one.ripple.total_cmp(&other.ripple)),
-        Order::Radius => found.designs.sort_by(|one, other| other.least_radius.total_cmp(&one.least_radius)),
-    }
-    let Some(drawn) = args.design.checked_sub(1).and_then(|place| found.designs.get(place)) else {
-        let message = format!("{}: there are designs 1 to {}", args.design, found.designs.len());
-        return Err(Failure::Option { option: "--design", message });
+    let format = args.output.format;
+    let wanted = Wanted {
+        search: search(args)?,
+        with_teeth: args.with_teeth,
+        order: match args.by {
+            Order::Volume => answers::motor_search::Order::Volume,
+            Order::Ripple => answers::motor_search::Order::Ripple,
+            Order::Radius => answers::motor_search::Order::Radius,
+        },
+        first_of_each_set: format == Format::Table && !args.every,
+        most: args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX }),
     };
+    let searched = answers::motor_search::search(&wanted).map_err(refuse)?;
     let files = if args.files.are_wanted() {
-        files::content(&args.files, &self::drawn(args, drawn)?)?
+        files::content(&args.files, &searched.motor(args.design, args.angle.0).map_err(refuse)?)?
     } else {
         vec![]
     };
-    let format = args.output.format;
-    let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
-    let mut seen = HashSet::new();
-    let apart = format == Format::Table && !args.every;
-    let numbered = found.designs.iter().enumerate();
-    let listed: Shown = numbered.filter(|(_, design)| !apart || seen.insert(design.numbers)).collect();
-    let shown = &listed[..limit.min(listed.len())];
-    let hidden = listed.len() - shown.len();
-    let report = answer::report(&search, &found, shown, hidden, all);
-    report.deliver_with(files, &args.output)?;
-    if format != Format::Table && hidden > 0 {
-        complain(&format!("note: {} designs found, {} shown", found.designs.len(), shown.len()));
+    let answer = searched.answer();
+    args.output.deliver_with(files, &answer)?;
+    if format != Format::Table && answer.hidden > 0 {
+        complain(&format!("note: {}", epicyclic_views::motor_search::count(&answer)));
     }
     Ok(())
 }
@@ -227,7 +203,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 fn search(args: &Args) -> Result<MotorSearch, Failure> {
     let demand = match (args.displacement, args.torque, args.pressure) {
         (Some(displacement), ..) => Demand::of_displacement(displacement.0),
-        (_, Some(torque), Some(pressure)) => Demand::of_torque(torque.0, pressure.0).map_err(refuse)?,
+        (_, Some(torque), Some(pressure)) => {
+            Demand::of_torque(torque.0, pressure.0).map_err(|error| refuse(error.into()))?
+        }
         _ => unreachable!("one of them is required, and the pressure with the torque"),
     };
     let size = match (&args.module, args.width, args.width_over_diameter) {
@@ -277,48 +255,4 @@ fn search(args: &Args) -> Result<MotorSearch, Failure> {
             ..demand
         })
     })
-}
-
-/// Designs with their places in the order.
-type Shown<'a> = Vec<(usize, &'a Design)>;
-
-/// The size that is shown of a design: the one whose width is nearest to half its diameter.
-fn shown_size(design: &Design) -> Option<&Dimensions> {
-    let off = |size: &&Dimensions| (size.width.si() / size.outer_diameter.si() - 0.5).abs();
-    design.dimensions.iter().min_by(|one, other| off(one).total_cmp(&off(other)))
-}
-
-fn drawn(args: &Args, design: &Design) -> Result<Drawn, Failure> {
-    let Some(size) = shown_size(design) else { unreachable!("a design has a size") };
-    let motor = design.motor(size.module).map_err(refuse)?;
-    let form = ToothForm::default();
-    Ok(Drawn {
-        profile: Profile::new(&motor, form),
-        family: Some(Family::new(design.numbers, size.module).map_err(refuse)?),
-        motor,
-        chosen: Chosen::Given,
-        form,
-        width: Some(size.width),
-        pressure: args.pressure.map(|pressure| pressure.0),
-        speed: args.speed.map(|speed| speed.0),
-        angle: args.angle.0,
-    })
-}
-
-/// Whether the default teeth keep their limits on a design.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Teeth {
-    Hold,
-    Fail,
-    /// There are none of that form.
-    None,
-}
-
-fn teeth(design: &Design) -> Teeth {
-    let Some(size) = shown_size(design) else { return Teeth::None };
-    match design.motor(size.module).and_then(|motor| Profile::new(&motor, ToothForm::default())) {
-        Ok(profile) if profile.limits().iter().all(Limit::holds) => Teeth::Hold,
-        Ok(_) => Teeth::Fail,
-        Err(_) => Teeth::None,
-    }
 }

@@ -71,16 +71,11 @@ const GEARBOX: &[Key] = &[
     key("compound_sets.module", "module: 3 mm # of its", "module: 4 mm # of its", OVERVIEW),
     key("compound_sets.planet_sizes.face_widths", "face_widths: [40 mm]", "face_widths: [41 mm]", FIRST),
     key("compound_sets.planet_sizes.bore", "bore: 20 mm", "bore: 21 mm", FIRST),
-    key(
-        "compound_sets.planet_sizes.bearing_capacity",
-        "bearing_capacity: 25 kN",
-        "bearing_capacity: 26 kN",
-        FIRST,
-    ),
+    key("compound_sets.planet_sizes.load_rating", "load_rating: 25 kN", "load_rating: 26 kN", FIRST),
     key(
         "compound_sets.planet_sizes.bearing_rolling",
-        "bearing_capacity: 25 kN, bearing_rolling: rollers",
-        "bearing_capacity: 25 kN, bearing_rolling: balls",
+        "load_rating: 25 kN, bearing_rolling: rollers",
+        "load_rating: 25 kN, bearing_rolling: balls",
         FIRST,
     ),
     key("compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", FIRST),
@@ -114,7 +109,7 @@ const GEARBOX: &[Key] = &[
     key("sets.k", "k: 2.5", "k: 2.6", OVERVIEW),
     key("sets.carrier_radius", "carrier_radius: 90 mm", "carrier_radius: 91 mm", OVERVIEW),
     key("sets.planet_mass", "planet_mass: 2.4 kg", "planet_mass: 2.5 kg", FIRST),
-    key("sets.bearing_capacity", "bearing_capacity: 60 kN", "bearing_capacity: 61 kN", FIRST),
+    key("sets.load_rating", "load_rating: 60 kN", "load_rating: 61 kN", FIRST),
     key("sets.bearing_rolling", "bearing_rolling: rollers # or", "bearing_rolling: balls # or", FIRST),
     Key {
         path: "brakes.id",
@@ -152,7 +147,7 @@ const LIST: &str = "\
 transmissions:
 - name: every key
   source: a test
-  rows:
+  sets:
   - {id: simple, planet: simple, sun: S, ring: R, carrier: C, z_s: 30, z_r: 78, z_p: 24, n_p: 4, efficiency: 0.97}
   - {id: pair, planet: pair, gear_a: X, gear_b: Y, z_a: 54, z_b: 55, meshes: [0.985]}
   - {id: double, planet: double, sun: S2, ring: R2, carrier: C2, z_s: 30, z_r: 72, z_pa: 15, z_pb: 18, n_p: 3, meshes: [0.98, 0.97, 0.99]}
@@ -170,7 +165,7 @@ transmissions:
     planets: 3
     module: 3 mm
     planet_sizes:
-      inner: {mass: 0.4 kg, bearing_capacity: 25 kN, bearing_rolling: rollers, carrier_radius: 72 mm}
+      inner: {mass: 0.4 kg, load_rating: 25 kN, bearing_rolling: rollers, carrier_radius: 72 mm}
       outer: {face_widths: [20 mm], bore: 10 mm}
     note: a remark
   - id: bevels
@@ -179,7 +174,7 @@ transmissions:
     bevels_right: {R5: 18}
     planet_gears: {pinion: [10]}
     meshes: [{gears: [L5, pinion]}, {gears: [R5, pinion]}]
-  nodes:
+  links:
     in: [S, S2, S4, L5]
     ground: [R]
     shaft: [C, X, C2]
@@ -192,7 +187,7 @@ transmissions:
     side: [R5]
   input: in
   output: out
-  elements: {B: [ring_2, ground], W: [wheel, ground], F: [free, ground], N: [n_bevel, ground]}
+  shift_elements: {B: [ring_2, ground], W: [wheel, ground], F: [free, ground], N: [n_bevel, ground]}
   one_way: {O: [free, ground]}
   gears:
   - {name: '1', engaged: [], published_ratio: -3.67, printed_decimals: 2, note: a remark}
@@ -209,23 +204,23 @@ const FOURTH: &[&str] = &["--gear", "4"];
 const TRANSMISSION: &[Key] = &[
     key("transmissions.name", "name: every key", "name: another", OVERVIEW),
     key("transmissions.source", "source: a test", "source: another", &["--format", "table"]),
-    key("transmissions.rows.id", "id: simple", "id: another", OVERVIEW),
-    key("transmissions.rows.planet", "planet: pair", "planet: internal_pair", OVERVIEW),
-    key("transmissions.rows.sun", "sun: S2", "sun: R4", OVERVIEW),
-    key("transmissions.rows.ring", "ring: R,", "ring: R4,", OVERVIEW),
-    key("transmissions.rows.carrier", "carrier: C,", "carrier: R4,", OVERVIEW),
-    key("transmissions.rows.z_s", "z_s: 30, z_r: 78", "z_s: 32, z_r: 78", OVERVIEW),
-    key("transmissions.rows.z_r", "z_r: 78", "z_r: 80", OVERVIEW),
-    key("transmissions.rows.z_p", "z_p: 24", "z_p: 23", OVERVIEW),
-    key("transmissions.rows.n_p", "z_p: 24, n_p: 4", "z_p: 24, n_p: 5", OVERVIEW),
-    key("transmissions.rows.z_pa", "z_pa: 15", "z_pa: 16", OVERVIEW),
-    key("transmissions.rows.z_pb", "z_pb: 18", "z_pb: 19", LISTED),
-    key("transmissions.rows.gear_a", "gear_a: X", "gear_a: R4", OVERVIEW),
-    key("transmissions.rows.gear_b", "gear_b: Y", "gear_b: R4", OVERVIEW),
-    key("transmissions.rows.z_a", "z_a: 54", "z_a: 53", OVERVIEW),
-    key("transmissions.rows.z_b", "z_b: 55", "z_b: 56", OVERVIEW),
-    key("transmissions.rows.efficiency", "efficiency: 0.97}", "efficiency: 0.96}", OVERVIEW),
-    key("transmissions.rows.meshes", "meshes: [0.985]", "meshes: [0.98]", OVERVIEW),
+    key("transmissions.sets.id", "id: simple", "id: another", OVERVIEW),
+    key("transmissions.sets.planet", "planet: pair", "planet: internal_pair", OVERVIEW),
+    key("transmissions.sets.sun", "sun: S2", "sun: R4", OVERVIEW),
+    key("transmissions.sets.ring", "ring: R,", "ring: R4,", OVERVIEW),
+    key("transmissions.sets.carrier", "carrier: C,", "carrier: R4,", OVERVIEW),
+    key("transmissions.sets.z_s", "z_s: 30, z_r: 78", "z_s: 32, z_r: 78", OVERVIEW),
+    key("transmissions.sets.z_r", "z_r: 78", "z_r: 80", OVERVIEW),
+    key("transmissions.sets.z_p", "z_p: 24", "z_p: 23", OVERVIEW),
+    key("transmissions.sets.n_p", "z_p: 24, n_p: 4", "z_p: 24, n_p: 5", OVERVIEW),
+    key("transmissions.sets.z_pa", "z_pa: 15", "z_pa: 16", OVERVIEW),
+    key("transmissions.sets.z_pb", "z_pb: 18", "z_pb: 19", LISTED),
+    key("transmissions.sets.gear_a", "gear_a: X", "gear_a: R4", OVERVIEW),
+    key("transmissions.sets.gear_b", "gear_b: Y", "gear_b: R4", OVERVIEW),
+    key("transmissions.sets.z_a", "z_a: 54", "z_a: 53", OVERVIEW),
+    key("transmissions.sets.z_b", "z_b: 55", "z_b: 56", OVERVIEW),
+    key("transmissions.sets.efficiency", "efficiency: 0.97}", "efficiency: 0.96}", OVERVIEW),
+    key("transmissions.sets.meshes", "meshes: [0.985]", "meshes: [0.98]", OVERVIEW),
     key("transmissions.compound_sets.id", "id: wheels", "id: another", LISTED),
     key("transmissions.compound_sets.carrier", "carrier: W", "carrier: Y", OVERVIEW),
     key("transmissions.compound_sets.suns", "S4: 30", "S4: 29", OVERVIEW),
@@ -257,9 +252,9 @@ const TRANSMISSION: &[Key] = &[
     },
     key("transmissions.compound_sets.planet_sizes.mass", "mass: 0.4 kg", "mass: 0.5 kg", LISTED),
     key(
-        "transmissions.compound_sets.planet_sizes.bearing_capacity",
-        "bearing_capacity: 25 kN",
-        "bearing_capacity: 26 kN",
+        "transmissions.compound_sets.planet_sizes.load_rating",
+        "load_rating: 25 kN",
+        "load_rating: 26 kN",
         LISTED,
     ),
     key(
@@ -276,10 +271,10 @@ const TRANSMISSION: &[Key] = &[
     ),
     key("transmissions.compound_sets.planet_sizes.face_widths", "[20 mm]", "[21 mm]", LISTED),
     key("transmissions.compound_sets.planet_sizes.bore", "bore: 10 mm", "bore: 11 mm", LISTED),
-    key("transmissions.nodes", "out: [Y]", "exit: [Y]\n    out: [n_bevel_2]", OVERVIEW),
+    key("transmissions.links", "out: [Y]", "exit: [Y]\n    out: [n_bevel_2]", OVERVIEW),
     key("transmissions.input", "\n  input: in", "\n  input: shaft", OVERVIEW),
     key("transmissions.output", "\n  output: out", "\n  output: side", OVERVIEW),
-    key("transmissions.elements", "B: [ring_2, ground]", "B: [ring_2, wheel]", LISTED),
+    key("transmissions.shift_elements", "B: [ring_2, ground]", "B: [ring_2, wheel]", LISTED),
     key("transmissions.one_way", "O: [free, ground]", "O: [ground, free]", LISTED),
     key("transmissions.gears.name", "name: '1'", "name: low", OVERVIEW),
     key("transmissions.gears.engaged", "engaged: [W]", "engaged: [F]", OVERVIEW),
@@ -302,7 +297,7 @@ const TRANSMISSION: &[Key] = &[
 const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
     ("note", "\nnote: a remark", "\nnote: [another]"),
     ("transmissions.note", "\n  note: a remark", "\n  note: [another]"),
-    ("transmissions.rows.note", "{id: simple,", "{id: simple, note: [another],"),
+    ("transmissions.sets.note", "{id: simple,", "{id: simple, note: [another],"),
     ("transmissions.compound_sets.note", "\n    note: a remark", "\n    note: [another]"),
     ("transmissions.gears.note", ", note: a remark", ", note: [another]"),
 ];

@@ -1,19 +1,18 @@
 //! Masses and inertias of the parts of a drive.
 
 use super::finite;
-use super::result::{BoredGear, GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
+use super::part::BoredGear;
+use super::result::{GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
 use super::spec::{Bore, CarrierSpec, DriveSpec};
 use super::warning::Warning;
 use crate::Error;
-use crate::planetary::PlanetaryDrive;
-use crate::units::{inertia, kg_m2, kilograms};
+use crate::planetary::{GearSet, PlanetaryDrive};
+use crate::units::{inertia, kg_m2, kilograms, millimeters};
 use epicyclic_gears::bearing;
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
 use epicyclic_gears::mass::GearBody;
 use epicyclic_gears::synthesis::ToothNumbers;
-use uom::si::f64::Length;
-use uom::si::length::millimeter;
 
 /// Relative difference between the radius of the arms' holes and the centre distance that is worth a warning.
 const OFF_CENTRE: f64 = 1e-4;
@@ -37,8 +36,8 @@ pub(super) fn masses(
         CarrierSpec::Shape { arm, hub } => {
             let whole = Carrier::new(teeth.planets, arm, hub, spec.gear_set.density)?.total();
             if let Some(hole) = arm.hole {
-                let hole_mm = (hub.outer_radius + arm.length - hole.from_outer_end).get::<millimeter>();
-                let centre_distance_mm = gear_set.centre_distance.get::<millimeter>();
+                let hole_mm = millimeters(hub.outer_radius + arm.length - hole.from_outer_end);
+                let centre_distance_mm = millimeters(gear_set.centre_distance);
                 if (hole_mm / centre_distance_mm - 1.0).abs() > OFF_CENTRE {
                     warnings.push(Warning::PlanetPinOffCentre { hole_mm, centre_distance_mm });
                 }
@@ -70,8 +69,7 @@ fn gear_mass(
         },
     };
     if bore >= gear.root_diameter() {
-        let in_mm = |length: Length| length.get::<millimeter>();
-        let (bore_mm, root_mm) = (in_mm(bore), in_mm(gear.root_diameter()));
+        let (bore_mm, root_mm) = (millimeters(bore), millimeters(gear.root_diameter()));
         return Err(Error::BoreTooLarge { gear: name, bore_mm, root_mm });
     }
     let body = GearBody::external(gear, spec.gear_set.face_width, bore, spec.gear_set.density)?;
@@ -83,13 +81,13 @@ fn gear_mass(
 /// The drive with everything that turns on its shafts.
 pub(super) fn planetary_drive(
     spec: &DriveSpec,
-    teeth: ToothNumbers,
+    set: GearSet,
     gear_set: &GearSetGeometry,
     masses: &Masses,
 ) -> PlanetaryDrive {
     let planet = masses.planet.body.total();
     PlanetaryDrive {
-        teeth,
+        set,
         sun_inertia: masses.sun.body.total().polar_inertia + spec.motor_inertia,
         planet_inertia: planet.polar_inertia,
         planet_mass: planet.mass,

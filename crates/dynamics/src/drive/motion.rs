@@ -1,38 +1,63 @@
 //! Equivalent inertia and start of a drive.
 
-use super::finite;
-use super::result::{EquivalentInertia, Masses, Motion, Start};
+use super::result::{EquivalentInertia, GearSetGeometry, Masses, Motion, Start, Torques};
 use super::spec::DriveSpec;
+use super::{bodies, finite};
 use crate::Error;
 use crate::energy::kinetic_energy;
-use crate::equivalent_inertia::{Link, Orbit};
+use crate::equivalent_inertia::{Link, LinkName, Orbit};
 use crate::lagrange::starting_time;
-use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
+use crate::planetary::{Accelerations, FromRest, GearSet, LossyMotion, PlanetaryDrive, Turning};
+use crate::tolerance::BALANCE;
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use uom::si::f64::{MomentOfInertia, Time, Torque};
 
-/// Part of the driving torque below which a surplus is the rounding of the calculation.
-const BALANCE: f64 = 1e-9;
+/// How the drive moves.
+pub(super) struct Moving {
+    pub(super) equivalent_inertia: EquivalentInertia,
+    pub(super) driving_torque: Torque,
+    pub(super) load: Torque,
+    pub(super) without_losses: Motion,
+    pub(super) with_losses: Motion,
+}
+
+pub(super) fn moving(
+    spec: &DriveSpec,
+    set: GearSet,
+    geometry: &GearSetGeometry,
+    torques: &Torques,
+    masses: &Masses,
+) -> Result<Moving, Error> {
+    let drive = bodies::planetary_drive(spec, set, geometry, masses);
+    let equivalent_inertia = equivalent_inertia(spec, &drive, masses)?;
+    let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
+    let load = spec.load.unwrap_or(torques.carrier);
+    let without_losses = without_losses(spec, &drive, driving_torque, load)?;
+    let with_losses = with_losses(spec, &drive, driving_torque, load)?;
+    Ok(Moving { equivalent_inertia, driving_torque, load, without_losses, with_losses })
+}
 
 /// Each part's share of the equivalent inertia, and the kinetic energy.
-pub(super) fn equivalent_inertia(
+fn equivalent_inertia(
     spec: &DriveSpec,
     drive: &PlanetaryDrive,
     masses: &Masses,
 ) -> Result<EquivalentInertia, Error> {
-    let ratios = drive.speed_ratios()?;
-    let central = |name: &str, j: MomentOfInertia, ratio| Link::central(name, j, ratio).equivalent_inertia();
+    let ratios = drive.set.ratios();
+    let central = |name, j: MomentOfInertia, ratio| Link::central(name, j, ratio).equivalent_inertia();
     let orbit = Orbit { mass: drive.planet_mass, radius: drive.planet_radius, speed_ratio: ratios.carrier };
-    let planets =
-        Link { count: drive.teeth.planets, ..Link::central("planets", inertia(0.0), ratios.planet) };
+    let planets = Link {
+        count: drive.set.teeth().planets,
+        ..Link::central(LinkName::Planets, inertia(0.0), ratios.planet)
+    };
     let found = EquivalentInertia {
-        sun: central("sun", masses.sun.body.total().polar_inertia, 1.0)?,
-        motor: central("motor", spec.motor_inertia, 1.0)?,
+        sun: central(LinkName::Sun, masses.sun.body.total().polar_inertia, 1.0)?,
+        motor: central(LinkName::Motor, spec.motor_inertia, 1.0)?,
         planets_orbiting: Link { orbit: Some(orbit), ..planets.clone() }.equivalent_inertia()?,
         planets_turning: Link { inertia: drive.planet_inertia, ..planets }.equivalent_inertia()?,
-        carrier: central("carrier", masses.carrier_inertia, ratios.carrier)?,
-        machine: central("driven machine", spec.machine_inertia, ratios.carrier)?,
+        carrier: central(LinkName::Carrier, masses.carrier_inertia, ratios.carrier)?,
+        machine: central(LinkName::Machine, spec.machine_inertia, ratios.carrier)?,
         total: drive.equivalent_inertia()?,
         kinetic_energy: kinetic_energy(&drive.bodies(spec.speed)?),
     };
@@ -41,7 +66,7 @@ pub(super) fn equivalent_inertia(
     Ok(found)
 }
 
-pub(super) fn without_losses(
+fn without_losses(
     spec: &DriveSpec,
     drive: &PlanetaryDrive,
     driving: Torque,
@@ -49,7 +74,7 @@ pub(super) fn without_losses(
 ) -> Result<Motion, Error> {
     let accelerations = drive.motion(driving, load)?;
     finite("acceleration", rad_per_s2(accelerations.sun))?;
-    let force = drive.generalized_force(driving, load)?;
+    let force = drive.generalized_force(driving, load);
     let inertia = drive.equivalent_inertia()?;
     let held = drive.held_loads(driving, MeshEfficiency::IDEAL, MeshEfficiency::IDEAL);
     let balance = BALANCE * n_m(driving);
@@ -61,7 +86,7 @@ pub(super) fn without_losses(
     Ok(settled(Motion { inertia, generalized_force: force, accelerations, held, start }))
 }
 
-pub(super) fn with_losses(
+fn with_losses(
     spec: &DriveSpec,
     drive: &PlanetaryDrive,
     driving: Torque,

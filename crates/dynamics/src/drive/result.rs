@@ -8,7 +8,6 @@ use epicyclic_gears::mass::GearBody;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::ToothNumbers;
-use std::fmt;
 use uom::si::f64::{
     AngularVelocity, Energy, Force, Length, Mass, MomentOfInertia, Power, Pressure, Time, Torque,
 };
@@ -266,43 +265,4 @@ pub enum Start {
     Held,
     /// Never: the load turns it backward, with this generalized force at the sun's shaft.
     Backward(Torque),
-}
-
-/// A shaft of the drive.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Shaft {
-    /// The sun's.
-    Sun,
-    /// A planet pin.
-    Planet,
-    /// The carrier's.
-    Carrier,
-}
-
-impl fmt::Display for Shaft {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Sun => "sun's shaft",
-            Self::Planet => "planet's pin",
-            Self::Carrier => "carrier's shaft",
-        })
-    }
-}
-
-/// A gear of the drive with a bore.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum BoredGear {
-    /// The sun.
-    Sun,
-    /// A planet.
-    Planet,
-}
-
-impl fmt::Display for BoredGear {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Sun => "sun",
-            Self::Planet => "planet",
-        })
-    }
 }

@@ -1,25 +1,23 @@
 //! Shafts by a low allowable torsional stress, and their bearings.
 
 use super::finite;
-use super::result::{Choice, Shaft, ShaftDesign, Shafts, Torques};
+use super::part::Shaft;
+use super::result::{Choice, ShaftDesign, Shafts, Torques};
 use super::spec::{DriveSpec, ShaftSpec};
 use super::warning::Warning;
 use crate::Error;
+use crate::tolerance::DIAMETER;
+use crate::units::{megapascals, millimeters, pascals};
 use epicyclic_gears::bearing::{self, Verification};
 use epicyclic_gears::shaft::{self, USUAL_ALLOWABLE_STRESS_MPA};
 use uom::si::f64::Torque;
-use uom::si::length::millimeter;
-use uom::si::pressure::{megapascal, pascal};
-
-/// Relative shortfall up to which a diameter is thick enough: the rounding of a cube root.
-const ROUNDING: f64 = 1e-12;
 
 pub(super) fn shafts(
     spec: &DriveSpec,
     torques: &Torques,
     warnings: &mut Vec<Warning>,
 ) -> Result<Shafts, Error> {
-    let allowable_mpa = spec.shafts.allowable_stress.get::<megapascal>();
+    let allowable_mpa = megapascals(spec.shafts.allowable_stress);
     let shafts = Shafts {
         sun: of(spec, Shaft::Sun, &spec.shafts.sun, torques.sun, warnings)?,
         planet: of(spec, Shaft::Planet, &spec.shafts.planet, torques.planets, warnings)?,
@@ -44,25 +42,25 @@ fn of(
     let standard = Choice { diameter: standard, bearing: bearing::smallest_for_shaft(series, standard).ok() };
     let diameter = given.diameter.or(given.bearing.map(|bearing| bearing.bore)).unwrap_or(standard.diameter);
     let stress = shaft::torsional_stress(torque, diameter)?;
-    finite("stress of a shaft", stress.get::<pascal>())?;
+    finite("stress of a shaft", pascals(stress))?;
     let bearing = given.bearing.or_else(|| bearing::smallest_for_shaft(series, diameter).ok());
 
-    let diameter_mm = diameter.get::<millimeter>();
-    let needed_mm = needed.get::<millimeter>();
-    if diameter_mm < needed_mm * (1.0 - ROUNDING) {
+    let diameter_mm = millimeters(diameter);
+    let needed_mm = millimeters(needed);
+    if diameter_mm < needed_mm * (1.0 - DIAMETER) {
         warnings.push(Warning::ShaftTooThin {
             shaft: name,
             diameter_mm,
             needed_mm,
-            stress_mpa: stress.get::<megapascal>(),
-            allowable_mpa: allowable.get::<megapascal>(),
+            stress_mpa: megapascals(stress),
+            allowable_mpa: megapascals(allowable),
         });
     }
     match bearing {
         None => warnings.push(Warning::NoBearing { shaft: name, series: series.number(), diameter_mm }),
         Some(bearing) => {
-            let bore_mm = bearing.bore.get::<millimeter>();
-            if bore_mm < diameter_mm * (1.0 - ROUNDING) {
+            let bore_mm = millimeters(bearing.bore);
+            if bore_mm < diameter_mm * (1.0 - DIAMETER) {
                 let bearing = bearing.designation;
                 warnings.push(Warning::BearingTooNarrow { shaft: name, bearing, bore_mm, diameter_mm });
             }

@@ -1,14 +1,14 @@
 //! What is wanted of a drive.
 
+use crate::units::{density, stress};
 use epicyclic_gears::bearing::{Bearing, Series};
 use epicyclic_gears::carrier::{Arm, Hub};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement, ToothNumbers};
+use std::fmt;
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Length, MassDensity, MomentOfInertia, Power, Pressure, Torque};
-use uom::si::mass_density::kilogram_per_cubic_meter;
-use uom::si::pressure::megapascal;
 
 /// A drive as it is asked for.
 ///
@@ -159,12 +159,12 @@ impl DriveSpec {
                 module,
                 face_width,
                 rack,
-                density: MassDensity::new::<kilogram_per_cubic_meter>(7850.0),
+                density: density(7850.0),
                 sun_bore: Bore::Shaft,
                 planet_bore: Bore::Bearing,
             },
             shafts: ShaftsSpec {
-                allowable_stress: Pressure::new::<megapascal>(20.0),
+                allowable_stress: stress(20.0),
                 bearing_series: Series::Medium300,
                 sun: ShaftSpec::default(),
                 planet: ShaftSpec::default(),
@@ -192,4 +192,28 @@ pub fn default_bounds(rack: BasicRack) -> Bounds {
 
 fn usual_efficiency(eta: f64) -> MeshEfficiency {
     MeshEfficiency::new(eta).unwrap_or(MeshEfficiency::IDEAL)
+}
+
+/// What is asked of a drive, as errors name it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Given {
+    /// Power at the sun's shaft.
+    Power,
+    /// Speed of the sun.
+    Speed,
+    /// Ratio of the speeds of sun and carrier.
+    Ratio,
+    /// Torque on the sun while the drive starts.
+    DrivingTorque,
+}
+
+impl fmt::Display for Given {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Power => "power",
+            Self::Speed => "speed",
+            Self::Ratio => "ratio",
+            Self::DrivingTorque => "driving torque",
+        })
+    }
 }

@@ -1,25 +1,40 @@
 //! The tooth numbers of a drive and their conditions.
 
-use super::result::{BoredGear, GearSetGeometry, TeethDesign};
-use super::spec::{DriveSpec, TeethSpec};
+use super::part::BoredGear;
+use super::result::{GearSetGeometry, TeethDesign};
+use super::spec::{DriveSpec, GearSetSpec, TeethSpec};
 use super::warning::Warning;
 use super::{USUAL_RATIO, finite, mode};
 use crate::Error;
-use crate::units::{length, meters};
+use crate::planetary::GearSet;
+use crate::tolerance::GAP;
+use crate::units::{degrees, length, meters, millimeters, radians};
+use epicyclic_gears::Quantity;
+use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{
     Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers, clearance_limit,
 };
 use std::cmp::Reverse;
-use uom::si::angle::{degree, radian};
-use uom::si::length::millimeter;
 
-/// Relative shortfall of a gap that is the rounding of its calculation.
-const ROUNDING: f64 = 1e-9;
+/// The gear set: its speeds, its tooth numbers with their conditions, its geometry.
+pub(super) struct Geared {
+    pub(super) set: GearSet,
+    pub(super) teeth: TeethDesign,
+    pub(super) geometry: GearSetGeometry,
+}
+
+pub(super) fn geared(spec: &DriveSpec, warnings: &mut Vec<Warning>) -> Result<Geared, Error> {
+    let numbers = tooth_numbers(spec)?;
+    let geometry = geometry(spec, numbers)?;
+    let teeth = conditions(spec, numbers, &geometry, warnings)?;
+    Ok(Geared { set: GearSet::new(numbers)?, teeth, geometry })
+}
 
 /// The tooth numbers given, or the best within the bounds.
-pub(super) fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
+fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
     match &spec.teeth {
         TeethSpec::Given { teeth, tip_gap, .. } => {
             check(*teeth, *tip_gap)?;
@@ -58,7 +73,7 @@ pub(super) fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
 
 fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
     let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
-    for (gear, teeth) in [("sun", sun), ("planet", planet), ("ring", ring)] {
+    for (gear, teeth) in [(SimpleGear::Sun, sun), (SimpleGear::Planet, planet), (SimpleGear::Ring, ring)] {
         if teeth > MOST_TEETH {
             let (from, to) = (teeth, teeth);
             return Err(epicyclic_gears::Error::ToothRange { gear, from, to, most: MOST_TEETH }.into());
@@ -69,14 +84,23 @@ fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
         return Err(epicyclic_gears::Error::PlanetNumber { from, to, most: MOST_PLANETS }.into());
     }
     if !(tip_gap >= 0.0 && tip_gap.is_finite()) {
-        let (quantity, value, unit) = ("tip gap", tip_gap, "modules");
+        let (quantity, value, unit) = (Quantity::TipGap, tip_gap, "modules");
         return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
     }
     if ring == sun + 2 * planet { Ok(()) } else { Err(Error::UnequalCentreDistances { sun, planet, ring }) }
 }
 
+fn geometry(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Error> {
+    let GearSetSpec { module, rack, face_width, .. } = spec.gear_set;
+    let sun = ToothedGear::new(GearKind::External, module, teeth.sun, rack)?;
+    let planet = ToothedGear::new(GearKind::External, module, teeth.planet, rack)?;
+    let ring = ToothedGear::new(GearKind::Internal, module, teeth.ring, rack)?;
+    finite("root diameter of the ring", meters(ring.root_diameter()))?;
+    Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
+}
+
 /// How well the tooth numbers meet their conditions.
-pub(super) fn conditions(
+fn conditions(
     spec: &DriveSpec,
     teeth: ToothNumbers,
     gear_set: &GearSetGeometry,
@@ -89,7 +113,7 @@ pub(super) fn conditions(
     };
     let ratio = teeth.basic_ratio().ratio(mode()?)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
-    let chord = 2.0 * meters(gear_set.centre_distance) * (spacing.smallest_gap().get::<radian>() / 2.0).sin();
+    let chord = 2.0 * meters(gear_set.centre_distance) * (radians(spacing.smallest_gap()) / 2.0).sin();
     let found = TeethDesign {
         numbers: teeth,
         ratio,
@@ -116,20 +140,20 @@ pub(super) fn conditions(
     if meters(found.tip_gap) <= 0.0 {
         warnings.push(Warning::NoPlanetClearance {
             planets: teeth.planets,
-            gap_mm: found.tip_gap.get::<millimeter>(),
+            gap_mm: millimeters(found.tip_gap),
             most_planets: found.most_planets,
         });
     }
-    let least_gap_mm = least_gap * spec.gear_set.module.get::<millimeter>();
-    let gap_mm = found.tip_gap.get::<millimeter>();
-    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - ROUNDING) {
+    let least_gap_mm = least_gap * millimeters(spec.gear_set.module);
+    let gap_mm = millimeters(found.tip_gap);
+    if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - GAP) {
         warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });
     }
     if !found.spacing.is_equal() && placement == Placement::Equal {
         warnings.push(Warning::UnequalSpacing {
             planets: teeth.planets,
             slots: found.spacing.slots(),
-            deviation_deg: found.spacing.greatest_deviation().get::<degree>(),
+            deviation_deg: degrees(found.spacing.greatest_deviation()),
         });
     }
     Ok(found)

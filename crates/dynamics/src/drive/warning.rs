@@ -1,7 +1,6 @@
 //! What deserves a second look in a drive that could be calculated.
 
-use super::result::{BoredGear, Shaft};
-use std::fmt;
+use super::part::{BoredGear, Shaft};
 
 /// A finding about a drive that does not stop the calculation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -122,74 +121,13 @@ impl Warning {
             Self::UnverifiedBearing { .. } => "unverified-bearing",
             Self::StressOutsideUsualRange { .. } => "stress-outside-usual-range",
             Self::Undercut { .. } => "undercut",
-            Self::NoPlanetClearance { .. } => "neighbour-gap",
+            Self::NoPlanetClearance { .. } => "no-planet-clearance",
             Self::TipGapBelowWanted { .. } => "tip-gap-below-wanted",
             Self::UnequalSpacing { .. } => "unequal-spacing",
             Self::RatioDeparts { .. } => "ratio-departs",
             Self::RatioOutsideUsualRange { .. } => "ratio-outside-usual-range",
-            Self::PlanetPinOffCentre { .. } => "pin-off-centre",
+            Self::PlanetPinOffCentre { .. } => "planet-pin-off-centre",
             Self::CarrierNeglected => "carrier-neglected",
-        }
-    }
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::ShaftTooThin { shaft, diameter_mm, needed_mm, stress_mpa, allowable_mpa } => write!(
-                f,
-                "the {shaft} of {diameter_mm:.1} mm is too thin: {stress_mpa:.1} MPa where {allowable_mpa:.1} MPa are \
-                 allowed; at least {needed_mm:.1} mm needed"
-            ),
-            Self::BearingTooNarrow { shaft, bearing, bore_mm, diameter_mm } => write!(
-                f,
-                "bearing {bearing} with its bore of {bore_mm:.0} mm does not go on the {shaft} of {diameter_mm:.1} mm"
-            ),
-            Self::NoBearing { shaft, series, diameter_mm } => {
-                write!(f, "no bearing of series {series} goes on the {shaft} of {diameter_mm:.1} mm")
-            }
-            Self::UnverifiedBearing { shaft, bearing } => {
-                write!(
-                    f,
-                    "bearing {bearing} of the {shaft} was not found in a catalogue: check its dimensions"
-                )
-            }
-            Self::StressOutsideUsualRange { allowable_mpa } => {
-                write!(f, "an allowable stress of {allowable_mpa:.1} MPa is outside the usual 15 to 20 MPa")
-            }
-            Self::Undercut { gear, teeth, at_least } => {
-                write!(f, "the {gear} with {teeth} teeth is undercut; {at_least} teeth are not")
-            }
-            Self::NoPlanetClearance { planets, gap_mm, most_planets } => write!(
-                f,
-                "{planets} planets do not clear each other: their tips overlap by {:.2} mm; at most {most_planets} do",
-                -gap_mm
-            ),
-            Self::TipGapBelowWanted { gap_mm, wanted_mm } => write!(
-                f,
-                "the tips of adjacent planets clear each other by {gap_mm:.2} mm; {wanted_mm:.2} mm are wanted"
-            ),
-            Self::UnequalSpacing { planets, slots, deviation_deg } => write!(
-                f,
-                "{planets} planets do not assemble at equal angles (z_a + z_b = {slots} is no multiple); the least \
-                 unequal spacing departs by {deviation_deg:.3}°"
-            ),
-            Self::RatioDeparts { wanted, ratio, tolerance } => write!(
-                f,
-                "the given teeth have the ratio {ratio:.4}, {:+.2} % off the wanted {wanted}; the tolerance is {:.2} %",
-                100.0 * (ratio / wanted - 1.0),
-                100.0 * tolerance
-            ),
-            Self::RatioOutsideUsualRange { ratio } => {
-                write!(f, "a ratio of {ratio:.4} is outside the usual 3 to 10 of a single stage")
-            }
-            Self::PlanetPinOffCentre { hole_mm, centre_distance_mm } => write!(
-                f,
-                "the carrier's holes stand at a radius of {hole_mm:.2} mm, the planets at {centre_distance_mm:.2} mm"
-            ),
-            Self::CarrierNeglected => {
-                f.write_str("the carrier was taken as massless: give its shape or its inertia")
-            }
         }
     }
 }

@@ -2,11 +2,12 @@
 //!
 //! The same pass refuses what a value tree would no longer show: repeated keys, merge keys, anchors, tags.
 
-use std::{collections::HashMap, fmt};
+use std::collections::HashMap;
 
-use saphyr_parser::{Event, Marker, Parser, ScalarStyle};
+use saphyr_parser::{Event, Parser, ScalarStyle};
 
 use super::path::{Path, Segment};
+use super::position::Position;
 use crate::error::Problem;
 
 /// How deep maps and sequences may nest. A case nests five levels or so; the value parser stops at 128.
@@ -15,30 +16,6 @@ pub(super) const DEPTH_LIMIT: usize = 100;
 /// How many values a file may have: scalars, maps and sequences, without keys. The largest file of [`super::SIZE_LIMIT`] bytes
 /// could hold two million, and each takes some hundred bytes here and in the value tree.
 pub(super) const VALUE_LIMIT: usize = 200_000;
-
-/// A line and a column, both from 1; columns count characters. Displays as `12:7`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Position {
-    /// From 1.
-    pub line: usize,
-    /// In characters, from 1.
-    pub column: usize,
-}
-
-impl Position {
-    /// The first character of a file.
-    pub const START: Self = Self { line: 1, column: 1 };
-
-    fn of(marker: Marker) -> Self {
-        Self { line: marker.line().max(1), column: marker.col() + 1 }
-    }
-}
-
-impl fmt::Display for Position {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.line, self.column)
-    }
-}
 
 /// A problem, the position of it, and the path of the node it is in.
 pub(super) type Found = (Position, Path, Problem);

@@ -6,26 +6,29 @@
 
 mod index;
 mod path;
+mod position;
 mod reader;
+mod renamed;
 mod words;
 
 use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 
-pub use self::{
-    index::Position,
-    path::{Path, Segment},
-};
 use self::{
     index::{Content, Node},
     reader::{Fault, Reader},
+};
+pub use self::{
+    path::{Path, Segment},
+    position::Position,
 };
 use crate::{
     error::{Error, Place, Problem},
     quantity::QuantityError,
     yaml::{self, Value},
 };
+pub use renamed::RENAMED;
 
 /// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is not one.
 pub const SIZE_LIMIT: u64 = 4 << 20;
@@ -206,7 +209,9 @@ impl Document {
             }
             let Fault(problem) = error.into_inner();
             let position = match &*problem {
-                Problem::UnknownKey { .. } | Problem::DuplicateKey { .. } => self.key_position(&path),
+                Problem::UnknownKey { .. } | Problem::RenamedKey { .. } | Problem::DuplicateKey { .. } => {
+                    self.key_position(&path)
+                }
                 Problem::UnknownName { found, .. } if node.is_some_and(Value::is_mapping) => {
                     path.push(Segment::Key(found.clone()));
                     self.key_position(&path)

@@ -18,6 +18,7 @@ use serde::{
     forward_to_deserialize_any,
 };
 
+use super::renamed::renamed;
 use super::words;
 use crate::{
     error::Problem,
@@ -72,7 +73,11 @@ impl de::Error for Fault {
     }
 
     fn unknown_field(key: &str, allowed: &'static [&'static str]) -> Self {
-        Problem::UnknownKey { key: key.to_owned(), allowed: owned(allowed) }.into()
+        let key = key.to_owned();
+        match renamed(&key, allowed) {
+            Some(new) => Problem::RenamedKey { key, new: new.to_owned() }.into(),
+            None => Problem::UnknownKey { key, allowed: owned(allowed) }.into(),
+        }
     }
 
     fn missing_field(key: &'static str) -> Self {

@@ -21,12 +21,12 @@ impl DriveFile {
     /// outside 0…1, an unknown bearing, a carrier with both inertia and shape or with half a shape, and a
     /// missing ratio.
     pub fn spec(&self) -> Result<DriveSpec, Misfit> {
-        let wheels = &self.wheels;
+        let gear_set = &self.gear_set;
         let rack = BasicRack::default();
         let rack = BasicRack {
-            addendum: wheels.addendum.map_or(rack.addendum, Number::get),
-            clearance: wheels.clearance.map_or(rack.clearance, Number::get),
-            pressure_angle: or(wheels.pressure_angle, rack.pressure_angle),
+            addendum: gear_set.addendum.map_or(rack.addendum, Number::get),
+            clearance: gear_set.clearance.map_or(rack.clearance, Number::get),
+            pressure_angle: or(gear_set.pressure_angle, rack.pressure_angle),
         };
         let (teeth, own_ratio) = teeth(&self.teeth.clone().unwrap_or_default(), rack)?;
         let ratio = self.ratio.map(Number::get).or(own_ratio).ok_or_else(|| Misfit {
@@ -35,7 +35,7 @@ impl DriveFile {
         })?;
 
         let mut spec =
-            DriveSpec::new(self.power.0, self.speed.0, ratio, wheels.module.0, wheels.face_width.0);
+            DriveSpec::new(self.power.0, self.speed.0, ratio, gear_set.module.0, gear_set.face_width.0);
         spec.ratio_tolerance = self.ratio_tolerance.map_or(spec.ratio_tolerance, |given| given.0.si());
         spec.teeth = teeth;
         if let Some(mesh) = &self.mesh_efficiency {
@@ -50,10 +50,10 @@ impl DriveFile {
                 eta(mesh.planet_ring, spec.planet_ring_efficiency, "mesh_efficiency.planet_ring")?;
         }
         spec.gear_set.rack = rack;
-        spec.gear_set.density = or(wheels.density, spec.gear_set.density);
-        spec.gear_set.sun_bore = bore(wheels.sun_bore, spec.gear_set.sun_bore, "wheels.sun_bore")?;
+        spec.gear_set.density = or(gear_set.density, spec.gear_set.density);
+        spec.gear_set.sun_bore = bore(gear_set.sun_bore, spec.gear_set.sun_bore, "gear_set.sun_bore")?;
         spec.gear_set.planet_bore =
-            bore(wheels.planet_bore, spec.gear_set.planet_bore, "wheels.planet_bore")?;
+            bore(gear_set.planet_bore, spec.gear_set.planet_bore, "gear_set.planet_bore")?;
         if let Some(shafts) = &self.shafts {
             spec.shafts.allowable_stress = or(shafts.allowable_stress, spec.shafts.allowable_stress);
             spec.shafts.bearing_series = shafts.bearing_series.map_or(Series::Medium300, |given| given.0);
@@ -139,7 +139,7 @@ fn teeth(file: &TeethFile, rack: BasicRack) -> Result<(TeethSpec, Option<f64>), 
 fn bore(given: Option<BoreText>, usual: Bore, path: &str) -> Result<Bore, Misfit> {
     match given.map(|given| given.0) {
         Some(Bore::Given(diameter)) if diameter.si() < 0.0 => {
-            Err(Misfit::new(path, "a bore below 0; write 0 mm for a solid wheel"))
+            Err(Misfit::new(path, "a bore below 0; write 0 mm for a solid gear"))
         }
         given => Ok(given.unwrap_or(usual)),
     }

@@ -2,8 +2,10 @@
 
 use crate::Path;
 use epicyclic_dynamics::Error;
-use epicyclic_dynamics::drive::BoredGear;
-use epicyclic_gears::Error as Gear;
+use epicyclic_dynamics::drive::{BoredGear, Given};
+use epicyclic_dynamics::equivalent_inertia::LinkName;
+use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::{Error as Gear, Quantity};
 
 /// The key that an error of the design is about; the root where it is about the whole.
 ///
@@ -13,15 +15,21 @@ pub fn place(error: &Error) -> Path {
     path(match error {
         Error::Gear(error) => of_gear(error),
         Error::UnequalCentreDistances { .. } => "teeth",
-        Error::BoreTooLarge { gear: BoredGear::Sun, .. } => "wheels.sun_bore",
-        Error::BoreTooLarge { gear: BoredGear::Planet, .. } => "wheels.planet_bore",
-        Error::Impossible { link, .. } => match link.as_str() {
-            "motor" => "attached.motor",
-            "driven machine" => "attached.machine",
-            "carrier" => "carrier.inertia",
+        Error::BoreTooLarge { gear: BoredGear::Sun, .. } => "gear_set.sun_bore",
+        Error::BoreTooLarge { gear: BoredGear::Planet, .. } => "gear_set.planet_bore",
+        Error::NotPositive { quantity, .. } => match quantity {
+            Given::Power => "power",
+            Given::Speed => "speed",
+            Given::Ratio => "ratio",
+            Given::DrivingTorque => "start.driving_torque",
+        },
+        Error::Impossible { link, .. } => match link {
+            LinkName::Motor => "attached.motor",
+            LinkName::Machine => "attached.machine",
+            LinkName::Carrier => "carrier.inertia",
             _ => "",
         },
-        Error::NotFinite { what: "load torque", .. } => "start.load",
+        Error::LoadNotFinite { .. } => "start.load",
         _ => "",
     })
 }
@@ -31,12 +39,12 @@ fn of_gear(error: &Gear) -> &'static str {
         Gear::NotPositive { quantity, .. }
         | Gear::Negative { quantity, .. }
         | Gear::OutOfRange { quantity, .. }
-        | Gear::NotAbove { quantity, .. } => of_quantity(quantity),
+        | Gear::NotAbove { quantity, .. } => of_quantity(*quantity),
         Gear::NoToothNumbers { .. } => "ratio",
         Gear::Tolerance { .. } => "ratio_tolerance",
-        Gear::ToothRange { gear: "sun", .. } => "teeth.sun",
-        Gear::ToothRange { gear: "planet", .. } => "teeth.planet",
-        Gear::ToothRange { gear: "ring", .. } => "teeth.ring",
+        Gear::ToothRange { gear: SimpleGear::Sun, .. } => "teeth.sun",
+        Gear::ToothRange { gear: SimpleGear::Planet, .. } => "teeth.planet",
+        Gear::ToothRange { gear: SimpleGear::Ring, .. } => "teeth.ring",
         Gear::PlanetNumber { .. } => "teeth.planets",
         Gear::NoRoot { .. } | Gear::NoInternalTip { .. } => "teeth",
         Gear::NoStandardDiameter { .. } | Gear::NoBearingForShaft { .. } => "shafts",
@@ -44,31 +52,28 @@ fn of_gear(error: &Gear) -> &'static str {
     }
 }
 
-/// The key of a quantity, by the name that the errors give it.
-fn of_quantity(quantity: &str) -> &'static str {
+/// The key of a quantity.
+fn of_quantity(quantity: Quantity) -> &'static str {
     match quantity {
-        "power" | "torque" => "power",
-        "speed" => "speed",
-        "ratio" => "ratio",
-        "driving torque" => "start.driving_torque",
-        "module" => "wheels.module",
-        "face width" => "wheels.face_width",
-        "addendum coefficient" => "wheels.addendum",
-        "clearance coefficient" => "wheels.clearance",
-        "pressure angle" => "wheels.pressure_angle",
-        "density" => "wheels.density",
-        "bore diameter" => "wheels",
-        "tip gap" => "teeth.tip_gap",
-        "allowable stress" => "shafts.allowable_stress",
-        "shaft diameter" => "shafts",
-        "arm length" => "carrier.arms.length",
-        "arm width" => "carrier.arms.width",
-        "arm thickness" => "carrier.arms.thickness",
-        "hole radius" => "carrier.arms.hole.radius",
-        "distance of the hole from the outer end" => "carrier.arms.hole.from_outer_end",
-        "hub outside radius" => "carrier.hub.outside_radius",
-        "hub inside radius" => "carrier.hub.inside_radius",
-        "width" => "carrier.hub.width",
+        Quantity::Torque => "power",
+        Quantity::Module => "gear_set.module",
+        Quantity::FaceWidth => "gear_set.face_width",
+        Quantity::AddendumCoefficient => "gear_set.addendum",
+        Quantity::ClearanceCoefficient => "gear_set.clearance",
+        Quantity::PressureAngle => "gear_set.pressure_angle",
+        Quantity::Density => "gear_set.density",
+        Quantity::BoreDiameter => "gear_set",
+        Quantity::TipGap => "teeth.tip_gap",
+        Quantity::AllowableStress => "shafts.allowable_stress",
+        Quantity::ShaftDiameter => "shafts",
+        Quantity::ArmLength => "carrier.arms.length",
+        Quantity::ArmWidth => "carrier.arms.width",
+        Quantity::ArmThickness => "carrier.arms.thickness",
+        Quantity::HoleRadius => "carrier.arms.hole.radius",
+        Quantity::HoleDistance => "carrier.arms.hole.from_outer_end",
+        Quantity::HubOutsideRadius => "carrier.hub.outside_radius",
+        Quantity::HubInsideRadius => "carrier.hub.inside_radius",
+        Quantity::Width => "carrier.hub.width",
         _ => "",
     }
 }

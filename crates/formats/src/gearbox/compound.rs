@@ -94,7 +94,7 @@ pub struct PlanetSizeEntry {
     pub mass: Option<Quantity<Mass>>,
     /// Basic dynamic load rating of its bearings together, for their life.
     #[serde(default)]
-    pub bearing_capacity: Option<Quantity<Force>>,
+    pub load_rating: Option<Quantity<Force>>,
     /// What rolls in these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
@@ -178,7 +178,7 @@ impl CompoundEntry {
                 face_widths: entry.face_widths.iter().map(|width| Some(width.0)).collect(),
                 bore: entry.bore.map(|bore| bore.0),
                 mass: entry.mass.map(|mass| mass.0),
-                bearing: entry.bearing_capacity.map(|capacity| (capacity.0, entry.bearing_rolling.into())),
+                bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
             }
         };
         let mesh = |mesh: &MeshEntry| MeshSize {

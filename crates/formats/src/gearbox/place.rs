@@ -4,13 +4,14 @@ use super::DescriptionError;
 use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
-use epicyclic_train::{CompoundFault, Error as SolverError, Named};
+use epicyclic_gears::Quantity;
+use epicyclic_train::{CompoundFault, Error as SolverError, Named, Place, Terminal};
 
 /// The lists whose entries may bear the name of a shift element.
-const CONTROLS: [&str; 4] = ["brakes", "clutches", "elements", "one_way"];
+const CONTROLS: [&str; 4] = ["brakes", "clutches", "shift_elements", "one_way"];
 
 /// The lists whose entries may bear the name of a set.
-const SETS: [&str; 3] = ["sets", "rows", "compound_sets"];
+const SETS: [&str; 2] = ["sets", "compound_sets"];
 
 /// The error at its place in the document; `base` is the gearbox's own path, the root of a file with one.
 ///
@@ -55,11 +56,11 @@ impl File<'_> {
             }
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
-            E::MemberInNoNode { set, member } => self.text(self.set(set), member),
+            E::MemberInNoLink { set, member } => self.text(self.set(set), member),
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
             E::Clutch { clutch } => self.entry(&CONTROLS, clutch),
-            E::MemberInTwoNodes { member, second, .. } => {
-                self.text(self.base.clone().key("nodes").key(second.as_str()), member)
+            E::MemberInTwoLinks { member, second, .. } => {
+                self.text(self.base.clone().key("links").key(second.as_str()), member)
             }
             E::Gearbox(error) => self.of_engine(error),
         }
@@ -95,17 +96,19 @@ impl File<'_> {
         }
     }
 
-    /// The entry that an error calls ``set `P1` ``, ``input of gear `1` `` or the like.
-    fn named(&self, place: &str) -> Path {
-        let name = place.split('`').nth(1).unwrap_or_default();
-        let (what, _) = place.split_once('`').unwrap_or((place, ""));
-        match what.trim() {
-            "set" => self.set(name),
-            "shift element" => self.entry(&CONTROLS, name),
-            "gear" => self.key(self.entry(&["gears"], name), "engaged"),
-            "input of gear" => self.key(self.entry(&["gears"], name), "input"),
-            "output of gear" => self.key(self.entry(&["gears"], name), "output"),
-            terminal => self.key(self.base.clone(), terminal),
+    /// The entry of what names something.
+    fn named(&self, place: &Place) -> Path {
+        let terminal = |terminal: Terminal| match terminal {
+            Terminal::Input => "input",
+            Terminal::Output => "output",
+        };
+        match place {
+            Place::Set(id) => self.set(id),
+            Place::ShiftElement(id) => self.entry(&CONTROLS, id),
+            Place::Gear(name) => self.key(self.entry(&["gears"], name), "engaged"),
+            Place::TerminalOf(which, gear) => self.key(self.entry(&["gears"], gear), terminal(*which)),
+            Place::Terminal(which) => self.key(self.base.clone(), terminal(*which)),
+            _ => self.base.clone(),
         }
     }
 
@@ -116,23 +119,12 @@ impl File<'_> {
     fn of_compound(&self, set: &str, fault: &CompoundFault) -> Path {
         let path = self.set(set);
         match fault {
-            CompoundFault::NoTeeth { gear: name }
-            | CompoundFault::PlanetGears { planet: name, .. }
-            | CompoundFault::NameTwice { name }
-            | CompoundFault::TwoShafts { name, .. }
-            | CompoundFault::Apart { name } => {
-                let planet = name.split('.').next().unwrap_or(name);
-                let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
-                let exists = |map: &&&str| {
-                    self.document
-                        .value_at(&path.clone().key((**map).to_owned()))
-                        .is_some_and(|map| map.get(planet).is_some())
-                };
-                match maps.iter().find(exists) {
-                    Some(map) => path.key(*map).key(planet),
-                    None => path,
-                }
+            CompoundFault::NoTeeth { gear } | CompoundFault::NameTwice { name: gear } => {
+                self.part_of_set(path, &gear.of)
             }
+            CompoundFault::PlanetGears { planet: name, .. }
+            | CompoundFault::TwoShafts { name, .. }
+            | CompoundFault::Apart { name } => self.part_of_set(path, name),
             CompoundFault::UnknownGear { name, .. } => {
                 let meshes = path.clone().key("meshes");
                 let shafts = path.clone().key("planet_shafts");
@@ -161,13 +153,26 @@ impl File<'_> {
         }
     }
 
+    /// A central gear or planet of a compound set.
+    fn part_of_set(&self, set: Path, name: &str) -> Path {
+        let maps = ["suns", "rings", "bevels_left", "bevels_right", "planet_shafts", "planet_gears"];
+        let exists = |map: &&&str| {
+            let map = self.document.value_at(&set.clone().key(**map));
+            map.is_some_and(|map| map.get(name).is_some())
+        };
+        match maps.iter().find(exists) {
+            Some(map) => set.key(*map).key(name),
+            None => set,
+        }
+    }
+
     /// The first entry beyond a limit.
     fn beyond(&self, what: Named, limit: usize) -> Path {
         let lists: &[&str] = match what {
             Named::Set => &SETS,
             Named::ShiftElement => &CONTROLS,
             Named::Gear => &["gears"],
-            Named::Link => &["links", "nodes"],
+            Named::Link => &["links"],
             _ => &[],
         };
         let mut left = limit;
@@ -230,13 +235,13 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
     match error {
         E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes"],
         E::NoTeeth => &["teeth"],
-        E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match *quantity {
-            "module" => &["module"],
-            "radius of the planets' centres" => &["carrier_radius"],
-            "face width" | "width" => &["face_width"],
-            "bore of a planet" | "bore diameter" => &["planet_bore"],
-            "mass of a planet" => &["planet_mass"],
-            "basic dynamic load rating of the bearing" => &["bearing_capacity"],
+        E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
+            Quantity::Module => &["module"],
+            Quantity::CarrierRadius => &["carrier_radius"],
+            Quantity::FaceWidth | Quantity::Width => &["face_width"],
+            Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],
+            Quantity::PlanetMass => &["planet_mass"],
+            Quantity::LoadRating => &["load_rating"],
             _ => &[],
         },
         _ => &[],

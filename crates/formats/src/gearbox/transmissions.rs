@@ -1,4 +1,4 @@
-//! Real transmissions: members joined by nodes, elements between nodes, gears with published ratios.
+//! Real transmissions: members joined to links, shift elements between links, gears with published ratios.
 
 use super::compound::{CompoundEntry, Note};
 use super::{DescriptionError, losses};
@@ -37,19 +37,19 @@ pub struct Transmission {
     pub source: Option<String>,
     /// The sets with two central gears, and pairs; their members are gears and carriers.
     #[serde(default)]
-    pub rows: Vec<TransmissionRow>,
-    /// Sets of any other form, gear by gear; their members too are named in nodes.
+    pub sets: Vec<TransmissionSet>,
+    /// Sets of any other form, gear by gear; their members too are named in links.
     #[serde(default)]
     pub compound_sets: Vec<CompoundEntry>,
     /// Which members turn as one piece: by node.
-    pub nodes: BTreeMap<String, Vec<String>>,
+    pub links: BTreeMap<String, Vec<String>>,
     /// Node where power enters, unless a gear says otherwise.
     pub input: String,
     /// Node where power leaves, unless a gear says otherwise.
     pub output: String,
-    /// Brakes and clutches: the two nodes that each joins when engaged.
+    /// Brakes and clutches: the two links that each joins when engaged.
     #[serde(default)]
-    pub elements: BTreeMap<String, [String; 2]>,
+    pub shift_elements: BTreeMap<String, [String; 2]>,
     /// One-way clutches: each keeps its first node from turning slower than its second.
     #[serde(default)]
     pub one_way: BTreeMap<String, [String; 2]>,
@@ -63,7 +63,7 @@ pub struct Transmission {
 /// A set of a transmission with two central gears, or a pair.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct TransmissionRow {
+pub struct TransmissionSet {
     /// Its name.
     pub id: String,
     /// How its gears are joined.
@@ -148,7 +148,7 @@ pub enum Planet {
 pub struct PublishedGear {
     /// Its name.
     pub name: String,
-    /// Engaged elements.
+    /// Engaged shift elements.
     pub engaged: Vec<String>,
     /// Node where power enters in this gear, if another.
     #[serde(default)]
@@ -156,10 +156,10 @@ pub struct PublishedGear {
     /// Node where power leaves in this gear, if another.
     #[serde(default)]
     pub output: Option<String>,
-    /// Speeds of nodes, as many as the gear keeps freedoms: of a power split or summing gear.
+    /// Speeds of links, as many as the gear keeps freedoms: of a power split or summing gear.
     #[serde(default)]
     pub speeds: BTreeMap<String, Quantity<AngularVelocity>>,
-    /// Torques at nodes where power enters or leaves, with `speeds`.
+    /// Torques at links where power enters or leaves, with `speeds`.
     #[serde(default)]
     pub torques: BTreeMap<String, Quantity<Torque>>,
     /// Input speed over output speed as published, negative in opposite senses.
@@ -228,42 +228,42 @@ impl PublishedGear {
 }
 
 impl Transmission {
-    /// The transmission as a gearbox, its nodes as links.
+    /// The transmission as a gearbox.
     ///
     /// # Errors
     /// [`DescriptionError`].
     pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
         let counts = [
-            (Named::Set, self.rows.len() + self.compound_sets.len(), MOST_SETS),
-            (Named::ShiftElement, self.elements.len() + self.one_way.len(), MOST_ELEMENTS),
+            (Named::Set, self.sets.len() + self.compound_sets.len(), MOST_SETS),
+            (Named::ShiftElement, self.shift_elements.len() + self.one_way.len(), MOST_ELEMENTS),
             (Named::Gear, self.gears.len(), MOST_GEARS),
-            (Named::Link, self.nodes.len(), MOST_LINKS),
+            (Named::Link, self.links.len(), MOST_LINKS),
         ];
         if let Some((what, count, limit)) = counts.into_iter().find(|(_, count, limit)| count > limit) {
             return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
         }
-        let mut node_of: BTreeMap<&str, &str> = BTreeMap::new();
-        for (node, members) in &self.nodes {
+        let mut link_of: BTreeMap<&str, &str> = BTreeMap::new();
+        for (link, members) in &self.links {
             for member in members {
-                if let Some(first) = node_of.insert(member, node) {
-                    return Err(DescriptionError::MemberInTwoNodes {
+                if let Some(first) = link_of.insert(member, link) {
+                    return Err(DescriptionError::MemberInTwoLinks {
                         member: member.clone(),
                         first: first.into(),
-                        second: node.clone(),
+                        second: link.clone(),
                     });
                 }
             }
         }
-        let nodes = self.nodes.keys().map(String::as_str).filter(|node| *node != GROUND);
-        let mut builder = Gearbox::builder(&self.name).links(nodes).input(&self.input).output(&self.output);
-        for row in &self.rows {
-            builder = builder.set(row.spec(&node_of)?);
+        let links = self.links.keys().map(String::as_str).filter(|link| *link != GROUND);
+        let mut builder = Gearbox::builder(&self.name).links(links).input(&self.input).output(&self.output);
+        for set in &self.sets {
+            builder = builder.set(set.spec(&link_of)?);
         }
         for set in &self.compound_sets {
-            let node = |member: &str| node_of_member(&node_of, &set.id, member).map(str::to_owned);
+            let node = |member: &str| link_of_member(&link_of, &set.id, member).map(str::to_owned);
             builder = builder.compound_set(set.spec(node)?);
         }
-        for (id, [first, second]) in &self.elements {
+        for (id, [first, second]) in &self.shift_elements {
             builder = builder.clutch(id, first, second);
         }
         for (id, [first, second]) in &self.one_way {
@@ -288,23 +288,23 @@ impl Transmission {
     }
 }
 
-fn node_of_member<'n>(
-    node_of: &BTreeMap<&str, &'n str>,
+fn link_of_member<'n>(
+    link_of: &BTreeMap<&str, &'n str>,
     set: &str,
     member: &str,
 ) -> Result<&'n str, DescriptionError> {
-    node_of
+    link_of
         .get(member)
         .copied()
-        .ok_or_else(|| DescriptionError::MemberInNoNode { set: set.to_owned(), member: member.to_owned() })
+        .ok_or_else(|| DescriptionError::MemberInNoLink { set: set.to_owned(), member: member.to_owned() })
 }
 
-impl TransmissionRow {
-    fn spec(&self, node_of: &BTreeMap<&str, &str>) -> Result<SetSpec, DescriptionError> {
+impl TransmissionSet {
+    fn spec(&self, link_of: &BTreeMap<&str, &str>) -> Result<SetSpec, DescriptionError> {
         let missing = |missing| DescriptionError::Missing { set: self.id.clone(), missing };
         let gears = |source| DescriptionError::Set { set: self.id.clone(), source };
         let node = |member: Option<&String>, what| {
-            node_of_member(node_of, &self.id, member.ok_or_else(|| missing(what))?)
+            link_of_member(link_of, &self.id, member.ok_or_else(|| missing(what))?)
         };
         let kind = match self.planet {
             Planet::Simple => SetKind::Simple,
@@ -345,7 +345,7 @@ mod tests {
     use super::*;
     use crate::Document;
 
-    const PAIR: &str = "transmissions:\n- name: pair\n  rows:\n  - {id: P, planet: pair, gear_a: X, gear_b: Y, z_a: 24, z_b: 77}\n  nodes: {n_x: [X], n_y: [Y]}\n  input: n_x\n  output: n_y\n  gears:\n  - {name: only, engaged: [], published_ratio: -3.20, printed_decimals: 2, rounding: truncated}\n";
+    const PAIR: &str = "transmissions:\n- name: pair\n  sets:\n  - {id: P, planet: pair, gear_a: X, gear_b: Y, z_a: 24, z_b: 77}\n  links: {n_x: [X], n_y: [Y]}\n  input: n_x\n  output: n_y\n  gears:\n  - {name: only, engaged: [], published_ratio: -3.20, printed_decimals: 2, rounding: truncated}\n";
 
     fn read(text: &str) -> Transmission {
         let document = Document::parse_one("t.yaml", text.as_bytes()).unwrap();
@@ -379,9 +379,9 @@ mod tests {
     #[test]
     fn members_are_in_one_node_each() {
         let twice = read(&PAIR.replace("n_y: [Y]", "n_y: [Y, X]")).gearbox();
-        assert!(matches!(twice, Err(DescriptionError::MemberInTwoNodes { .. })));
+        assert!(matches!(twice, Err(DescriptionError::MemberInTwoLinks { .. })));
         let nowhere = read(&PAIR.replace("n_y: [Y]", "n_y: [Z]")).gearbox();
-        assert!(matches!(nowhere, Err(DescriptionError::MemberInNoNode { .. })));
+        assert!(matches!(nowhere, Err(DescriptionError::MemberInNoLink { .. })));
         let missing = read(&PAIR.replace(", z_b: 77", "")).gearbox();
         assert_eq!(missing.unwrap_err().to_string(), "set `P`: `z_b` is missing");
     }

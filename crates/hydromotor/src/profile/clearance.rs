@@ -12,6 +12,7 @@
 //! Rotations are sampled; at each, the nearest of the wheel's sampled points is refined along its curve, and the nearest rotation by
 //! golden section at last. Where flanks mesh the distance is `½·j·cos α` at each of their contacts.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Length};
 
 use super::cut::{Piece, point};
@@ -231,7 +232,7 @@ impl Profile {
     /// ```
     pub fn clearances(&self, steps: u32) -> Result<Clearances, Error> {
         if !(1..=100_000).contains(&steps) {
-            let (quantity, value) = ("steps", f64::from(steps));
+            let (quantity, value) = (Quantity::Steps, f64::from(steps));
             return Err(Error::OutOfRange { quantity, value, low: 1.0, high: 1e5, unit: "" });
         }
         let end = self.motor.shape.trough().phase;
@@ -264,7 +265,7 @@ impl Profile {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn clearances_at(&self, rotation: Angle) -> Result<Vec<[Nearest; 2]>, Error> {
-        let rotation = finite_angle("rotation", rotation)?;
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let numbers = self.motor.numbers();
         let whole = |side, lobes: u32| Teeth::new(self, side, 0, lobes as i32 - 1);
         let wheels = [whole(Side::Stator, numbers.stator_lobes()), whole(Side::Rotor, numbers.rotor_lobes())];

@@ -32,7 +32,9 @@ use super::form::Teeth;
 use super::track::{Frame, Side, Track};
 use crate::Error;
 use crate::motor::Shape;
+use crate::quantity::WheelKind;
 use crate::roots::bracketed;
+use crate::tolerance::{ALONGSIDE, LEAST_ADDENDUM, MET, STEP};
 use std::f64::consts::PI;
 
 /// Places of a flank at which it is looked at for cusps.
@@ -185,7 +187,7 @@ fn meeting(teeth: &Teeth, track: &Track<'_>, curves: [Curve; 2], start: [f64; 2]
         let ([ax, ay], [bx, by]) =
             (derivative(teeth, curves[0], &frames[0]), derivative(teeth, curves[1], &frames[1]));
         let determinant = ax * by - ay * bx;
-        if determinant.abs() < 1e-12 {
+        if determinant.abs() < ALONGSIDE {
             return None;
         }
         // At most a quarter of a pitch at once.
@@ -195,8 +197,8 @@ fn meeting(teeth: &Teeth, track: &Track<'_>, curves: [Curve; 2], start: [f64; 2]
         if !(s[0].is_finite() && s[1].is_finite()) {
             return None;
         }
-        if steps[0].abs() + steps[1].abs() < 1e-13 * (1.0 + s[0].abs() + s[1].abs()) {
-            return (gx.hypot(gy) < 1e-9).then_some(s);
+        if steps[0].abs() + steps[1].abs() < STEP * (1.0 + s[0].abs() + s[1].abs()) {
+            return (gx.hypot(gy) < MET).then_some(s);
         }
     }
     None
@@ -238,7 +240,7 @@ impl Cut {
             let land = next - after.foot;
             if land <= 0.0 {
                 return Err(Error::PointedTip {
-                    wheel: if side == Side::Stator { "stator" } else { "rotor" },
+                    wheel: if side == Side::Stator { WheelKind::Stator } else { WheelKind::Rotor },
                     addendum: teeth.wheel_addendum,
                     most: Self::greatest_addendum(&track, teeth, middle),
                 });
@@ -276,7 +278,7 @@ impl Cut {
         let pitch = middle + sign * teeth.half_space;
         let Some((tip, foot, missing)) = Self::tip(track, teeth, pitch, sign, teeth.wheel_addendum) else {
             return Err(Error::NoTip {
-                wheel: if track.side == Side::Stator { "stator" } else { "rotor" },
+                wheel: if track.side == Side::Stator { WheelKind::Stator } else { WheelKind::Rotor },
                 addendum: teeth.wheel_addendum,
             });
         };
@@ -332,7 +334,7 @@ impl Cut {
             let [tx, ty] = frame.along;
             let (along, height) = (x * tx + y * ty, y * tx - x * ty);
             let move_by = along / (1.0 - height * frame.curvature);
-            if move_by.abs() < 1e-13 * (1.0 + foot.abs()) {
+            if move_by.abs() < STEP * (1.0 + foot.abs()) {
                 return (height > 0.0 && height < addendum).then_some((cusp, foot, addendum - height));
             }
             foot += move_by.clamp(-0.25 * PI, 0.25 * PI);
@@ -352,7 +354,7 @@ impl Cut {
                 _ => f64::NAN,
             }
         };
-        bracketed(1e-6, teeth.wheel_addendum, |addendum| -land(addendum))
+        bracketed(LEAST_ADDENDUM, teeth.wheel_addendum, |addendum| -land(addendum))
     }
 
     /// Where the flank, followed from the tip to its first cusp, is cut by what comes after: by itself or by the fillet. The curve that

@@ -12,12 +12,12 @@
 //!
 //! A point of an involute has the roll angle `t = tan α_y`; half the tooth there spans `w/(2r) + inv α − (t − atan t)`.
 
-use uom::si::angle::degree;
+use crate::quantity::{Quantity, WheelKind};
 use uom::si::f64::Angle;
 
 use crate::Error;
 use crate::roots::bracketed;
-use crate::units::finite_angle;
+use crate::units::{angle_of_degrees, finite_angle, in_degrees};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What lies in the middle of the stator's crests.
@@ -58,7 +58,7 @@ impl ToothForm {
     #[must_use]
     pub fn full_depth() -> Self {
         Self {
-            pressure_angle: Angle::new::<degree>(20.0),
+            pressure_angle: angle_of_degrees(20.0),
             addendum: 1.0,
             clearance: 0.25,
             shift: 0.0,
@@ -106,7 +106,7 @@ pub(crate) struct Teeth {
 }
 
 /// A number within a range, both ends allowed.
-fn within(quantity: &'static str, value: f64, low: f64, high: f64, unit: &'static str) -> Result<f64, Error> {
+fn within(quantity: Quantity, value: f64, low: f64, high: f64, unit: &'static str) -> Result<f64, Error> {
     if value.is_finite() && value >= low && value <= high {
         Ok(value)
     } else {
@@ -116,25 +116,25 @@ fn within(quantity: &'static str, value: f64, low: f64, high: f64, unit: &'stati
 
 impl Teeth {
     pub(super) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Error> {
-        let alpha = finite_angle("pressure angle", form.pressure_angle)?;
-        within("pressure angle", form.pressure_angle.get::<degree>(), 10.0, 40.0, "°")?;
-        let addendum = within("addendum", form.addendum, 1e-3, 2.0, "modules")?;
-        let clearance = within("clearance", form.clearance, 0.0, 1.0, "modules")?;
+        let alpha = finite_angle(Quantity::PressureAngle, form.pressure_angle)?;
+        within(Quantity::PressureAngle, in_degrees(form.pressure_angle), 10.0, 40.0, "°")?;
+        let addendum = within(Quantity::Addendum, form.addendum, 1e-3, 2.0, "modules")?;
+        let clearance = within(Quantity::Clearance, form.clearance, 0.0, 1.0, "modules")?;
         // A thousandth of a module at least remains above the pitch curves.
-        let x = within("profile shift", form.shift, 1e-3 - addendum, addendum - 1e-3, "modules")?;
-        let backlash = within("backlash", form.backlash, 0.0, 0.5, "modules")?;
-        let share = within("the satellite's share of the backlash", form.satellite_share, 0.0, 1.0, "")?;
-        let fillet = within("fillet", form.fillet, 0.0, 1.0, "modules")?;
+        let x = within(Quantity::ProfileShift, form.shift, 1e-3 - addendum, addendum - 1e-3, "modules")?;
+        let backlash = within(Quantity::Backlash, form.backlash, 0.0, 0.5, "modules")?;
+        let share = within(Quantity::BacklashShare, form.satellite_share, 0.0, 1.0, "")?;
+        let fillet = within(Quantity::Fillet, form.fillet, 0.0, 1.0, "modules")?;
 
         let (sin, cos) = alpha.sin_cos();
         let tan = sin / cos;
         let r = 0.5 * f64::from(satellite_teeth);
         let thickness = FRAC_PI_2 + 2.0 * x * tan;
         let tooth =
-            within("tooth of the satellite", thickness - share * backlash, 1e-3, PI - 1e-3, "modules")?;
+            within(Quantity::SatelliteTooth, thickness - share * backlash, 1e-3, PI - 1e-3, "modules")?;
         let space = thickness + (1.0 - share) * backlash;
-        within("tooth of the wheels", PI - space, 1e-3, PI, "modules")?;
-        let dedendum = within("dedendum of the satellite", addendum + clearance - x, 0.0, r, "modules")?;
+        within(Quantity::WheelTooth, PI - space, 1e-3, PI, "modules")?;
+        let dedendum = within(Quantity::SatelliteDedendum, addendum + clearance - x, 0.0, r, "modules")?;
         let mut teeth = Self {
             sin,
             cos,
@@ -156,8 +156,8 @@ impl Teeth {
             fillet,
             backlash,
         };
-        teeth.check_tip("satellite", teeth.half_tooth, addendum, x)?;
-        teeth.check_tip("cutter of the wheels", teeth.half_space, addendum + clearance, x)?;
+        teeth.check_tip(WheelKind::Satellite, teeth.half_tooth, addendum, x)?;
+        teeth.check_tip(WheelKind::WheelCutter, teeth.half_space, addendum + clearance, x)?;
 
         let sharp = teeth;
         let half = |fillet: f64| sharp.round_angle_of(fillet);
@@ -167,7 +167,7 @@ impl Teeth {
             } else {
                 bracketed(0.0, teeth.cutter_addendum, half)
             };
-            return Err(Error::FilletTooLarge { tool: "cutter of the wheels", fillet, most });
+            return Err(Error::FilletTooLarge { tool: WheelKind::WheelCutter, fillet, most });
         }
         teeth.round_radius = r + teeth.cutter_addendum - fillet;
         teeth.round_angle = half(fillet);
@@ -181,12 +181,16 @@ impl Teeth {
             return if most < 0.0 {
                 let most = 0.5 * (PI - tooth) / tan + x;
                 Err(Error::PointedTip {
-                    wheel: "rack of the satellite",
+                    wheel: WheelKind::SatelliteRack,
                     addendum: addendum + clearance,
                     most,
                 })
             } else {
-                Err(Error::FilletTooLarge { tool: "rack of the satellite", fillet, most: most.min(dedendum) })
+                Err(Error::FilletTooLarge {
+                    tool: WheelKind::SatelliteRack,
+                    fillet,
+                    most: most.min(dedendum),
+                })
             };
         }
         teeth.rack_half = rack_half(fillet);
@@ -212,7 +216,7 @@ impl Teeth {
     }
 
     /// Refuses an addendum at which the involutes of a tooth meet.
-    fn check_tip(&self, wheel: &'static str, half_arc: f64, addendum: f64, x: f64) -> Result<(), Error> {
+    fn check_tip(&self, wheel: WheelKind, half_arc: f64, addendum: f64, x: f64) -> Result<(), Error> {
         let half = |addendum: f64| self.half_angle(half_arc, self.roll_angle(self.r + addendum + x));
         if half(addendum) > 0.0 {
             return Ok(());
@@ -237,7 +241,7 @@ impl Default for ToothForm {
     /// [`crate::profile`].
     fn default() -> Self {
         Self {
-            pressure_angle: Angle::new::<degree>(25.0),
+            pressure_angle: angle_of_degrees(25.0),
             addendum: 0.85,
             clearance: 0.25,
             shift: 0.2,

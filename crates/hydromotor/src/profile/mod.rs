@@ -52,6 +52,7 @@ use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::Conjugate;
 use crate::motor::Motor;
+use crate::quantity::Quantity;
 use crate::satellites::Point;
 use cut::Cut;
 use form::Teeth;
@@ -134,7 +135,7 @@ impl Profile {
         let least = motor.shape.trough().rho1;
         if teeth.cutter_addendum >= least {
             return Err(Error::OutOfRange {
-                quantity: "dedendum of the rotor",
+                quantity: Quantity::RotorDedendum,
                 value: teeth.cutter_addendum,
                 low: 0.0,
                 high: least,
@@ -177,7 +178,7 @@ impl Profile {
     pub fn outline(&self, wheel: Wheel, points: u32) -> Result<Outline, Error> {
         if !(1..=MOST_POINTS).contains(&points) {
             let (value, high) = (f64::from(points), f64::from(MOST_POINTS));
-            return Err(Error::OutOfRange { quantity: "points", value, low: 1.0, high, unit: "" });
+            return Err(Error::OutOfRange { quantity: Quantity::Points, value, low: 1.0, high, unit: "" });
         }
         let numbers = self.motor.numbers();
         let (z, lobes) = match wheel {

@@ -16,6 +16,7 @@
 use super::Part;
 use super::form::{Teeth, involute};
 use crate::Error;
+use crate::quantity::WheelKind;
 use crate::roots::bracketed;
 use std::f64::consts::PI;
 
@@ -66,13 +67,13 @@ impl SatelliteTooth {
         };
         if tooth.undercut {
             let Some(fillet) = tooth.leaving() else {
-                return Err(Error::NoFlank { wheel: "satellite" });
+                return Err(Error::NoFlank { wheel: WheelKind::Satellite });
             };
             tooth.fillet = fillet;
             tooth.from = teeth.roll_angle(radius(tooth.fillet_point(fillet)));
         }
         if tooth.from >= tooth.to {
-            return Err(Error::NoFlank { wheel: "satellite" });
+            return Err(Error::NoFlank { wheel: WheelKind::Satellite });
         }
         tooth.corner = tooth.on_flank(tooth.to);
         tooth.foot = radius(tooth.on_flank(tooth.from));

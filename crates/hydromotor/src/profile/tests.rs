@@ -6,6 +6,7 @@ use super::*;
 use crate::MotorNumbers;
 use crate::centrode::tests::any_motor;
 use crate::closure::Family;
+use crate::quantity::{Quantity, WheelKind};
 use crate::units::{angle, radians};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -343,20 +344,22 @@ fn what_leaves_no_teeth_is_refused() {
     let nan = ToothForm { pressure_angle: Angle::new::<degree>(f64::NAN), ..standard() };
     assert!(matches!(refuse(nan), Error::NotFinite { .. }));
     let high = ToothForm { addendum: 1.5, ..standard() };
-    let Error::PointedTip { wheel: "satellite", most, .. } = refuse(high) else { panic!("{}", refuse(high)) };
+    let Error::PointedTip { wheel: WheelKind::Satellite, most, .. } = refuse(high) else {
+        panic!("{}", refuse(high))
+    };
     assert!(Profile::new(&motor, ToothForm { addendum: most + 1e-6, ..standard() }).is_err());
     let above = ToothForm { clearance: 0.45, ..standard() };
-    assert!(matches!(refuse(above), Error::PointedTip { wheel: "cutter of the wheels", .. }));
+    assert!(matches!(refuse(above), Error::PointedTip { wheel: WheelKind::WheelCutter, .. }));
     let round = ToothForm { fillet: 0.4, ..standard() };
     let Error::FilletTooLarge { most, .. } = refuse(round) else { panic!("{}", refuse(round)) };
     assert!(Profile::new(&motor, ToothForm { fillet: most - 1e-9, ..standard() }).is_ok());
     for (form, quantity) in [
-        (ToothForm { addendum: -0.1, ..standard() }, "addendum"),
-        (ToothForm { clearance: 1.5, ..standard() }, "clearance"),
-        (ToothForm { shift: 0.9, ..standard() }, "profile shift"),
-        (ToothForm { backlash: -0.1, ..standard() }, "backlash"),
-        (ToothForm { satellite_share: 1.1, ..standard() }, "the satellite's share of the backlash"),
-        (ToothForm { fillet: f64::INFINITY, ..standard() }, "fillet"),
+        (ToothForm { addendum: -0.1, ..standard() }, Quantity::Addendum),
+        (ToothForm { clearance: 1.5, ..standard() }, Quantity::Clearance),
+        (ToothForm { shift: 0.9, ..standard() }, Quantity::ProfileShift),
+        (ToothForm { backlash: -0.1, ..standard() }, Quantity::Backlash),
+        (ToothForm { satellite_share: 1.1, ..standard() }, Quantity::BacklashShare),
+        (ToothForm { fillet: f64::INFINITY, ..standard() }, Quantity::Fillet),
     ] {
         assert!(matches!(refuse(form), Error::OutOfRange { quantity: name, .. } if name == quantity));
     }

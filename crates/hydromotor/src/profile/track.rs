@@ -6,6 +6,7 @@
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Shape;
+use crate::tolerance::WITHIN;
 use std::f64::consts::FRAC_PI_2;
 
 /// A wheel with a track.
@@ -79,7 +80,7 @@ impl Track<'_> {
         let Some(phase) = self.shape.kink() else { return Vec::new() };
         let (kink, lobe) = (self.shape.within(By::Phase, phase).get(self.arc()), self.lobe());
         let (low, high) = (from.min(to), from.max(to));
-        let near = |s: f64| [s * (1.0 - 1e-9), s * (1.0 + 1e-9)];
+        let near = |s: f64| [s * (1.0 - WITHIN), s * (1.0 + WITHIN)];
         let first = (low / lobe).floor() as i64;
         let last = (high / lobe).ceil() as i64;
         (first..=last)

@@ -1,12 +1,10 @@
 //! One interval of a family: points of rising `l`, and the cells between them, halved where a better motor may lie.
 
 use crate::closure::{Family, Interval};
+use crate::tolerance::EDGE;
 
 use super::front::{Cover, Value};
 use super::point::{Point, Yardstick};
-
-/// The outer points lie this part of the interval within it: its ends are no motors.
-const EDGE: f64 = 1e-6;
 
 /// How often a cell is halved at most.
 const MOST_HALVINGS: i32 = 10;

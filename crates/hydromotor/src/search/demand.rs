@@ -1,11 +1,13 @@
 //! What is wanted of a motor: displacement or torque, and what is given of its size.
 
+use crate::quantity::Quantity;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
 
 use uom::si::f64::{AngularVelocity, Length, Pressure, Torque, Volume};
 
 use crate::Error;
+use crate::tolerance::SLACK;
 use crate::units::{
     cubic_centimetres, cubic_metres, displacement_of_torque, finite_speed, length_of_metres, megapascals,
     metres, millimetres, newton_metres, positive_length,
@@ -51,17 +53,17 @@ impl Demand {
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn of_torque(torque: Torque, pressure_drop: Pressure) -> Result<Self, Error> {
-        positive("torque", newton_metres(torque), "N·m")?;
-        positive("pressure drop", megapascals(pressure_drop), "MPa")?;
+        positive(Quantity::Torque, newton_metres(torque), "N·m")?;
+        positive(Quantity::PressureDrop, megapascals(pressure_drop), "MPa")?;
         let displacement = displacement_of_torque(torque, pressure_drop);
         Ok(Self { pressure_drop: Some(pressure_drop), ..Self::of_displacement(displacement) })
     }
 
     pub(super) fn checked(&self) -> Result<(), Error> {
-        positive("displacement", cubic_centimetres(self.displacement), "cm³")?;
-        positive("displacement", cubic_metres(self.displacement), "m³")?;
+        positive(Quantity::Displacement, cubic_centimetres(self.displacement), "cm³")?;
+        positive(Quantity::Displacement, cubic_metres(self.displacement), "m³")?;
         if let Some(pressure) = self.pressure_drop {
-            positive("pressure drop", megapascals(pressure), "MPa")?;
+            positive(Quantity::PressureDrop, megapascals(pressure), "MPa")?;
         }
         self.speed.map_or(Ok(()), |speed| finite_speed(speed).map(|_| ()))
     }
@@ -139,37 +141,37 @@ impl Sizing {
             }
             modules
                 .iter()
-                .map(|&module| positive_length("module", module).map(metres))
+                .map(|&module| positive_length(Quantity::Module, module).map(metres))
                 .collect::<Result<_, _>>()
         };
         let mut ratio = [*limits.width_over_diameter.start(), *limits.width_over_diameter.end()];
-        ordered("width over diameter", ratio, "")?;
+        ordered(Quantity::WidthOverDiameter, ratio, "")?;
         let choice = match &demand.size {
             Size::Modules(list) => Choice::Modules(modules(list)?),
-            Size::Width(width) => Choice::Width(metres(positive_length("width", *width)?)),
+            Size::Width(width) => Choice::Width(metres(positive_length(Quantity::Width, *width)?)),
             Size::ModulesAndWidth { modules: list, width, tolerance } => {
                 if !(*tolerance > 0.0 && *tolerance <= 1.0) {
-                    let (quantity, value, unit) = ("tolerance of the displacement", *tolerance, "");
+                    let (quantity, value, unit) = (Quantity::DisplacementTolerance, *tolerance, "");
                     return Err(Error::OutOfRange { quantity, value, low: 0.0, high: 1.0, unit });
                 }
-                let width = metres(positive_length("width", *width)?);
+                let width = metres(positive_length(Quantity::Width, *width)?);
                 Choice::Both { modules: modules(list)?, width, tolerance: *tolerance }
             }
             Size::WidthOverDiameter(part) => {
                 ratio = [0.0, f64::INFINITY];
-                Choice::Ratio(positive("width over diameter", *part, "")?)
+                Choice::Ratio(positive(Quantity::WidthOverDiameter, *part, "")?)
             }
         };
         let width = match &limits.width {
             Some(range) => {
                 let ends = [*range.start(), *range.end()];
-                ordered("width", ends.map(millimetres), "mm")?;
+                ordered(Quantity::Width, ends.map(millimetres), "mm")?;
                 ends.map(metres)
             }
             None => [0.0, f64::INFINITY],
         };
         let diameter = match limits.outer_diameter {
-            Some(diameter) => metres(positive_length("outer diameter", diameter)?),
+            Some(diameter) => metres(positive_length(Quantity::OuterDiameter, diameter)?),
             None => f64::INFINITY,
         };
         Ok(Self { displacement: cubic_metres(demand.displacement), choice, diameter, width, ratio })
@@ -200,7 +202,7 @@ impl Sizing {
         let ratio = width / diameter;
         let mut least = f64::INFINITY;
         // A hair of slack, so that what is asked for to the last digit is not refused by rounding.
-        let mut keep = |margin: f64| least = least.min(margin + 1e-12);
+        let mut keep = |margin: f64| least = least.min(margin + SLACK);
         keep(self.diameter / diameter - 1.0);
         for (value, [low, high]) in [(width, self.width), (ratio, self.ratio)] {
             keep(if low > 0.0 { value / low - 1.0 } else { f64::INFINITY });
@@ -227,7 +229,7 @@ impl Sizing {
 }
 
 /// A number that is finite and above 0.
-pub(super) fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+pub(super) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<f64, Error> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
@@ -236,7 +238,7 @@ pub(super) fn positive(quantity: &'static str, value: f64, unit: &'static str) -
 }
 
 /// Ends of a range in their order, not below 0.
-fn ordered(what: &'static str, [from, to]: [f64; 2], unit: &'static str) -> Result<(), Error> {
+fn ordered(what: Quantity, [from, to]: [f64; 2], unit: &'static str) -> Result<(), Error> {
     if from >= 0.0 && from <= to { Ok(()) } else { Err(Error::EmptyLimits { what, from, to, unit }) }
 }
 

@@ -1,5 +1,6 @@
 //! What a search finds: designs with everything a table needs, and how many motors fell where.
 
+use crate::quantity::Quantity;
 use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
 
 use crate::Error;
@@ -144,7 +145,7 @@ impl Design {
     /// # Errors
     /// [`Error::NotPositive`].
     pub fn arcs(&self, module: Length) -> Result<StatorArcs, Error> {
-        let module = positive_length("module", module)?;
+        let module = positive_length(Quantity::Module, module)?;
         Ok(StatorArcs { module, ..self.arcs })
     }
 

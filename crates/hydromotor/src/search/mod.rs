@@ -38,8 +38,8 @@
 //!
 //! # Cost and threads
 //! With the default bounds some 5·10⁴ motors, a second or two of one core (`hydromotor/search`). Results do not depend on the number of
-//! threads: each set is worked by itself, and rounds of refinement see the same front. Run it within a `rayon::ThreadPool` of your
-//! own to choose their number.
+//! threads: each set is worked by itself, and rounds of refinement see the same front. With the feature `parallel`, on by default,
+//! run it within a `rayon::ThreadPool` of your own to choose their number; without it there is one.
 //!
 //! # Example
 //! ```
@@ -66,14 +66,14 @@ mod found;
 mod front;
 mod point;
 
+use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
-
-use rayon::prelude::*;
 
 use crate::Error;
 use crate::checks::{Subject, ToothHeights, finite_heights};
 use crate::closure::Family;
 use crate::numbers::{Bounds, MotorNumbers};
+use crate::threads::{map, map_mut};
 use crate::units::length_of_metres;
 use branch::Branch;
 use demand::{Sizing, positive};
@@ -232,8 +232,7 @@ impl MotorSearch {
         funnel.sets = numbers.len();
         numbers.retain(|&numbers| self.limits.allow(numbers));
         funnel.outside_limits = funnel.sets - numbers.len();
-        let per_set: Vec<Vec<Branch>> =
-            numbers.par_iter().map(|&numbers| branches(&yardstick, numbers, self.points)).collect();
+        let per_set = map(&numbers, |&numbers| branches(&yardstick, numbers, self.points));
         funnel.without_family = per_set.iter().filter(|branches| branches.is_empty()).count();
         let mut branches: Vec<Branch> = per_set.into_iter().flatten().collect();
         funnel.points = branches.iter().map(|branch| branch.points.len()).sum();
@@ -245,8 +244,8 @@ impl MotorSearch {
         if let Some(slack) = half {
             loop {
                 let cover = Cover::new(values);
-                let added: usize =
-                    branches.par_iter_mut().map(|branch| branch.refine(&yardstick, &cover, slack)).sum();
+                let refined = map_mut(&mut branches, |branch| branch.refine(&yardstick, &cover, slack));
+                let added: usize = refined.into_iter().sum();
                 values = front_values(&branches);
                 if added == 0 {
                     break;
@@ -263,14 +262,16 @@ impl MotorSearch {
             |quantity, value, low, high, unit| Error::OutOfRange { quantity, value, low, high, unit };
         finite_heights(self.heights)?;
         let sizing = Sizing::new(&self.demand, &self.limits.size)?;
-        let ripple = self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive("ripple", ripple, ""))?;
+        let ripple =
+            self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive(Quantity::Ripple, ripple, ""))?;
         let least_radius = self.limits.least_radius.unwrap_or(0.0);
         if !(least_radius.is_finite() && least_radius >= 0.0) {
-            return Err(out_of("least radius", least_radius, 0.0, f64::INFINITY, "modules"));
+            return Err(out_of(Quantity::LeastRadius, least_radius, 0.0, f64::INFINITY, "modules"));
         }
-        for (what, range) in
-            [("rotor lobes", &self.limits.rotor_lobes), ("rotor teeth", &self.limits.rotor_teeth)]
-        {
+        for (what, range) in [
+            (Quantity::RotorLobes, &self.limits.rotor_lobes),
+            (Quantity::RotorTeeth, &self.limits.rotor_teeth),
+        ] {
             let (from, to) = (*range.start(), *range.end());
             if from > to {
                 return Err(Error::EmptyRange { what, from, to });
@@ -278,12 +279,12 @@ impl MotorSearch {
         }
         if !(3..=MOST_POINTS).contains(&self.points) {
             let points = f64::from(self.points);
-            return Err(out_of("points of a family", points, 3.0, f64::from(MOST_POINTS), ""));
+            return Err(out_of(Quantity::FamilyPoints, points, 3.0, f64::from(MOST_POINTS), ""));
         }
         if let Some(resolution) = self.resolution
             && !(0.001..=1.0).contains(&resolution)
         {
-            return Err(out_of("resolution", resolution, 0.001, 1.0, ""));
+            return Err(out_of(Quantity::Resolution, resolution, 0.001, 1.0, ""));
         }
         Ok(Yardstick { heights: self.heights, sizing, ripple, least_radius })
     }
@@ -358,10 +359,9 @@ fn front_values(branches: &[Branch]) -> Vec<Value> {
 
 /// The greatest spacing error, and those of each member: what the cells' estimates exceed the nearest member by.
 fn spacing_errors(branches: &mut [Branch], cover: &Cover) -> (SpacingError, Vec<SpacingError>) {
-    let laid: Vec<Vec<(usize, Value)>> = branches
-        .par_iter_mut()
-        .map(|branch| branch.prospects().into_iter().filter_map(|best| cover.nearest(best)).collect())
-        .collect();
+    let laid: Vec<Vec<(usize, Value)>> = map_mut(branches, |branch| {
+        branch.prospects().into_iter().filter_map(|best| cover.nearest(best)).collect()
+    });
     let mut each = vec![Value::default(); cover.len()];
     for &(member, excess) in laid.iter().flatten() {
         each[member] = greater(each[member], excess);

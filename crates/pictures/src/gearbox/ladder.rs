@@ -6,6 +6,7 @@
 use super::place::spread;
 use super::words::decimal;
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
+use crate::tolerance::MARK;
 use epicyclic_drawing::{Align, Color, Dash, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 
@@ -136,11 +137,11 @@ struct Scale {
 
 impl Scale {
     fn around(least: f64, most: f64) -> Self {
-        let below = marks(least).into_iter().filter(|mark| *mark <= least * (1.0 + 1e-9)).fold(0.0, f64::max);
-        let above = marks(most).into_iter().filter(|mark| *mark >= most * (1.0 - 1e-9));
+        let below = marks(least).into_iter().filter(|mark| *mark <= least * (1.0 + MARK)).fold(0.0, f64::max);
+        let above = marks(most).into_iter().filter(|mark| *mark >= most * (1.0 - MARK));
         let above = above.fold(f64::INFINITY, f64::min);
         // A gear of 1 alone still needs a scale.
-        if below < above * (1.0 - 1e-9) {
+        if below < above * (1.0 - MARK) {
             Self { low: below, high: above }
         } else {
             Self { low: below / 2.0, high: above * 2.0 }
@@ -158,12 +159,12 @@ impl Scale {
             ticks.extend(
                 marks(decade)
                     .into_iter()
-                    .filter(|mark| (self.low * (1.0 - 1e-9)..=self.high * (1.0 + 1e-9)).contains(mark)),
+                    .filter(|mark| (self.low * (1.0 - MARK)..=self.high * (1.0 + MARK)).contains(mark)),
             );
             decade *= 10.0;
         }
         ticks.sort_by(f64::total_cmp);
-        ticks.dedup_by(|a, b| (*a / *b - 1.0).abs() < 1e-9);
+        ticks.dedup_by(|a, b| (*a / *b - 1.0).abs() < MARK);
         let mut kept: Vec<f64> = vec![];
         for tick in ticks {
             if kept.last().is_none_or(|last| self.y(tick) - self.y(*last) > 1.6 * LETTERS_MM) {
@@ -196,7 +197,7 @@ mod tests {
         assert_eq!((scale.low, scale.high), (0.5, 5.0));
         assert_eq!(scale.ticks().iter().map(|tick| short(*tick)).collect::<Vec<_>>(), ["0.5", "1", "2", "5"]);
         // Equal steps are equal distances.
-        assert!((scale.y(4.0) - scale.y(2.0) - (scale.y(2.0) - scale.y(1.0))).abs() < 1e-9);
+        assert!((scale.y(4.0) - scale.y(2.0) - (scale.y(2.0) - scale.y(1.0))).abs() < MARK);
         let one = Scale::around(1.0, 1.0);
         assert!(one.low < 1.0 && one.high > 1.0);
     }

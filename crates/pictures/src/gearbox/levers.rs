@@ -12,6 +12,7 @@ use super::place::Places;
 use super::scheme::{known, piece_of, title};
 use super::words::{self, decimal};
 use super::{COLORS, ENGAGED, Error, LETTERS_MM, RESTING, TITLE_MM};
+use crate::tolerance::{LEAST_SPEED, RESTS};
 use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox, LinkId};
 
@@ -65,7 +66,7 @@ fn on_paper(levers: &[Lever], gear: Option<&Analysis>) -> Vec<Vec<Node>> {
     let speed = |link: LinkId| gear.and_then(|gear| gear.speed(link));
     let all: Vec<f64> =
         levers.iter().flat_map(|lever| &lever.nodes).filter_map(|node| speed(node.0)).collect();
-    let fastest = all.iter().copied().map(f64::abs).fold(1e-9, f64::max);
+    let fastest = all.iter().copied().map(f64::abs).fold(LEAST_SPEED, f64::max);
     let backward = FASTEST_MM * all.iter().copied().map(|speed| -speed).fold(0.0, f64::max) / fastest;
     let pitch = if gear.is_some() { backward + FASTEST_MM + 46.0 } else { 64.0 };
 
@@ -147,7 +148,7 @@ impl Sheet<'_> {
             }
             for node in nodes {
                 let rests =
-                    node.link == LinkId::GROUND || node.speed.is_some_and(|(speed, _)| speed.abs() < 1e-9);
+                    node.link == LinkId::GROUND || node.speed.is_some_and(|(speed, _)| speed.abs() < RESTS);
                 let style = Style::line(0.5).fill(if rests { RESTING } else { Color::WHITE });
                 self.scene.add_styled(
                     self.layers.levers,

@@ -1,6 +1,7 @@
 //! Places for labels: the first free one of those wished for, or one nearby with a leader.
 
 use super::LETTERS_MM;
+use crate::tolerance::HAIR_MM;
 use epicyclic_drawing::text::line_meets;
 use epicyclic_drawing::{Align, Bounds, Color, LayerId, Point, Scene, Shape, Style, Text};
 use std::f64::consts::TAU;
@@ -43,7 +44,7 @@ impl Places {
         !self.labels.iter().chain(&self.fills).any(|label| label.overlaps(clear))
             && !self.lines.iter().any(|(line, half, around)| {
                 let clear = clear.grown(*half);
-                around.grown(1e-9).overlaps(clear) && line_meets(line, clear)
+                around.grown(HAIR_MM).overlaps(clear) && line_meets(line, clear)
             })
     }
 

@@ -24,6 +24,7 @@ mod signs;
 
 use super::words::{self, decimal};
 use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
+use crate::tolerance::{CIRCULATES, IDLE, RESTS};
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_layout::Layout;
 use epicyclic_layout::layout::Point as Place;
@@ -232,7 +233,7 @@ impl<'a> Sheet<'a> {
 
     /// Whether a link rests in the gear shown.
     fn rests(&self, link: LinkId) -> bool {
-        self.gear.and_then(|gear| gear.speed(link)).is_some_and(|speed| speed.abs() < 1e-9)
+        self.gear.and_then(|gear| gear.speed(link)).is_some_and(|speed| speed.abs() < RESTS)
     }
 
     fn engaged(&self, shift_element: usize) -> bool {
@@ -247,7 +248,7 @@ impl<'a> Sheet<'a> {
         }
         match power {
             None => Look { color, width_mm: width, inner_mm: 0.0 },
-            Some(power) if power.abs() < 1e-9 => Look { color, width_mm: IDLE_MM, inner_mm: 0.0 },
+            Some(power) if power.abs() < IDLE => Look { color, width_mm: IDLE_MM, inner_mm: 0.0 },
             Some(power) => Look {
                 color: POWER,
                 width_mm: power.abs() * self.entering_mm,
@@ -365,7 +366,7 @@ impl<'a> Sheet<'a> {
         let y =
             write(&mut self.scene, 10.0, format!("the power that enters{losses}; other lines in proportion"));
         line(&mut self.scene, y, Style::line(self.entering_mm).color(POWER));
-        if case.power.circulating > 1e-6 {
+        if case.power.circulating > CIRCULATES {
             let words =
                 format!("of it goes round, in all {} of what enters", decimal(case.power.circulating));
             let y = write(&mut self.scene, 10.0, words);

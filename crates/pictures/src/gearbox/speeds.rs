@@ -15,6 +15,7 @@ use super::place::{Places, spread};
 use super::scheme::{known, title};
 use super::words::{self, decimal};
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
+use crate::tolerance::{LEAST_SPEED, ONE_RAY};
 use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 use radii::{Line, SpeedDiagram};
@@ -46,7 +47,7 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     let diagrams: Vec<SpeedDiagram> =
         (0..gearbox.drawn_sets().len()).map(|set| SpeedDiagram::of(gearbox, gear, set)).collect();
     // Millimetres across to one up, for a speed of 1.
-    let widest = diagrams.iter().map(SpeedDiagram::widest).fold(1e-9, f64::max);
+    let widest = diagrams.iter().map(SpeedDiagram::widest).fold(LEAST_SPEED, f64::max);
     let slope = FASTEST_MM / (HEIGHT_MM * widest);
     let mut left = 0.0;
     for (set, diagram) in diagrams.iter().enumerate() {
@@ -169,7 +170,7 @@ fn rays(
     let mut speeds: Vec<(f64, Vec<String>, Style)> = vec![];
     let mut enter = |speed: f64, name: String, style: Style| match speeds
         .iter_mut()
-        .find(|(other, ..)| (other - speed).abs() < 1e-6)
+        .find(|(other, ..)| (other - speed).abs() < ONE_RAY)
     {
         Some((_, names, _)) => names.push(name),
         None => speeds.push((speed, vec![name], style)),
@@ -190,7 +191,7 @@ fn rays(
         enter((faster - v) / (further - r), line.name.clone(), style(line));
     }
     speeds.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let fastest = speeds.iter().map(|speed| speed.0.abs()).fold(1e-9, f64::max);
+    let fastest = speeds.iter().map(|speed| speed.0.abs()).fold(LEAST_SPEED, f64::max);
     let [width, height] = RAYS_MM;
     let height = height.min(width / (slope * fastest));
     let unit = slope * height;

@@ -1,12 +1,13 @@
 //! Numbers and sets in words.
 
+use crate::tolerance::SHOWN;
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::SetKind;
 
 /// A number to three decimals, below 0.1 to four digits, its minus a real one; what is below a millionth is 0.
 pub(super) fn decimal(value: f64) -> String {
     let size = value.abs();
-    if size < 1e-6 {
+    if size < SHOWN {
         return "0.000".into();
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 3 to 9

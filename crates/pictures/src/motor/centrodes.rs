@@ -10,8 +10,8 @@ use uom::si::f64::Angle;
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, Sheet, millimetres, number};
-use super::units::{deg, mm, rad};
 use crate::Error;
+use crate::units::{deg, mm, rad};
 
 /// How far outside the stator, over its greatest radius, a centre of arc 1 is still drawn.
 const REACH: f64 = 1.9;

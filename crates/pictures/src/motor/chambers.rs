@@ -5,49 +5,22 @@ use std::f64::consts::{PI, TAU};
 use epicyclic_drawing::{Color, Point, Scene, Shape, Style, Text};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::Wheel;
-use epicyclic_hydromotor::chambers::Chamber;
+use epicyclic_hydromotor::chambers::Phase;
 use uom::si::f64::Angle;
 
 use super::curve::outline;
 use super::sheet::{AUXILIARY, HIGH, IDLE, LOW, STEEL, Sheet, number};
-use super::units::{deg, mm, mm2, rad};
 use crate::Error;
+use crate::units::{deg, mm, mm2, rad};
 
 /// Straight sides for each of a chamber's four walls.
 pub const STEPS: u32 = 48;
 
-/// What a chamber does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Phase {
-    /// It grows and fills from the high pressure.
-    Filling,
-    /// It shrinks and empties into the low one.
-    Emptying,
-    /// It changes over at its greatest or least area, closed to both.
-    AtExtreme,
-}
-
-impl Phase {
-    /// Of a chamber among its neighbours: at an extreme where its growth is below a millionth of the greatest there.
-    #[must_use]
-    pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
-        let most = all.iter().map(|chamber| mm2(chamber.growth).abs()).fold(0.0, f64::max);
-        let growth = mm2(chamber.growth);
-        if growth.abs() <= 1e-6 * most {
-            Self::AtExtreme
-        } else if growth > 0.0 {
-            Self::Filling
-        } else {
-            Self::Emptying
-        }
-    }
-
-    const fn color(self) -> Color {
-        match self {
-            Self::Filling => HIGH,
-            Self::Emptying => LOW,
-            Self::AtExtreme => IDLE,
-        }
+const fn color(phase: Phase) -> Color {
+    match phase {
+        Phase::Filling => HIGH,
+        Phase::Emptying => LOW,
+        Phase::AtExtreme => IDLE,
     }
 }
 
@@ -68,7 +41,7 @@ pub fn chambers(motor: &Motor, rotation: Angle) -> Result<Scene, Error> {
     ];
     let mut chamber_layers = vec![];
     for (phase, name) in layers {
-        let color = phase.color();
+        let color = color(phase);
         let tint = color.towards(Color::WHITE, 0.35);
         chamber_layers.push((phase, sheet.layer(name, Style::line(0.1).color(color).fill(tint))?));
     }

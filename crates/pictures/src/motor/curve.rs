@@ -16,8 +16,9 @@ use epicyclic_drawing::{Point, Vertex};
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::{Centrode, CurvePoint, Wheel};
 
-use super::units::{mm, of_mm, rad};
 use crate::Error;
+use crate::tolerance::CURVE;
+use crate::units::{mm, of_mm, rad};
 
 /// The greatest distance between a curve that is no arc and the arcs drawn for it; of a curve longer than a kilometre
 /// a ten-billionth of its length, which no coordinate holds better.
@@ -105,7 +106,7 @@ fn biarcs(motor: &Motor, wheel: Wheel) -> Result<Outline, Error> {
         _ => motor.numbers().rotor_lobes(),
     };
     let half = mm(curve.length()) / f64::from(2 * lobes);
-    let tolerance_mm = TOLERANCE_MM.max(1e-10 * mm(curve.length()));
+    let tolerance_mm = TOLERANCE_MM.max(CURVE * mm(curve.length()));
     // The curvature jumps where the images of the stator's arcs meet: a piece ends there.
     let mut ends = vec![0.0];
     if let Some(arcs) = motor.arcs() {

@@ -30,11 +30,10 @@ mod chambers;
 mod curve;
 mod sheet;
 mod teeth;
-mod units;
 mod whole;
 
 pub use centrodes::centrodes;
-pub use chambers::{Phase, STEPS, chambers};
+pub use chambers::{STEPS, chambers};
 pub use curve::{Outline, TOLERANCE_MM, outline};
 pub use teeth::{SIDES, teeth};
 pub use whole::whole;

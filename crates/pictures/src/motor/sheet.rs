@@ -4,8 +4,8 @@ use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text,
 use epicyclic_hydromotor::Motor;
 
 use super::curve::Outline;
-use super::units::mm;
 use crate::Error;
+use crate::units::mm;
 
 /// High pressure.
 pub(super) const HIGH: Color = Color::new(200, 50, 47);

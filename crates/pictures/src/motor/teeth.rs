@@ -8,9 +8,9 @@ use uom::si::f64::Angle;
 use super::chambers::direction;
 use super::curve::{outline, turned};
 use super::sheet::{AUXILIARY, STEEL, Sheet, millimetres, number};
-use super::units::{deg, mm, rad};
 use super::whole::WALL;
 use crate::Error;
+use crate::units::{deg, mm, rad};
 
 /// Straight sides of each tooth.
 pub const SIDES: u32 = 120;

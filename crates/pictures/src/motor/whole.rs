@@ -8,8 +8,8 @@ use uom::si::f64::Angle;
 use super::chambers::direction;
 use super::curve::outline;
 use super::sheet::{AUXILIARY, HIGH, LOW, STEEL, Sheet, millimetres, number};
-use super::units::{deg, mm, rad};
 use crate::Error;
+use crate::units::{deg, mm, rad};
 
 /// Wall of the housing that is drawn, outside the stator's roots, in modules.
 pub(super) const WALL: f64 = 3.0;

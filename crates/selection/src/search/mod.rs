@@ -36,7 +36,8 @@
 //! would leave too few to answer, the search is refused and nothing is left out in silence.
 //!
 //! Results do not depend on the number of threads: work is cut into pieces by content and put together in
-//! their order. Run it within a `rayon::ThreadPool` of your own to choose their number.
+//! their order. With the feature `parallel`, on by default, run it within a `rayon::ThreadPool` of your own to choose
+//! their number; without it there is one.
 //!
 //! ```
 //! use epicyclic_selection::search::ToothSearch;
@@ -64,7 +65,9 @@ mod window;
 use crate::Error;
 use crate::front::{Entry, front};
 use crate::objectives::{Costs, Objectives, Order};
+use crate::quantity::Limited;
 use crate::requirements::Requirements;
+use crate::threads::map;
 use crate::units::in_metres;
 use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
@@ -72,7 +75,6 @@ use epicyclic_pareto::{non_dominated, nowhere_worse};
 use epicyclic_schemes::structures::Structure;
 use levels::{Level, levels};
 use patch::{Allowed, Measured, Patch, Side};
-use rayon::prelude::*;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use uom::si::f64::Length;
@@ -323,13 +325,10 @@ impl ToothSearch {
                 most: MOST_WINDOWS,
             });
         }
-        let patches: Vec<Patch> = assignments
-            .into_par_iter()
-            .map(|(structure, ratios)| Patch::new(structure, ratios, &self.requirements, &levels))
-            .collect::<Vec<_>>()
-            .into_iter()
-            .flatten()
-            .collect();
+        let patches = map(&assignments, |&(structure, ratios)| {
+            Patch::new(structure, ratios, &self.requirements, &levels)
+        });
+        let patches: Vec<Patch> = patches.into_iter().flatten().collect();
         let pairs = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
         if pairs > MOST_PAIRS {
             return Err(Error::TooManyPairs {
@@ -387,7 +386,7 @@ impl ToothSearch {
                 }
                 (gathered, counts)
             };
-            let results: Vec<(Contenders, [u64; 2])> = pieces.par_iter().map(try_piece).collect();
+            let results: Vec<(Contenders, [u64; 2])> = map(pieces, try_piece);
             if cancelled.load(Ordering::Relaxed) {
                 return Err(Error::Cancelled);
             }
@@ -437,10 +436,13 @@ impl ToothSearch {
             if value > 0.0 { Ok(value / unit) } else { Err(Error::Limit { what, value }) }
         };
         let module = match &self.module {
-            Some(range) => Some([relative("module", *range.start())?, relative("module", *range.end())?]),
+            Some(range) => {
+                Some([relative(Limited::Module, *range.start())?, relative(Limited::Module, *range.end())?])
+            }
             None => None,
         };
-        let ring = self.ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative("ring diameter", limit))?;
+        let ring =
+            self.ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative(Limited::RingDiameter, limit))?;
         Ok(SizeLimits { module, ring })
     }
 

@@ -1,6 +1,7 @@
 //! Sets as levers, and levers with two links in common as one.
 
 use crate::gearbox::scheme::piece_of;
+use crate::tolerance::PLACE;
 use epicyclic_train::{Gearbox, LinkId};
 
 /// A lever: links and where they stand along it.
@@ -61,7 +62,7 @@ impl Lever {
         let size = self.ends().1 - self.ends().0;
         if scale == 0.0
             || !scale.is_finite()
-            || common.iter().any(|&(ours, theirs)| (fits(theirs) - ours).abs() > 1e-9 * size)
+            || common.iter().any(|&(ours, theirs)| (fits(theirs) - ours).abs() > PLACE * size)
         {
             return None;
         }

@@ -2,6 +2,7 @@
 
 use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM, at};
 use crate::gearbox::{ENGAGED, RESTING};
+use crate::tolerance::IDLE;
 use epicyclic_drawing::{Color, Point, Shape, Style};
 use epicyclic_layout::layout::{Point as Place, Segment, SetStack};
 use epicyclic_train::LinkId;
@@ -204,7 +205,7 @@ impl Sheet<'_> {
             let bearing = y + side * hub;
             let look = Look { color, ..self.member_look(stack, member, WEB_MM) };
             let look = match self.member(stack.set, member).0 {
-                Some(power) if power.abs() > 1e-9 => self.member_look(stack, member, WEB_MM),
+                Some(power) if power.abs() > IDLE => self.member_look(stack, member, WEB_MM),
                 _ => look,
             };
             self.line(self.layers.toothed_gears, look, Point::new(x, bearing), Point::new(x, rim));

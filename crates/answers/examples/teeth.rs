@@ -1,0 +1,12 @@
+//! Tooth numbers for a ratio, as JSON.
+
+use epicyclic_answers::{answer::to_json, teeth};
+use epicyclic_gears::simple_set::{Member, Mode};
+use epicyclic_gears::synthesis::Bounds;
+
+fn main() -> Result<(), epicyclic_answers::Error> {
+    let mode = Mode::new(Member::Sun, Member::Carrier)?;
+    let wanted = teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 1 };
+    println!("{}", to_json(&teeth::answer(&wanted, |_| ())?)?);
+    Ok(())
+}

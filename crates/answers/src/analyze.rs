@@ -1,0 +1,231 @@
+//! What a gearbox does in its gears.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`overview`] | all gears side by side, with the engagement table |
+//! | [`gear`] | everything about one gear |
+//! | [`inputs`] | a gear with several inputs, at a point or over a map of two speeds |
+//! | [`combinations`] | every combination of shift elements |
+//! | [`records`] | records that these answers share |
+//! | [`planet_bearings`] | forces on the planet bearings |
+//! | [`warnings`] | what the reader should know of a gearbox and of its gears |
+//!
+//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless the key
+//! ends in a unit: then they follow from the speed and load that were given.
+
+pub mod combinations;
+pub mod gear;
+pub mod inputs;
+pub mod overview;
+pub mod planet_bearings;
+pub mod records;
+pub mod warnings;
+
+use crate::Error;
+use epicyclic_formats::Physical;
+use epicyclic_train::{Analysis, Gear, Gearbox, InputLoad, Operation};
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::angular_velocity::radian_per_second;
+use uom::si::f64::AngularVelocity;
+
+/// What is known of the input's motion and load.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Input {
+    /// Its speed.
+    pub speed: Option<AngularVelocity>,
+    /// Its load; at a torque without a speed no power follows.
+    pub load: Option<InputLoad>,
+}
+
+/// The speed and load of the input that were asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OperatingPoint {
+    /// Speed of the input.
+    pub speed_rad_s: Option<f64>,
+    /// Torque on the input.
+    pub torque_n_m: Option<f64>,
+    /// Power into the input; negative where the machine drives it.
+    pub power_w: Option<f64>,
+}
+
+impl OperatingPoint {
+    fn of(input: Input) -> Self {
+        let (torque, power) = match input.load {
+            Some(InputLoad::Torque(torque)) => (Some(torque), None),
+            Some(InputLoad::Power(power)) => (None, Some(power)),
+            None => (None, None),
+        };
+        Self {
+            speed_rad_s: input.speed.map(Physical::si),
+            torque_n_m: torque.map(Physical::si),
+            power_w: power.map(Physical::si),
+        }
+    }
+}
+
+/// Which quantity of the load a gear refuses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LoadQuantity {
+    /// The torque on the input.
+    Torque,
+    /// The power into the input.
+    Power,
+}
+
+/// The analysis of a gear by its name.
+///
+/// # Errors
+/// [`Error::NoGear`] with the names of those that there are.
+pub fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Error> {
+    match gearbox.analyze(gear) {
+        // With few short names, the nearest says less than all.
+        Err(epicyclic_train::Error::Unknown { .. }) => Err(Error::NoGear {
+            name: gear.to_owned(),
+            gears: gearbox.gears().iter().map(|gear| gear.name().to_owned()).collect(),
+        }),
+        analysis => Ok(analysis?),
+    }
+}
+
+/// A gear with what the input's speed and load make of it.
+struct Worked<'g> {
+    analysis: Analysis<'g>,
+    input: Input,
+    /// `None` where no load is given, or where the gear cannot take it.
+    operation: Option<Operation>,
+}
+
+impl<'g> Worked<'g> {
+    fn new(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Self, Error> {
+        let analysis = analysis(gearbox, gear)?;
+        // At a torque alone powers depend on a speed that nobody gave: none is told.
+        let speed = input.speed.unwrap_or(AngularVelocity::new::<radian_per_second>(1.0));
+        let operation = match input.load.map(|load| analysis.at(speed, load)) {
+            None | Some(Err(epicyclic_train::Error::NotDriven { .. })) => None,
+            Some(Err(epicyclic_train::Error::OperatingPoint { why })) => {
+                let quantity = match input.load {
+                    Some(InputLoad::Power(_)) => LoadQuantity::Power,
+                    _ => LoadQuantity::Torque,
+                };
+                return Err(Error::Load { quantity, gear: gear.to_owned(), why });
+            }
+            Some(operation) => Some(operation?),
+        };
+        Ok(Self { analysis, input, operation })
+    }
+
+    /// A speed of the gear at the input's speed.
+    fn speed_rad_s(&self, of_input: Option<f64>) -> Option<f64> {
+        self.input.speed.zip(of_input).map(|(speed, of)| (speed * of).si())
+    }
+}
+
+/// Names of the shift elements that a gear engages.
+fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
+    gear.engaged().iter().map(|&place| gearbox.shift_elements()[place].id().to_owned()).collect()
+}
+
+/// An efficiency of a gear that moves; none of one that its losses hold.
+fn moving(efficiency: Option<f64>) -> Option<f64> {
+    efficiency.filter(|efficiency| *efficiency > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::to_json;
+    use crate::gearbox::{Choice, one};
+    use epicyclic_formats::Document;
+    use std::path::Path;
+    use uom::si::angular_velocity::revolution_per_minute;
+    use uom::si::f64::Torque;
+    use uom::si::torque::newton_meter;
+
+    fn document(name: &str) -> Document {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+        Document::parse_one(name, &std::fs::read(file).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn the_engagement_table_stands_in_the_overview() {
+        let document = document("scheme-ii-3.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let overview = overview::answer(&subject, Input::default()).unwrap();
+        let elements: Vec<&str> =
+            overview.shift_elements.iter().map(|element| element.shift_element.as_str()).collect();
+        assert_eq!(elements, ["K1", "K2", "L"]);
+        let engaged: Vec<&[String]> =
+            overview.gears.iter().map(|gear| gear.facts.engaged.as_slice()).collect();
+        assert_eq!(engaged, [["K2"], ["K1"], ["L"]]);
+    }
+
+    #[test]
+    fn a_gear_that_is_self_locking_from_its_input_has_power_leaving_when_back_driven() {
+        let document = document("wolfrom-self-locking.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let alone = gear::answer(&subject, "back", Input::default()).unwrap();
+        let forward = alone.powers.unwrap();
+        assert_eq!(forward.enters_at, gear::Terminal::Input);
+        assert!(forward.at_load.is_none());
+        let forward = forward.of_entering.unwrap();
+        assert!(forward.leaving.is_none() && forward.helping.unwrap() > 1.0);
+        let braked = Input {
+            speed: Some(AngularVelocity::new::<revolution_per_minute>(10.0)),
+            load: Some(InputLoad::Torque(Torque::new::<newton_meter>(-100.0))),
+        };
+        let braked = gear::answer(&subject, "back", braked).unwrap();
+        let backward = braked.powers.unwrap();
+        assert_eq!(backward.enters_at, gear::Terminal::Output);
+        let of_entering = backward.of_entering.unwrap();
+        assert!(of_entering.helping.is_none());
+        assert_eq!(of_entering.leaving, braked.gear.back_driving_efficiency);
+        let load = backward.at_load.unwrap();
+        assert!((load.entering_w - load.leaving_w - load.loss_w).abs() < 1e-9 * load.entering_w);
+    }
+
+    #[test]
+    fn keys_exist_without_a_load() {
+        let document = document("scheme-ii-3.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let json = to_json(&gear::answer(&subject, "slow", Input::default()).unwrap()).unwrap();
+        for key in ["at_load", "torque_n_m", "speed_rad_s", "power_w", "slip_rad_s"] {
+            assert!(json.contains(&format!("\"{key}\": null")), "{key}");
+        }
+        assert!(!json.contains("-0.0,"), "{json}");
+    }
+
+    #[test]
+    fn what_is_refused_is_told_with_its_place_or_its_part_of_the_question() {
+        let split = document("power-split.yaml");
+        let subject = one(&split, &Choice::default()).unwrap();
+        let speed = |link: &str| (link.to_owned(), AngularVelocity::new::<revolution_per_minute>(1000.0));
+        let refused = |speeds: &[&str]| {
+            let speeds = Some(speeds.iter().map(|link| speed(link)).collect());
+            inputs::answer(&subject, "drive", &inputs::Wanted { speeds, torques: None }).unwrap_err()
+        };
+        assert!(matches!(refused(&["motor"]), Error::NoLink { given: inputs::Given::Speeds, .. }));
+        assert!(matches!(refused(&["engine"]), Error::Inputs { given: inputs::Given::Speeds, .. }));
+        let none = inputs::answer(&subject, "none", &inputs::Wanted::default()).unwrap_err();
+        assert_eq!(none.to_string(), "no gear is called `none`: there are drive, generator held");
+        let held = inputs::answer(&subject, "generator held", &inputs::Wanted::default()).unwrap_err();
+        assert!(held.to_string().starts_with("power-split.yaml:"), "{held}");
+        let many = document("real-transmissions.yaml");
+        assert!(matches!(one(&many, &Choice::default()), Err(Error::SeveralTransmissions { .. })));
+        let named = |name: &str| Choice { transmission: Some(name.to_owned()), ..Choice::default() };
+        assert!(matches!(one(&many, &named("o")), Err(Error::AmbiguousTransmission { .. })));
+        assert!(matches!(one(&many, &named("?")), Err(Error::NoTransmission { .. })));
+        assert!(matches!(one(&split, &named("o")), Err(Error::OneGearbox)));
+        assert_eq!(one(&many, &named("8hp45")).unwrap().gearbox.gears().len(), 9);
+    }
+
+    #[test]
+    fn a_map_needs_two_places_a_way() {
+        let speed = AngularVelocity::new::<revolution_per_minute>(1.0);
+        let steps = |places| inputs::Steps::new("a".to_owned(), speed, 2.0 * speed, places);
+        assert!(steps(2).is_ok() && steps(1000).is_ok());
+        assert!(matches!(steps(1), Err(Error::Places { places: 1, most: 1000 })));
+        assert!(steps(1001).is_err());
+    }
+}

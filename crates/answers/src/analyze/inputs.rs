@@ -1,0 +1,583 @@
+//! Gears with several inputs: speeds and torques of several links, at one point or over a map of two speeds.
+
+use super::records::{ShiftElementKind, links_of, member_name, meshes, planet_name};
+use super::{analysis, engaged, warnings};
+use crate::gearbox::Subject;
+use crate::{Answer, Error, Warning};
+use epicyclic_formats::gearbox::gear_place;
+use epicyclic_formats::{Physical, Problem, Quantity};
+use epicyclic_train::inputs::{MultiLoad, MultiState, Terminal as End};
+use epicyclic_train::{self as train, Gear, Gearbox, InputsFault, LinkId};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// What several links of a gear do.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Wanted {
+    /// Speeds by link; without any, those that the file states of the gear.
+    pub speeds: Option<Vec<(String, AngularVelocity)>>,
+    /// Torques by link; without any, and without speeds, those that the file states of the gear.
+    pub torques: Option<Vec<(String, Torque)>>,
+}
+
+/// A range of speeds of a link, with a number of places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steps {
+    link: String,
+    from: AngularVelocity,
+    to: AngularVelocity,
+    places: u32,
+}
+
+impl Steps {
+    /// More places in a direction than anyone reads.
+    pub const MOST_PLACES: u32 = 1000;
+
+    /// Both ends are places.
+    ///
+    /// # Errors
+    /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST_PLACES`].
+    pub fn new(link: String, from: AngularVelocity, to: AngularVelocity, places: u32) -> Result<Self, Error> {
+        if (2..=Self::MOST_PLACES).contains(&places) {
+            Ok(Self { link, from, to, places })
+        } else {
+            Err(Error::Places { places, most: Self::MOST_PLACES })
+        }
+    }
+
+    fn speeds(&self) -> impl Iterator<Item = AngularVelocity> {
+        let (from, to, steps) = (self.from, self.to, self.places - 1);
+        (0..=steps).map(move |step| from + (to - from) * (f64::from(step) / f64::from(steps)))
+    }
+}
+
+/// Which of the given values are at fault.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Given {
+    /// Speeds by link.
+    Speeds,
+    /// Torques by link.
+    Torques,
+    /// Ranges of two speeds.
+    Map,
+}
+
+/// A gear with several inputs at given speeds, and at torques where they are given.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Inputs {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// The gear.
+    pub gear: InputsGear,
+    /// Links: speed and power.
+    pub links: Vec<Link>,
+    /// Planets: speeds.
+    pub planets: Vec<Planet>,
+    /// Shift elements: slip and torque.
+    pub shift_elements: Vec<ShiftElement>,
+    /// Where power enters and leaves; none without torques.
+    pub terminals: Vec<Terminal>,
+    /// Torque from the housing; none without torques.
+    pub housing_torque_n_m: Option<f64>,
+    /// Members of the sets: torque and power.
+    pub members: Vec<Member>,
+    /// Meshes: power.
+    pub meshes: Vec<Mesh>,
+    /// Powers of the whole; none without torques.
+    pub powers: Option<Powers>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A gear that keeps freedoms.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct InputsGear {
+    /// Its name.
+    pub gear: String,
+    /// Shift elements engaged.
+    pub engaged: Vec<String>,
+    /// Link of the gear's input.
+    pub input: String,
+    /// Link of the gear's output.
+    pub output: String,
+    /// How many speeds settle all others.
+    pub freedoms: usize,
+}
+
+/// A link.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Link {
+    /// Its name.
+    pub link: String,
+    /// Its speed.
+    pub speed_rad_s: Option<f64>,
+    /// Whether its speed is given.
+    pub given: bool,
+    /// Power through it.
+    pub power_w: Option<f64>,
+}
+
+/// Planets of one kind.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Planet {
+    /// The set.
+    pub set: String,
+    /// The planet: its name, or its number in the set.
+    pub planet: String,
+    /// Speed relative to the carrier.
+    pub relative_speed_rad_s: Option<f64>,
+    /// Speed.
+    pub speed_rad_s: Option<f64>,
+}
+
+/// A shift element.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ShiftElement {
+    /// Its name.
+    pub shift_element: String,
+    /// What it is.
+    pub kind: ShiftElementKind,
+    /// The two links that it joins; `ground` is the housing.
+    pub links: [String; 2],
+    /// Whether it is engaged.
+    pub engaged: bool,
+    /// Slip: speed of the first link less that of the second.
+    pub slip_rad_s: Option<f64>,
+    /// Torque on the first link.
+    pub torque_n_m: Option<f64>,
+}
+
+/// A link where power enters or leaves.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Terminal {
+    /// The link.
+    pub link: String,
+    /// Torque on it from outside.
+    pub torque_n_m: f64,
+    /// Power that enters there; negative where it leaves.
+    pub power_w: f64,
+}
+
+/// A member of a set.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Member {
+    /// The set.
+    pub set: String,
+    /// The member: `sun`, `ring`, `carrier`; with its name where a set has several of a kind.
+    pub member: String,
+    /// The link that it is part of.
+    pub link: String,
+    /// Torque on it.
+    pub torque_n_m: f64,
+    /// Power, positive where it enters the set.
+    pub power_w: Option<f64>,
+}
+
+/// A mesh, in the direction of its power as seen from the carrier.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Mesh {
+    /// The set.
+    pub set: String,
+    /// The gear that drives.
+    pub from: String,
+    /// The gear that is driven.
+    pub to: String,
+    /// Efficiency of the mesh.
+    pub efficiency: f64,
+    /// Power that enters the mesh.
+    pub enters_w: Option<f64>,
+    /// Power that leaves the mesh.
+    pub leaves_w: Option<f64>,
+}
+
+/// Powers of the whole, with losses.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Powers {
+    /// What enters.
+    pub entering_w: f64,
+    /// What leaves.
+    pub leaving_w: f64,
+    /// What the meshes take.
+    pub loss_w: f64,
+    /// What circulates.
+    pub circulating_w: f64,
+    /// What leaves over what enters.
+    pub efficiency: Option<f64>,
+}
+
+/// A gear with two inputs over a map of their speeds.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Map {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// The gear.
+    pub gear: String,
+    /// The link whose speed changes from one row of the map to the next.
+    pub first_link: String,
+    /// The link whose speed changes within a row.
+    pub second_link: String,
+    /// Torques that are given.
+    pub torques: Vec<GivenTorque>,
+    /// Every link at every place of the map, row by row.
+    pub map: Vec<MapEntry>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A torque that is given.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GivenTorque {
+    /// The link.
+    pub link: String,
+    /// The torque on it from outside.
+    pub torque_n_m: f64,
+}
+
+/// A link at a place of a map.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MapEntry {
+    /// Speed of the first link of the map.
+    pub first_speed_rad_s: f64,
+    /// Speed of the second link of the map.
+    pub second_speed_rad_s: f64,
+    /// The link that this entry is of.
+    pub link: String,
+    /// Its speed.
+    pub speed_rad_s: Option<f64>,
+    /// Torque on it from outside, where power enters or leaves there; none where the losses hold the gear.
+    pub torque_n_m: Option<f64>,
+    /// Power through it; none where the losses hold the gear.
+    pub power_w: Option<f64>,
+    /// Efficiency of the whole at this place; none where the losses hold the gear.
+    pub efficiency: Option<f64>,
+}
+
+impl Answer for Inputs {
+    const NAME: &'static str = "analyze-inputs";
+}
+
+impl Answer for Map {
+    const NAME: &'static str = "analyze-map";
+}
+
+/// A gear with several inputs at one point.
+///
+/// # Errors
+/// [`Error::NoGear`]; [`Error::NoLink`] and [`Error::Inputs`] for given speeds and torques, [`Error::Document`] with the
+/// place for those of the file.
+pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inputs, Error> {
+    let task = Task::new(subject, gear)?;
+    let speeds = match (&wanted.speeds, subject.inputs(gear)) {
+        (Some(given), _) => task.links(Origin::Question(Given::Speeds), given)?,
+        (None, Some(inputs)) => task.links(Origin::File(Given::Speeds), &stated(&inputs.speeds))?,
+        (None, None) => vec![],
+    };
+    let torques = task.torques(wanted.torques.as_deref(), wanted.speeds.is_none())?;
+    let at =
+        if wanted.speeds.is_some() { Origin::Question(Given::Speeds) } else { Origin::File(Given::Speeds) };
+    let state = task.state(&speeds, &torques, at, wanted.torques.is_some())?;
+    Ok(task.inputs(&speeds, &state))
+}
+
+/// A gear with two inputs over ranges of their speeds; torques are those given, else those that the file states.
+///
+/// # Errors
+/// As of [`answer`].
+pub fn map(
+    subject: &Subject<'_>,
+    gear: &str,
+    ranges: &[Steps; 2],
+    torques: Option<&[(String, Torque)]>,
+) -> Result<Map, Error> {
+    let task = Task::new(subject, gear)?;
+    let is_given = torques.is_some();
+    let torques = task.torques(torques, true)?;
+    let at = Origin::Question(Given::Map);
+    let [first, second] = ranges;
+    let ends = [task.link(&first.link, at)?, task.link(&second.link, at)?];
+    let mut map = vec![];
+    for one in first.speeds() {
+        for other in second.speeds() {
+            let speeds = [(ends[0], one), (ends[1], other)];
+            let state = match task.state(&speeds, &torques, at, is_given) {
+                Ok(state) => state,
+                // At a place where the losses hold the gear there are speeds alone.
+                Err(error) if torques.is_empty() => return Err(error),
+                Err(error) => {
+                    let alone = task.gearbox.with_inputs(&task.gear, &speeds, &[]);
+                    alone.map_err(|_| error)?
+                }
+            };
+            let of_link = |link| task.map_entry([one, other], link, &state);
+            map.extend((1..task.gearbox.links().len()).map(of_link));
+        }
+    }
+    let given = |(link, torque): &(LinkId, Torque)| GivenTorque {
+        link: task.gearbox.link_name(*link).to_owned(),
+        torque_n_m: torque.si(),
+    };
+    Ok(Map {
+        gearbox: task.gearbox.name().to_owned(),
+        gear: task.gear.name().to_owned(),
+        first_link: first.link.clone(),
+        second_link: second.link.clone(),
+        torques: torques.iter().map(given).collect(),
+        map,
+        warnings: warnings::of_gearbox(subject),
+    })
+}
+
+/// Where values come from.
+#[derive(Clone, Copy)]
+enum Origin {
+    Question(Given),
+    /// The gear in the file, under the key of these.
+    File(Given),
+}
+
+fn stated<T: Physical>(values: &BTreeMap<String, Quantity<T>>) -> Vec<(String, T)> {
+    values.iter().map(|(link, value)| (link.clone(), value.0)).collect()
+}
+
+struct Task<'a> {
+    subject: &'a Subject<'a>,
+    gearbox: &'a Gearbox,
+    gear: Gear,
+}
+
+impl<'a> Task<'a> {
+    fn new(subject: &'a Subject<'a>, gear: &str) -> Result<Self, Error> {
+        let gearbox = &subject.gearbox;
+        Ok(Self { subject, gearbox, gear: analysis(gearbox, gear)?.gear().clone() })
+    }
+
+    /// A fault of the question as it is, one of the file with its place there.
+    fn refuse(&self, at: Origin, fault: impl FnOnce(Given) -> Error) -> Error {
+        match at {
+            Origin::Question(given) => fault(given),
+            Origin::File(given) => {
+                let key = if given == Given::Torques { "torques" } else { "speeds" };
+                let Subject { document, base, .. } = self.subject;
+                let place = gear_place(document, base, self.gear.name(), key);
+                document.error(&place, Problem::Refused { message: fault(given).to_string() }).into()
+            }
+        }
+    }
+
+    fn link(&self, name: &str, at: Origin) -> Result<LinkId, Error> {
+        self.gearbox.link(name).ok_or_else(|| {
+            let fault = |given| Error::NoLink {
+                given,
+                name: name.to_owned(),
+                links: self.gearbox.links()[1..].to_vec(),
+            };
+            self.refuse(at, fault)
+        })
+    }
+
+    fn links<T: Copy>(&self, at: Origin, values: &[(String, T)]) -> Result<Vec<(LinkId, T)>, Error> {
+        values.iter().map(|(name, value)| Ok((self.link(name, at)?, *value))).collect()
+    }
+
+    /// The torques given, else those of the file where its speeds or a map are asked for: other speeds ask another
+    /// question.
+    fn torques(
+        &self,
+        given: Option<&[(String, Torque)]>,
+        or_of_file: bool,
+    ) -> Result<Vec<(LinkId, Torque)>, Error> {
+        match (given, self.subject.inputs(self.gear.name())) {
+            (Some(given), _) => self.links(Origin::Question(Given::Torques), given),
+            (None, Some(inputs)) if or_of_file => {
+                self.links(Origin::File(Given::Torques), &stated(&inputs.torques))
+            }
+            _ => Ok(vec![]),
+        }
+    }
+
+    fn state(
+        &self,
+        speeds: &[(LinkId, AngularVelocity)],
+        torques: &[(LinkId, Torque)],
+        at: Origin,
+        own_torques: bool,
+    ) -> Result<MultiState, Error> {
+        self.gearbox.with_inputs(&self.gear, speeds, torques).map_err(|error| match error {
+            train::Error::Inputs(fault) => {
+                let at = match fault {
+                    InputsFault::Torques { .. } | InputsFault::DependentTorques { .. } if own_torques => {
+                        Origin::Question(Given::Torques)
+                    }
+                    InputsFault::Torques { .. } | InputsFault::DependentTorques { .. } => {
+                        Origin::File(Given::Torques)
+                    }
+                    _ => at,
+                };
+                self.refuse(at, |given| Error::Inputs { given, fault })
+            }
+            error => error.into(),
+        })
+    }
+
+    fn inputs(&self, speeds: &[(LinkId, AngularVelocity)], state: &MultiState) -> Inputs {
+        let load = state.load.as_ref();
+        let mut all = warnings::of_gearbox(self.subject);
+        all.extend(self.one_way(state));
+        Inputs {
+            gearbox: self.gearbox.name().to_owned(),
+            gear: InputsGear {
+                gear: self.gear.name().to_owned(),
+                engaged: engaged(self.gearbox, &self.gear),
+                input: self.gearbox.link_name(self.gear.input()).to_owned(),
+                output: self.gearbox.link_name(self.gear.output()).to_owned(),
+                freedoms: state.freedoms,
+            },
+            links: self.links_at(speeds, state),
+            planets: self.planets(state),
+            shift_elements: self.shift_elements(state),
+            terminals: load.map_or_else(Vec::new, |load| self.terminals(load)),
+            housing_torque_n_m: load.map(|load| load.housing.si()),
+            members: load.map_or_else(Vec::new, |load| self.members(load)),
+            meshes: load.map_or_else(Vec::new, |load| self.meshes(load)),
+            powers: load.map(powers),
+            warnings: all,
+        }
+    }
+
+    fn links_at(&self, speeds: &[(LinkId, AngularVelocity)], state: &MultiState) -> Vec<Link> {
+        let one = |place: usize| Link {
+            link: self.gearbox.links()[place].clone(),
+            speed_rad_s: state.speeds[place].map(Physical::si),
+            given: speeds.iter().any(|(link, _)| link.index() == place),
+            power_w: state.load.as_ref().and_then(|load| load.power.links[place]),
+        };
+        (1..self.gearbox.links().len()).map(one).collect()
+    }
+
+    fn planets(&self, state: &MultiState) -> Vec<Planet> {
+        let mut all = vec![];
+        for (set, motion) in self.gearbox.sets().iter().zip(&state.sets) {
+            for (place, planet) in motion.planets.iter().enumerate() {
+                all.push(Planet {
+                    set: set.id().to_owned(),
+                    planet: planet_name(set, place),
+                    relative_speed_rad_s: planet.map(|planet| planet.relative),
+                    speed_rad_s: planet.and_then(|planet| planet.speed),
+                });
+            }
+        }
+        all
+    }
+
+    fn shift_elements(&self, state: &MultiState) -> Vec<ShiftElement> {
+        let one = |(place, element): (usize, &train::ShiftElement)| {
+            let torque = state.load.as_ref().and_then(|load| load.shift_elements[place]);
+            ShiftElement {
+                shift_element: element.id().to_owned(),
+                kind: ShiftElementKind::of(element),
+                links: links_of(self.gearbox, element),
+                engaged: self.gear.engaged().contains(&place),
+                slip_rad_s: state.slips[place].map(Physical::si),
+                torque_n_m: torque.map(Physical::si),
+            }
+        };
+        self.gearbox.shift_elements().iter().enumerate().map(one).collect()
+    }
+
+    fn terminals(&self, load: &MultiLoad) -> Vec<Terminal> {
+        let one = |end: &End| Terminal {
+            link: self.gearbox.link_name(end.link).to_owned(),
+            torque_n_m: end.torque.si(),
+            power_w: end.power.si(),
+        };
+        load.terminals.iter().map(one).collect()
+    }
+
+    fn members(&self, load: &MultiLoad) -> Vec<Member> {
+        let mut all = vec![];
+        for (place, set) in self.gearbox.sets().iter().enumerate() {
+            let power = load.power.sets[place].as_ref();
+            for (member, link) in set.members().iter().enumerate() {
+                all.push(Member {
+                    set: set.id().to_owned(),
+                    member: member_name(set, member),
+                    link: self.gearbox.link_name(*link).to_owned(),
+                    torque_n_m: load.members[place][member],
+                    power_w: power.map(|power| power.members[member]),
+                });
+            }
+        }
+        all
+    }
+
+    fn meshes(&self, load: &MultiLoad) -> Vec<Mesh> {
+        let all = meshes(self.gearbox, |set| load.meshes(self.gearbox, set)).into_iter();
+        let one = |mesh: super::records::MeshFigures| Mesh {
+            set: mesh.set,
+            from: mesh.from,
+            to: mesh.to,
+            efficiency: mesh.efficiency,
+            enters_w: mesh.enters,
+            leaves_w: mesh.leaves,
+        };
+        all.map(one).collect()
+    }
+
+    fn map_entry(&self, speeds: [AngularVelocity; 2], link: usize, state: &MultiState) -> MapEntry {
+        let load = state.load.as_ref();
+        let end = load.and_then(|load| load.terminals.iter().find(|end| end.link.index() == link));
+        MapEntry {
+            first_speed_rad_s: speeds[0].si(),
+            second_speed_rad_s: speeds[1].si(),
+            link: self.gearbox.links()[link].clone(),
+            speed_rad_s: state.speeds[link].map(Physical::si),
+            torque_n_m: end.map(|end| end.torque.si()),
+            power_w: load.and_then(|load| load.power.links[link]),
+            efficiency: load.and_then(|load| load.efficiency),
+        }
+    }
+
+    /// One-way clutches that would not let these speeds be.
+    fn one_way(&self, state: &MultiState) -> Vec<Warning> {
+        let of = |(place, element): (usize, &train::ShiftElement)| {
+            let is_engaged = self.gear.engaged().contains(&place);
+            let slip = state.slips[place].map(Physical::si)?;
+            (element.is_one_way() && !is_engaged && slip < 0.0).then(|| {
+                let message = format!(
+                    "the one-way clutch {} would hold at these speeds: its first link turns slower than its second",
+                    element.id()
+                );
+                Warning { name: "one-way-clutch", message }
+            })
+        };
+        self.gearbox.shift_elements().iter().enumerate().filter_map(of).collect()
+    }
+}
+
+fn powers(load: &MultiLoad) -> Powers {
+    let sum = |is_positive: bool| -> f64 {
+        let powers = load.terminals.iter().map(|end| end.power.si());
+        powers.filter(|power| (*power > 0.0) == is_positive).map(f64::abs).sum()
+    };
+    Powers {
+        entering_w: sum(true),
+        leaving_w: sum(false),
+        loss_w: load.loss.si(),
+        circulating_w: load.power.circulating,
+        efficiency: load.efficiency,
+    }
+}

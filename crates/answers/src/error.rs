@@ -1,0 +1,209 @@
+//! What is refused instead of answered.
+
+use crate::analyze::LoadQuantity;
+use crate::analyze::inputs::Given;
+use crate::schemes::{SizeName, SizeProblem};
+use crate::select::duty::DutyProblem;
+
+/// A question without an answer.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number of an answer that no double holds.
+    #[error("not a finite number: {figure}; a given number is too small or too large for it")]
+    NotFinite {
+        /// Its key in the answer.
+        figure: String,
+    },
+    /// An answer that cannot be put in its format.
+    #[error("the answer cannot be written as text: {0}")]
+    Json(String),
+    /// More things than are written at once.
+    #[error("{found} are found and at most {most} are written")]
+    TooMany {
+        /// How many there are.
+        found: u64,
+        /// How many can be written.
+        most: usize,
+    },
+    /// A fault in a file, with its line and column.
+    #[error(transparent)]
+    Document(#[from] epicyclic_formats::Error),
+    /// A refusal at the place in a file that it is about.
+    #[error("{at}")]
+    Placed {
+        /// The refusal with file, line and column.
+        at: Box<epicyclic_formats::Error>,
+        /// The refusal itself.
+        why: Box<Error>,
+    },
+    /// What the design of a drive refuses.
+    #[error(transparent)]
+    Drive(Box<epicyclic_dynamics::Error>),
+    /// What a hydromotor refuses.
+    #[error(transparent)]
+    Motor(#[from] epicyclic_hydromotor::Error),
+    /// A search that no hydromotor passes.
+    #[error("no motor within the limits: {0}")]
+    NoMotor(Box<crate::motor_search::Funnel>),
+    /// A search whose every design has default teeth that break their limits, or none.
+    #[error(
+        "no motor within the limits: on none of the {designs} designs that pass do the default teeth keep their limits"
+    )]
+    NoTeethHold {
+        /// Designs that pass otherwise.
+        designs: usize,
+    },
+    /// A number of a design that a search has not found.
+    #[error("{design}: there are designs 1 to {designs}")]
+    NoSuchDesign {
+        /// The number.
+        design: usize,
+        /// How many there are.
+        designs: usize,
+    },
+    /// A pressure drop of a hydromotor that is not above 0.
+    #[error("it is high less low pressure, so above 0; the motor runs counter-clockwise")]
+    PressureDrop,
+    /// A speed of a hydromotor's rotor that is not above 0.
+    #[error("it must be above 0; a motor that runs backwards is its mirror image")]
+    RotorSpeed,
+    /// Too few or too many points of a hydromotor's centrodes.
+    #[error("{points} points of a half-lobe: from 1 to {most}")]
+    CentrodePoints {
+        /// How many were wanted.
+        points: u32,
+        /// The most there can be.
+        most: u32,
+    },
+    /// What a gear or a simple set refuses.
+    #[error(transparent)]
+    Gear(#[from] epicyclic_gears::Error),
+    /// What the solver refuses.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+    /// A transmission chosen in a file that holds one gearbox.
+    #[error("the file holds one gearbox, and no transmissions to choose from")]
+    OneGearbox,
+    /// Transmissions of which one must be named.
+    #[error("the file has {}; name one of: {}", names.len(), names.join("; "))]
+    SeveralTransmissions {
+        /// All of them.
+        names: Vec<String>,
+    },
+    /// A name that is part of no transmission's.
+    #[error("no name in the file has `{name}` in it; there are: {}", names.join("; "))]
+    NoTransmission {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        names: Vec<String>,
+    },
+    /// A name that is part of several transmissions'.
+    #[error("`{name}` is part of several names; write more of one of: {}", names.join("; "))]
+    AmbiguousTransmission {
+        /// The name.
+        name: String,
+        /// Those that it is part of.
+        names: Vec<String>,
+    },
+    /// A gear that the gearbox does not have.
+    #[error("no gear is called `{name}`: there are {}", gears.join(", "))]
+    NoGear {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        gears: Vec<String>,
+    },
+    /// A load that a gear cannot take.
+    #[error("{why} (gear {gear})")]
+    Load {
+        /// Of which quantity.
+        quantity: LoadQuantity,
+        /// The gear.
+        gear: String,
+        /// Why.
+        why: &'static str,
+    },
+    /// A link that the gearbox does not have.
+    #[error("no link is called `{name}`: there are {}", links.join(", "))]
+    NoLink {
+        /// Where it is named.
+        given: Given,
+        /// The name.
+        name: String,
+        /// Those that there are.
+        links: Vec<String>,
+    },
+    /// Speeds or torques of several links that do not settle the others.
+    #[error("{fault}")]
+    Inputs {
+        /// Which of them.
+        given: Given,
+        /// Why.
+        fault: epicyclic_train::InputsFault,
+    },
+    /// Too few or too many places of a range.
+    #[error("{places} places: 2 to {most} are allowed")]
+    Places {
+        /// How many.
+        places: u32,
+        /// The most.
+        most: u32,
+    },
+    /// What a scheme or a machine refuses.
+    #[error(transparent)]
+    Design(#[from] epicyclic_schemes::Error),
+    /// A size of a scheme.
+    #[error("{size}: {problem}")]
+    SchemeSize {
+        /// Which.
+        size: SizeName,
+        /// What is wrong with it.
+        problem: SizeProblem,
+    },
+    /// What a selection refuses.
+    #[error(transparent)]
+    Selection(#[from] epicyclic_selection::Error),
+    /// A speed or load of an input.
+    #[error(transparent)]
+    Duty(#[from] DutyProblem),
+    /// A search for tooth numbers of two sets with one ratio.
+    #[error("two sets are searched, so three speeds or two ratios are due")]
+    OneSet,
+    /// More designs than are told at once.
+    #[error("{wanted} designs, each measured and written in full: at most {most}")]
+    TooManyDesigns {
+        /// How many are wanted.
+        wanted: usize,
+        /// How many can be told.
+        most: usize,
+    },
+    /// Limits of a module that leave none.
+    #[error("the least module, {least_mm} mm, is above the greatest, {greatest_mm} mm")]
+    ModuleRange {
+        /// The least.
+        least_mm: f64,
+        /// The greatest.
+        greatest_mm: f64,
+    },
+    /// A throw of a bucket wheel without an angle of the chute.
+    #[error("no angle of the chute: at least one is due")]
+    NoChute,
+}
+
+impl Error {
+    /// Whether the question is sound and only has no answer within its bounds.
+    #[must_use]
+    pub fn is_nothing_found(&self) -> bool {
+        use epicyclic_gears::Error as Gear;
+        match self {
+            Self::Placed { why, .. } => why.is_nothing_found(),
+            Self::Gear(Gear::NoToothNumbers { .. }) | Self::NoMotor(_) | Self::NoTeethHold { .. } => true,
+            Self::Drive(why) => {
+                matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))
+            }
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! What the program answers, as data: one record an answer, numbers in SI units that stand in the names.
+//!
+//! Tables, CSV and pages are views of these records; the program in Python or in a browser takes the records
+//! themselves. Nothing is said here in words that a reader would have to take apart again: choices are enums, lists are
+//! lists, and what there is not is `null`.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`gearbox`] | reads the gearbox of a file |
+//! | [`analyze`] | what a gearbox does in its gears |
+//! | [`transmissions`] | the transmissions of a file to choose from |
+//! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
+//! | [`motor`] | a planetary hydromotor |
+//! | [`motor_search`] | hydromotors for a displacement or torque |
+//! | [`teeth`] | tooth numbers of a simple set for a ratio |
+//! | [`select`] | gearboxes for two or three speeds, of the catalogue or with all tooth numbers |
+//! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
+//! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
+//! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
+//! | [`shared`] | records that several answers share |
+//! | [`number`] | numbers of an answer |
+//! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
+//! | [`finite`] | that every number of an answer is one |
+//! | [`error`] | what is refused |
+//!
+//! # Stability
+//! [`SCHEMA_VERSION`] is raised whenever a key goes, or changes its meaning or unit. A new key does not raise it.
+//!
+//! # Example
+//! ```
+//! use epicyclic_answers::{answer::to_json, shared::Fraction, teeth};
+//! use epicyclic_gears::{simple_set::{Member, Mode}, synthesis::Bounds};
+//! # fn main() -> Result<(), epicyclic_answers::Error> {
+//! let mode = Mode::new(Member::Sun, Member::Carrier)?;
+//! let wanted = teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 1 };
+//! let found = teeth::answer(&wanted, |_| ())?;
+//! assert_eq!(found.tooth_sets[0].exact_ratio, Fraction { numerator: 6, denominator: 1 });
+//! assert!(to_json(&found)?.starts_with("{\n  \"schema_version\": 1,\n  \"answer\": \"teeth\""));
+//! # Ok(())
+//! # }
+//! ```
+
+pub mod analyze;
+pub mod answer;
+pub mod catalogue;
+pub mod drive;
+pub mod error;
+pub mod finite;
+pub mod gearbox;
+pub mod machine;
+pub mod motor;
+pub mod motor_search;
+pub mod number;
+pub mod schemes;
+pub mod select;
+pub mod shared;
+pub mod teeth;
+pub mod transmissions;
+
+pub use answer::{Answer, SCHEMA_VERSION, Warning};
+pub use error::Error;

@@ -1,0 +1,338 @@
+//! The search for hydromotors: non-dominated designs for a displacement or torque.
+
+mod funnel;
+
+pub use funnel::{Funnel, Reason, Refused};
+
+use crate::motor::{Chosen, Designed, Subject};
+use crate::number::{maybe_si, plain, si};
+use crate::{Answer, Error};
+use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::profile::limits::Limit;
+use epicyclic_hydromotor::profile::{Profile, ToothForm};
+use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::HashSet;
+use uom::si::f64::Angle;
+
+/// What is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// What is searched.
+    pub search: Search,
+    /// Whether designs on which the default teeth do not keep their limits are left out of the front.
+    pub with_teeth: bool,
+    /// What the designs are ordered by.
+    pub order: Order,
+    /// Whether only the first design of each set of lobes and teeth is told.
+    pub first_of_each_set: bool,
+    /// How many designs are told, at most.
+    pub most: usize,
+}
+
+/// What designs are ordered by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Order {
+    /// The most displacement over volume first.
+    Volume,
+    /// The least ripple first.
+    Ripple,
+    /// The greatest least curvature radius first.
+    Radius,
+}
+
+/// Hydromotors for a displacement: designs that no other surpasses in displacement over volume, ripple and least curvature
+/// radius together.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MotorSearch {
+    /// The displacement wanted, a revolution.
+    pub displacement_m3: f64,
+    /// What the designs are ordered by.
+    pub order: Order,
+    /// Whether designs on which the default teeth do not keep their limits were left out.
+    pub with_teeth: bool,
+    /// How many non-dominated designs there are.
+    pub found: usize,
+    /// Whether only the first of each set of lobes and teeth is told.
+    pub first_of_each_set: bool,
+    /// How many more designs could be told so.
+    pub hidden: usize,
+    /// The designs.
+    pub designs: Vec<Design>,
+    /// Motors tried, and why the others were refused.
+    pub funnel: Funnel,
+    /// By how much an admissible motor between the places tried may be better than every design, by estimate.
+    pub spacing_error: SpacingError,
+    /// By how much refinement found better motors than there are at even places.
+    pub refinement_gain: SpacingError,
+}
+
+/// A design: a shape, and the size shown of it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Design {
+    /// Its number in the order.
+    pub design: usize,
+    /// How many designs have the same lobes and teeth.
+    pub designs_of_the_set: usize,
+    /// Lobes of the stator, `N`.
+    pub stator_lobes: u32,
+    /// Lobes of the rotor, `n`.
+    pub rotor_lobes: u32,
+    /// Teeth of the stator, `Z₃`.
+    pub stator_teeth: u32,
+    /// Teeth of the rotor, `Z₁`.
+    pub rotor_teeth: u32,
+    /// Teeth of a satellite, `Z_s`.
+    pub satellite_teeth: u32,
+    /// The place in the family: distance of the centres of the arcs at the troughs over the module.
+    pub l_over_module: f64,
+    /// Displacement over the volume of the cylinder about the stator's centrode.
+    pub displacement_by_volume: f64,
+    /// Ripple of flow and torque.
+    pub ripple: f64,
+    /// Least curvature radius of both centrodes over the module.
+    pub least_radius_in_modules: f64,
+    /// Whether teeth of the default form keep their limits.
+    pub teeth_limits: TeethLimits,
+    /// The check of the centrodes with least to spare.
+    pub nearest_check: Subject,
+    /// How much that is, relative to the limit.
+    pub nearest_margin: f64,
+    /// By how much a motor between the places tried may be better, by estimate.
+    pub spacing_error: SpacingError,
+    /// The modules that serve.
+    pub modules_m: Vec<f64>,
+    /// Of the sizes with these modules the one whose width is nearest to half its diameter.
+    pub size: Size,
+}
+
+/// Whether teeth of the default form keep their limits on a design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TeethLimits {
+    /// They do.
+    Hold,
+    /// They do not.
+    Fail,
+    /// There are no teeth of that form.
+    None,
+}
+
+/// A size of a design; torque and power without losses.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Size {
+    /// Module.
+    pub module_m: f64,
+    /// Width.
+    pub width_m: f64,
+    /// Greatest diameter of the stator's centrode; teeth and housing come on top.
+    pub outer_diameter_m: f64,
+    /// Distance of the centre of arc 1, at the troughs, from the axis.
+    pub l_m: f64,
+    /// Distance of the centre of arc 2, at the crests, from the axis.
+    pub a_m: f64,
+    /// Radius of arc 1.
+    pub r1_m: f64,
+    /// Radius of arc 2.
+    pub r2_m: f64,
+    /// Displacement a revolution.
+    pub displacement_m3: f64,
+    /// Mean torque; null without a pressure.
+    pub torque_n_m: Option<f64>,
+    /// Least torque.
+    pub least_torque_n_m: Option<f64>,
+    /// Mean flow; null without a speed.
+    pub flow_m3_s: Option<f64>,
+    /// Power; null without both.
+    pub power_w: Option<f64>,
+}
+
+/// By how much motors may be better, relative, in each objective.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SpacingError {
+    /// In displacement over volume.
+    pub displacement_by_volume: f64,
+    /// In ripple.
+    pub ripple: f64,
+    /// In the least curvature radius.
+    pub least_radius: f64,
+}
+
+impl Answer for MotorSearch {
+    const NAME: &'static str = "motor-search";
+}
+
+/// A search that is done: its answer, and the motor of each design.
+#[derive(Debug, Clone)]
+pub struct Searched {
+    wanted: Wanted,
+    /// With the designs in the order that is wanted.
+    found: Found,
+    /// Designs before those were left out whose teeth do not hold.
+    apart: usize,
+}
+
+/// Searches.
+///
+/// # Errors
+/// [`Error::Motor`] for bounds that cannot be; [`Error::NoMotor`] where no motor passes, [`Error::NoTeethHold`] where on
+/// none of them the default teeth keep their limits.
+pub fn search(wanted: &Wanted) -> Result<Searched, Error> {
+    let mut found = wanted.search.front()?;
+    let apart = found.designs.len();
+    if apart == 0 {
+        return Err(Error::NoMotor(Box::new(Funnel::of(&found, apart))));
+    }
+    if wanted.with_teeth {
+        found.designs.retain(|design| TeethLimits::of(design) == TeethLimits::Hold);
+        if found.designs.is_empty() {
+            return Err(Error::NoTeethHold { designs: apart });
+        }
+    }
+    match wanted.order {
+        Order::Volume => {}
+        Order::Ripple => found.designs.sort_by(|one, other| one.ripple.total_cmp(&other.ripple)),
+        Order::Radius => found.designs.sort_by(|one, other| other.least_radius.total_cmp(&one.least_radius)),
+    }
+    Ok(Searched { wanted: wanted.clone(), found, apart })
+}
+
+/// The answer of a search.
+///
+/// # Errors
+/// As [`search`].
+pub fn answer(wanted: &Wanted) -> Result<MotorSearch, Error> {
+    Ok(search(wanted)?.answer())
+}
+
+impl Searched {
+    /// The answer.
+    #[must_use]
+    pub fn answer(&self) -> MotorSearch {
+        let Self { wanted, found, apart } = self;
+        let mut seen = HashSet::new();
+        let numbered = found.designs.iter().enumerate();
+        let listed: Vec<_> =
+            numbered.filter(|(_, design)| !wanted.first_of_each_set || seen.insert(design.numbers)).collect();
+        let shown = &listed[..wanted.most.min(listed.len())];
+        let designs = shown.iter().filter_map(|&(place, design)| Design::of(place, design, found)).collect();
+        MotorSearch {
+            displacement_m3: si(wanted.search.demand.displacement),
+            order: wanted.order,
+            with_teeth: wanted.with_teeth,
+            found: found.designs.len(),
+            first_of_each_set: wanted.first_of_each_set,
+            hidden: listed.len() - shown.len(),
+            designs,
+            funnel: Funnel::of(found, *apart),
+            spacing_error: SpacingError::of(found.spacing_error),
+            refinement_gain: SpacingError::of(found.refinement_gain),
+        }
+    }
+
+    /// The motor of a design, in the size shown of it; the first is 1.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchDesign`].
+    pub fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
+        let designs = &self.found.designs;
+        let none = Error::NoSuchDesign { design, designs: designs.len() };
+        let Some(design) = design.checked_sub(1).and_then(|place| designs.get(place)) else {
+            return Err(none);
+        };
+        let Some(size) = shown_size(design) else { return Err(none) };
+        let motor = design.motor(size.module)?;
+        let form = ToothForm::default();
+        let demand = &self.wanted.search.demand;
+        Ok(Designed {
+            profile: Profile::new(&motor, form),
+            family: Some(Family::new(design.numbers, size.module)?),
+            motor,
+            chosen: Chosen::Given,
+            form,
+            width: Some(size.width),
+            pressure: demand.pressure_drop,
+            speed: demand.speed,
+            angle,
+        })
+    }
+}
+
+/// The size that is shown of a design: the one whose width is nearest to half its diameter.
+fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
+    let off = |size: &&search::Dimensions| (si(size.width) / si(size.outer_diameter) - 0.5).abs();
+    design.dimensions.iter().min_by(|one, other| off(one).total_cmp(&off(other)))
+}
+
+impl Design {
+    /// `None` of a design without a size, of which a search finds none.
+    fn of(place: usize, design: &search::Design, found: &Found) -> Option<Self> {
+        let numbers = design.numbers;
+        let size = shown_size(design)?;
+        Some(Self {
+            design: place + 1,
+            designs_of_the_set: found.designs.iter().filter(|other| other.numbers == numbers).count(),
+            stator_lobes: numbers.stator_lobes(),
+            rotor_lobes: numbers.rotor_lobes(),
+            stator_teeth: numbers.stator_teeth(),
+            rotor_teeth: numbers.rotor_teeth(),
+            satellite_teeth: numbers.satellite_teeth(),
+            l_over_module: si(size.trough_distance) / si(size.module),
+            displacement_by_volume: plain(design.displacement_by_volume),
+            ripple: plain(design.ripple),
+            least_radius_in_modules: plain(design.least_radius),
+            teeth_limits: TeethLimits::of(design),
+            nearest_check: Subject::of(design.nearest_check),
+            nearest_margin: plain(design.nearest_margin),
+            spacing_error: SpacingError::of(design.spacing_error),
+            modules_m: design.dimensions.iter().map(|size| si(size.module)).collect(),
+            size: Size::of(size),
+        })
+    }
+}
+
+impl TeethLimits {
+    fn of(design: &search::Design) -> Self {
+        let Some(size) = shown_size(design) else { return Self::None };
+        match design.motor(size.module).and_then(|motor| Profile::new(&motor, ToothForm::default())) {
+            Ok(profile) if profile.limits().iter().all(Limit::holds) => Self::Hold,
+            Ok(_) => Self::Fail,
+            Err(_) => Self::None,
+        }
+    }
+}
+
+impl Size {
+    fn of(size: &search::Dimensions) -> Self {
+        Self {
+            module_m: si(size.module),
+            width_m: si(size.width),
+            outer_diameter_m: si(size.outer_diameter),
+            l_m: si(size.trough_distance),
+            a_m: si(size.crest_distance),
+            r1_m: si(size.trough_radius),
+            r2_m: si(size.crest_radius),
+            displacement_m3: si(size.displacement),
+            torque_n_m: maybe_si(size.torque),
+            least_torque_n_m: maybe_si(size.least_torque),
+            flow_m3_s: maybe_si(size.flow),
+            power_w: maybe_si(size.power),
+        }
+    }
+}
+
+impl SpacingError {
+    fn of(error: search::SpacingError) -> Self {
+        Self {
+            displacement_by_volume: plain(error.displacement_by_volume),
+            ripple: plain(error.ripple),
+            least_radius: plain(error.least_radius),
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! The choice of a gearbox for two or three speeds: every mechanism measured, judged and compared.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`candidate`] | a mechanism with its figures, and what the criteria say of it |
+//! | [`required`] | what is wanted, as a record |
+//! | [`duty`] | speed and load of the input |
+//! | [`teeth`] | the choice over all tooth numbers of both sets |
+
+pub mod candidate;
+pub mod duty;
+pub mod required;
+pub mod teeth;
+
+use crate::catalogue::SetLinks;
+use crate::{Answer, Error};
+use candidate::{Candidate, Ranked};
+use duty::Duty;
+use epicyclic_schemes::catalogue::Scheme;
+use epicyclic_selection::drawing::drawable_direct_clutches;
+use epicyclic_selection::{self as selection, Order, Requirements, Selection, Space, select_with};
+use required::{Objective, Required};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// Ratios, tolerance and limits.
+    pub requirements: Requirements,
+    /// Which objective decides first, and which next.
+    pub order: Order,
+    /// The mechanisms to choose among.
+    pub space: Space,
+    /// How many of the accepted candidates are told, and how many of the rejected.
+    pub most: usize,
+    /// Speed and load of the input.
+    pub duty: Duty,
+}
+
+/// Gearboxes for two or three speeds: the candidates that meet every required criterion, the best first, then the rejected.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Select {
+    /// What is wanted.
+    pub required: Required,
+    /// How many candidates meet every required criterion.
+    pub accepted: usize,
+    /// How many do not.
+    pub rejected: usize,
+    /// The objective by which the first candidate is ahead of others; `null` where there are no others, or all are equal.
+    pub decided_by: Option<Objective>,
+    /// The candidates told: accepted, the best first, then rejected.
+    pub candidates: Vec<Candidate>,
+    /// Mechanisms that no ring-to-sun ratios give the ratios.
+    pub unreachable: Vec<Unreachable>,
+}
+
+/// A mechanism that cannot give the ratios wanted of its gears.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Unreachable {
+    /// The source's name of the scheme; `null` where it has none.
+    pub scheme: Option<&'static str>,
+    /// Name of the structure, by the links of sun, ring and carrier of each set.
+    pub structure: String,
+    /// Links of the members of its sets.
+    pub sets: Vec<SetLinks>,
+    /// Ratios wanted of gears 1 and 2.
+    pub wanted_ratios: Vec<f64>,
+    /// Ring-to-sun ratios that these would need, one of them not above 1; `null` where one would be infinite.
+    pub needed_k: Option<Vec<f64>>,
+}
+
+impl Answer for Select {
+    const NAME: &'static str = "select";
+}
+
+impl Unreachable {
+    fn of(one: &selection::Unreachable) -> Self {
+        Self {
+            scheme: one.mechanism.scheme().map(Scheme::name),
+            structure: one.mechanism.to_string(),
+            sets: one.mechanism.sets().into_iter().map(SetLinks::of).collect(),
+            wanted_ratios: one.wanted.clone(),
+            needed_k: one.needed.clone(),
+        }
+    }
+}
+
+/// Every mechanism for every assignment of the ratios.
+///
+/// # Errors
+/// [`Error::Selection`] of requirements that cannot be, [`Error::Duty`].
+pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
+    let Wanted { requirements, order, space, most, duty } = wanted;
+    duty.torque()?;
+    let found = select_with(requirements, space, *order, Some(&drawable_direct_clutches))?;
+    let ranked = ranked(&found);
+    let (accepted, rejected) = (found.accepted.len(), found.rejected.len());
+    let best = ranked.first().filter(|_| accepted > 0).map(|first| &first.candidate.objectives);
+    let told = (0..accepted.min(*most)).chain(accepted..accepted + rejected.min(*most));
+    let candidates = told
+        .map(|place| {
+            let ranked = &ranked[place];
+            let behind = best
+                .filter(|_| place < accepted)
+                .and_then(|best| decisive(*order, best, &ranked.candidate.objectives));
+            Candidate::of(ranked, behind, requirements, duty)
+        })
+        .collect::<Result<_, Error>>()?;
+    let decided_by = best.and_then(|best| {
+        let others = &ranked[1..accepted];
+        let decides = |objective: &selection::Objective| {
+            others.iter().any(|one| differs(*objective, best, &one.candidate.objectives))
+        };
+        order.objectives().into_iter().find(decides).map(Objective::of)
+    });
+    Ok(Select {
+        required: Required::of(requirements, *order, duty)?,
+        accepted,
+        rejected,
+        decided_by,
+        candidates,
+        unreachable: found.unreachable.iter().map(Unreachable::of).collect(),
+    })
+}
+
+/// The accepted, the best first, then the rejected.
+fn ranked(found: &Selection) -> Vec<Ranked<'_>> {
+    let on_front = |place: usize| found.front.iter().any(|entry| entry.members.contains(&place));
+    let best = found.best.iter().map(|&place| (&found.accepted[place], on_front(place)));
+    let all = best.chain(found.rejected.iter().map(|candidate| (candidate, false)));
+    (1..).zip(all).map(|(no, (candidate, non_dominated))| Ranked { no, candidate, non_dominated }).collect()
+}
+
+/// The first objective in the order in which a design differs from the best.
+fn decisive(order: Order, best: &selection::Objectives, other: &selection::Objectives) -> Option<Objective> {
+    let differs = |objective: &selection::Objective| differs(*objective, best, other);
+    order.objectives().into_iter().find(differs).map(Objective::of)
+}
+
+/// Objectives that differ by less are equal: the order compares on a grid of this size.
+const GRID: f64 = 2e-12;
+
+fn differs(
+    objective: selection::Objective,
+    one: &selection::Objectives,
+    other: &selection::Objectives,
+) -> bool {
+    let value = |of: &selection::Objectives| match objective {
+        selection::Objective::Efficiency => of.efficiency,
+        selection::Objective::Speed => of.speed,
+        selection::Objective::RingToSun => of.ring_to_sun,
+        selection::Objective::RatioError => of.ratio_error,
+        selection::Objective::Size => of.size,
+    };
+    (value(one) - value(other)).abs() > GRID
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_schemes::RatioSeries;
+
+    fn wanted(ratios: &[f64], most: usize) -> Wanted {
+        Wanted {
+            requirements: Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap()),
+            order: Order::default(),
+            space: Space::Catalogue,
+            most,
+            duty: Duty::default(),
+        }
+    }
+
+    #[test]
+    fn the_conveyor_gets_scheme_one() {
+        let found = answer(&wanted(&[3.9375], usize::MAX)).unwrap();
+        let best = &found.candidates[0];
+        assert_eq!((best.scheme, best.accepted, best.behind_by), (Some("I"), true, None));
+        assert!(best.operation.is_empty());
+        assert_eq!(found.candidates.len(), found.accepted + found.rejected);
+        assert!(found.candidates[1..found.accepted].iter().all(|one| one.behind_by.is_some()));
+    }
+
+    #[test]
+    fn as_many_are_told_as_are_wanted() {
+        let found = answer(&wanted(&[3.0, 5.0], 1)).unwrap();
+        assert!(found.accepted > 1);
+        assert_eq!(found.candidates.len(), 1 + found.rejected.min(1));
+    }
+}

@@ -1,0 +1,331 @@
+//! The choice of a gearbox over all tooth numbers of both sets.
+
+use super::candidate::{Candidate, Ranked};
+use super::decisive;
+use super::duty::Duty;
+use super::required::{Required, finite};
+use crate::{Answer, Error};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_schemes::RatioSeries;
+use epicyclic_schemes::structures::{Role, Structure};
+use epicyclic_selection::drawing::drawable_direct_clutches;
+use epicyclic_selection::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_selection::size::relative_ring_diameter;
+use epicyclic_selection::{
+    self as selection, Criterion, Evidence, Order, Orders, Rating, Requirements, Signs, Space, select_with,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::{ControlFlow, RangeInclusive};
+use uom::si::f64::Length;
+use uom::si::length::{meter, millimeter};
+
+/// The most designs that are told: each takes some 35 kB while the answer is written.
+pub const MOST_DESIGNS: usize = 10_000;
+
+/// What is wanted.
+#[derive(Debug, Clone)]
+pub struct Wanted {
+    /// Ratios, tolerance and limits; two ratios.
+    pub requirements: Requirements,
+    /// Which objective decides first, and which next.
+    pub order: Order,
+    /// The structures to choose among.
+    pub structures: Vec<Structure>,
+    /// Bounds of tooth numbers and of planets.
+    pub bounds: Bounds,
+    /// Limits of what a set may need at the load factor.
+    pub limits: SizeLimits,
+    /// How many designs are told.
+    pub most: usize,
+    /// Speed and load of the input.
+    pub duty: Duty,
+}
+
+/// Limits of the size of a set at the load factor; one that is `None` allows whatever a gear could have.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct SizeLimits {
+    /// Greatest pitch diameter of a ring.
+    pub ring_diameter: Option<Length>,
+    /// Least module.
+    pub least_module: Option<Length>,
+    /// Greatest module.
+    pub greatest_module: Option<Length>,
+}
+
+impl SizeLimits {
+    fn module(&self) -> Result<Option<RangeInclusive<Length>>, Error> {
+        if self.least_module.is_none() && self.greatest_module.is_none() {
+            return Ok(None);
+        }
+        let least = self.least_module.unwrap_or(Length::new::<millimeter>(1e-3));
+        let greatest = self.greatest_module.unwrap_or(Length::new::<meter>(1.0));
+        if least > greatest {
+            return Err(Error::ModuleRange {
+                least_mm: least.get::<millimeter>(),
+                greatest_mm: greatest.get::<millimeter>(),
+            });
+        }
+        Ok(Some(least..=greatest))
+    }
+}
+
+/// Designs of two sets with tooth numbers: the first of all non-dominated designs, the best first.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SelectTeeth {
+    /// What is wanted.
+    pub required: Required,
+    /// Limits of the size of a set.
+    pub size_limits: RequiredSize,
+    /// What was searched.
+    pub searched: Searched,
+    /// How many designs are told here.
+    pub shown: usize,
+    /// These.
+    pub designs: Vec<Design>,
+}
+
+/// Limits of the size of a set at the load factor; `null` where there is none.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct RequiredSize {
+    /// Greatest pitch diameter of a ring.
+    pub greatest_ring_diameter_m: Option<f64>,
+    /// Least module.
+    pub least_module_m: Option<f64>,
+    /// Greatest module.
+    pub greatest_module_m: Option<f64>,
+}
+
+/// What was searched.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Searched {
+    /// Combinations of tooth numbers of a set.
+    pub tooth_sets: usize,
+    /// Structures, each counted once for every assignment of the ratios.
+    pub structures: usize,
+    /// Designs in all: pairs of combinations of tooth numbers in all structures.
+    pub designs: u128,
+    /// Pairs of ring-to-sun ratios tried in full.
+    pub tried: u64,
+    /// Of these, pairs that meet every required criterion.
+    pub accepted: u64,
+}
+
+/// A design with tooth numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Design {
+    /// Tooth numbers of each set.
+    pub tooth_numbers: Vec<SetTeeth>,
+    /// How many other tooth numbers have the same objectives.
+    pub others: u64,
+    /// The design as a candidate; its ratios are those of the teeth.
+    pub candidate: Candidate,
+}
+
+/// Tooth numbers of a set, and the size that it needs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SetTeeth {
+    /// Teeth of the sun.
+    pub sun: u32,
+    /// Teeth of a planet.
+    pub planet: u32,
+    /// Teeth of the ring.
+    pub ring: u32,
+    /// Number of planets.
+    pub planets: u32,
+    /// Size of the ring, relative.
+    pub size: f64,
+    /// Pitch diameter that the ring needs at the load factor; `null` without a torque and a load factor.
+    pub ring_diameter_m: Option<f64>,
+    /// Module that this diameter gives; `null` without a torque and a load factor.
+    pub module_m: Option<f64>,
+}
+
+impl Answer for SelectTeeth {
+    const NAME: &'static str = "select-teeth";
+}
+
+/// The first of the non-dominated designs over all tooth numbers; `watch` is told how far the search is, from any thread.
+///
+/// # Errors
+/// [`Error::OneSet`], [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
+pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<SelectTeeth, Error> {
+    let Wanted { requirements, order, structures, bounds, limits, most, duty } = wanted;
+    duty.torque()?;
+    if requirements.series.ratios().len() != 2 {
+        return Err(Error::OneSet);
+    }
+    if *most > MOST_DESIGNS {
+        return Err(Error::TooManyDesigns { wanted: *most, most: MOST_DESIGNS });
+    }
+    let search = ToothSearch {
+        bounds: bounds.clone(),
+        order: *order,
+        structures: structures.clone(),
+        ring_diameter: limits.ring_diameter,
+        module: limits.module()?,
+        ..ToothSearch::new(requirements.clone())
+    };
+    let found = search.best_watched((*most).max(1), &|progress| {
+        watch(progress);
+        ControlFlow::Continue(())
+    })?;
+    let designs = designs(wanted, &found)?;
+    Ok(SelectTeeth {
+        required: Required::of(requirements, *order, duty)?,
+        size_limits: RequiredSize {
+            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.get::<meter>()),
+            least_module_m: limits.least_module.map(|module| module.get::<meter>()),
+            greatest_module_m: limits.greatest_module.map(|module| module.get::<meter>()),
+        },
+        searched: Searched::of(found.counts()),
+        shown: designs.len(),
+        designs,
+    })
+}
+
+impl Searched {
+    fn of(counts: Counts) -> Self {
+        Self {
+            tooth_sets: counts.tooth_sets,
+            structures: counts.patches,
+            designs: counts.designs,
+            tried: counts.tried,
+            accepted: counts.feasible,
+        }
+    }
+}
+
+fn designs(wanted: &Wanted, found: &Found) -> Result<Vec<Design>, Error> {
+    let requirements = &wanted.requirements;
+    let mut designs = vec![];
+    for entry in found.entries().iter().take(wanted.most) {
+        let Some((first, count)) = found.first_design(entry) else { continue };
+        let Some(mut candidate) = measured(requirements, &first)? else { continue };
+        // The ratios of the teeth were taken for those wanted; what they are compared with is what was asked.
+        candidate.objectives = entry.objectives;
+        for (gear, wanted) in candidate.gears.iter_mut().zip(first.wanted) {
+            gear.wanted = wanted;
+        }
+        let off = candidate.gears.iter().map(|gear| (gear.gear, (gear.ratio / gear.wanted - 1.0).abs()));
+        let worst = off.max_by(|(_, one), (_, other)| one.total_cmp(other));
+        let ratio = candidate.verdicts.iter_mut().find(|verdict| verdict.criterion == Criterion::Ratio);
+        if let Some((verdict, (gear, error))) = ratio.zip(worst) {
+            verdict.value = error;
+            verdict.evidence = Evidence::Gear(gear);
+        }
+        let teeth = first.pairs.first().into_iter().flatten().enumerate();
+        let tooth_numbers =
+            teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
+        let no = u32::try_from(designs.len() + 1).unwrap_or(u32::MAX);
+        let best = found.entries().first();
+        let behind = best.and_then(|best| decisive(wanted.order, &best.objectives, &entry.objectives));
+        let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
+        designs.push(Design {
+            tooth_numbers,
+            others: count.saturating_sub(1),
+            candidate: Candidate::of(&ranked, behind, requirements, &wanted.duty)?,
+        });
+    }
+    Ok(designs)
+}
+
+/// The design judged as it is: the ratios that its teeth give are the ones wanted.
+fn measured(
+    requirements: &Requirements,
+    design: &ToothDesign,
+) -> Result<Option<selection::Candidate>, Error> {
+    let gearbox = design.structure.gearbox(design.k, requirements.eta0, [Role::D, Role::B])?;
+    let ratio = |gear| Ok::<_, Error>(gearbox.analyze(gear)?.ratio());
+    let (Some(first), Some(second)) = (ratio("1")?, ratio("2")?) else { return Ok(None) };
+    let exactly = Requirements {
+        series: RatioSeries::of_braked_gears(&[first, second])?,
+        orders: Orders::AsGiven,
+        signs: Signs::AsGiven,
+        ..requirements.clone()
+    };
+    let space = Space::Structures(vec![design.structure]);
+    let found = select_with(&exactly, &space, Order::default(), Some(&drawable_direct_clutches))?;
+    Ok(found.accepted.into_iter().chain(found.rejected).next())
+}
+
+impl SetTeeth {
+    fn of(teeth: &ToothNumbers, set: usize, candidate: &selection::Candidate, rating: &Rating) -> Self {
+        let torque =
+            |gear: &selection::GearReport| gear.sun_torques.get(set).map_or(0.0, |torque| torque.abs());
+        let torque = candidate.gears.iter().map(torque).fold(0.0, f64::max);
+        let k = candidate.k.get(set).copied().unwrap_or(f64::NAN);
+        let size = relative_ring_diameter(k, torque, teeth.planets, rating);
+        let ring_diameter_m = rating.unit().map(|unit| unit.get::<meter>() * size);
+        Self {
+            sun: teeth.sun.get(),
+            planet: teeth.planet.get(),
+            ring: teeth.ring.get(),
+            planets: teeth.planets,
+            size,
+            ring_diameter_m,
+            module_m: ring_diameter_m.map(|diameter| diameter / f64::from(teeth.ring.get())).and_then(finite),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use uom::si::f64::{Pressure, Torque};
+    use uom::si::pressure::megapascal;
+    use uom::si::torque::newton_meter;
+
+    fn wanted(ratios: &[f64]) -> Wanted {
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap());
+        let torque = Torque::new::<newton_meter>(500.0);
+        requirements.rating.load = Some((torque, Pressure::new::<megapascal>(2.0)));
+        Wanted {
+            requirements,
+            order: Order::default(),
+            structures: Structure::catalogue(),
+            bounds: Bounds { ring: 12..=60, ..Bounds::default() },
+            limits: SizeLimits::default(),
+            most: 3,
+            duty: Duty::default(),
+        }
+    }
+
+    #[test]
+    fn the_largest_ring_of_a_design_is_its_size() {
+        let found = answer(&wanted(&[1.465, 2.56]), &|_| ()).unwrap();
+        assert!(found.shown > 0);
+        for design in &found.designs {
+            let largest = design.tooth_numbers.iter().map(|set| set.size).fold(0.0, f64::max);
+            assert!((largest / design.candidate.objectives.size - 1.0).abs() < 1e-9);
+            let ratio = &design.candidate.criteria[0];
+            assert!((ratio.value.unwrap() - design.candidate.objectives.ratio_error).abs() < 1e-9);
+            for set in &design.tooth_numbers {
+                let diameter = set.module_m.unwrap() * f64::from(set.ring);
+                assert!((diameter / set.ring_diameter_m.unwrap() - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn limits_of_the_module_hold_for_what_is_told() {
+        let module = Length::new::<millimeter>(3.2);
+        let limits = SizeLimits { least_module: Some(module), ..SizeLimits::default() };
+        let found = answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ()).unwrap();
+        let told = found.designs.iter().flat_map(|design| &design.tooth_numbers);
+        assert!(told.clone().count() > 0 && told.clone().all(|set| set.module_m.unwrap() >= 3.2e-3));
+        let limits = SizeLimits { greatest_module: Some(module / 2.0), ..limits };
+        let refused = answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ());
+        assert!(matches!(refused, Err(Error::ModuleRange { .. })));
+    }
+
+    #[test]
+    fn one_ratio_is_a_matter_of_one_set() {
+        assert!(matches!(answer(&wanted(&[3.0]), &|_| ()), Err(Error::OneSet)));
+    }
+}

@@ -1,0 +1,25 @@
+//! What counts as nothing in this crate, and what is too small to be taken.
+//!
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `SAME_M` | a difference of two bores, m | a millionth of a millimetre: millimetres in binary are not exact |
+//! | `SAME` | a difference of two modules or pressure angles, over the larger | two spellings of one number in different units differ by a few units in the last place |
+//! | `ROUNDING` | a shortfall of a diameter, over it | the rounding of a cube root |
+//! | `LEAST_EFFICIENCY` | an efficiency of a mesh | far below any gear |
+//! | `PLAIN` | a number in a message | below, its zeros would hide it |
+
+/// Bores that differ by less are the same.
+pub(crate) const SAME_M: f64 = 1e-9;
+
+/// Modules and pressure angles that differ by less than this share of the larger are the same.
+pub(crate) const SAME: f64 = 1e-12;
+
+/// A listed diameter counts as thick enough when it falls short by less than this fraction: a shaft needed to be
+/// exactly 50 mm must not become 53 mm by the rounding of a cube root.
+pub(crate) const ROUNDING: f64 = 1e-12;
+
+/// The least efficiency that is taken: products and reciprocals over all sets of a gearbox stay numbers.
+pub(crate) const LEAST_EFFICIENCY: f64 = 1e-6;
+
+/// Smaller numbers are written with an exponent.
+pub(crate) const PLAIN: f64 = 1e-6;

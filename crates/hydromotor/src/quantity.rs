@@ -1,0 +1,86 @@
+//! What an error speaks of: a quantity, a wheel.
+
+use std::fmt;
+
+macro_rules! words {
+    ($(#[$doc:meta])* $type:ident { $($name:ident $text:literal)* }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum $type {$(
+            #[doc = $text]
+            $name,
+        )*}
+
+        impl fmt::Display for $type {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.pad(match self {
+                    $(Self::$name => $text,)*
+                })
+            }
+        }
+    };
+}
+
+words! {
+    /// A quantity of a motor, of its teeth or of a search; displays as in messages, `pressure drop`.
+    Quantity {
+        Module "module"
+        TroughDistance "l"
+        CrestDistance "a"
+        TroughRadius "R₁"
+        CrestRadius "R₂"
+        TroughAngle "Γ"
+        CrestAngle "B"
+        TroughDistanceLessRadius "l − R₁"
+        FamilyPart "part of the family"
+        Width "width"
+        Speed "speed"
+        Rotation "rotation"
+        ArcLength "arc length"
+        StatorArc "stator arc"
+        PolarAngle "polar angle"
+        HighPressure "high pressure"
+        LowPressure "low pressure"
+        PressureDrop "pressure drop"
+        Torque "torque"
+        Displacement "displacement"
+        DisplacementTolerance "tolerance of the displacement"
+        WidthOverDiameter "width over diameter"
+        OuterDiameter "outer diameter"
+        Ripple "ripple"
+        LeastRadius "least radius"
+        FamilyPoints "points of a family"
+        Resolution "resolution"
+        Steps "steps"
+        Points "points"
+        PressureAngle "pressure angle"
+        Addendum "addendum"
+        Dedendum "dedendum"
+        RotorDedendum "dedendum of the rotor"
+        SatelliteDedendum "dedendum of the satellite"
+        Clearance "clearance"
+        ProfileShift "profile shift"
+        Backlash "backlash"
+        BacklashShare "the satellite's share of the backlash"
+        Fillet "fillet"
+        SatelliteTooth "tooth of the satellite"
+        WheelTooth "tooth of the wheels"
+        StatorLobes "stator lobes"
+        RotorLobes "rotor lobes"
+        StatorTeeth "stator teeth"
+        RotorTeeth "rotor teeth"
+        SatelliteTeeth "satellite teeth"
+    }
+}
+
+words! {
+    /// A kind of wheel of a motor, or the tool that cuts one.
+    WheelKind {
+        Stator "stator"
+        Rotor "rotor"
+        Satellite "satellite"
+        WheelCutter "cutter of the wheels"
+        SatelliteRack "rack of the satellite"
+    }
+}

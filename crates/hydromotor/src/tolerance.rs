@@ -1,0 +1,72 @@
+//! What counts as nothing in this crate. Lengths are in modules, angles in radians.
+//!
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `WITHIN` | a distance from the end of an interval, over it | at the end itself a curve has a cusp or a jump and rounding decides |
+//! | `EDGE_ANGLE` | the same of the angle `B`, over `θ₃` | the residual is smooth there: some steps of rounding suffice |
+//! | `BESIDE_JUMP` | a distance from a jump of a slope, over the piece | the slope's own error stays below the jump |
+//! | `EDGE` | the part of a family's interval that is left out at either end | its ends are no motors |
+//! | `SERIES` | `√z` of the integral `A(z)` | the next term of the series is below rounding |
+//! | `SLACK` | a size beyond a limit, over the limit | what is asked for to the last digit is not refused by rounding |
+//! | `ALONGSIDE` | the determinant of two tangents | curves along each other have no crossing |
+//! | `STEP` | the last step of Newton's method, over the place | rounding makes no smaller one |
+//! | `MET` | the distance of two curves at their crossing | Newton's method that has stopped elsewhere misses by more |
+//! | `LEAST_ADDENDUM` | the addendum at which a pointed tooth is sought | no tooth is lower |
+//! | `DIFFERENCE` | the step of a difference quotient, over the first parameter | about the cube root of rounding |
+//! | `REACH` | the reach of a step of the fit, over the first parameter | the deviation is flat there to rounding |
+//! | `BETTER` | what a deviation must fall by, over it | more than rounding |
+//! | `FINER` | the same of the last search round about | below it nothing is gained on paper |
+//! | `LEVEL` | a deviation above the level one, over it | it is the greatest then |
+//! | `NOISE` | a share in the exchange | the difference quotients' own noise |
+//! | `SINGULAR` | a pivot | equations with it have no solution |
+
+/// Ends of intervals are left by this part of them.
+pub(crate) const WITHIN: f64 = 1e-9;
+
+/// Part of `θ₃` by which `B` lies above it at least.
+pub(crate) const EDGE_ANGLE: f64 = 1e-12;
+
+/// A slope is taken so far from its jump.
+pub(crate) const BESIDE_JUMP: f64 = 1e-7;
+
+/// The outer points of a search lie this part of the interval within it.
+pub(crate) const EDGE: f64 = 1e-6;
+
+/// Below, `A(z)` is the start of its series.
+pub(crate) const SERIES: f64 = 1e-8;
+
+/// A size keeps a limit that it exceeds by less.
+pub(crate) const SLACK: f64 = 1e-12;
+
+/// Tangents with a smaller determinant are parallel.
+pub(crate) const ALONGSIDE: f64 = 1e-12;
+
+/// A smaller step ends Newton's method.
+pub(crate) const STEP: f64 = 1e-13;
+
+/// Curves that are nearer meet.
+pub(crate) const MET: f64 = 1e-9;
+
+/// The least addendum that is tried.
+pub(crate) const LEAST_ADDENDUM: f64 = 1e-6;
+
+/// The step of a difference quotient.
+pub(crate) const DIFFERENCE: f64 = 1e-6;
+
+/// A shorter reach ends the fit.
+pub(crate) const REACH: f64 = 1e-10;
+
+/// A deviation that falls by less is as before.
+pub(crate) const BETTER: f64 = 1e-13;
+
+/// A deviation that falls by less ends the search round about.
+pub(crate) const FINER: f64 = 1e-6;
+
+/// Deviations that differ by less are level.
+pub(crate) const LEVEL: f64 = 1e-10;
+
+/// A smaller share is none.
+pub(crate) const NOISE: f64 = 1e-7;
+
+/// A smaller pivot is none.
+pub(crate) const SINGULAR: f64 = 1e-12;

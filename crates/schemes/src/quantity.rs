@@ -1,0 +1,67 @@
+//! What an error of the machine side or of a connection speaks of.
+
+use std::fmt;
+
+macro_rules! words {
+    ($(#[$doc:meta])* $type:ident { $($name:ident $text:literal)* }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum $type {$(
+            #[doc = $text]
+            $name,
+        )*}
+
+        impl fmt::Display for $type {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.pad(match self {
+                    $(Self::$name => $text,)*
+                })
+            }
+        }
+    };
+}
+
+words! {
+    /// A quantity of a machine; displays as in messages, `boom radius`.
+    Quantity {
+        PickSpacing "pick spacing"
+        MeanChip "mean chip thickness"
+        GreatestChip "greatest chip thickness"
+        Feed "feed"
+        DrumDiameter "drum diameter"
+        PicksPerLine "picks per line"
+        CuttingSpeed "cutting speed"
+        OtherCuttingSpeed "other cutting speed"
+        CuttingForce "cutting force"
+        OtherCuttingForce "other cutting force"
+        BoomRadius "boom radius"
+        SlewingSpeed "slewing speed"
+        ChipWidth "chip width"
+        Buckets "number of buckets"
+        BoomAngleCosine "cosine of the boom angle"
+        OptimalSpeed "optimal speed"
+        Discharge "Ω"
+        FallAcceleration "acceleration of fall"
+        WheelRadius "wheel radius"
+        GreatestSpeed "greatest speed"
+        LeastSpeed "least speed"
+    }
+}
+
+words! {
+    /// A parameter of a series of speeds.
+    SeriesParameter {
+        SpeedRange "d"
+        Step "q"
+    }
+}
+
+words! {
+    /// Of what a ratio is wanted.
+    ConnectionPart {
+        FirstGear "first gear"
+        SecondGear "second gear"
+        Connection "connection"
+    }
+}

@@ -1,0 +1,13 @@
+//! Tooth numbers for a ratio, as a table.
+
+use epicyclic_answers::teeth;
+use epicyclic_gears::simple_set::{Member, Mode};
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_views::AsReport;
+
+fn main() -> Result<(), epicyclic_answers::Error> {
+    let mode = Mode::new(Member::Sun, Member::Carrier)?;
+    let wanted = teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 3 };
+    println!("{}", teeth::answer(&wanted, |_| ())?.report().table());
+    Ok(())
+}

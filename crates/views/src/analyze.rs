@@ -1,0 +1,8 @@
+//! What a gearbox does in its gears, as tables.
+
+mod combinations;
+mod gear;
+mod inputs;
+mod overview;
+mod planet_bearings;
+mod shared;

@@ -1,0 +1,130 @@
+//! What the tables of gearboxes have in common.
+
+use crate::figure::Figure;
+use crate::report::{Column, Records, View};
+use epicyclic_answers::Warning;
+use epicyclic_answers::analyze::records::{Duty, OneWayClutch, SelfLocking, ShiftElementKind, State};
+use epicyclic_answers::shared::Fraction;
+use epicyclic_formats::Dimension;
+
+/// A quantity below a heading with its unit.
+pub(super) fn column(si: Option<f64>, dimension: Dimension) -> Figure {
+    si.map_or(Figure::None, |si| Figure::Column { si, dimension })
+}
+
+/// A quantity with its unit.
+pub(super) fn quantity(si: f64, dimension: Dimension) -> Figure {
+    Figure::Quantity { si, dimension }
+}
+
+pub(super) fn exact(ratio: Option<Fraction>) -> Figure {
+    ratio.map_or(Figure::None, |ratio| Figure::Text(ratio.to_string()))
+}
+
+/// How many.
+pub(super) fn count(count: usize) -> Figure {
+    Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
+pub(super) fn yes_no(yes: Option<bool>) -> Figure {
+    yes.map_or(Figure::None, Figure::YesNo)
+}
+
+/// A heading of a quantity of one's own.
+pub(super) fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Column {
+    Column { heading: heading.into(), ..Column::quantity(name, dimension) }
+}
+
+/// A state in a word or two.
+pub(super) fn state(state: State) -> Figure {
+    let words = match state {
+        State::Driven => "driven",
+        State::InputBlocked => "input blocked",
+        State::OutputAtRest => "output at rest",
+        State::OutputFree => "output free",
+        State::Underdetermined => "underdetermined",
+        State::TorquesIndeterminate => "torques indeterminate",
+        State::SelfLocking => "self-locking",
+    };
+    Figure::Answer(state.name(), words)
+}
+
+pub(super) fn self_locking(direction: Option<SelfLocking>) -> Figure {
+    match direction {
+        None => Figure::None,
+        Some(SelfLocking::No) => Figure::Answer("no", "no"),
+        Some(SelfLocking::FromOutput) => Figure::Answer("from_output", "from output"),
+        Some(SelfLocking::FromInput) => Figure::Answer("from_input", "from input"),
+        Some(SelfLocking::BothWays) => Figure::Answer("both_ways", "both ways"),
+    }
+}
+
+pub(super) fn kind(kind: ShiftElementKind) -> Figure {
+    match kind {
+        ShiftElementKind::Brake => Figure::Answer("brake", "brake"),
+        ShiftElementKind::Clutch => Figure::Answer("clutch", "clutch"),
+        ShiftElementKind::OneWayBrake => Figure::Answer("one_way_brake", "one-way brake"),
+        ShiftElementKind::OneWayClutch => Figure::Answer("one_way_clutch", "one-way clutch"),
+    }
+}
+
+/// Whether a shift element is engaged.
+pub(super) fn engaged(is_engaged: bool) -> Figure {
+    if is_engaged { Figure::Answer("true", "engaged") } else { Figure::Answer("false", "open") }
+}
+
+/// The links that a shift element joins.
+pub(super) fn joins(links: &[String; 2]) -> Figure {
+    Figure::Text(links.join(" - "))
+}
+
+fn duty(duty: Option<Duty>) -> Figure {
+    let words = match duty {
+        None => return Figure::None,
+        Some(Duty::Holds) => "holds",
+        Some(Duty::Overruns) => "overruns",
+        Some(Duty::Idles) => "idles",
+        Some(Duty::WouldOverrun) => "would overrun",
+        Some(Duty::WouldHold) => "would hold",
+    };
+    Figure::Answer(duty.map_or("", Duty::name), words)
+}
+
+/// What the one-way clutches do, in all gears or in one.
+pub(super) fn one_way_clutches(clutches: &[OneWayClutch], of_one_gear: bool) -> Records {
+    let row = |one: &OneWayClutch| {
+        vec![
+            Figure::Text(one.gear.clone()),
+            Figure::Text(one.clutch.clone()),
+            Figure::YesNo(one.relied_on),
+            duty(one.drive),
+            duty(one.coast),
+            yes_no(one.engine_braking),
+        ]
+    };
+    let mut shown = vec!["gear", "clutch", "relied_on", "drive", "coast", "engine_braking"];
+    if of_one_gear {
+        shown.remove(0);
+    }
+    Records {
+        name: "one_way_clutches",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("clutch", "clutch"),
+            Column::words("relied_on", "relied on"),
+            Column::words("drive", "on drive"),
+            Column::words("coast", "on coast"),
+            Column::words("engine_braking", "engine braking"),
+        ],
+        rows: clutches.iter().map(row).collect(),
+        views: vec![View {
+            note: "Engine braking: of gears that rely on a one-way clutch.".to_owned(),
+            ..View::new("One-way clutches", &shown)
+        }],
+        is_answer: false,
+    }
+}
+
+pub(super) fn warnings(warnings: &[Warning]) -> Option<Vec<(&'static str, String)>> {
+    Some(warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect())
+}

@@ -1,0 +1,309 @@
+//! A value in an answer, shown three ways.
+
+use epicyclic_formats::quantity::format::{in_unit, sensible_unit, significant, trimmed};
+use epicyclic_formats::{Dimension, Physical};
+use serde_json::{Value, json};
+
+/// Significant digits in a table.
+const DIGITS: usize = 5;
+
+/// Significant digits in CSV.
+const EXACT_DIGITS: usize = 12;
+
+/// Decimals of a multiple in a table.
+const DECIMALS: usize = 4;
+
+/// In which units a key or a heading speaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// SI, as in JSON.
+    Si,
+    /// Those of drawings, as in tables and CSV.
+    Drawing,
+}
+
+/// A value.
+#[derive(Debug, Clone)]
+pub enum Figure {
+    /// Nothing to say.
+    None,
+    /// A quantity that there is not, whose key keeps its unit.
+    Without(Dimension),
+    /// How many.
+    Count(u32),
+    /// A plain number.
+    Number(f64),
+    /// A multiple of the input's speed, torque or power, an efficiency, a ratio: in a table with as many decimals as
+    /// its neighbours above and below.
+    Multiple(f64),
+    /// A figure of a source, with its decimals.
+    Printed(f64, usize),
+    /// A part of a whole, shown in per cent.
+    Share(f64),
+    /// A quantity in the unit that suits its size.
+    Quantity {
+        /// Its size in SI units.
+        si: f64,
+        /// What it measures.
+        dimension: Dimension,
+    },
+    /// A quantity whose table names the unit in its heading.
+    Column {
+        /// Its size in SI units.
+        si: f64,
+        /// What it measures.
+        dimension: Dimension,
+    },
+    /// Several quantities of one kind.
+    List {
+        /// Their sizes in SI units.
+        si: Vec<f64>,
+        /// What it measures.
+        dimension: Dimension,
+    },
+    /// Several numbers.
+    Numbers(Vec<f64>),
+    /// A name or a word.
+    Text(String),
+    /// Several names.
+    Texts(Vec<String>),
+    /// One of a few answers: its name, and in words.
+    Answer(&'static str, &'static str),
+    /// A question answered.
+    YesNo(bool),
+    /// The same in a table of marks.
+    Mark(bool),
+}
+
+/// A figure of a quantity.
+pub fn quantity<T: Physical>(value: T) -> Figure {
+    Figure::Quantity { si: value.si(), dimension: T::DIMENSION }
+}
+
+/// The same, if there is one.
+pub fn optional<T: Physical>(value: Option<T>) -> Figure {
+    value.map_or(Figure::Without(T::DIMENSION), quantity)
+}
+
+/// A figure of a quantity below a heading with its unit.
+pub fn column<T: Physical>(value: Option<T>) -> Figure {
+    value.map_or(Figure::None, |value| Figure::Column { si: value.si(), dimension: T::DIMENSION })
+}
+
+/// A multiple, if it is known.
+pub fn multiple(value: Option<f64>) -> Figure {
+    value.map_or(Figure::None, Figure::Multiple)
+}
+
+/// A text of one's own.
+pub fn text(text: impl Into<String>) -> Figure {
+    Figure::Text(text.into())
+}
+
+impl Figure {
+    /// As a table shows it.
+    #[must_use]
+    pub fn table(&self) -> String {
+        match self {
+            Self::None | Self::Without(_) => "-".to_owned(),
+            Self::Count(count) => count.to_string(),
+            Self::Number(value) => trimmed(*value, DIGITS),
+            Self::Multiple(value) => shown_multiple(*value),
+            Self::Printed(value, decimals) => format!("{value:.decimals$}"),
+            Self::Share(value) => format!("{} %", trimmed(100.0 * value, 3)),
+            Self::Quantity { si, dimension } => in_unit(*si, sensible_unit(*dimension, *si), DIGITS),
+            Self::Column { si, dimension } => trimmed(in_usual(*si, *dimension), DIGITS),
+            Self::List { si, dimension } => {
+                let values: Vec<String> =
+                    si.iter().map(|si| trimmed(in_usual(*si, *dimension), DIGITS)).collect();
+                format!("{} {}", values.join(" "), dimension.usual_unit().symbol)
+            }
+            Self::Numbers(values) => {
+                values.iter().map(|value| shown_multiple(*value)).collect::<Vec<_>>().join(" ")
+            }
+            Self::Text(text) => text.clone(),
+            Self::Texts(texts) if texts.is_empty() => "-".to_owned(),
+            Self::Texts(texts) => texts.join(" "),
+            Self::Answer(_, words) => (*words).to_owned(),
+            Self::YesNo(yes) => if *yes { "yes" } else { "no" }.to_owned(),
+            Self::Mark(yes) => if *yes { "x" } else { "." }.to_owned(),
+        }
+    }
+
+    /// As one of a column of quantities with so many decimals.
+    #[must_use]
+    pub fn in_column(&self, decimals: usize) -> String {
+        match self {
+            Self::Column { si, dimension } => {
+                let value = in_usual(*si, *dimension);
+                // No −0.0 where rounding leaves nothing.
+                let value = if value.abs() < 0.5 * 0.1_f64.powi(decimals as i32) { 0.0 } else { value };
+                format!("{value:.decimals$}")
+            }
+            other => other.table(),
+        }
+    }
+
+    /// Value and unit.
+    #[must_use]
+    pub fn csv(&self) -> (String, String) {
+        let exact = |value: f64| trimmed(value, EXACT_DIGITS);
+        let joined = |values: &[f64]| values.iter().map(|value| exact(*value)).collect::<Vec<_>>().join(" ");
+        let plain = |value: String| (value, String::new());
+        match self {
+            Self::None | Self::Without(_) => plain(String::new()),
+            Self::Count(count) => plain(count.to_string()),
+            Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) | Self::Share(value) => {
+                plain(exact(*value))
+            }
+            Self::Quantity { si, dimension } | Self::Column { si, dimension } => {
+                (exact(in_usual(*si, *dimension)), dimension.usual_unit().symbol.to_owned())
+            }
+            Self::List { si, dimension } => {
+                let values: Vec<f64> = si.iter().map(|si| in_usual(*si, *dimension)).collect();
+                (joined(&values), dimension.usual_unit().symbol.to_owned())
+            }
+            Self::Numbers(values) => plain(joined(values)),
+            Self::Text(text) => plain(text.clone()),
+            Self::Texts(texts) => plain(texts.join(" ")),
+            Self::Answer(name, _) => plain((*name).to_owned()),
+            Self::YesNo(yes) | Self::Mark(yes) => plain(yes.to_string()),
+        }
+    }
+
+    /// As JSON.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        match self {
+            Self::None | Self::Without(_) => Value::Null,
+            Self::Count(count) => json!(count),
+            Self::Number(value)
+            | Self::Multiple(value)
+            | Self::Printed(value, _)
+            | Self::Share(value)
+            | Self::Quantity { si: value, .. }
+            | Self::Column { si: value, .. } => json!(value),
+            Self::List { si, .. } => json!(si),
+            Self::Numbers(values) => json!(values),
+            Self::Text(text) => json!(text),
+            Self::Texts(texts) => json!(texts),
+            Self::Answer(name, _) => json!(name),
+            Self::YesNo(yes) | Self::Mark(yes) => json!(yes),
+        }
+    }
+
+    /// Whether every number in it can be shown.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        match self {
+            // As tables show it, a share is a hundred times as large.
+            Self::Share(value) => (100.0 * value).is_finite(),
+            Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) => value.is_finite(),
+            Self::Quantity { si, dimension } | Self::Column { si, dimension } => {
+                si.is_finite() && in_usual(*si, *dimension).is_finite()
+            }
+            Self::List { si, dimension } => si.iter().all(|si| in_usual(*si, *dimension).is_finite()),
+            Self::Numbers(values) => values.iter().all(|value| value.is_finite()),
+            _ => true,
+        }
+    }
+
+    fn dimension(&self) -> Option<Dimension> {
+        match self {
+            Self::Quantity { dimension, .. }
+            | Self::Column { dimension, .. }
+            | Self::List { dimension, .. }
+            | Self::Without(dimension) => Some(*dimension),
+            _ => None,
+        }
+    }
+
+    /// The SI unit as part of a key: `_kg_m2`.
+    #[must_use]
+    pub fn suffix(&self) -> &'static str {
+        self.dimension().map_or("", |dimension| suffix(dimension, Units::Si))
+    }
+}
+
+/// The unit as part of a key, SI in JSON and that of drawings in CSV.
+#[must_use]
+pub const fn suffix(dimension: Dimension, units: Units) -> &'static str {
+    match (dimension, units) {
+        (Dimension::Length, Units::Si) => "_m",
+        (Dimension::Length, _) => "_mm",
+        (Dimension::Area, Units::Si) => "_m2",
+        (Dimension::Area, _) => "_mm2",
+        (Dimension::Volume, Units::Si) => "_m3",
+        (Dimension::Volume, _) => "_cm3",
+        (Dimension::VolumeRate, Units::Si) => "_m3_s",
+        (Dimension::VolumeRate, _) => "_l_min",
+        (Dimension::Mass, _) => "_kg",
+        (Dimension::Inertia, _) => "_kg_m2",
+        (Dimension::Speed, _) => "_m_s",
+        (Dimension::AngularSpeed, Units::Si) => "_rad_s",
+        (Dimension::AngularSpeed, _) => "_rpm",
+        (Dimension::AngularAcceleration, _) => "_rad_s2",
+        (Dimension::Angle, Units::Si) => "_rad",
+        (Dimension::Angle, _) => "_deg",
+        (Dimension::Force, _) => "_n",
+        (Dimension::Torque, _) => "_n_m",
+        (Dimension::Power, Units::Si) => "_w",
+        (Dimension::Power, _) => "_kw",
+        (Dimension::Pressure, Units::Si) => "_pa",
+        (Dimension::Pressure, _) => "_mpa",
+        (Dimension::Energy, _) => "_j",
+        (Dimension::Time, _) => "_s",
+        _ => "",
+    }
+}
+
+/// Decimals that give the largest quantity of a column its significant digits.
+pub fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
+    let sizes = column.filter_map(|figure| match figure {
+        Figure::Column { si, dimension } => Some(in_usual(*si, *dimension).abs()),
+        _ => None,
+    });
+    let largest = sizes.fold(0.0, f64::max);
+    if largest == 0.0 {
+        return 0;
+    }
+    let before_the_point = largest.log10().floor() as i32;
+    usize::try_from(DIGITS as i32 - 1 - before_the_point).unwrap_or(0).min(DECIMALS)
+}
+
+fn in_usual(si: f64, dimension: Dimension) -> f64 {
+    si / dimension.usual_unit().factor
+}
+
+/// Four decimals; of what is smaller than 0.01 four significant digits, but for the zero that rounding leaves.
+fn shown_multiple(value: f64) -> String {
+    match value.abs() {
+        size if size < 1e-12 => format!("{:.DECIMALS$}", 0.0),
+        size if size < 0.01 => significant(value, DECIMALS),
+        size if size < 1000.0 => format!("{value:.DECIMALS$}"),
+        _ => significant(value, DECIMALS + 3),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn multiples_stand_below_each_other() {
+        for (value, shown) in
+            [(2.1063829, "2.1064"), (-1e-15, "0.0000"), (0.00122713, "0.001227"), (12345.678, "12345.68")]
+        {
+            assert_eq!(Figure::Multiple(value).table(), shown);
+        }
+    }
+
+    #[test]
+    fn a_unit_stands_in_the_key_or_in_the_heading() {
+        let torque = Figure::Column { si: 1053.19, dimension: Dimension::Torque };
+        assert_eq!((torque.table(), torque.suffix()), ("1053.2".to_owned(), "_n_m"));
+        assert_eq!(suffix(Dimension::AngularSpeed, Units::Drawing), "_rpm");
+        let speed = Figure::Quantity { si: std::f64::consts::PI, dimension: Dimension::AngularSpeed };
+        assert_eq!(speed.table(), "30 rpm");
+    }
+}

@@ -1,0 +1,36 @@
+//! Answers as tables for people, as CSV, and as parts of a page: views of the records of [`epicyclic_answers`].
+//!
+//! | module | is |
+//! |---|---|
+//! | [`report`] | an answer of several parts, shown as tables, CSV or HTML |
+//! | [`figure`] | a value in it |
+//! | [`text`] | tables of plain text, CSV |
+//! | [`quantities`] | figures of the SI numbers in a record |
+//! | [`page`] | pages of answers, pictures and words |
+//! | [`analyze`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`teeth`], [`transmissions`] | the views of these answers |
+//!
+//! Nothing is calculated here: a figure that an answer lacks cannot be shown.
+
+pub mod analyze;
+pub mod drive;
+pub mod figure;
+pub mod machine;
+pub mod motor;
+pub mod motor_search;
+pub mod page;
+pub mod quantities;
+pub mod report;
+pub mod schemes;
+pub mod select;
+pub mod teeth;
+pub mod text;
+pub mod transmissions;
+
+pub use report::Report;
+pub use text::Error;
+
+/// An answer that people can read.
+pub trait AsReport {
+    /// Its parts: figures, lists, words, warnings.
+    fn report(&self) -> Report;
+}

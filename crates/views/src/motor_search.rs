@@ -1,0 +1,250 @@
+//! The designs of a search for hydromotors, as tables.
+
+use crate::AsReport;
+use crate::figure::Figure;
+use crate::motor::subject;
+use crate::quantities::{column, words};
+use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use epicyclic_answers::motor::Subject;
+use epicyclic_answers::motor_search::{Design, MotorSearch, SpacingError, TeethLimits};
+use epicyclic_formats::Dimension::{self, Length, Power, Torque, Volume, VolumeRate};
+
+/// The objectives, of which the error is stated.
+const OBJECTIVES: &[(&str, &str)] =
+    &[("displacement_by_volume", "q/V"), ("ripple", "ripple"), ("least_radius", "radius")];
+
+impl AsReport for MotorSearch {
+    fn report(&self) -> Report {
+        let wanted = words(Volume, self.displacement_m3, 5);
+        let designs = if self.found == 1 { "design" } else { "designs" };
+        Report {
+            title: Some(format!(
+                "Hydromotors of {wanted} a revolution: {} non-dominated {designs}",
+                self.found
+            )),
+            parts: vec![
+                Part::Records(records(self)),
+                Part::Facts(Section {
+                    name: "funnel",
+                    title: "Motors tried, and why the others were refused: the first reason counts",
+                    columns: &[],
+                    rows: funnel(self),
+                    note: "",
+                }),
+                Part::Facts(Section {
+                    name: "between_places",
+                    title: "Between the places tried a motor may be better than a listed one, by estimate",
+                    columns: OBJECTIVES,
+                    rows: vec![
+                        spacing("spacing_error", "at most, in every objective", &self.spacing_error),
+                        spacing("refinement_gain", "refinement found better by", &self.refinement_gain),
+                    ],
+                    note: "",
+                }),
+            ],
+            warnings: None,
+        }
+    }
+}
+
+/// How many were found, how many shown.
+#[must_use]
+pub fn count(search: &MotorSearch) -> String {
+    format!("{} designs found, {} shown", search.found, search.designs.len())
+}
+
+fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row {
+    let values = [error.displacement_by_volume, error.ripple, error.least_radius];
+    Row::new(name, label, "", values.map(Figure::Share))
+}
+
+fn many(count: usize) -> Figure {
+    Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
+fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
+    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
+}
+
+fn records(search: &MotorSearch) -> Records {
+    let hidden = match search.hidden {
+        0 => String::new(),
+        1 => " 1 more: --limit shows it.".to_owned(),
+        hidden => format!(" {hidden} more: --limit shows them."),
+    };
+    let of_set = if search.first_of_each_set {
+        " Of set: designs of these numbers, of which the first is shown unless --every is given."
+    } else {
+        " Of set: designs of these numbers."
+    };
+    let shapes = View {
+        note: format!(
+            "q/V: displacement over the cylinder about the stator's centrode. ϱ: least curvature radius of both \
+             centrodes. Teeth: whether the default form keeps its limits (hold, fail) or gives no teeth (none); the \
+             search does not ask, --with-teeth leaves out what fails.{of_set}{hidden}"
+        ),
+        ..View::new(
+            "Designs",
+            &[
+                "design",
+                "lobes",
+                "teeth",
+                "displacement_by_volume",
+                "ripple",
+                "least_radius_in_modules",
+                "nearest",
+                "teeth_limits",
+                "designs_of_the_set",
+            ],
+        )
+    };
+    let sizes = View {
+        note: "Of the modules that serve, the one whose width is nearest to half the diameter. Ø of the stator's \
+               centrode; teeth and housing come on top. Torque and power without losses."
+            .to_owned(),
+        ..View::new("Sizes", &size_columns(search))
+    };
+    let columns = vec![
+        Column::number("design", "no"),
+        Column::words("lobes", "N×n").for_people(),
+        Column::number("stator_lobes", "N"),
+        Column::number("rotor_lobes", "n"),
+        Column::words("teeth", "Z₃/Z₁/Z_s").for_people(),
+        Column::number("stator_teeth", "Z₃"),
+        Column::number("rotor_teeth", "Z₁"),
+        Column::number("satellite_teeth", "Z_s"),
+        Column::number("l_over_module", "l/m"),
+        Column::number("displacement_by_volume", "q/V"),
+        Column::number("ripple", "ripple"),
+        Column::number("least_radius_in_modules", "ϱ/m"),
+        Column::words("teeth_limits", "teeth"),
+        Column::words("nearest_check", "nearest limit"),
+        Column::words("nearest", "nearest limit").for_people(),
+        Column::number("nearest_margin", "spare"),
+        Column::number("designs_of_the_set", "of set"),
+        Column::number("spacing_error_displacement_by_volume", ""),
+        Column::number("spacing_error_ripple", ""),
+        Column::number("spacing_error_least_radius", ""),
+        headed("module", "m, mm", Length),
+        headed("width", "b, mm", Length),
+        headed("outer_diameter", "Ø, mm", Length),
+        headed("l", "l, mm", Length),
+        headed("a", "a, mm", Length),
+        headed("r1", "R₁, mm", Length),
+        headed("r2", "R₂, mm", Length),
+        headed("displacement", "q, cm³", Volume),
+        headed("torque", "M, N·m", Torque),
+        headed("least_torque", "least", Torque),
+        headed("flow", "l/min", VolumeRate),
+        headed("power", "kW", Power),
+        headed("modules", "all m, mm", Length),
+        Column::words("all_modules", "all m, mm").for_people(),
+    ];
+    Records {
+        name: "designs",
+        columns,
+        rows: search.designs.iter().map(row).collect(),
+        views: vec![shapes, sizes],
+        is_answer: true,
+    }
+}
+
+/// As many columns as fit a table.
+fn size_columns(search: &MotorSearch) -> Vec<&'static str> {
+    let mut columns = vec!["design", "module", "width", "outer_diameter", "l", "a"];
+    let first = search.designs.first().map(|design| &design.size);
+    if first.is_some_and(|size| size.torque_n_m.is_some()) {
+        columns.extend(["torque", "least_torque"]);
+    }
+    if first.is_some_and(|size| size.flow_m3_s.is_some()) {
+        columns.push("flow");
+    }
+    if first.is_some_and(|size| size.power_w.is_some()) {
+        columns.push("power");
+    }
+    let several = search.designs.iter().any(|design| design.modules_m.len() > 1);
+    if several && columns.len() < 9 {
+        columns.push("all_modules");
+    }
+    columns
+}
+
+fn row(design: &Design) -> Vec<Figure> {
+    let size = &design.size;
+    let all_modules: Vec<String> =
+        design.modules_m.iter().map(|module| column(Length, Some(*module)).table()).collect();
+    vec![
+        many(design.design),
+        Figure::Text(format!("{}×{}", design.stator_lobes, design.rotor_lobes)),
+        Figure::Count(design.stator_lobes),
+        Figure::Count(design.rotor_lobes),
+        Figure::Text(format!("{}/{}/{}", design.stator_teeth, design.rotor_teeth, design.satellite_teeth)),
+        Figure::Count(design.stator_teeth),
+        Figure::Count(design.rotor_teeth),
+        Figure::Count(design.satellite_teeth),
+        Figure::Multiple(design.l_over_module),
+        Figure::Multiple(design.displacement_by_volume),
+        Figure::Share(design.ripple),
+        Figure::Multiple(design.least_radius_in_modules),
+        match design.teeth_limits {
+            TeethLimits::Hold => Figure::Answer("hold", "hold"),
+            TeethLimits::Fail => Figure::Answer("fail", "fail"),
+            TeethLimits::None => Figure::Answer("none", "none"),
+        },
+        Figure::Text(subject(design.nearest_check).to_owned()),
+        Figure::Text(short(design.nearest_check).to_owned()),
+        Figure::Share(design.nearest_margin),
+        many(design.designs_of_the_set),
+        Figure::Share(design.spacing_error.displacement_by_volume),
+        Figure::Share(design.spacing_error.ripple),
+        Figure::Share(design.spacing_error.least_radius),
+        column(Length, Some(size.module_m)),
+        column(Length, Some(size.width_m)),
+        column(Length, Some(size.outer_diameter_m)),
+        column(Length, Some(size.l_m)),
+        column(Length, Some(size.a_m)),
+        column(Length, Some(size.r1_m)),
+        column(Length, Some(size.r2_m)),
+        column(Volume, Some(size.displacement_m3)),
+        column(Torque, size.torque_n_m),
+        column(Torque, size.least_torque_n_m),
+        column(VolumeRate, size.flow_m3_s),
+        column(Power, size.power_w),
+        Figure::List { si: design.modules_m.clone(), dimension: Length },
+        Figure::Text(all_modules.join(" ")),
+    ]
+}
+
+const fn short(check: Subject) -> &'static str {
+    match check {
+        Subject::StatorBulge => "stator bulge",
+        Subject::StatorHollow => "stator hollow",
+        Subject::RotorBulge => "rotor bulge",
+        Subject::RotorHollow => "rotor hollow",
+        Subject::RotorLeastRadius => "rotor body",
+        Subject::Neighbours => "neighbours",
+    }
+}
+
+fn funnel(search: &MotorSearch) -> Vec<Row> {
+    let funnel = &search.funnel;
+    let row = |name, label, value| Row::new(name, label, "", [many(value)]);
+    let mut rows = vec![
+        row("sets", "sets of lobes and teeth", funnel.sets),
+        row("outside_limits", "… outside limits of the rotor", funnel.outside_limits),
+        row("without_family", "… with which no motor closes", funnel.without_family),
+        row("places", "motors at even places", funnel.places),
+        row("refined", "motors added by refinement", funnel.refined),
+    ];
+    for refused in funnel.refused.iter().filter(|refused| refused.motors > 0) {
+        let (name, label) = (refused.reason.name(), refused.reason.words());
+        rows.push(Row { remark: "refused".to_owned(), ..row(name, label, refused.motors) });
+    }
+    rows.push(row("accepted", "motors that pass", funnel.accepted));
+    rows.push(row("front", "… that no other surpasses", funnel.front));
+    rows.push(row("apart", "designs, alike ones once", funnel.apart));
+    if funnel.with_teeth < funnel.apart {
+        rows.push(row("with_teeth", "… on which the default teeth hold", funnel.with_teeth));
+    }
+    rows
+}

@@ -1,0 +1,448 @@
+//! An answer of several parts, written three ways, and as part of a page.
+//!
+//! A table shows figures in the units of drawings, JSON in SI units named by the keys, CSV in the units of drawings:
+//! as a list of sections, items and quantities, or, where the answer is one list of like things, as a table of them
+//! with the units in its header.
+
+mod html;
+
+use crate::figure::{self, Figure, Units, suffix};
+use crate::text::{self, Error};
+use epicyclic_formats::Dimension;
+use epicyclic_formats::visible::one_line;
+use serde_json::{Map, Value, json};
+
+/// An answer: its parts, then warnings.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// What the answer is about.
+    pub title: Option<String>,
+    /// In the order in which they are shown.
+    pub parts: Vec<Part>,
+    /// None at all where the command has no warnings to give.
+    pub warnings: Option<Vec<(&'static str, String)>>,
+}
+
+/// A part of an answer.
+#[derive(Debug)]
+pub enum Part {
+    /// Figures, each of its own kind.
+    Facts(Section),
+    /// Like things with like figures.
+    Records(Records),
+    /// Words, for people only.
+    Words(String),
+    /// A text of paragraphs, a list or a table, for people only.
+    Text(Text),
+}
+
+/// A text with or without a heading.
+#[derive(Debug, Default)]
+pub struct Text {
+    /// Its heading.
+    pub heading: Option<String>,
+    /// Sentences that belong together.
+    pub paragraphs: Vec<String>,
+    /// Points of a list, after the paragraphs.
+    pub points: Vec<String>,
+    /// A table of words or marks, after the points: its header, then its rows.
+    pub table: Vec<Vec<String>>,
+}
+
+impl Text {
+    /// One paragraph.
+    pub fn paragraph(paragraph: impl Into<String>) -> Self {
+        Self { paragraphs: vec![paragraph.into()], ..Self::default() }
+    }
+
+    /// A list below a heading.
+    pub fn list(heading: impl Into<String>, points: Vec<String>) -> Self {
+        Self { heading: Some(heading.into()), points, ..Self::default() }
+    }
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        if let Some(heading) = &self.heading {
+            text += &one_line(heading);
+            text.push('\n');
+        }
+        for paragraph in &self.paragraphs {
+            text += &unmarked(&one_line(paragraph));
+        }
+        for point in &self.points {
+            text += &wrapped(" -", &one_line(point));
+        }
+        if let Some((header, rows)) = self.table.split_first() {
+            let header: Vec<&str> = header.iter().map(String::as_str).collect();
+            text += &text::table(&header, rows.iter().cloned(), &[]);
+        }
+        text
+    }
+}
+
+/// Figures that belong together.
+#[derive(Debug)]
+pub struct Section {
+    /// Its key.
+    pub name: &'static str,
+    /// Its heading.
+    pub title: &'static str,
+    /// Key and heading of each column; none where every figure stands alone.
+    pub columns: &'static [(&'static str, &'static str)],
+    /// What it says.
+    pub rows: Vec<Row>,
+    /// A note below the table; empty for none.
+    pub note: &'static str,
+}
+
+/// A figure, or one for each column.
+#[derive(Debug)]
+pub struct Row {
+    /// Its key without unit.
+    pub name: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// One, or one for each column.
+    pub cells: Vec<Figure>,
+    /// A remark, in the table only.
+    pub remark: String,
+}
+
+impl Row {
+    /// Without a remark.
+    pub fn new(
+        name: &'static str,
+        label: &'static str,
+        symbol: &'static str,
+        cells: impl Into<Vec<Figure>>,
+    ) -> Self {
+        Self { name, label, symbol, cells: cells.into(), remark: String::new() }
+    }
+}
+
+/// Like things, each with one figure a column; the first names it.
+#[derive(Debug)]
+pub struct Records {
+    /// The key of the list.
+    pub name: &'static str,
+    /// What each of its figures says.
+    pub columns: Vec<Column>,
+    /// The things, with a figure for each column.
+    pub rows: Vec<Vec<Figure>>,
+    /// The tables it is shown as.
+    pub views: Vec<View>,
+    /// Whether this list is the answer: CSV then has one line for each of its things.
+    pub is_answer: bool,
+}
+
+/// What one column says.
+#[derive(Debug)]
+pub struct Column {
+    /// Its key without unit.
+    pub name: &'static str,
+    /// Its heading in tables.
+    pub heading: String,
+    /// What it measures.
+    pub dimension: Option<Dimension>,
+    /// Whether it holds numbers, which stand to the right.
+    pub is_number: bool,
+    /// Whether it only says for people what other columns say for programs: CSV leaves it out.
+    pub is_for_people: bool,
+}
+
+impl Column {
+    /// A column of words.
+    pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
+        Self { name, heading: heading.into(), dimension: None, is_number: false, is_for_people: false }
+    }
+
+    /// A column of plain numbers.
+    pub fn number(name: &'static str, heading: impl Into<String>) -> Self {
+        Self { is_number: true, ..Self::words(name, heading) }
+    }
+
+    /// The same column for people alone.
+    #[must_use]
+    pub fn for_people(self) -> Self {
+        Self { is_for_people: true, ..self }
+    }
+
+    /// A column of quantities, headed by their unit.
+    #[must_use]
+    pub fn quantity(name: &'static str, dimension: Dimension) -> Self {
+        let heading = dimension.usual_unit().symbol;
+        Self { dimension: Some(dimension), ..Self::number(name, heading) }
+    }
+
+    fn key(&self, units: Units) -> String {
+        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension, units)))
+    }
+}
+
+/// Some columns of a list as a table.
+#[derive(Debug)]
+pub struct View {
+    /// Its heading.
+    pub title: String,
+    /// Names of columns, in order; those that the list lacks are passed over.
+    pub columns: Vec<&'static str>,
+    /// A note below the table; empty for none.
+    pub note: String,
+}
+
+impl View {
+    /// Without a note.
+    pub fn new(title: impl Into<String>, columns: &[&'static str]) -> Self {
+        Self { title: title.into(), columns: columns.to_vec(), note: String::new() }
+    }
+}
+
+impl Report {
+    /// No `inf` or `NaN` leaves the program, however the answer is written.
+    pub fn refuse_infinite(&self) -> Result<(), Error> {
+        let refuse = |figure: String| Err(Error::NotFinite { figure });
+        for part in &self.parts {
+            match part {
+                Part::Facts(section) => {
+                    let found = section.rows.iter().find(|row| !row.cells.iter().all(Figure::is_finite));
+                    if let Some(row) = found {
+                        return refuse(format!("{}.{}", section.name, row.name));
+                    }
+                }
+                Part::Records(records) => {
+                    for (column, place) in records.columns.iter().zip(0..) {
+                        if let Some(row) = records.rows.iter().find(|row| !row[place].is_finite()) {
+                            let item = row[0].csv().0;
+                            return refuse(format!("{}.{} of {item}", records.name, column.name));
+                        }
+                    }
+                }
+                Part::Words(_) | Part::Text(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// As tables for people.
+    #[must_use]
+    pub fn table(&self) -> String {
+        let title = self.title.as_ref().map(|title| format!("{}\n", one_line(title)));
+        let parts = self.parts.iter().flat_map(Part::tables);
+        let text = title.into_iter().chain(parts).collect::<Vec<_>>().join("\n");
+        let Some(warnings) = &self.warnings else { return text };
+        let heading = match warnings.len() {
+            0 => "No warnings.\n",
+            1 => "Warning\n",
+            _ => "Warnings\n",
+        };
+        let warnings: String =
+            warnings.iter().map(|(_, warning)| wrapped(" -", &one_line(warning))).collect();
+        format!("{text}\n{heading}{warnings}")
+    }
+
+    /// As JSON.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let mut root = Map::new();
+        if let Some(title) = &self.title {
+            root.insert("title".to_owned(), json!(title));
+        }
+        for part in &self.parts {
+            let (name, value) = match part {
+                Part::Facts(section) => (section.name, section.json()),
+                Part::Records(records) => (records.name, records.json()),
+                Part::Words(_) | Part::Text(_) => continue,
+            };
+            match (root.get_mut(name), value) {
+                // Sections of one name share one object.
+                (Some(Value::Object(there)), Value::Object(more)) => there.extend(more),
+                (_, value) => _ = root.insert(name.to_owned(), value),
+            }
+        }
+        if let Some(warnings) = &self.warnings {
+            let warning = |(name, message): &(_, String)| json!({ "name": name, "message": message });
+            root.insert("warnings".to_owned(), warnings.iter().map(warning).collect());
+        }
+        Value::Object(root)
+    }
+
+    /// As CSV.
+    ///
+    /// # Errors
+    /// A writer that fails.
+    pub fn csv(&self) -> Result<String, Error> {
+        for part in &self.parts {
+            if let Part::Records(records) = part
+                && records.is_answer
+            {
+                return records.csv();
+            }
+        }
+        let figures = self.parts.iter().flat_map(|part| match part {
+            Part::Facts(section) => section.lines(),
+            Part::Records(records) => records.lines(),
+            Part::Words(_) | Part::Text(_) => vec![],
+        });
+        let warnings = self.warnings.iter().flatten().map(|(name, message)| {
+            vec!["warnings".to_owned(), String::new(), (*name).to_owned(), message.clone(), String::new()]
+        });
+        text::csv(&["section", "item", "quantity", "value", "unit"], figures.chain(warnings))
+    }
+}
+
+impl Part {
+    fn tables(&self) -> Vec<String> {
+        match self {
+            Self::Facts(section) => vec![section.grid().text()],
+            Self::Records(records) => records.views.iter().map(|view| records.grid(view).text()).collect(),
+            Self::Words(words) => vec![words.clone()],
+            Self::Text(text) => vec![text.text()],
+        }
+    }
+}
+
+/// A table's cells as text, however it is written.
+struct Grid<'a> {
+    title: &'a str,
+    header: Vec<&'a str>,
+    rows: Vec<Vec<String>>,
+    /// Places of the columns whose cells stand to the right.
+    right: Vec<usize>,
+    note: &'a str,
+}
+
+impl Grid<'_> {
+    fn text(self) -> String {
+        let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note) };
+        format!("{}\n{}{note}", one_line(self.title), text::table(&self.header, self.rows, &self.right))
+    }
+}
+
+impl Section {
+    fn grid(&self) -> Grid<'_> {
+        let remarks = self.rows.iter().any(|row| !row.remark.is_empty());
+        let mut header = vec!["", ""];
+        header.extend(self.columns.iter().map(|(_, heading)| *heading));
+        let rows = self.rows.iter().map(|row| {
+            let mut cells = vec![row.label.to_owned(), row.symbol.to_owned()];
+            cells.extend(row.cells.iter().map(Figure::table));
+            if remarks {
+                cells.push(row.remark.clone());
+            }
+            cells
+        });
+        let right = (2..2 + self.columns.len().max(1) + usize::from(remarks)).collect();
+        Grid { title: self.title, rows: rows.collect(), header, right, note: self.note }
+    }
+
+    fn json(&self) -> Value {
+        let of_column = |index: usize| -> Value {
+            let cells = self.rows.iter().filter_map(|row| Some((row.name, row.cells.get(index)?)));
+            cells.map(|(name, cell)| (format!("{name}{}", cell.suffix()), cell.json())).collect()
+        };
+        if self.columns.is_empty() {
+            return of_column(0);
+        }
+        let columns = self.columns.iter().enumerate();
+        columns.map(|(index, (key, _))| ((*key).to_owned(), of_column(index))).collect()
+    }
+
+    fn lines(&self) -> Vec<Vec<String>> {
+        let cells = |row: &Row| -> Vec<Vec<String>> {
+            let cell = |(index, cell): (usize, &Figure)| {
+                let column = self.columns.get(index).map_or("", |(key, _)| key);
+                let (value, unit) = cell.csv();
+                vec![self.name.to_owned(), column.to_owned(), row.name.to_owned(), value, unit]
+            };
+            row.cells.iter().enumerate().map(cell).collect()
+        };
+        self.rows.iter().flat_map(cells).collect()
+    }
+}
+
+impl Records {
+    fn grid<'a>(&'a self, view: &'a View) -> Grid<'a> {
+        let places: Vec<usize> = view
+            .columns
+            .iter()
+            .filter_map(|name| self.columns.iter().position(|column| column.name == *name))
+            .collect();
+        let header: Vec<&str> = places.iter().map(|&place| self.columns[place].heading.as_str()).collect();
+        let decimals: Vec<usize> =
+            places.iter().map(|&place| figure::decimals(self.rows.iter().map(|row| &row[place]))).collect();
+        let cells = |row: &Vec<Figure>| {
+            places.iter().zip(&decimals).map(|(&place, decimals)| row[place].in_column(*decimals)).collect()
+        };
+        let rows = self.rows.iter().map(cells).collect();
+        let is_number = |shown: &usize| self.columns[places[*shown]].is_number;
+        let right = (0..places.len()).filter(is_number).collect();
+        Grid { title: &view.title, header, rows, right, note: &view.note }
+    }
+
+    fn json(&self) -> Value {
+        let record = |row: &Vec<Figure>| -> Value {
+            let cells = self.columns.iter().zip(row);
+            cells.map(|(column, cell)| (column.key(Units::Si), cell.json())).collect()
+        };
+        self.rows.iter().map(record).collect()
+    }
+
+    fn csv(&self) -> Result<String, Error> {
+        let places: Vec<usize> =
+            (0..self.columns.len()).filter(|&place| !self.columns[place].is_for_people).collect();
+        let header: Vec<String> =
+            places.iter().map(|&place| self.columns[place].key(Units::Drawing)).collect();
+        let header: Vec<&str> = header.iter().map(String::as_str).collect();
+        let rows = self.rows.iter().map(|row| places.iter().map(|&place| row[place].csv().0).collect());
+        text::csv(&header, rows)
+    }
+
+    fn lines(&self) -> Vec<Vec<String>> {
+        // As many columns as it takes to tell the things apart.
+        let are_apart = |named: &usize| {
+            let mut seen = std::collections::BTreeSet::new();
+            self.rows.iter().all(|row| seen.insert(named_by(row, *named)))
+        };
+        let named = (1..self.columns.len()).find(are_apart).unwrap_or(1);
+        let line = |item: &str, column: &Column, cell: &Figure| {
+            let (value, unit) = cell.csv();
+            vec![self.name.to_owned(), item.to_owned(), column.name.to_owned(), value, unit]
+        };
+        let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
+            let item = named_by(row, named);
+            let cells = self.columns.iter().zip(row).skip(named).filter(|(column, _)| !column.is_for_people);
+            cells.map(|(column, cell)| line(&item, column, cell)).collect()
+        };
+        self.rows.iter().flat_map(record).collect()
+    }
+}
+
+/// Text within the width of the tables, after a list mark or none.
+#[must_use]
+pub fn wrapped(mark: &str, text: &str) -> String {
+    let width = usize::from(text::WIDTH);
+    let mut lines = String::new();
+    let mut line = mark.to_owned();
+    for word in text.split(' ') {
+        if line.chars().count() + 1 + word.chars().count() > width {
+            lines += &line;
+            lines.push('\n');
+            line = " ".repeat(mark.len());
+        }
+        line.push(' ');
+        line += word;
+    }
+    lines + &line + "\n"
+}
+
+/// A paragraph within the width of the tables.
+fn unmarked(text: &str) -> String {
+    wrapped("", text).lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect()
+}
+
+/// The cells of the first columns, which name a thing.
+fn named_by(row: &[Figure], columns: usize) -> String {
+    row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
+}

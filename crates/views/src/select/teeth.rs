@@ -1,0 +1,140 @@
+//! The choice over tooth numbers, as tables.
+
+use super::{best, common_columns, common_figures, length, size_column, size_note, title};
+use crate::AsReport;
+use crate::figure::{Figure, text};
+use crate::report::{Column, Part, Records, Report, Text, View};
+use epicyclic_answers::select::candidate::Candidate;
+use epicyclic_answers::select::teeth::{Design, SelectTeeth, SetTeeth};
+use epicyclic_formats::Dimension;
+
+impl AsReport for SelectTeeth {
+    fn report(&self) -> Report {
+        let mut parts = vec![];
+        match self.designs.first() {
+            None => parts.push(Part::Text(Text::paragraph("No design meets every criterion."))),
+            Some(_) => parts.push(Part::Records(designs(self))),
+        }
+        parts.push(Part::Text(Text::paragraph(searched(self))));
+        if let Some(first) = self.designs.first() {
+            parts.extend(best::parts(&first.candidate));
+        }
+        Report { title: Some(title(&self.required)), parts, warnings: None }
+    }
+}
+
+fn searched(select: &SelectTeeth) -> String {
+    let counts = &select.searched;
+    let searched = format!(
+        "{} combinations of tooth numbers per set, {} structures with their ratios: {:.2e} designs, none left out; {} \
+         pairs of ring-to-sun ratios were tried in full, {} meet every criterion.",
+        counts.tooth_sets, counts.structures, counts.designs as f64, counts.tried, counts.accepted
+    );
+    let shown = match select.shown {
+        0 => String::new(),
+        1 => " Shown is the first of the non-dominated designs.".to_owned(),
+        shown => format!(" Shown are the first {shown} of the non-dominated designs."),
+    };
+    searched + &shown
+}
+
+/// The keys of the columns of a set.
+struct SetColumns {
+    shown: &'static str,
+    heading: &'static str,
+    numbers: [&'static str; 4],
+    size: &'static str,
+    ring_diameter: &'static str,
+    module: &'static str,
+}
+
+const SETS: [SetColumns; 2] = [
+    SetColumns {
+        shown: "teeth_1",
+        heading: "set 1",
+        numbers: ["sun_1", "planet_1", "ring_1", "planets_1"],
+        size: "size_1",
+        ring_diameter: "ring_diameter_1",
+        module: "module_1",
+    },
+    SetColumns {
+        shown: "teeth_2",
+        heading: "set 2",
+        numbers: ["sun_2", "planet_2", "ring_2", "planets_2"],
+        size: "size_2",
+        ring_diameter: "ring_diameter_2",
+        module: "module_2",
+    },
+];
+
+fn designs(select: &SelectTeeth) -> Records {
+    let candidates: Vec<Candidate> =
+        select.designs.iter().take(1).map(|design| design.candidate.clone()).collect();
+    let size = size_column(&candidates);
+    let mut columns = common_columns();
+    columns.push(Column::number("others", "others"));
+    for set in SETS {
+        columns.push(Column::words(set.shown, set.heading).for_people());
+        columns.extend(set.numbers.map(|name| Column::number(name, name)));
+        columns.push(Column::number(set.size, set.size));
+        let number = set.heading.trim_start_matches("set ");
+        for (name, what) in [(set.ring_diameter, "ring"), (set.module, "module")] {
+            let heading = format!("{what} {number}, mm");
+            columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
+        }
+    }
+    let mut views = vec![
+        View {
+            note: "Sets: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
+                .to_owned(),
+            ..View::new("Designs, the best first", &["no", "scheme", "teeth_1", "teeth_2", "others"])
+        },
+        View::new(
+            "Ratios and efficiencies",
+            &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
+        ),
+        View {
+            note: format!(
+                "Non-dominated: no other design is better in one and worse in none. {}",
+                size_note(&select.required)
+            ),
+            ..View::new("Objectives", &["no", "efficiency", "speed", "k_distance", "ratio_error", size])
+        },
+    ];
+    if size == "ring_diameter" {
+        views.push(View::new(
+            "Ring diameters and modules needed at the load factor",
+            &["no", "ring_diameter_1", "module_1", "ring_diameter_2", "module_2"],
+        ));
+    }
+    Records {
+        name: "designs",
+        columns,
+        rows: select.designs.iter().map(row).collect(),
+        views,
+        is_answer: true,
+    }
+}
+
+fn row(design: &Design) -> Vec<Figure> {
+    let mut figures = common_figures(&design.candidate);
+    figures.push(Figure::Count(u32::try_from(design.others).unwrap_or(u32::MAX)));
+    for set in 0..SETS.len() {
+        figures.extend(of_set(design.tooth_numbers.get(set)));
+    }
+    figures
+}
+
+fn of_set(set: Option<&SetTeeth>) -> Vec<Figure> {
+    let Some(set) = set else { return vec![Figure::None; 8] };
+    vec![
+        text(format!("{} {} {} x{}", set.sun, set.planet, set.ring, set.planets)),
+        Figure::Count(set.sun),
+        Figure::Count(set.planet),
+        Figure::Count(set.ring),
+        Figure::Count(set.planets),
+        Figure::Multiple(set.size),
+        length(set.ring_diameter_m),
+        length(set.module_m),
+    ]
+}
