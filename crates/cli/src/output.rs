@@ -61,30 +61,15 @@ impl OutputArgs {
         let report = answer.report();
         let text = match self.format {
             Format::Json => to_json(answer)?,
-            Format::Table => {
+            Format::Table | Format::Csv => {
                 finite::check(answer)?;
-                report.table()
-            }
-            Format::Csv => {
-                finite::check(answer)?;
-                report.csv()?
+                // In the units of drawings a number can be too large that is not in SI units.
+                report.refuse_infinite()?;
+                if self.format == Format::Csv { report.csv()? } else { report.table() }
             }
         };
         self.write_with(files, &text)?;
         self.tell(&report);
-        Ok(())
-    }
-
-    /// An answer that is not yet a record of its own.
-    pub(crate) fn deliver_report(&self, files: Vec<Content>, report: &Report) -> Result<(), Failure> {
-        report.refuse_infinite()?;
-        let text = match self.format {
-            Format::Table => report.table(),
-            Format::Json => json(&report.json())?,
-            Format::Csv => report.csv()?,
-        };
-        self.write_with(files, &text)?;
-        self.tell(report);
         Ok(())
     }
 

@@ -2,7 +2,6 @@
 
 use epicyclic_formats::quantity::format::{in_unit, sensible_unit, significant, trimmed};
 use epicyclic_formats::{Dimension, Physical};
-use serde_json::{Value, json};
 
 /// Significant digits in a table.
 const DIGITS: usize = 5;
@@ -12,15 +11,6 @@ const EXACT_DIGITS: usize = 12;
 
 /// Decimals of a multiple in a table.
 const DECIMALS: usize = 4;
-
-/// In which units a key or a heading speaks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Units {
-    /// SI, as in JSON.
-    Si,
-    /// Those of drawings, as in tables and CSV.
-    Drawing,
-}
 
 /// A value.
 #[derive(Debug, Clone)]
@@ -171,27 +161,6 @@ impl Figure {
         }
     }
 
-    /// As JSON.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        match self {
-            Self::None | Self::Without(_) => Value::Null,
-            Self::Count(count) => json!(count),
-            Self::Number(value)
-            | Self::Multiple(value)
-            | Self::Printed(value, _)
-            | Self::Share(value)
-            | Self::Quantity { si: value, .. }
-            | Self::Column { si: value, .. } => json!(value),
-            Self::List { si, .. } => json!(si),
-            Self::Numbers(values) => json!(values),
-            Self::Text(text) => json!(text),
-            Self::Texts(texts) => json!(texts),
-            Self::Answer(name, _) => json!(name),
-            Self::YesNo(yes) | Self::Mark(yes) => json!(yes),
-        }
-    }
-
     /// Whether every number in it can be shown.
     #[must_use]
     pub fn is_finite(&self) -> bool {
@@ -207,52 +176,27 @@ impl Figure {
             _ => true,
         }
     }
-
-    fn dimension(&self) -> Option<Dimension> {
-        match self {
-            Self::Quantity { dimension, .. }
-            | Self::Column { dimension, .. }
-            | Self::List { dimension, .. }
-            | Self::Without(dimension) => Some(*dimension),
-            _ => None,
-        }
-    }
-
-    /// The SI unit as part of a key: `_kg_m2`.
-    #[must_use]
-    pub fn suffix(&self) -> &'static str {
-        self.dimension().map_or("", |dimension| suffix(dimension, Units::Si))
-    }
 }
 
-/// The unit as part of a key, SI in JSON and that of drawings in CSV.
-#[must_use]
-pub const fn suffix(dimension: Dimension, units: Units) -> &'static str {
-    match (dimension, units) {
-        (Dimension::Length, Units::Si) => "_m",
-        (Dimension::Length, _) => "_mm",
-        (Dimension::Area, Units::Si) => "_m2",
-        (Dimension::Area, _) => "_mm2",
-        (Dimension::Volume, Units::Si) => "_m3",
-        (Dimension::Volume, _) => "_cm3",
-        (Dimension::VolumeRate, Units::Si) => "_m3_s",
-        (Dimension::VolumeRate, _) => "_l_min",
-        (Dimension::Mass, _) => "_kg",
-        (Dimension::Inertia, _) => "_kg_m2",
-        (Dimension::Speed, _) => "_m_s",
-        (Dimension::AngularSpeed, Units::Si) => "_rad_s",
-        (Dimension::AngularSpeed, _) => "_rpm",
-        (Dimension::AngularAcceleration, _) => "_rad_s2",
-        (Dimension::Angle, Units::Si) => "_rad",
-        (Dimension::Angle, _) => "_deg",
-        (Dimension::Force, _) => "_n",
-        (Dimension::Torque, _) => "_n_m",
-        (Dimension::Power, Units::Si) => "_w",
-        (Dimension::Power, _) => "_kw",
-        (Dimension::Pressure, Units::Si) => "_pa",
-        (Dimension::Pressure, _) => "_mpa",
-        (Dimension::Energy, _) => "_j",
-        (Dimension::Time, _) => "_s",
+/// The unit of drawings as part of a column's name in CSV.
+pub const fn suffix(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Length => "_mm",
+        Dimension::Area => "_mm2",
+        Dimension::Volume => "_cm3",
+        Dimension::VolumeRate => "_l_min",
+        Dimension::Mass => "_kg",
+        Dimension::Inertia => "_kg_m2",
+        Dimension::Speed => "_m_s",
+        Dimension::AngularSpeed => "_rpm",
+        Dimension::AngularAcceleration => "_rad_s2",
+        Dimension::Angle => "_deg",
+        Dimension::Force => "_n",
+        Dimension::Torque => "_n_m",
+        Dimension::Power => "_kw",
+        Dimension::Pressure => "_mpa",
+        Dimension::Energy => "_j",
+        Dimension::Time => "_s",
         _ => "",
     }
 }
@@ -301,8 +245,8 @@ mod tests {
     #[test]
     fn a_unit_stands_in_the_key_or_in_the_heading() {
         let torque = Figure::Column { si: 1053.19, dimension: Dimension::Torque };
-        assert_eq!((torque.table(), torque.suffix()), ("1053.2".to_owned(), "_n_m"));
-        assert_eq!(suffix(Dimension::AngularSpeed, Units::Drawing), "_rpm");
+        assert_eq!(torque.table(), "1053.2");
+        assert_eq!(suffix(Dimension::AngularSpeed), "_rpm");
         let speed = Figure::Quantity { si: std::f64::consts::PI, dimension: Dimension::AngularSpeed };
         assert_eq!(speed.table(), "30 rpm");
     }

@@ -1,16 +1,15 @@
-//! An answer of several parts, written three ways, and as part of a page.
+//! An answer of several parts as tables, as CSV, and as part of a page.
 //!
-//! A table shows figures in the units of drawings, JSON in SI units named by the keys, CSV in the units of drawings:
+//! Tables and CSV show figures in the units of drawings. CSV is written
 //! as a list of sections, items and quantities, or, where the answer is one list of like things, as a table of them
 //! with the units in its header.
 
 mod html;
 
-use crate::figure::{self, Figure, Units, suffix};
+use crate::figure::{self, Figure, suffix};
 use crate::text::{self, Error};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::visible::one_line;
-use serde_json::{Map, Value, json};
 
 /// An answer: its parts, then warnings.
 #[derive(Debug, Default)]
@@ -30,8 +29,6 @@ pub enum Part {
     Facts(Section),
     /// Like things with like figures.
     Records(Records),
-    /// Words, for people only.
-    Words(String),
     /// A text of paragraphs, a list or a table, for people only.
     Text(Text),
 }
@@ -176,8 +173,8 @@ impl Column {
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
     }
 
-    fn key(&self, units: Units) -> String {
-        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension, units)))
+    fn key(&self) -> String {
+        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension)))
     }
 }
 
@@ -219,7 +216,7 @@ impl Report {
                         }
                     }
                 }
-                Part::Words(_) | Part::Text(_) => {}
+                Part::Text(_) => {}
             }
         }
         Ok(())
@@ -242,32 +239,6 @@ impl Report {
         format!("{text}\n{heading}{warnings}")
     }
 
-    /// As JSON.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        let mut root = Map::new();
-        if let Some(title) = &self.title {
-            root.insert("title".to_owned(), json!(title));
-        }
-        for part in &self.parts {
-            let (name, value) = match part {
-                Part::Facts(section) => (section.name, section.json()),
-                Part::Records(records) => (records.name, records.json()),
-                Part::Words(_) | Part::Text(_) => continue,
-            };
-            match (root.get_mut(name), value) {
-                // Sections of one name share one object.
-                (Some(Value::Object(there)), Value::Object(more)) => there.extend(more),
-                (_, value) => _ = root.insert(name.to_owned(), value),
-            }
-        }
-        if let Some(warnings) = &self.warnings {
-            let warning = |(name, message): &(_, String)| json!({ "name": name, "message": message });
-            root.insert("warnings".to_owned(), warnings.iter().map(warning).collect());
-        }
-        Value::Object(root)
-    }
-
     /// As CSV.
     ///
     /// # Errors
@@ -283,7 +254,7 @@ impl Report {
         let figures = self.parts.iter().flat_map(|part| match part {
             Part::Facts(section) => section.lines(),
             Part::Records(records) => records.lines(),
-            Part::Words(_) | Part::Text(_) => vec![],
+            Part::Text(_) => vec![],
         });
         let warnings = self.warnings.iter().flatten().map(|(name, message)| {
             vec!["warnings".to_owned(), String::new(), (*name).to_owned(), message.clone(), String::new()]
@@ -297,7 +268,6 @@ impl Part {
         match self {
             Self::Facts(section) => vec![section.grid().text()],
             Self::Records(records) => records.views.iter().map(|view| records.grid(view).text()).collect(),
-            Self::Words(words) => vec![words.clone()],
             Self::Text(text) => vec![text.text()],
         }
     }
@@ -337,18 +307,6 @@ impl Section {
         Grid { title: self.title, rows: rows.collect(), header, right, note: self.note }
     }
 
-    fn json(&self) -> Value {
-        let of_column = |index: usize| -> Value {
-            let cells = self.rows.iter().filter_map(|row| Some((row.name, row.cells.get(index)?)));
-            cells.map(|(name, cell)| (format!("{name}{}", cell.suffix()), cell.json())).collect()
-        };
-        if self.columns.is_empty() {
-            return of_column(0);
-        }
-        let columns = self.columns.iter().enumerate();
-        columns.map(|(index, (key, _))| ((*key).to_owned(), of_column(index))).collect()
-    }
-
     fn lines(&self) -> Vec<Vec<String>> {
         let cells = |row: &Row| -> Vec<Vec<String>> {
             let cell = |(index, cell): (usize, &Figure)| {
@@ -381,19 +339,11 @@ impl Records {
         Grid { title: &view.title, header, rows, right, note: &view.note }
     }
 
-    fn json(&self) -> Value {
-        let record = |row: &Vec<Figure>| -> Value {
-            let cells = self.columns.iter().zip(row);
-            cells.map(|(column, cell)| (column.key(Units::Si), cell.json())).collect()
-        };
-        self.rows.iter().map(record).collect()
-    }
-
     fn csv(&self) -> Result<String, Error> {
         let places: Vec<usize> =
             (0..self.columns.len()).filter(|&place| !self.columns[place].is_for_people).collect();
         let header: Vec<String> =
-            places.iter().map(|&place| self.columns[place].key(Units::Drawing)).collect();
+            places.iter().map(|&place| self.columns[place].key()).collect();
         let header: Vec<&str> = header.iter().map(String::as_str).collect();
         let rows = self.rows.iter().map(|row| places.iter().map(|&place| row[place].csv().0).collect());
         text::csv(&header, rows)

@@ -28,7 +28,6 @@ impl Part {
             Self::Records(records) => {
                 html! { @for view in &records.views { (records.grid(view).html()) } }
             }
-            Self::Words(words) => self::words(words),
             Self::Text(text) => text.html(),
         }
     }
@@ -47,32 +46,6 @@ impl Text {
                     tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
                 }
             }
-        }
-    }
-}
-
-/// Words as they stand: a table of letters keeps its columns.
-fn words(words: &str) -> Markup {
-    // What goes on from the first line is set in by more than a blank; below a heading it is not.
-    let (heading, rest) = match words.split_once('\n') {
-        Some((heading, rest)) if !rest.trim().is_empty() && !rest.starts_with("  ") => (heading, rest),
-        _ => ("", words),
-    };
-    let listed = rest.starts_with(" - ")
-        && rest.lines().all(|line| line.starts_with(" - ") || line.starts_with("   "));
-    // Columns are parted by two blanks or more, sentences by one.
-    let sentences = rest.lines().all(|line| !line.trim().contains("  "));
-    let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    html! {
-        @if !heading.is_empty() { h3 { (heading) } }
-        @if listed {
-            ul { @for point in rest.split(" - ").filter(|point| !point.trim().is_empty()) {
-                li { (joined(point)) }
-            } }
-        } @else if sentences {
-            p { (joined(rest)) }
-        } @else {
-            pre { (rest.trim_end()) }
         }
     }
 }
@@ -107,14 +80,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_are_lists_and_tables_of_letters_keep_their_columns() {
-        let list = words("Why not\n - one\n   more\n - two & three\n").into_string();
-        assert_eq!(list, "<h3>Why not</h3><ul><li>one more</li><li>two &amp; three</li></ul>");
-        let sentence = words("Left out\n Losses\n and more.\n").into_string();
-        assert_eq!(sentence, "<h3>Left out</h3><p>Losses and more.</p>");
-        let source = words("Source: a table\n        and a chart\n").into_string();
-        assert_eq!(source, "<p>Source: a table and a chart</p>");
-        let table = words("Shift table\n gear  K1\n slow  x\n").into_string();
-        assert_eq!(table, "<h3>Shift table</h3><pre> gear  K1\n slow  x</pre>");
+    fn a_text_is_headings_paragraphs_lists_and_tables() {
+        let list = Text::list("Why not", vec!["one more".to_owned(), "two & three".to_owned()]);
+        let made = "<h3>Why not</h3><ul><li>one more</li><li>two &amp; three</li></ul>";
+        assert_eq!(list.html().into_string(), made);
+        assert_eq!(Text::paragraph("Left out").html().into_string(), "<p>Left out</p>");
+        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+        let table = vec![words(&["gear", "K1"]), words(&["slow", "x"])];
+        let table = Text { table, ..Text::default() }.html().into_string();
+        assert!(table.contains("<th>gear</th>") && table.contains("<td>x</td>"), "{table}");
     }
 }
