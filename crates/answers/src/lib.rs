@@ -55,7 +55,9 @@ pub mod schemes;
 pub mod select;
 pub mod shared;
 pub mod teeth;
+mod tolerance;
 pub mod transmissions;
+mod units;
 
 pub use answer::{Answer, SCHEMA_VERSION, Warning};
 pub use error::Error;

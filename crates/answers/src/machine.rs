@@ -1,6 +1,8 @@
 //! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
 
+use crate::tolerance::SAME_SPEED;
 use crate::{Answer, Error};
+use epicyclic_formats::Physical;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
 use epicyclic_schemes::ratio_series::{self, PrintedSeries, RatioSeries, step};
@@ -9,14 +11,7 @@ use epicyclic_schemes::rotor::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angle::radian;
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
-use uom::si::force::newton;
-use uom::si::velocity::meter_per_second;
-
-/// How far members of a printed series may be off and still count as the right ones.
-const SAME: f64 = 1e-9;
 
 /// How many speeds a range of speeds asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
@@ -211,7 +206,7 @@ impl Series {
                 Ok::<_, epicyclic_schemes::Error>(Printed {
                     number: printed.number(),
                     ratios: printed.members(q, d),
-                    serves: printed.serves(speeds, SAME)?,
+                    serves: printed.serves(speeds, SAME_SPEED)?,
                 })
             });
         Ok(Self {
@@ -328,12 +323,9 @@ fn in_rocks(
     feed: Velocity,
     forces: Option<&Forces>,
 ) -> Result<InRocks, epicyclic_schemes::Error> {
-    let m_s = |speed: Velocity| speed.get::<meter_per_second>();
-    let rock = |force: Force, speed, feed| Rock {
-        force_n: force.get::<newton>(),
-        speed_m_s: m_s(speed),
-        feed_m_s: m_s(feed),
-    };
+    let m_s = |speed: Velocity| speed.si();
+    let rock =
+        |force: Force, speed, feed| Rock { force_n: force.si(), speed_m_s: m_s(speed), feed_m_s: m_s(feed) };
     let mut rocks = vec![];
     if let Some(forces) = forces {
         rocks.push(rock(forces.here, speed, feed));
@@ -434,7 +426,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
     let found = discharges(&wheel.throw)?;
     let smallest = found.iter().map(|(_, discharge)| *discharge).reduce(f64::min).ok_or(Error::NoChute)?;
     let least = least_speed(smallest, standard_gravity(), wheel.radius)?;
-    let rad_s = |speed: AngularVelocity| speed.get::<radian_per_second>();
+    let rad_s = |speed: AngularVelocity| speed.si();
     Ok(Rotor {
         wheel: WheelSpeeds {
             optimal_rad_s: rad_s(optimal),
@@ -444,7 +436,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
         discharges: found
             .into_iter()
             .map(|(chute, discharge)| Discharge {
-                chute_rad: chute.map(|chute| chute.get::<radian>()),
+                chute_rad: chute.map(|chute| chute.si()),
                 discharge,
                 counts: discharge == smallest,
             })
@@ -466,6 +458,9 @@ fn discharges(throw: &Throw) -> Result<Vec<(Option<Angle>, f64)>, epicyclic_sche
 #[cfg(test)]
 mod tests {
     use super::*;
+    use uom::si::angle::radian;
+    use uom::si::angular_velocity::radian_per_second;
+    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn speeds_of_a_wheel_have_a_series_for_each_place_of_direct_drive() {

@@ -13,6 +13,7 @@ pub mod required;
 pub mod teeth;
 
 use crate::catalogue::SetLinks;
+use crate::tolerance::OBJECTIVE;
 use crate::{Answer, Error};
 use candidate::{Candidate, Ranked};
 use duty::Duty;
@@ -140,9 +141,6 @@ fn decisive(order: Order, best: &selection::Objectives, other: &selection::Objec
     order.objectives().into_iter().find(differs).map(Objective::of)
 }
 
-/// Objectives that differ by less are equal: the order compares on a grid of this size.
-const GRID: f64 = 2e-12;
-
 fn differs(
     objective: selection::Objective,
     one: &selection::Objectives,
@@ -155,7 +153,7 @@ fn differs(
         selection::Objective::RatioError => of.ratio_error,
         selection::Objective::Size => of.size,
     };
-    (value(one) - value(other)).abs() > GRID
+    (value(one) - value(other)).abs() > OBJECTIVE
 }
 
 #[cfg(test)]

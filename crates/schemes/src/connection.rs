@@ -41,7 +41,6 @@ use crate::catalogue::simple_set::{fraction, ring_to_sun_ratio};
 use crate::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, with_role};
 use crate::pair::{self, coefficients};
 use crate::quantity::ConnectionPart;
-use crate::standing::Standing;
 use crate::structures::{Structure, gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
@@ -275,12 +274,6 @@ impl Connection {
         }
     }
 
-    /// Why the source has it, or has it not, the ring-to-sun ratios within a range.
-    #[must_use]
-    pub fn standing(self, range: RingToSunRange) -> Standing {
-        Standing::of(self.structure(), &(range.low()..=range.high()))
-    }
-
     /// The connection as a gearbox with gears `1`, `2` and `direct`.
     ///
     /// # Errors
@@ -304,10 +297,46 @@ impl fmt::Display for Connection {
     }
 }
 
+impl ThreeSpeed {
+    /// How set 2 is connected: see [this module](self).
+    #[must_use]
+    pub fn connection(self) -> Connection {
+        Connection::of_structure(self.structure())
+            .unwrap_or_else(|| unreachable!("the eleven are among the 36, by test"))
+    }
+
+    /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
+    ///
+    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
+    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
+    ///
+    /// # Errors
+    /// [`Error::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
+    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, Error> {
+        self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
+            Error::RatioOutOfReach { ratio, low, high, .. } => {
+                Error::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
+            }
+            other => other,
+        })
+    }
+
+    /// Least and greatest ratio of gear 2 while both ring-to-sun ratios run over a range.
+    #[must_use]
+    pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
+        match self.connection().reach(range) {
+            Reach::Between { least, greatest } => [least, greatest],
+            Reach::ThroughZero { .. } | Reach::ThroughInfinity { .. } => {
+                unreachable!("numerators and denominators of the eleven keep their sign for k above 1")
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::standing::Use;
+    use crate::standing::{Standing, Use};
     use proptest::prelude::*;
 
     fn k(value: f64) -> RingToSunRatio {

@@ -26,7 +26,7 @@
 //! # Source
 //! multispeed-gearboxes, section 2.4.
 
-use crate::catalogue::{Reach, ThreeSpeed};
+use crate::catalogue::{Reach, RingToSunRange, ThreeSpeed};
 use crate::connection::Connection;
 use crate::pair::{coefficients, fraction};
 use crate::structures::{Family, Structure};
@@ -132,6 +132,14 @@ impl Standing {
     #[must_use]
     pub fn is_missed(self) -> bool {
         matches!(self, Self::Unlisted { usage: Use::Slows | Use::SlowsAtSome, .. })
+    }
+}
+
+impl Connection {
+    /// Why the source has it, or has it not, the ring-to-sun ratios within a range.
+    #[must_use]
+    pub fn standing(self, range: RingToSunRange) -> Standing {
+        Standing::of(self.structure(), &(range.low()..=range.high()))
     }
 }
 

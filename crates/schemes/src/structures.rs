@@ -46,8 +46,9 @@
 pub use crate::catalogue::Role;
 
 use crate::Error;
-use crate::catalogue::{SchemeElement, SchemeGear, ThreeSpeed};
+use crate::catalogue::{SchemeElement, SchemeGear, ThreeSpeed, TwoSpeed};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_train::Gearbox;
 use epicyclic_train::names::nearest;
 use epicyclic_train::set::{MeshLoss, SetSpec};
@@ -374,6 +375,38 @@ fn is_labelled_as_in_the_source([first, second]: [SetRoles; 2]) -> bool {
     } else {
         // Neither set has both shafts, or set 2 has them and should be set 1.
         has(first, Role::D) && !(has(second, Role::B) && has(second, Role::D))
+    }
+}
+
+impl TwoSpeed {
+    /// The scheme as a gearbox with gears `1` and `direct`.
+    ///
+    /// # Errors
+    /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
+    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, Error> {
+        gearbox(self.name(), &[(self.set(), k.get())], eta0, Some([Role::D, Role::B]))
+    }
+}
+
+impl ThreeSpeed {
+    /// The structure that it is.
+    #[must_use]
+    pub fn structure(self) -> Structure {
+        Structure::new(self.sets()).unwrap_or_else(|| unreachable!("the eleven are structures, by test"))
+    }
+
+    /// The scheme as a gearbox with gears `1`, `2` and `direct`.
+    ///
+    /// # Errors
+    /// None of ring-to-sun ratios: what the solver would refuse is refused before.
+    pub fn gearbox(
+        self,
+        k1: RingToSunRatio,
+        k2: RingToSunRatio,
+        eta0: MeshEfficiency,
+    ) -> Result<Gearbox, Error> {
+        let [first, second] = self.sets();
+        gearbox(self.name(), &[(first, k1.get()), (second, k2.get())], eta0, Some([Role::D, Role::B]))
     }
 }
 

@@ -5,6 +5,8 @@ use super::required::{Objective, finite};
 use crate::Error;
 use crate::catalogue::{GearName, Link, SetLinks, SetSpeeds, ShiftElement};
 use crate::shared::zero;
+use crate::tolerance::ROUNDED;
+use epicyclic_formats::Physical;
 use epicyclic_schemes::catalogue::{Reach as RatioReach, Scheme};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Family;
@@ -13,14 +15,7 @@ use epicyclic_selection::{self as selection, Evidence, Mechanism, NotDrawable, R
 use epicyclic_train::{Gearbox, InputLoad, Operation};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
-use uom::si::length::meter;
-use uom::si::power::watt;
-use uom::si::torque::newton_meter;
-
-/// What rounding leaves of a balance of powers is no loss: its size over the power that enters.
-const ROUNDED: f64 = 1e-12;
 
 /// A mechanism measured and judged; speeds and torques without a unit are multiples of the input's.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -324,7 +319,7 @@ impl Objectives {
             ring_to_sun_distance: objectives.ring_to_sun,
             ratio_error: objectives.ratio_error,
             size: objectives.size,
-            ring_diameter_m: requirements.rating.unit().map(|unit| unit.get::<meter>() * objectives.size),
+            ring_diameter_m: requirements.rating.unit().map(|unit| unit.si() * objectives.size),
         }
     }
 }
@@ -497,7 +492,7 @@ fn operation(
         let gear = GearName::of(line.gear);
         let analysis = gearbox.analyze(gear.name())?;
         // Torques do not depend on the speed; powers are told only where it is known.
-        let turning = speed.unwrap_or(AngularVelocity::new::<radian_per_second>(1.0));
+        let turning = speed.unwrap_or(AngularVelocity::from_si(1.0));
         let at = match torque.map(|torque| analysis.at(turning, InputLoad::Torque(torque))) {
             None | Some(Err(epicyclic_train::Error::NotDriven { .. })) => None,
             Some(operation) => Some(operation?),
@@ -505,12 +500,12 @@ fn operation(
         let at = at.as_ref();
         let powered = at.filter(|_| speed.is_some());
         let circulating = analysis.driving().map(|case| case.power.circulating);
-        let n_m = |torque: Torque| zero(torque.get::<newton_meter>());
-        let w = |power: Power| zero(power.get::<watt>());
+        let n_m = |torque: Torque| zero(torque.si());
+        let w = |power: Power| zero(power.si());
         let element = |element| shift_element(&gearbox, at, element).map(n_m);
         found.push(GearOperation {
             gear,
-            output_speed_rad_s: speed.map(|speed| (speed / line.ratio).get::<radian_per_second>()),
+            output_speed_rad_s: speed.map(|speed| (speed / line.ratio).si()),
             input_torque_n_m: at.map(|at| n_m(at.input)),
             output_torque_n_m: at.map(|at| n_m(at.output)),
             k1_torque_n_m: element(ShiftElement::K1),
@@ -534,9 +529,8 @@ fn shift_element(gearbox: &Gearbox, at: Option<&Operation>, element: ShiftElemen
 
 impl SetTorques {
     fn of(torques: &Option<Vec<Torque>>) -> Self {
-        let on = |member: usize| {
-            torques.as_ref().and_then(|torques| torques.get(member)).map(|t| zero(t.get::<newton_meter>()))
-        };
+        let on =
+            |member: usize| torques.as_ref().and_then(|torques| torques.get(member)).map(|t| zero(t.si()));
         Self { sun_torque_n_m: on(0), ring_torque_n_m: on(1), carrier_torque_n_m: on(2) }
     }
 }

@@ -1,11 +1,9 @@
 //! Speed and load of the input of a gearbox that is chosen.
 
 use crate::Error;
+use epicyclic_formats::Physical;
 use std::fmt;
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
-use uom::si::power::watt;
-use uom::si::torque::newton_meter;
 
 /// What is known of the input.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -75,22 +73,21 @@ impl Duty {
         let positive = |value: f64, quantity| {
             if is_positive(value) { Ok(value) } else { Err(DutyProblem::NotPositive { quantity }) }
         };
-        let rad_s =
-            |speed: AngularVelocity| positive(speed.get::<radian_per_second>(), DutyQuantity::InputSpeed);
+        let rad_s = |speed: AngularVelocity| positive(speed.si(), DutyQuantity::InputSpeed);
         let speed_rad_s = self.input_speed.map(rad_s).transpose()?;
         match self.load {
             None => Ok(None),
             Some(Load::Torque(torque)) => {
-                positive(torque.get::<newton_meter>(), DutyQuantity::Torque)?;
+                positive(torque.si(), DutyQuantity::Torque)?;
                 Ok(Some(torque))
             }
             Some(Load::Power(power)) => {
-                let power_w = positive(power.get::<watt>(), DutyQuantity::Power)?;
+                let power_w = positive(power.si(), DutyQuantity::Power)?;
                 let torque_n_m = power_w / speed_rad_s.ok_or(DutyProblem::PowerWithoutSpeed)?;
                 if !is_positive(torque_n_m) {
                     return Err(DutyProblem::TorqueOfPower { torque_n_m }.into());
                 }
-                Ok(Some(Torque::new::<newton_meter>(torque_n_m)))
+                Ok(Some(Torque::from_si(torque_n_m)))
             }
         }
     }
@@ -103,6 +100,8 @@ fn is_positive(value: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use uom::si::angular_velocity::radian_per_second;
+    use uom::si::power::watt;
 
     #[test]
     fn a_power_gives_a_torque_at_a_speed() {

@@ -4,7 +4,10 @@ use super::candidate::{Candidate, Ranked};
 use super::decisive;
 use super::duty::Duty;
 use super::required::{Required, finite};
+use crate::tolerance::LEAST_MODULE_M;
+use crate::units::millimetres;
 use crate::{Answer, Error};
+use epicyclic_formats::Physical;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::{Role, Structure};
@@ -18,7 +21,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
-use uom::si::length::{meter, millimeter};
 
 /// The most designs that are told: each takes some 35 kB while the answer is written.
 pub const MOST_DESIGNS: usize = 10_000;
@@ -58,12 +60,12 @@ impl SizeLimits {
         if self.least_module.is_none() && self.greatest_module.is_none() {
             return Ok(None);
         }
-        let least = self.least_module.unwrap_or(Length::new::<millimeter>(1e-3));
-        let greatest = self.greatest_module.unwrap_or(Length::new::<meter>(1.0));
+        let least = self.least_module.unwrap_or(Length::from_si(LEAST_MODULE_M));
+        let greatest = self.greatest_module.unwrap_or(Length::from_si(1.0));
         if least > greatest {
             return Err(Error::ModuleRange {
-                least_mm: least.get::<millimeter>(),
-                greatest_mm: greatest.get::<millimeter>(),
+                least_mm: millimetres(least),
+                greatest_mm: millimetres(greatest),
             });
         }
         Ok(Some(least..=greatest))
@@ -179,9 +181,9 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
     Ok(SelectTeeth {
         required: Required::of(requirements, *order, duty)?,
         size_limits: RequiredSize {
-            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.get::<meter>()),
-            least_module_m: limits.least_module.map(|module| module.get::<meter>()),
-            greatest_module_m: limits.greatest_module.map(|module| module.get::<meter>()),
+            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.si()),
+            least_module_m: limits.least_module.map(|module| module.si()),
+            greatest_module_m: limits.greatest_module.map(|module| module.si()),
         },
         searched: Searched::of(found.counts()),
         shown: designs.len(),
@@ -261,7 +263,7 @@ impl SetTeeth {
         let torque = candidate.gears.iter().map(torque).fold(0.0, f64::max);
         let k = candidate.k.get(set).copied().unwrap_or(f64::NAN);
         let size = relative_ring_diameter(k, torque, teeth.planets, rating);
-        let ring_diameter_m = rating.unit().map(|unit| unit.get::<meter>() * size);
+        let ring_diameter_m = rating.unit().map(|unit| unit.si() * size);
         Self {
             sun: teeth.sun.get(),
             planet: teeth.planet.get(),
@@ -278,6 +280,7 @@ impl SetTeeth {
 mod tests {
     use super::*;
     use uom::si::f64::{Pressure, Torque};
+    use uom::si::length::millimeter;
     use uom::si::pressure::megapascal;
     use uom::si::torque::newton_meter;
 

@@ -19,15 +19,11 @@
 //! # Source
 //! multispeed-gearboxes (2.39)–(2.61).
 
-use super::range::{Reach, RingToSunRange};
 use super::table::{ClosedForm, Line, THREE_SPEED};
 use super::{Role, TwoSpeed};
 use crate::Error;
-use crate::connection::Connection;
-use crate::structures::{Structure, gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
 
@@ -87,19 +83,6 @@ impl ThreeSpeed {
         [self.line().sets[0], self.line().sets[1]]
     }
 
-    /// The structure that it is.
-    #[must_use]
-    pub fn structure(self) -> Structure {
-        Structure::new(self.sets()).unwrap_or_else(|| unreachable!("the eleven are structures, by test"))
-    }
-
-    /// How set 2 is connected: see [`crate::connection`].
-    #[must_use]
-    pub fn connection(self) -> Connection {
-        Connection::of_structure(self.structure())
-            .unwrap_or_else(|| unreachable!("the eleven are among the 36, by test"))
-    }
-
     /// Its second ratio as a formula in `k1` and `k2`.
     #[must_use]
     pub fn ratio_formula(self) -> ClosedForm {
@@ -123,47 +106,6 @@ impl ThreeSpeed {
     pub fn efficiency(self, k1: RingToSunRatio, k2: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
         self.line().efficiency.value(k1.get(), k2.get(), eta0.get())
     }
-
-    /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
-    ///
-    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
-    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
-    ///
-    /// # Errors
-    /// [`Error::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
-    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, Error> {
-        self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
-            Error::RatioOutOfReach { ratio, low, high, .. } => {
-                Error::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
-            }
-            other => other,
-        })
-    }
-
-    /// Least and greatest ratio of gear 2 while both ring-to-sun ratios run over a range.
-    #[must_use]
-    pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
-        match self.connection().reach(range) {
-            Reach::Between { least, greatest } => [least, greatest],
-            Reach::ThroughZero { .. } | Reach::ThroughInfinity { .. } => {
-                unreachable!("numerators and denominators of the eleven keep their sign for k above 1")
-            }
-        }
-    }
-
-    /// The scheme as a gearbox with gears `1`, `2` and `direct`.
-    ///
-    /// # Errors
-    /// None of ring-to-sun ratios: what the solver would refuse is refused before.
-    pub fn gearbox(
-        self,
-        k1: RingToSunRatio,
-        k2: RingToSunRatio,
-        eta0: MeshEfficiency,
-    ) -> Result<Gearbox, Error> {
-        let [first, second] = self.sets();
-        gearbox(self.name(), &[(first, k1.get()), (second, k2.get())], eta0, Some([Role::D, Role::B]))
-    }
 }
 
 impl fmt::Display for ThreeSpeed {
@@ -185,6 +127,7 @@ impl FromStr for ThreeSpeed {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalogue::RingToSunRange;
     use proptest::prelude::*;
 
     fn k(value: f64) -> RingToSunRatio {

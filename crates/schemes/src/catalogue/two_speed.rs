@@ -16,10 +16,8 @@ use super::simple_set::{self, fraction, ratio_range};
 use super::table::{ClosedForm, Line, TWO_SPEED};
 use super::{Role, with_role};
 use crate::Error;
-use crate::structures::gearbox;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{Mode, RingToSunRatio};
-use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
 
@@ -115,14 +113,6 @@ impl TwoSpeed {
     #[must_use]
     pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
         ratio_range(self.mode(), range)
-    }
-
-    /// The scheme as a gearbox with gears `1` and `direct`.
-    ///
-    /// # Errors
-    /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
-    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, Error> {
-        gearbox(self.name(), &[(self.set(), k.get())], eta0, Some([Role::D, Role::B]))
     }
 }
 
