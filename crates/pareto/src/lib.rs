@@ -21,9 +21,12 @@
 //! assert_eq!(front(&costs, by_second), [vec![1], vec![0, 3]]);
 //! ```
 
+mod tolerance;
+
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 use std::cmp::Ordering;
+use tolerance::LEAST_SCALE;
 
 /// Whether costs are at or below others, each.
 #[inline]
@@ -81,9 +84,6 @@ pub fn non_dominated_by_trial<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
 
 /// Designs in a part that is not split further.
 const LEAF: usize = 16;
-
-/// Least scale of a cost by which its spread is taken: of costs that are all 0 the spread is 0 and not 0/0.
-const LEAST_SCALE: f64 = 1e-300;
 
 struct Node<const N: usize> {
     least: [f64; N],

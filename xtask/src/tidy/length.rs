@@ -7,7 +7,7 @@ const MOST: usize = 600;
 
 /// Longer files, and the most lines that each may have: what it had when the rule came.
 const LONGER: &[(&str, usize)] = &[
-    ("crates/train/src/pins.rs", 766),
+    ("crates/train/src/planet_bearings.rs", 751),
     ("crates/train/src/tooth_checks.rs", 633),
     ("xtask/src/calculations/gears.rs", 609),
     ("xtask/src/calculations/schemes.rs", 780),
