@@ -26,7 +26,6 @@ use epicyclic_formats::Physical;
 use epicyclic_train::{Analysis, Gear, Gearbox, InputLoad, Operation};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::AngularVelocity;
 
 /// What is known of the input's motion and load.
@@ -101,7 +100,7 @@ impl<'g> Worked<'g> {
     fn new(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Self, Error> {
         let analysis = analysis(gearbox, gear)?;
         // At a torque alone powers depend on a speed that nobody gave: none is told.
-        let speed = input.speed.unwrap_or(AngularVelocity::new::<radian_per_second>(1.0));
+        let speed = input.speed.unwrap_or(AngularVelocity::from_si(1.0));
         let operation = match input.load.map(|load| analysis.at(speed, load)) {
             None | Some(Err(epicyclic_train::Error::NotDriven { .. })) => None,
             Some(Err(epicyclic_train::Error::OperatingPoint { why })) => {

@@ -55,6 +55,7 @@ pub mod schemes;
 pub mod select;
 pub mod shared;
 pub mod teeth;
+mod tolerance;
 pub mod transmissions;
 
 pub use answer::{Answer, SCHEMA_VERSION, Warning};

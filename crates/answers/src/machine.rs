@@ -1,6 +1,8 @@
 //! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
 
+use crate::tolerance::SAME;
 use crate::{Answer, Error};
+use epicyclic_formats::Physical as _;
 use epicyclic_schemes::DesignError;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
@@ -10,14 +12,7 @@ use epicyclic_schemes::rotor::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angle::radian;
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
-use uom::si::force::newton;
-use uom::si::velocity::meter_per_second;
-
-/// How far members of a printed series may be off and still count as the right ones.
-const SAME: f64 = 1e-9;
 
 /// How many speeds a range of speeds asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
@@ -323,12 +318,9 @@ pub fn drum(
 type InRocks = (Cutting, Vec<Rock>, Option<SpeedRange>);
 
 fn in_rocks(speed: Velocity, feed: Velocity, forces: Option<&Forces>) -> Result<InRocks, DesignError> {
-    let m_s = |speed: Velocity| speed.get::<meter_per_second>();
-    let rock = |force: Force, speed, feed| Rock {
-        force_n: force.get::<newton>(),
-        speed_m_s: m_s(speed),
-        feed_m_s: m_s(feed),
-    };
+    let m_s = |speed: Velocity| speed.si();
+    let rock =
+        |force: Force, speed, feed| Rock { force_n: force.si(), speed_m_s: m_s(speed), feed_m_s: m_s(feed) };
     let mut rocks = vec![];
     if let Some(forces) = forces {
         rocks.push(rock(forces.here, speed, feed));
@@ -429,7 +421,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
     let found = discharges(&wheel.throw)?;
     let smallest = found.iter().map(|(_, discharge)| *discharge).reduce(f64::min).ok_or(Error::NoChute)?;
     let least = least_speed(smallest, standard_gravity(), wheel.radius)?;
-    let rad_s = |speed: AngularVelocity| speed.get::<radian_per_second>();
+    let rad_s = |speed: AngularVelocity| speed.si();
     Ok(Rotor {
         wheel: WheelSpeeds {
             optimal_rad_s: rad_s(optimal),
@@ -439,7 +431,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
         discharges: found
             .into_iter()
             .map(|(chute, discharge)| Discharge {
-                chute_rad: chute.map(|chute| chute.get::<radian>()),
+                chute_rad: chute.map(|chute| chute.si()),
                 discharge,
                 counts: discharge == smallest,
             })
@@ -464,7 +456,7 @@ mod tests {
 
     #[test]
     fn speeds_of_a_wheel_have_a_series_for_each_place_of_direct_drive() {
-        let found = speeds(&[0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>)).unwrap();
+        let found = speeds(&[0.76, 1.33, 1.95].map(Velocity::from_si)).unwrap();
         assert_eq!(found.series.len(), 3);
         assert_eq!(found.range.recommended, Some(4));
         let serves: Vec<_> = found.series.iter().map(|one| one.printed.as_ref().unwrap().serves).collect();
@@ -475,10 +467,10 @@ mod tests {
     #[test]
     fn a_throw_without_a_chute_is_refused() {
         let metre = Length::new::<uom::si::length::meter>;
-        let angle = Angle::new::<radian>;
+        let angle = Angle::from_si;
         let wheel = Wheel {
             boom_radius: metre(20.0),
-            slewing: AngularVelocity::new::<radian_per_second>(0.02),
+            slewing: AngularVelocity::from_si(0.02),
             chip_width: metre(0.3),
             buckets: 8,
             boom_angle: angle(1.0),

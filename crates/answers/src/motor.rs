@@ -11,7 +11,9 @@ pub use over_angle::{OverAngle, over_angle};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
 
 use crate::number::{maybe_si, plain, si};
+use crate::tolerance::CLOSED;
 use crate::{Answer, Error, Warning};
+use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::arcs::StatorArcs;
@@ -21,7 +23,6 @@ use epicyclic_hydromotor::closure::{self, Family};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length, Pressure};
-use uom::si::ratio::ratio;
 
 /// A hydromotor. Angles are counter-clockwise from the x axis, which runs through a crest of the stator; torque and flow
 /// are theoretical, without leaks and friction.
@@ -471,7 +472,7 @@ impl Arcs {
     ) -> Result<Self, Error> {
         let closed = closure::closure(motor.numbers(), arcs)?;
         // Rounding alone: a power of ten that it keeps within says all.
-        let mut within = 1e-12;
+        let mut within = CLOSED;
         while within < closed.residual_by_quadrature_rad.abs() {
             within *= 10.0;
         }
@@ -530,7 +531,7 @@ impl Work {
         let Designed { motor, width, .. } = designed;
         let ripple = motor.ripple();
         let [least, greatest] = motor.chamber_extremes();
-        let [low, high] = [ripple.least, ripple.greatest].map(|flow| (flow / ripple.mean).get::<ratio>());
+        let [low, high] = [ripple.least, ripple.greatest].map(|flow| (flow / ripple.mean).si());
         let pressure = width.and(designed.pressure);
         let speed = width.and(designed.speed);
         let torque = match (width, pressure) {

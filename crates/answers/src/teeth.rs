@@ -1,12 +1,13 @@
 //! Tooth numbers of a simple set for a ratio.
 
 use crate::shared::{Fraction, Motion};
+use crate::tolerance::ROUNDED;
 use crate::{Answer, Error};
+use epicyclic_formats::Physical as _;
 use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::{Bounds, Candidate};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angle::radian;
 
 /// The most sets that are written: their text is built whole, in some 100 MB.
 pub const MOST_SETS: usize = 100_000;
@@ -80,9 +81,6 @@ impl Answer for Teeth {
     const NAME: &'static str = "teeth";
 }
 
-/// An imbalance below this is only the rounding of the angles.
-const ROUNDED: f64 = 1e-12;
-
 /// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1.
 ///
 /// # Errors
@@ -119,12 +117,7 @@ impl ToothSet {
             undercut_sun: found.undercut_sun,
             undercut_planet: found.undercut_planet,
             equal_spacing: found.spacing.is_equal(),
-            planet_angles_rad: found
-                .spacing
-                .angles()
-                .into_iter()
-                .map(|angle| angle.get::<radian>())
-                .collect(),
+            planet_angles_rad: found.spacing.angles().into_iter().map(|angle| angle.si()).collect(),
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
         }
     }

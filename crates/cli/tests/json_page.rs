@@ -64,9 +64,11 @@ fn lines(schema: &Value, part: &Value, path: &str, page: &mut String) {
         for (key, inner) in choice.get("properties").and_then(Value::as_object).into_iter().flatten() {
             let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
             let told = inner.get("description").or_else(|| resolved(schema, inner).get("description"));
-            let told = told.and_then(Value::as_str).unwrap_or_default().replace('\n', " ").replace('|', "\\|");
+            let told =
+                told.and_then(Value::as_str).unwrap_or_default().replace('\n', " ").replace('|', "\\|");
             let words = words(schema, inner);
-            let one_of = if words.len() < 2 { String::new() } else { format!(" One of {}.", words.join(", ")) };
+            let one_of =
+                if words.len() < 2 { String::new() } else { format!(" One of {}.", words.join(", ")) };
             writeln!(page, "| `{path}` | {told}{one_of} |").unwrap();
             lines(schema, inner, &path, page);
         }

@@ -342,8 +342,7 @@ impl Records {
     fn csv(&self) -> Result<String, Error> {
         let places: Vec<usize> =
             (0..self.columns.len()).filter(|&place| !self.columns[place].is_for_people).collect();
-        let header: Vec<String> =
-            places.iter().map(|&place| self.columns[place].key()).collect();
+        let header: Vec<String> = places.iter().map(|&place| self.columns[place].key()).collect();
         let header: Vec<&str> = header.iter().map(String::as_str).collect();
         let rows = self.rows.iter().map(|row| places.iter().map(|&place| row[place].csv().0).collect());
         text::csv(&header, rows)

@@ -8,6 +8,7 @@ use super::records::{
 use super::{Input, OperatingPoint, Worked, warnings};
 use crate::gearbox::Subject;
 use crate::shared::Fraction;
+use crate::tolerance::ROUNDED;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Physical;
 use epicyclic_train::power_flow::SetPower;
@@ -560,7 +561,7 @@ impl Scene<'_> {
         let at_load = |(operation, case): (&Operation, &LoadCase)| {
             let entering: Power = operation.entering;
             // What rounding leaves of a balance is no loss.
-            let is_noise = operation.loss.abs() < entering.abs() * 1e-12;
+            let is_noise = operation.loss.abs() < entering.abs() * ROUNDED;
             PowersAtLoad {
                 entering_w: entering.si(),
                 leaving_w: (entering * case.efficiency).si(),

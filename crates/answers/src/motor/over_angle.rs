@@ -2,10 +2,10 @@
 
 use crate::Error;
 use crate::number::si;
+use epicyclic_formats::Physical as _;
 use epicyclic_hydromotor::Motor;
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angle::radian;
 use uom::si::f64::Angle;
 
 /// Steps through a lobe of the rotor.
@@ -34,7 +34,7 @@ pub fn over_angle(motor: &Motor) -> Result<OverAngle, Error> {
     let angles_rad: Vec<f64> = (0..=STEPS).map(|i| lobe * f64::from(i) / f64::from(STEPS)).collect();
     let mut flow_per_width_m2 = vec![];
     let mut chamber_areas_m2: Vec<Vec<f64>> = vec![];
-    for angle in angles_rad.iter().map(|angle| Angle::new::<radian>(*angle)) {
+    for angle in angles_rad.iter().map(|angle| Angle::from_si(*angle)) {
         flow_per_width_m2.push(si(motor.flow_per_width(angle)?));
         for (index, chamber) in motor.chambers(angle)?.iter().enumerate() {
             match chamber_areas_m2.get_mut(index) {

@@ -3,6 +3,7 @@
 use super::Verdict;
 use crate::number::{maybe_si, plain, si};
 use crate::{Error, Warning};
+use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::centrode;
 use epicyclic_hydromotor::profile::clearance::Nearest;
@@ -11,7 +12,6 @@ use epicyclic_hydromotor::profile::{Part, Profile};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
-use uom::si::ratio::ratio;
 
 /// Rotations of half a period at which clearances are looked for, besides the refined one.
 const STEPS: u32 = 180;
@@ -274,7 +274,7 @@ pub(super) fn clearances(profile: &Profile, warnings: &mut Vec<Warning>) -> Resu
     let bare = |between, clearance: Length| Clearance {
         between,
         clearance_m: si(clearance),
-        clearance_in_modules: plain((clearance / module).get::<ratio>()),
+        clearance_in_modules: plain((clearance / module).si()),
         part: None,
         rotation_rad: None,
         x_m: None,

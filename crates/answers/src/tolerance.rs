@@ -1,0 +1,16 @@
+//! What counts as nothing in an answer.
+//!
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `ROUNDED` | a loss over the power that enters, an imbalance | rounding leaves 1e-15 of a balance of some dozen terms |
+//! | `SAME` | the members of a printed series, over their right values | the series are calculated, not read from print |
+//! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
+
+/// A sum of balanced terms below this is zero.
+pub(crate) const ROUNDED: f64 = 1e-12;
+
+/// Members of a series that differ by less are the right ones.
+pub(crate) const SAME: f64 = 1e-9;
+
+/// The residual of a closed motor is told as a power of ten from here on.
+pub(crate) const CLOSED: f64 = 1e-12;
