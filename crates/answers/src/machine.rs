@@ -1,6 +1,6 @@
 //! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
 
-use crate::tolerance::SAME_SPEED;
+use crate::tolerance::SAME;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
@@ -206,7 +206,7 @@ impl Series {
                 Ok::<_, epicyclic_schemes::Error>(Printed {
                     number: printed.number(),
                     ratios: printed.members(q, d),
-                    serves: printed.serves(speeds, SAME_SPEED)?,
+                    serves: printed.serves(speeds, SAME)?,
                 })
             });
         Ok(Self {
@@ -436,7 +436,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
         discharges: found
             .into_iter()
             .map(|(chute, discharge)| Discharge {
-                chute_rad: chute.map(|chute| chute.si()),
+                chute_rad: chute.map(Physical::si),
                 discharge,
                 counts: discharge == smallest,
             })
@@ -458,13 +458,10 @@ fn discharges(throw: &Throw) -> Result<Vec<(Option<Angle>, f64)>, epicyclic_sche
 #[cfg(test)]
 mod tests {
     use super::*;
-    use uom::si::angle::radian;
-    use uom::si::angular_velocity::radian_per_second;
-    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn speeds_of_a_wheel_have_a_series_for_each_place_of_direct_drive() {
-        let found = speeds(&[0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>)).unwrap();
+        let found = speeds(&[0.76, 1.33, 1.95].map(Velocity::from_si)).unwrap();
         assert_eq!(found.series.len(), 3);
         assert_eq!(found.range.recommended, Some(4));
         let serves: Vec<_> = found.series.iter().map(|one| one.printed.as_ref().unwrap().serves).collect();
@@ -475,10 +472,10 @@ mod tests {
     #[test]
     fn a_throw_without_a_chute_is_refused() {
         let metre = Length::new::<uom::si::length::meter>;
-        let angle = Angle::new::<radian>;
+        let angle = Angle::from_si;
         let wheel = Wheel {
             boom_radius: metre(20.0),
-            slewing: AngularVelocity::new::<radian_per_second>(0.02),
+            slewing: AngularVelocity::from_si(0.02),
             chip_width: metre(0.3),
             buckets: 8,
             boom_angle: angle(1.0),

@@ -1,7 +1,7 @@
 //! What this crate refuses.
 
 use crate::drive::{BoredGear, Given};
-use crate::equivalent_inertia::{LinkName, Property};
+use crate::link_name::{LinkName, Property};
 
 /// A mechanism that cannot move as described.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

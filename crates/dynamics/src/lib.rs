@@ -24,6 +24,7 @@ pub mod equivalent_inertia;
 pub mod error;
 pub mod gearbox;
 pub mod lagrange;
+pub mod link_name;
 pub mod loads;
 pub mod planetary;
 mod tolerance;

@@ -25,6 +25,7 @@
 //! rotary-hydromotor gives none of this; its restored vectors list `A_max − A_min` and `q/b`.
 
 use crate::quantity::Quantity;
+use crate::tolerance::EXTREME;
 use uom::si::f64::{Angle, Area, Length, Volume};
 
 use crate::Error;
@@ -56,16 +57,13 @@ pub enum Phase {
     AtExtreme,
 }
 
-/// A growth counts as none below this part of the greatest among the chambers: what rounding leaves of it at an extreme.
-const AT_EXTREME: f64 = 1e-6;
-
 impl Phase {
     /// Of a chamber among all at the same angle.
     #[must_use]
     pub fn of(chamber: &Chamber, all: &[Chamber]) -> Self {
         let most = all.iter().map(|chamber| chamber.growth.value.abs()).fold(0.0, f64::max);
         let growth = chamber.growth.value;
-        if growth.abs() <= AT_EXTREME * most {
+        if growth.abs() <= EXTREME * most {
             Self::AtExtreme
         } else if growth > 0.0 {
             Self::Filling

@@ -18,6 +18,7 @@
 //! | `FINER` | the same of the last search round about | below it nothing is gained on paper |
 //! | `LEVEL` | a deviation above the level one, over it | it is the greatest then |
 //! | `NOISE` | a share in the exchange | the difference quotients' own noise |
+//! | `EXTREME` | the growth of a chamber, over the greatest among the chambers | what rounding leaves at an extreme |
 //! | `SINGULAR` | a pivot | equations with it have no solution |
 
 /// Ends of intervals are left by this part of them.
@@ -70,3 +71,6 @@ pub(crate) const NOISE: f64 = 1e-7;
 
 /// A smaller pivot is none.
 pub(crate) const SINGULAR: f64 = 1e-12;
+
+/// A chamber that grows less is at an extreme.
+pub(crate) const EXTREME: f64 = 1e-6;

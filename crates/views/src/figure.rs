@@ -1,5 +1,6 @@
 //! A value in an answer, shown three ways.
 
+use crate::tolerance::NOTHING;
 use epicyclic_formats::quantity::format::{in_unit, sensible_unit, significant, trimmed};
 use epicyclic_formats::{Dimension, Physical};
 
@@ -179,6 +180,7 @@ impl Figure {
 }
 
 /// The unit of drawings as part of a column's name in CSV.
+#[must_use]
 pub const fn suffix(dimension: Dimension) -> &'static str {
     match dimension {
         Dimension::Length => "_mm",
@@ -222,7 +224,7 @@ fn in_usual(si: f64, dimension: Dimension) -> f64 {
 /// Four decimals; of what is smaller than 0.01 four significant digits, but for the zero that rounding leaves.
 fn shown_multiple(value: f64) -> String {
     match value.abs() {
-        size if size < 1e-12 => format!("{:.DECIMALS$}", 0.0),
+        size if size < NOTHING => format!("{:.DECIMALS$}", 0.0),
         size if size < 0.01 => significant(value, DECIMALS),
         size if size < 1000.0 => format!("{value:.DECIMALS$}"),
         _ => significant(value, DECIMALS + 3),

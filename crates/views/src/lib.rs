@@ -9,7 +9,8 @@
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`analyze`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
-//! Nothing is calculated here: a figure that an answer lacks cannot be shown.
+//! Nothing is calculated here: a figure that an answer lacks cannot be shown. One place is an exception: the page of a
+//! gearbox analyses it at other ring-to-sun ratios for its curves.
 
 pub mod analyze;
 pub mod drive;
@@ -24,7 +25,9 @@ pub mod schemes;
 pub mod select;
 pub mod teeth;
 pub mod text;
+mod tolerance;
 pub mod transmissions;
+mod units;
 
 pub use report::Report;
 pub use text::Error;

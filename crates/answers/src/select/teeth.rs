@@ -181,9 +181,9 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
     Ok(SelectTeeth {
         required: Required::of(requirements, *order, duty)?,
         size_limits: RequiredSize {
-            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.si()),
-            least_module_m: limits.least_module.map(|module| module.si()),
-            greatest_module_m: limits.greatest_module.map(|module| module.si()),
+            greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
+            least_module_m: limits.least_module.map(Physical::si),
+            greatest_module_m: limits.greatest_module.map(Physical::si),
         },
         searched: Searched::of(found.counts()),
         shown: designs.len(),

@@ -1,13 +1,13 @@
 //! The page of a planetary drive.
 
 use super::sheet::{Block, Section, Sheet};
+use crate::units::rpm;
 use crate::{AsReport as _, Error};
 use epicyclic_answers::drive::{Drive, Gear};
 use epicyclic_formats::Physical as _;
 use epicyclic_pictures::gear_set::{Circles, GearSet};
 use epicyclic_pictures::plot::{Curve, Plot};
-use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::f64::{Angle, AngularVelocity, Length};
+use uom::si::f64::{Angle, Length};
 
 /// Input, drawing, results, plots of a drive; `text` is its file.
 ///
@@ -100,7 +100,7 @@ fn efficiency_over_ratio(drive: &Drive) -> Plot {
 
 /// Speed of the sun from rest, without and with losses; `None` where it never starts.
 fn start(drive: &Drive) -> Option<Plot> {
-    let speed = AngularVelocity::from_si(drive.speeds.sun_rad_s).get::<revolution_per_minute>();
+    let speed = rpm(drive.speeds.sun_rad_s);
     let starts = [
         ("without losses", drive.start.without_losses.starting_time_s),
         ("with mesh losses", drive.start.with_losses.starting_time_s),

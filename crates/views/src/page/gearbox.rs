@@ -1,6 +1,7 @@
 //! The page of a gearbox: all gears, each gear in full, and what another `k` would change.
 
 use super::sheet::{Block, Section, Sheet};
+use crate::tolerance::LEVEL;
 use crate::{Error, Report};
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Layout, Verdict};
@@ -235,7 +236,7 @@ fn study(gearbox: &Gearbox, set: usize, [low, high]: [f64; 2]) -> Study {
 fn changes(curve: &Curve) -> bool {
     let values = || curve.points.iter().map(|point| point[1]).filter(|value| value.is_finite());
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-    high - low > 1e-9 * high.abs().max(1.0)
+    high - low > LEVEL * high.abs().max(1.0)
 }
 
 /// The gearbox with another `k` of one set; `None` where that is no set.

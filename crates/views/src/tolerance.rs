@@ -1,0 +1,7 @@
+//! What counts as nothing when figures are shown.
+
+/// A multiple below this is the zero that rounding leaves.
+pub(crate) const NOTHING: f64 = 1e-12;
+
+/// A curve whose values differ by less, over the largest, is a level line.
+pub(crate) const LEVEL: f64 = 1e-9;
