@@ -116,7 +116,7 @@ impl Required {
         let rating = &requirements.rating;
         let range = |range: &std::ops::RangeInclusive<f64>| KRange::of(*range.start(), *range.end());
         Ok(Self {
-            ratios: requirements.series.ratios().to_vec(),
+            ratios: requirements.series.braked(),
             tolerance: requirements.tolerance,
             brakes: match requirements.orders {
                 Orders::Both => Brakes::Either,

@@ -159,7 +159,7 @@ impl Answer for SelectTeeth {
 pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<SelectTeeth, Error> {
     let Wanted { requirements, order, structures, bounds, limits, most, duty } = wanted;
     duty.torque()?;
-    if requirements.series.ratios().len() != 2 {
+    if requirements.series.braked().len() != 2 {
         return Err(Error::OneSet);
     }
     if *most > MOST_DESIGNS {
