@@ -125,8 +125,8 @@ mod tests {
     #[test]
     fn planets_stand_between_sun_and_ring_and_no_label_is_in_the_way() {
         let module = Length::new::<millimeter>(8.0);
-        let gear = |toothing, teeth| {
-            ToothedGear::new(toothing, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
+        let gear = |kind, teeth| {
+            ToothedGear::new(kind, module, ToothCount::new(teeth).unwrap(), BasicRack::default()).unwrap()
         };
         let [sun, planet] = [18, 36].map(|teeth| Circles::of(&gear(GearKind::External, teeth)));
         let ring = Circles::of(&gear(GearKind::Internal, 90));
