@@ -158,7 +158,10 @@ fn a_contradiction_that_starts_to_agree_fails() {
     let output = xtask(&["verify", "excavator"], &folder.path());
     assert_eq!(output.status.code(), Some(1));
     let text = words(&output.stdout);
-    assert!(text.contains("motion/reduced_inertia: marked contradicted, but the published figure"), "{text}");
+    assert!(
+        text.contains("motion/equivalent_inertia: marked contradicted, but the published figure"),
+        "{text}"
+    );
 }
 
 #[test]

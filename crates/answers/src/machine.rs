@@ -60,11 +60,11 @@ pub struct Machine {
     pub table: &'static str,
     /// Its range of speeds, the fastest over the slowest.
     pub range: f64,
-    /// Its number of speeds; `null` where its control is stepless.
+    /// Its number of speeds; `null` where its speed is stepless.
     pub speeds: Option<u32>,
     /// Number of speeds recommended for the range.
     pub recommended: u32,
-    /// Whether it has that number; `null` where its control is stepless.
+    /// Whether it has that number; `null` where its speed is stepless.
     pub as_recommended: Option<bool>,
     /// Whether the source prints the recommendation; otherwise it is this program's choice.
     pub recommendation_is_printed: bool,

@@ -42,13 +42,13 @@ pub struct Teeth {
     /// How many of them are told here.
     pub shown: usize,
     /// These.
-    pub tooth_sets: Vec<ToothSet>,
+    pub tooth_numbers: Vec<ToothNumbers>,
 }
 
 /// Tooth numbers of a simple set, and what follows from them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
-pub struct ToothSet {
+pub struct ToothNumbers {
     /// Teeth of the sun.
     pub sun: u32,
     /// Teeth of a planet.
@@ -91,18 +91,18 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64)) -> Result<Teeth, Error> {
     if most > MOST_SETS && found.found > MOST_SETS as u64 {
         return Err(Error::TooMany { found: found.found, most: MOST_SETS });
     }
-    let tooth_sets: Vec<ToothSet> = found.first.iter().map(ToothSet::of).collect();
+    let tooth_numbers: Vec<ToothNumbers> = found.first.iter().map(ToothNumbers::of).collect();
     Ok(Teeth {
         ratio,
         mode: Motion::of(mode),
         tolerance,
         found: found.found,
-        shown: tooth_sets.len(),
-        tooth_sets,
+        shown: tooth_numbers.len(),
+        tooth_numbers,
     })
 }
 
-impl ToothSet {
+impl ToothNumbers {
     fn of(found: &Candidate) -> Self {
         let imbalance = found.spacing.imbalance();
         Self {

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use subject::Subject;
 use uom::si::f64::Ratio;
 
-/// A gearbox as a drawing: its scheme, speed plan, levers or ratio ladder; a hydromotor from its file.
+/// A gearbox as a drawing: its scheme, speed diagram, lever diagram or ratio ladder; a hydromotor from its file.
 ///
 /// The gearbox is one of the catalogue (I … III-3), where no file has that name, or one from a file as for `analyze`. The scheme is the
 /// section by the half-plane above the axis, in the usual signs; its layout is made so that no link crosses another, and a gearbox for
@@ -65,11 +65,11 @@ pub(crate) struct Args {
     #[arg(long)]
     same_side: bool,
 
-    /// Row parameter of row 1 of a catalogue scheme, ring over sun.
+    /// Ring-to-sun ratio k of set 1 of a catalogue scheme.
     #[arg(long, allow_negative_numbers = true)]
     k1: Option<Number>,
 
-    /// Row parameter of row 2.
+    /// Ring-to-sun ratio k of set 2.
     #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_negative_numbers = true)]
     k2: Option<Number>,
 
@@ -107,7 +107,7 @@ pub(crate) struct Args {
 enum View {
     /// The kinematic scheme.
     Scheme,
-    /// The speed plan of a gear (Kutzbach).
+    /// The speed diagram of a gear (Kutzbach).
     Speeds,
     /// The rows as levers, with the speeds of a gear.
     Levers,
@@ -223,7 +223,7 @@ fn consistent(args: &Args) -> Result<(), Failure> {
         _ if args.power => refuse("--power", schemes_alone),
         _ if args.whole => refuse("--whole", schemes_alone),
         _ if args.same_side => refuse("--same-side", schemes_alone),
-        View::Speeds if args.gear.is_none() => refuse("--gear", "a speed plan is that of one gear; name it"),
+        View::Speeds if args.gear.is_none() => refuse("--gear", "a speed diagram shows one gear; name it"),
         View::Ladder if args.gear.is_some() => refuse("--gear", "the ladder shows all gears; leave it out"),
         _ => Ok(()),
     }

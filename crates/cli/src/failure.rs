@@ -13,7 +13,7 @@ use epicyclic_formats::{Document, Path, Problem, motor};
 use std::io;
 use std::path::PathBuf;
 
-/// Nothing meets the demand.
+/// Nothing meets the requirements.
 const NOTHING_FOUND: u8 = 1;
 /// Wrong usage, or an input that cannot be.
 pub(crate) const WRONG: u8 = 2;
@@ -24,7 +24,8 @@ const INPUT_OUTPUT: u8 = 3;
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  answered
-  1  nothing found: no design, tooth set, scheme or motor meets the demand
+  1  nothing found: no design, set of tooth numbers, scheme or motor meets
+     the requirements
   2  wrong usage, or an input that cannot be
   3  a file or stream that cannot be read or written; a reader that
      leaves before the end, as head does, is told nothing";
@@ -60,13 +61,13 @@ pub(crate) enum Failure {
     /// An answer that cannot be shown.
     #[error(transparent)]
     View(epicyclic_views::Error),
-    /// A demand that no gear meets.
+    /// Requirements that no gear meets.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
     /// A gearbox that cannot be analysed so.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
-    /// A demand on the catalogue or of a machine that nothing meets.
+    /// Requirements on the catalogue or of a machine that nothing meets.
     #[error(transparent)]
     Design(#[from] epicyclic_schemes::Error),
     /// A selection that cannot be made.

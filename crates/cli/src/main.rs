@@ -7,7 +7,7 @@
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
-//! | [`draw`] | the command `draw`: schemes, speed plans, levers and ladders as SVG and DXF |
+//! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |

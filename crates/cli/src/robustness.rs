@@ -218,7 +218,7 @@ fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
 const BOUNDS: [&str; 4] = ["stator", "rotor", "z3", "zs"];
 
 /// A command line: the command, and options with values that fit or do not. What takes seconds is left out: searches
-/// over all tooth sets, and over motors of many sets.
+/// over all sets of tooth numbers, and over motors of many sets.
 fn line() -> impl Strategy<Value = Vec<String>> {
     let choice = (any::<prop::sample::Index>(), 0..10_u8, any::<prop::sample::Index>());
     let choices = prop::collection::vec(choice, 0..6);

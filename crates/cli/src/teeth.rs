@@ -1,4 +1,4 @@
-//! The command `teeth`: every tooth set for a ratio.
+//! The command `teeth`: every set of tooth numbers for a ratio.
 
 use crate::failure::Failure;
 use crate::options;
@@ -17,9 +17,9 @@ use uom::si::f64::{Angle, Ratio};
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
 
-/// Every tooth set of a simple planetary gear for a ratio.
+/// Every set of tooth numbers of a simple planetary gear set for a ratio.
 ///
-/// A tooth set goes together: sun, planets and ring share one centre distance, the planets clear each other and
+/// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets clear each other and
 /// assemble. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  epicyclic teeth --ratio 6 --planets 4 --no-undercut")]
@@ -52,7 +52,7 @@ pub(crate) struct Args {
     #[arg(long, default_value = "12..200")]
     ring: Span<u32>,
 
-    /// Row parameter, ring over sun.
+    /// Ring-to-sun ratio k.
     #[arg(long, default_value = "1.3..10")]
     k: Span<f64>,
 
@@ -121,7 +121,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         answers::Error::TooMany { found, most } => Failure::Option {
             option: "--limit",
             message: format!(
-                "{found} tooth sets are within the tolerance and at most {most} are written: narrow --tolerance, --k \
+                "{found} sets of tooth numbers are within the tolerance and at most {most} are written: narrow --tolerance, --k \
                  or the ranges of teeth, or ask for the most exact with --limit {most}"
             ),
         },

@@ -236,5 +236,5 @@ fn colour_and_progress_are_for_terminals() {
     assert!(seen.contains("searching: "), "{seen}");
     let teeth = "teeth --ratio 4 --sun 1..2000 --planet 1..2000 --ring 1..4000 --tolerance 9% --k 1.1..20";
     let seen = on_a_terminal(teeth, false).unwrap();
-    assert!(seen.contains("searching: ") && seen.contains("tooth sets found"), "{seen}");
+    assert!(seen.contains("searching: ") && seen.contains("sets of tooth numbers found"), "{seen}");
 }

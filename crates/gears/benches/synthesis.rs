@@ -8,7 +8,7 @@ use std::hint::black_box;
 fn synthesis(c: &mut Criterion) {
     let all = Bounds::default();
     assert_eq!(all.tooth_numbers().map(|sets| sets.len()), Ok(8016));
-    c.bench_function("gears/synthesis/all_tooth_sets", |b| b.iter(|| black_box(&all).tooth_numbers()));
+    c.bench_function("gears/synthesis/all_tooth_numbers", |b| b.iter(|| black_box(&all).tooth_numbers()));
 
     let mode = Mode::new(Member::Sun, Member::Carrier).expect("two members");
     c.bench_function("gears/synthesis/for_ratio", |b| {

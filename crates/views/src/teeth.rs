@@ -3,7 +3,7 @@
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
-use epicyclic_answers::teeth::{Teeth, ToothSet};
+use epicyclic_answers::teeth::{Teeth, ToothNumbers};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::{significant, trimmed};
 
@@ -29,10 +29,10 @@ impl AsReport for Teeth {
 /// How many were found, how many shown.
 #[must_use]
 pub fn count(teeth: &Teeth) -> String {
-    let sets = if teeth.found == 1 { "set" } else { "sets" };
+    let sets = if teeth.found == 1 { "set of tooth numbers" } else { "sets of tooth numbers" };
     match teeth.shown {
-        shown if shown as u64 == teeth.found => format!("{} tooth {sets}.", teeth.found),
-        shown => format!("{} tooth {sets} found, {shown} shown; --limit shows more.", teeth.found),
+        shown if shown as u64 == teeth.found => format!("{} {sets}.", teeth.found),
+        shown => format!("{} {sets} found, {shown} shown; --limit shows more.", teeth.found),
     }
 }
 
@@ -52,14 +52,14 @@ fn sets(teeth: &Teeth) -> Records {
             "spacing",
         ],
     )];
-    if teeth.tooth_sets.iter().any(|set| !set.equal_spacing) {
+    if teeth.tooth_numbers.iter().any(|set| !set.equal_spacing) {
         views.push(View::new(
             "Angles of the planets in degrees, and imbalance",
             &["sun", "planet", "ring", "planets", "planet_angles", "imbalance"],
         ));
     }
     Records {
-        name: "tooth_sets",
+        name: "tooth_numbers",
         columns: vec![
             Column::number("sun", "sun"),
             Column::number("planet", "planet"),
@@ -78,13 +78,13 @@ fn sets(teeth: &Teeth) -> Records {
             Column::quantity("planet_angles", Dimension::Angle),
             Column::number("imbalance", "imbalance"),
         ],
-        rows: teeth.tooth_sets.iter().map(row).collect(),
+        rows: teeth.tooth_numbers.iter().map(row).collect(),
         views,
         is_answer: true,
     }
 }
 
-fn row(set: &ToothSet) -> Vec<Figure> {
+fn row(set: &ToothNumbers) -> Vec<Figure> {
     vec![
         Figure::Count(set.sun),
         Figure::Count(set.planet),
@@ -114,7 +114,7 @@ fn percent(error: f64) -> String {
     format!("{sign}{}", significant(100.0 * error, 2))
 }
 
-fn undercut(set: &ToothSet) -> &'static str {
+fn undercut(set: &ToothNumbers) -> &'static str {
     match (set.undercut_sun, set.undercut_planet) {
         (true, true) => "sun, planet",
         (true, false) => "sun",

@@ -15,7 +15,7 @@ use uom::si::f64::{AngularAcceleration, AngularVelocity, Length, Mass, MomentOfI
 pub(super) fn calculations() -> Vec<Calculation> {
     vec![
         Calculation::new("dynamics.shaft_loads", "torques and powers on the shafts of a drive", shaft_loads),
-        Calculation::new("dynamics.planetary", "energy, reduced inertia and motion of a drive", planetary),
+        Calculation::new("dynamics.planetary", "energy, equivalent inertia and motion of a drive", planetary),
         Calculation::new(
             "dynamics.link_accelerations",
             "accelerations of planet and carrier for one of the sun",
@@ -23,7 +23,7 @@ pub(super) fn calculations() -> Vec<Calculation> {
         ),
         Calculation::new(
             "dynamics.reduced",
-            "energy and acceleration of a drive known by its reduced inertia",
+            "energy and acceleration of a drive known by its equivalent inertia",
             reduced,
         ),
     ]
@@ -137,7 +137,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
         .number("planet_speed_ratio", ratios.planet)
         .number("carrier_speed_ratio", ratios.carrier)
         .quantity("kinetic_energy", kinetic_energy(&drive.bodies(given.speed.0)?))
-        .quantity("reduced_inertia", drive.equivalent_inertia()?);
+        .quantity("equivalent_inertia", drive.equivalent_inertia()?);
     for link in drive.links() {
         results.quantity(format!("share.{}", link.name), link.equivalent_inertia()?);
     }
@@ -185,7 +185,7 @@ fn link_accelerations(given: &LinkAccelerationsGiven) -> Result<Results, Refusal
     Ok(results)
 }
 
-/// A drive known by its reduced inertia alone.
+/// A drive known by its equivalent inertia alone.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ReducedGiven {

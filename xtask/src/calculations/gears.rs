@@ -103,7 +103,7 @@ struct RowGiven {
     teeth: Option<SunAndRing>,
     /// Stationary ratio `i₀`.
     #[serde(default)]
-    stationary_ratio: Option<Number>,
+    basic_ratio: Option<Number>,
     /// The ratio it has in a mode.
     #[serde(default)]
     ratio: Option<RatioInMode>,
@@ -131,7 +131,7 @@ impl TryFrom<RowGiven> for BasicRatio {
     type Error = Refusal;
 
     fn try_from(given: RowGiven) -> Result<Self, Refusal> {
-        match (given.k, given.teeth, given.stationary_ratio, given.ratio) {
+        match (given.k, given.teeth, given.basic_ratio, given.ratio) {
             (Some(k), None, None, None) => Ok(RingToSunRatio::new(k.get())?.into()),
             (None, Some(teeth), None, None) => {
                 Ok(Self::simple(ToothCount::new(teeth.sun)?, ToothCount::new(teeth.ring)?))
@@ -142,7 +142,7 @@ impl TryFrom<RowGiven> for BasicRatio {
             }
             _ => Err(Refusal {
                 name: "row-known-in-one-way".into(),
-                message: "give exactly one of k, teeth, stationary_ratio and ratio".into(),
+                message: "give exactly one of k, teeth, basic_ratio and ratio".into(),
             }),
         }
     }
@@ -151,9 +151,9 @@ impl TryFrom<RowGiven> for BasicRatio {
 fn row(given: &RowGiven) -> Result<Results, Refusal> {
     let row = BasicRatio::try_from(*given)?;
     let mut results = Results::default();
-    results.number("stationary_ratio", row.get());
+    results.number("basic_ratio", row.get());
     if let Ok(k) = RingToSunRatio::new(-row.get()) {
-        results.number("row_parameter", k.get()).number("planet_to_sun", k.planet_to_sun());
+        results.number("ring_to_sun_ratio", k.get()).number("planet_to_sun", k.planet_to_sun());
     }
     for mode in Mode::ALL {
         results.number(format!("ratio.{mode}"), row.ratio(mode)?);
@@ -188,7 +188,7 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     let coaxiality = i64::from(sun.get()) + 2 * i64::from(planet.get()) - i64::from(ring.get());
     let mut results = Results::default();
     results
-        .number("stationary_ratio", row.get())
+        .number("basic_ratio", row.get())
         .number("ratio", row.ratio(Mode::new(Member::Sun, Member::Carrier)?)?)
         .count("coaxiality_difference", coaxiality)
         .count("most_planets", bounds.most_planets(sun, planet))
@@ -276,7 +276,7 @@ fn row_efficiency(given: &EfficiencyGiven) -> Result<Results, Refusal> {
     let efficiency = efficiency(row, eta0, mode)?;
     let mut results = Results::default();
     results
-        .number("stationary_efficiency", eta0.get())
+        .number("basic_efficiency", eta0.get())
         .number("stationary_loss", eta0.loss())
         .number("efficiency", efficiency);
     if eta0.loss() > 0.0 {
@@ -334,17 +334,17 @@ fn speeds(given: &SpeedsGiven) -> Result<Results, Refusal> {
 
 #[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-enum ToothingGiven {
+enum GearKindGiven {
     #[default]
     External,
     Internal,
 }
 
-impl From<ToothingGiven> for GearKind {
-    fn from(given: ToothingGiven) -> Self {
+impl From<GearKindGiven> for GearKind {
+    fn from(given: GearKindGiven) -> Self {
         match given {
-            ToothingGiven::External => Self::External,
-            ToothingGiven::Internal => Self::Internal,
+            GearKindGiven::External => Self::External,
+            GearKindGiven::Internal => Self::Internal,
         }
     }
 }
@@ -359,7 +359,7 @@ struct WheelGiven {
     teeth: u32,
     /// External unless given.
     #[serde(default)]
-    toothing: ToothingGiven,
+    gear_kind: GearKindGiven,
     /// Addendum coefficient `h_a*`, 1 unless given.
     #[serde(default)]
     addendum: Option<Number>,
@@ -379,7 +379,8 @@ fn rack(addendum: Option<Number>, clearance: Option<Number>) -> BasicRack {
 
 fn wheel(given: &WheelGiven) -> Result<Results, Refusal> {
     let rack = rack(given.addendum, given.clearance);
-    let wheel = ToothedGear::new(given.toothing.into(), given.module.0, ToothCount::new(given.teeth)?, rack)?;
+    let wheel =
+        ToothedGear::new(given.gear_kind.into(), given.module.0, ToothCount::new(given.teeth)?, rack)?;
     let mut results = Results::default();
     results
         .quantity("pitch_diameter", wheel.pitch_diameter())
@@ -401,15 +402,15 @@ struct WheelPairGiven {
     second: u32,
     /// Toothing of the second wheel, external unless given.
     #[serde(default)]
-    second_toothing: ToothingGiven,
+    second_kind: GearKindGiven,
 }
 
 fn wheel_pair(given: &WheelPairGiven) -> Result<Results, Refusal> {
-    let wheel = |toothing: GearKind, teeth: u32| {
-        ToothedGear::new(toothing, given.module.0, ToothCount::new(teeth)?, BasicRack::default())
+    let wheel = |gear_kind: GearKind, teeth: u32| {
+        ToothedGear::new(gear_kind, given.module.0, ToothCount::new(teeth)?, BasicRack::default())
     };
     let first = wheel(GearKind::External, given.first)?;
-    let second = wheel(given.second_toothing.into(), given.second)?;
+    let second = wheel(given.second_kind.into(), given.second)?;
     let mut results = Results::default();
     results.quantity("centre_distance", centre_distance(&first, &second)?);
     Ok(results)

@@ -42,11 +42,7 @@ pub const GONE: &[Word] = &[
     word("efficiency of overrun", "back-driving efficiency", All),
     word("bears itself out", "self-consistent", All),
     word("box of k", "range of k", All),
-    word("capacity", "dynamic_load_rating", Keys),
-];
-
-/// Words that are about to go: not checked. Whoever has removed the last one moves its line to [`GONE`].
-pub const PENDING: &[Word] = &[
+    word("capacity", "load_rating", Keys),
     word("row parameter", "ring-to-sun ratio", All),
     word("two row", "two sets", All),
     word("toothing", "external gear, internal gear", All),
@@ -67,17 +63,25 @@ pub const PENDING: &[Word] = &[
     word("demand", "requirements", BookProgramAnd(&["schemes", "selection"])),
     word("hangs on", "depends on", All),
     word("hang on", "depend on", All),
-    word("engine", "solver", BookProgramAnd(&["train", "schemes", "selection", "layout"])),
     word("wheels", "gear_set", Keys),
     word("bearing capacity", "basic dynamic load rating", All),
 ];
 
 /// Files in which a word may stand, and why.
-const EXCEPTIONS: &[(&str, &str)] = &[];
+const EXCEPTIONS: &[(&str, &str)] = &[
+    // The words of the sources stand there once.
+    ("docs/src/glossary.md", "row parameter"),
+    ("docs/src/glossary.md", "reduced inertia"),
+    ("docs/src/glossary.md", "neighbour condition"),
+    // Old keys of files, which are refused with the new ones.
+    ("crates/formats/src/document/renamed.rs", "bearing capacity"),
+];
 
 /// Names of others that have such a word in them: of the standard library, and of text.
 const OF_OTHERS: &[&str] = &[
     "is_control",
+    "control character",
+    "ControlFlow",
     "ControlCharacter",
     "control-character",
     ".lock()",
@@ -229,16 +233,5 @@ mod tests {
         );
         assert_eq!(count("docs/src/a.md", "under control"), 0);
         assert_eq!(count("examples/a.yaml", "wheels: { sun: 12 }\n# wheels turn: they do\n"), 1);
-    }
-
-    #[test]
-    fn no_word_is_both_gone_and_pending() {
-        for gone in GONE {
-            assert!(
-                !PENDING.iter().any(|word| word.not == gone.not && word.within == gone.within),
-                "{}",
-                gone.not
-            );
-        }
     }
 }

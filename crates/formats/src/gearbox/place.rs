@@ -8,7 +8,7 @@ use epicyclic_gears::Quantity;
 use epicyclic_train::{CompoundFault, Error as SolverError, Named, Place, Terminal};
 
 /// The lists whose entries may bear the name of a shift element.
-const CONTROLS: [&str; 4] = ["brakes", "clutches", "shift_elements", "one_way"];
+const SHIFT_ELEMENTS: [&str; 4] = ["brakes", "clutches", "shift_elements", "one_way"];
 
 /// The lists whose entries may bear the name of a set.
 const SETS: [&str; 2] = ["sets", "compound_sets"];
@@ -58,7 +58,7 @@ impl File<'_> {
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
             E::MemberInNoLink { set, member } => self.text(self.set(set), member),
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),
-            E::Clutch { clutch } => self.entry(&CONTROLS, clutch),
+            E::Clutch { clutch } => self.entry(&SHIFT_ELEMENTS, clutch),
             E::MemberInTwoLinks { member, second, .. } => {
                 self.text(self.base.clone().key("links").key(second.as_str()), member)
             }
@@ -72,7 +72,7 @@ impl File<'_> {
             SolverError::GroundedTerminal { place } => self.text(self.named(place), epicyclic_train::GROUND),
             SolverError::Duplicate { what, name } => match what {
                 Named::Set => self.set(name),
-                Named::ShiftElement => self.entry(&CONTROLS, name),
+                Named::ShiftElement => self.entry(&SHIFT_ELEMENTS, name),
                 Named::Gear => self.entry(&["gears"], name),
                 _ => self.text(self.base.clone().key("links"), name),
             },
@@ -86,7 +86,7 @@ impl File<'_> {
             SolverError::TooMany { what, limit, .. } => self.beyond(*what, *limit),
             SolverError::NoSets => self.key(self.base.clone(), "sets"),
             SolverError::ShiftElementJoinsItself { shift_element, .. } => {
-                self.entry(&CONTROLS, shift_element)
+                self.entry(&SHIFT_ELEMENTS, shift_element)
             }
             SolverError::CyclicGrounds { first, .. } => {
                 let places = ["ties", "grounds"].map(|key| self.text(self.base.clone().key(key), first));
@@ -104,7 +104,7 @@ impl File<'_> {
         };
         match place {
             Place::Set(id) => self.set(id),
-            Place::ShiftElement(id) => self.entry(&CONTROLS, id),
+            Place::ShiftElement(id) => self.entry(&SHIFT_ELEMENTS, id),
             Place::Gear(name) => self.key(self.entry(&["gears"], name), "engaged"),
             Place::TerminalOf(which, gear) => self.key(self.entry(&["gears"], gear), terminal(*which)),
             Place::Terminal(which) => self.key(self.base.clone(), terminal(*which)),
@@ -170,7 +170,7 @@ impl File<'_> {
     fn beyond(&self, what: Named, limit: usize) -> Path {
         let lists: &[&str] = match what {
             Named::Set => &SETS,
-            Named::ShiftElement => &CONTROLS,
+            Named::ShiftElement => &SHIFT_ELEMENTS,
             Named::Gear => &["gears"],
             Named::Link => &["links"],
             _ => &[],
