@@ -1,6 +1,7 @@
 //! Records of the catalogue's gearboxes, which several answers share: links, gears, shift elements, speeds.
 
 use crate::shared::zero;
+use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_schemes::structures::Role;
 use epicyclic_train::speeds::PlanetMotion;
 use schemars::JsonSchema;
@@ -71,6 +72,16 @@ pub enum GearName {
 }
 
 impl GearName {
+    /// The gear of a scheme.
+    #[must_use]
+    pub const fn of(gear: SchemeGear) -> Self {
+        match gear {
+            SchemeGear::First => Self::First,
+            SchemeGear::Second => Self::Second,
+            SchemeGear::Direct => Self::Direct,
+        }
+    }
+
     /// The gear of this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
@@ -179,7 +190,7 @@ impl SetSpeeds {
             sun_of_input: sun_of_input.map(zero),
             ring_of_input: ring_of_input.map(zero),
             carrier_of_input: carrier_of_input.map(zero),
-            planet_of_input: planet.and_then(|planet| planet.absolute).map(zero),
+            planet_of_input: planet.and_then(|planet| planet.speed).map(zero),
             relative_planet_of_input: planet.map(|planet| zero(planet.relative)),
         }
     }

@@ -1,9 +1,6 @@
 //! What is refused instead of answered.
 
-use crate::analyze::LoadQuantity;
-use crate::analyze::inputs::Given;
-use crate::schemes::{SizeName, SizeProblem};
-use crate::select::duty::DutyProblem;
+use crate::refusal::{DutyProblem, Given, LoadQuantity, SizeName, SizeProblem};
 
 /// A question without an answer.
 #[derive(Debug, thiserror::Error)]
@@ -153,7 +150,7 @@ pub enum Error {
     },
     /// What a scheme or a machine refuses.
     #[error(transparent)]
-    Design(#[from] epicyclic_schemes::DesignError),
+    Design(#[from] epicyclic_schemes::Error),
     /// A size of a scheme.
     #[error("{size}: {problem}")]
     SchemeSize {
@@ -164,7 +161,7 @@ pub enum Error {
     },
     /// What a selection refuses.
     #[error(transparent)]
-    Selection(#[from] epicyclic_selection::SelectionError),
+    Selection(#[from] epicyclic_selection::Error),
     /// A speed or load of an input.
     #[error(transparent)]
     Duty(#[from] DutyProblem),

@@ -1,9 +1,8 @@
 //! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
 
-use crate::tolerance::SAME;
+use crate::tolerance::SAME_SPEED;
 use crate::{Answer, Error};
-use epicyclic_formats::Physical as _;
-use epicyclic_schemes::DesignError;
+use epicyclic_formats::Physical;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
 use epicyclic_schemes::ratio_series::{self, PrintedSeries, RatioSeries, step};
@@ -181,7 +180,9 @@ impl Answer for MachineSpeeds {
 pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
     let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
     let (count, range) = (speeds.len(), fastest_direct.speed_range());
-    let series = (1..=count).map(|direct| Series::of(speeds, direct)).collect::<Result<_, DesignError>>()?;
+    let series = (1..=count)
+        .map(|direct| Series::of(speeds, direct))
+        .collect::<Result<_, epicyclic_schemes::Error>>()?;
     Ok(MachineSpeeds {
         speeds: Speeds {
             speeds: count,
@@ -194,7 +195,7 @@ pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
 }
 
 impl Series {
-    fn of(speeds: &[Velocity], direct: usize) -> Result<Self, DesignError> {
+    fn of(speeds: &[Velocity], direct: usize) -> Result<Self, epicyclic_schemes::Error> {
         let series = RatioSeries::of_speeds(speeds, direct)?;
         let count = speeds.len();
         let (q, d) = ((speeds[count - 1] / speeds[count - 2]).value, series.speed_range());
@@ -202,10 +203,10 @@ impl Series {
             .into_iter()
             .find(|printed| printed.count() == count && printed.direct() == direct)
             .map(|printed| {
-                Ok::<_, DesignError>(Printed {
+                Ok::<_, epicyclic_schemes::Error>(Printed {
                     number: printed.number(),
                     ratios: printed.members(q, d),
-                    serves: printed.serves(speeds, SAME)?,
+                    serves: printed.serves(speeds, SAME_SPEED)?,
                 })
             });
         Ok(Self {
@@ -317,7 +318,11 @@ pub fn drum(
 
 type InRocks = (Cutting, Vec<Rock>, Option<SpeedRange>);
 
-fn in_rocks(speed: Velocity, feed: Velocity, forces: Option<&Forces>) -> Result<InRocks, DesignError> {
+fn in_rocks(
+    speed: Velocity,
+    feed: Velocity,
+    forces: Option<&Forces>,
+) -> Result<InRocks, epicyclic_schemes::Error> {
     let m_s = |speed: Velocity| speed.si();
     let rock =
         |force: Force, speed, feed| Rock { force_n: force.si(), speed_m_s: m_s(speed), feed_m_s: m_s(feed) };
@@ -440,7 +445,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
     })
 }
 
-fn discharges(throw: &Throw) -> Result<Vec<(Option<Angle>, f64)>, DesignError> {
+fn discharges(throw: &Throw) -> Result<Vec<(Option<Angle>, f64)>, epicyclic_schemes::Error> {
     match throw {
         Throw::Discharge(given) => Ok(vec![(None, *given)]),
         Throw::Flight { release, chutes, radius_ratio } => chutes

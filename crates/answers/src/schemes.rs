@@ -3,79 +3,18 @@
 mod formulas;
 
 use crate::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds, ShiftElement};
+pub use crate::refusal::{SizeName, SizeProblem};
 use crate::shared::{Motion, zero};
 use crate::{Answer, Error, Warning};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_schemes::DesignError;
-use epicyclic_schemes::catalogue::{RingToSunRange, Role, ThreeSpeed, TwoSpeed};
+use epicyclic_schemes::catalogue::{RingToSunRange, Scheme as CatalogueScheme};
 use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Planets that turn faster than this relative to their carriers, in multiples of the input's speed, are warned of.
 const USUAL_PLANET_SPEED: f64 = 2.0;
-
-/// Any scheme of the catalogue.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AnyScheme {
-    /// I, II or III.
-    Two(TwoSpeed),
-    /// One of the eleven.
-    Three(ThreeSpeed),
-}
-
-impl AnyScheme {
-    /// All fourteen.
-    pub fn all() -> impl Iterator<Item = Self> {
-        TwoSpeed::ALL.into_iter().map(Self::Two).chain(ThreeSpeed::ALL.into_iter().map(Self::Three))
-    }
-
-    /// The scheme of this name, in letters of either case.
-    ///
-    /// # Errors
-    /// [`DesignError::UnknownScheme`].
-    pub fn named(name: &str) -> Result<Self, DesignError> {
-        Self::all().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
-            let known = Self::all().map(Self::name).collect::<Vec<_>>().join(", ");
-            DesignError::UnknownScheme { name: name.to_owned(), known }
-        })
-    }
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Two(scheme) => scheme.name(),
-            Self::Three(scheme) => scheme.name(),
-        }
-    }
-
-    /// The scheme of set 1 alone.
-    fn first(self) -> TwoSpeed {
-        match self {
-            Self::Two(scheme) => scheme,
-            Self::Three(scheme) => scheme.first_stage(),
-        }
-    }
-
-    /// Links of sun, ring and carrier of each set.
-    fn sets(self) -> Vec<[Role; 3]> {
-        match self {
-            Self::Two(scheme) => vec![scheme.set()],
-            Self::Three(scheme) => scheme.sets().to_vec(),
-        }
-    }
-
-    /// Least and greatest ratio of its last braked gear over a range of k.
-    fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
-        let [one, other] = match self {
-            Self::Two(scheme) => scheme.ratio_range(range),
-            Self::Three(scheme) => scheme.ratio_range(range),
-        };
-        [one.min(other), one.max(other)]
-    }
-}
 
 /// What says how large the sets of a scheme are.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -88,56 +27,6 @@ pub struct Sizes {
     pub ratio1: Option<f64>,
     /// Ratio of gear 2, in place of `k2`.
     pub ratio2: Option<f64>,
-}
-
-/// One of the [`Sizes`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SizeName {
-    /// Ring-to-sun ratio of set 1.
-    K1,
-    /// Ring-to-sun ratio of set 2.
-    K2,
-    /// Ratio of gear 1.
-    Ratio1,
-    /// Ratio of gear 2.
-    Ratio2,
-}
-
-impl std::fmt::Display for SizeName {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::K1 => "k1",
-            Self::K2 => "k2",
-            Self::Ratio1 => "ratio1",
-            Self::Ratio2 => "ratio2",
-        })
-    }
-}
-
-/// What is wrong with one of the [`Sizes`].
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SizeProblem {
-    /// No ring-to-sun ratio of a simple set.
-    #[error(transparent)]
-    RingToSunRatio(#[from] epicyclic_gears::Error),
-    /// A ratio that the scheme does not give.
-    #[error(transparent)]
-    Ratio(#[from] DesignError),
-    /// Set 1 has no size, and set 2 has one.
-    #[error("k1 or ratio1 is due too")]
-    FirstMissing,
-    /// Set 1 has a size, and set 2 none.
-    #[error("{scheme} has two sets: k2 or ratio2 is due too")]
-    SecondMissing {
-        /// The scheme.
-        scheme: &'static str,
-    },
-    /// A size of set 2, which the scheme lacks.
-    #[error("scheme {scheme} has one set")]
-    OneSet {
-        /// The scheme.
-        scheme: &'static str,
-    },
 }
 
 /// A scheme whose sets have sizes.
@@ -153,39 +42,41 @@ pub struct Sized {
 ///
 /// # Errors
 /// [`Error::SchemeSize`].
-pub fn sized(scheme: AnyScheme, sizes: Sizes, eta0: MeshEfficiency) -> Result<Option<Sized>, Error> {
+pub fn sized(scheme: CatalogueScheme, sizes: Sizes, eta0: MeshEfficiency) -> Result<Option<Sized>, Error> {
     let refuse = |size, problem| Err(Error::SchemeSize { size, problem });
     let name = scheme.name();
     let k = |size, k: f64| {
         RingToSunRatio::new(k).map_err(|error| Error::SchemeSize { size, problem: error.into() })
     };
-    let of_ratio = |size, found: Result<RingToSunRatio, DesignError>| {
+    let of_ratio = |size, found: Result<RingToSunRatio, epicyclic_schemes::Error>| {
         found.map_err(|error| Error::SchemeSize { size, problem: error.into() })
     };
     let first = match (sizes.k1, sizes.ratio1) {
         (Some(k1), _) => k(SizeName::K1, k1)?,
-        (None, Some(ratio)) => of_ratio(SizeName::Ratio1, scheme.first().ring_to_sun_ratio(ratio))?,
+        (None, Some(ratio)) => of_ratio(SizeName::Ratio1, scheme.first_stage().ring_to_sun_ratio(ratio))?,
         (None, None) if sizes.k2.is_some() => return refuse(SizeName::K2, SizeProblem::FirstMissing),
         (None, None) if sizes.ratio2.is_some() => return refuse(SizeName::Ratio2, SizeProblem::FirstMissing),
         (None, None) => return Ok(None),
     };
     let second = match (scheme, sizes.k2, sizes.ratio2) {
-        (AnyScheme::Two(_), None, None) => None,
-        (AnyScheme::Two(_), Some(_), _) => {
+        (CatalogueScheme::Two(_), None, None) => None,
+        (CatalogueScheme::Two(_), Some(_), _) => {
             return refuse(SizeName::K2, SizeProblem::OneSet { scheme: name });
         }
-        (AnyScheme::Two(_), ..) => return refuse(SizeName::Ratio2, SizeProblem::OneSet { scheme: name }),
-        (AnyScheme::Three(_), Some(k2), _) => Some(k(SizeName::K2, k2)?),
-        (AnyScheme::Three(three), None, Some(ratio)) => {
+        (CatalogueScheme::Two(_), ..) => {
+            return refuse(SizeName::Ratio2, SizeProblem::OneSet { scheme: name });
+        }
+        (CatalogueScheme::Three(_), Some(k2), _) => Some(k(SizeName::K2, k2)?),
+        (CatalogueScheme::Three(three), None, Some(ratio)) => {
             Some(of_ratio(SizeName::Ratio2, three.second_ring_to_sun_ratio(first, ratio))?)
         }
-        (AnyScheme::Three(_), None, None) => {
+        (CatalogueScheme::Three(_), None, None) => {
             return refuse(SizeName::K2, SizeProblem::SecondMissing { scheme: name });
         }
     };
     let gearbox = match (scheme, second) {
-        (AnyScheme::Three(three), Some(second)) => three.gearbox(first, second, eta0)?,
-        _ => scheme.first().gearbox(first, eta0)?,
+        (CatalogueScheme::Three(three), Some(second)) => three.gearbox(first, second, eta0)?,
+        _ => scheme.first_stage().gearbox(first, eta0)?,
     };
     Ok(Some(Sized { k: [Some(first), second].into_iter().flatten().collect(), gearbox }))
 }
@@ -209,9 +100,9 @@ pub struct SchemeFormulas {
     /// Links of the members of its sets.
     pub sets: Vec<SetLinks>,
     /// Ratio of its last braked gear, in k₁ and k₂.
-    pub ratio_formula: &'static str,
+    pub ratio_formula: String,
     /// Efficiency of that gear, in k₁, k₂ and η₀.
-    pub efficiency_formula: &'static str,
+    pub efficiency_formula: String,
     /// Least ratio of that gear over the range of k.
     pub least_ratio: f64,
     /// Greatest ratio of that gear over the range of k.
@@ -225,7 +116,7 @@ impl Answer for Schemes {
 /// All schemes, their ratios over a range of ring-to-sun ratios.
 #[must_use]
 pub fn list(range: RingToSunRange) -> Schemes {
-    let scheme = |scheme: AnyScheme| {
+    let scheme = |scheme: CatalogueScheme| {
         let [least_ratio, greatest_ratio] = scheme.ratio_range(range);
         SchemeFormulas {
             scheme: scheme.name(),
@@ -236,7 +127,10 @@ pub fn list(range: RingToSunRange) -> Schemes {
             greatest_ratio,
         }
     };
-    Schemes { k: KRange::of(range.low(), range.high()), schemes: AnyScheme::all().map(scheme).collect() }
+    Schemes {
+        k: KRange::of(range.low(), range.high()),
+        schemes: CatalogueScheme::all().map(scheme).collect(),
+    }
 }
 
 /// A scheme: links, formulas, ranges, and its numbers where its sets have sizes.
@@ -280,9 +174,9 @@ pub struct GearFormulas {
     /// The link that is braked in it; `null` of direct drive.
     pub braked: Option<Link>,
     /// Its ratio, in k₁ and k₂.
-    pub ratio_formula: &'static str,
+    pub ratio_formula: String,
     /// Its efficiency, in k₁, k₂ and η₀.
-    pub efficiency_formula: &'static str,
+    pub efficiency_formula: String,
     /// Its least ratio over the range of k.
     pub least_ratio: f64,
     /// Its greatest ratio over the range of k.
@@ -334,7 +228,7 @@ impl Answer for Scheme {
 /// # Errors
 /// [`Error::SchemeSize`], [`Error::Gearbox`].
 pub fn one(
-    scheme: AnyScheme,
+    scheme: CatalogueScheme,
     range: RingToSunRange,
     sizes: Sizes,
     eta0: MeshEfficiency,
@@ -343,8 +237,8 @@ pub fn one(
         scheme: scheme.name(),
         sets: scheme.sets().into_iter().map(SetLinks::of).collect(),
         connection: match scheme {
-            AnyScheme::Two(_) => None,
-            AnyScheme::Three(three) => Some(Connection {
+            CatalogueScheme::Two(_) => None,
+            CatalogueScheme::Three(three) => Some(Connection {
                 shaft: Link::of(three.connection().shaft().role()),
                 motion: Motion::of(three.connection().mode()),
             }),
@@ -368,8 +262,8 @@ pub fn one(
     Ok(found)
 }
 
-fn gear_formulas(scheme: AnyScheme, range: RingToSunRange) -> Vec<GearFormulas> {
-    let of = |gear, braked, scheme: AnyScheme| {
+fn gear_formulas(scheme: CatalogueScheme, range: RingToSunRange) -> Vec<GearFormulas> {
+    let of = |gear, braked, scheme: CatalogueScheme| {
         let [least_ratio, greatest_ratio] = scheme.ratio_range(range);
         GearFormulas {
             gear,
@@ -380,15 +274,15 @@ fn gear_formulas(scheme: AnyScheme, range: RingToSunRange) -> Vec<GearFormulas> 
             greatest_ratio,
         }
     };
-    let mut all = vec![of(GearName::First, Link::T1, AnyScheme::Two(scheme.first()))];
-    if matches!(scheme, AnyScheme::Three(_)) {
+    let mut all = vec![of(GearName::First, Link::T1, CatalogueScheme::Two(scheme.first_stage()))];
+    if matches!(scheme, CatalogueScheme::Three(_)) {
         all.push(of(GearName::Second, Link::T2, scheme));
     }
     all.push(GearFormulas {
         gear: GearName::Direct,
         braked: None,
-        ratio_formula: "1",
-        efficiency_formula: "1",
+        ratio_formula: "1".to_owned(),
+        efficiency_formula: "1".to_owned(),
         least_ratio: 1.0,
         greatest_ratio: 1.0,
     });
@@ -476,15 +370,15 @@ mod tests {
 
     #[test]
     fn a_scheme_without_sizes_has_formulas_alone() {
-        let scheme = AnyScheme::named("ii-3").unwrap();
+        let scheme = "ii-3".parse::<CatalogueScheme>().unwrap();
         let found = one(scheme, RingToSunRange::USED, Sizes::default(), MeshEfficiency::IDEAL).unwrap();
         assert_eq!((found.formulas.len(), found.gears.len(), found.parameters), (3, 0, None));
     }
 
     #[test]
     fn sizes_that_do_not_fit_are_told_by_name() {
-        let refused = |scheme, sizes| {
-            let scheme = AnyScheme::named(scheme).unwrap();
+        let refused = |scheme: &str, sizes| {
+            let scheme = scheme.parse::<CatalogueScheme>().unwrap();
             match sized(scheme, sizes, MeshEfficiency::IDEAL) {
                 Err(Error::SchemeSize { size, problem }) => (size, problem),
                 other => panic!("{other:?}"),

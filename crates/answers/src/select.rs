@@ -13,9 +13,11 @@ pub mod required;
 pub mod teeth;
 
 use crate::catalogue::SetLinks;
+use crate::tolerance::OBJECTIVE;
 use crate::{Answer, Error};
 use candidate::{Candidate, Ranked};
 use duty::Duty;
+use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{self as selection, Order, Requirements, Selection, Space, select_with};
 use required::{Objective, Required};
@@ -78,7 +80,7 @@ impl Answer for Select {
 impl Unreachable {
     fn of(one: &selection::Unreachable) -> Self {
         Self {
-            scheme: one.mechanism.scheme(),
+            scheme: one.mechanism.scheme().map(Scheme::name),
             structure: one.mechanism.to_string(),
             sets: one.mechanism.sets().into_iter().map(SetLinks::of).collect(),
             wanted_ratios: one.wanted.clone(),
@@ -139,9 +141,6 @@ fn decisive(order: Order, best: &selection::Objectives, other: &selection::Objec
     order.objectives().into_iter().find(differs).map(Objective::of)
 }
 
-/// Objectives that differ by less are equal: the order compares on a grid of this size.
-const GRID: f64 = 2e-12;
-
 fn differs(
     objective: selection::Objective,
     one: &selection::Objectives,
@@ -154,17 +153,17 @@ fn differs(
         selection::Objective::RatioError => of.ratio_error,
         selection::Objective::Size => of.size,
     };
-    (value(one) - value(other)).abs() > GRID
+    (value(one) - value(other)).abs() > OBJECTIVE
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use epicyclic_selection::RatioSeries;
+    use epicyclic_schemes::RatioSeries;
 
     fn wanted(ratios: &[f64], most: usize) -> Wanted {
         Wanted {
-            requirements: Requirements::new(RatioSeries::new(ratios).unwrap()),
+            requirements: Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap()),
             order: Order::default(),
             space: Space::Catalogue,
             most,

@@ -3,7 +3,7 @@
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
 use crate::{Answer, Error};
-use epicyclic_formats::Physical as _;
+use epicyclic_formats::Physical;
 use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::{Bounds, Candidate};
 use schemars::JsonSchema;

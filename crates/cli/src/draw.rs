@@ -232,7 +232,7 @@ fn consistent(args: &Args) -> Result<(), Failure> {
 fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
     let gearbox = &subject.gearbox;
     let title = args.title.as_deref();
-    let gear = args.gear.as_deref().map(|gear| analysis(gearbox, gear)).transpose()?;
+    let gear = args.gear.as_deref().map(|gear| analysis(gearbox, subject.gear_name(gear))).transpose()?;
     Ok(match (args.view.unwrap_or(View::Scheme), &gear) {
         (View::Scheme, gear) => kinematic(args, subject, gear.as_ref())?,
         (View::Speeds, Some(gear)) => speeds::scene(gearbox, gear, title)?,

@@ -69,10 +69,10 @@ pub(crate) enum Failure {
     Gearbox(#[from] epicyclic_train::Error),
     /// Requirements on the catalogue or of a machine that nothing meets.
     #[error(transparent)]
-    Design(#[from] epicyclic_schemes::DesignError),
+    Design(#[from] epicyclic_schemes::Error),
     /// A selection that cannot be made.
     #[error(transparent)]
-    Selection(epicyclic_selection::SelectionError),
+    Selection(epicyclic_selection::Error),
     /// A gearbox that no drawing in the half-plane exists of.
     #[error(
         "{gearbox} crosses itself: {why}\n{witness}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder"

@@ -6,7 +6,7 @@ use crate::output::OutputArgs;
 use epicyclic_answers::Error;
 use epicyclic_answers::machine::{self, Forces, Throw, Wheel};
 use epicyclic_formats::{Number, Quantity};
-use epicyclic_schemes::DesignError;
+use epicyclic_schemes::Error as SchemeError;
 use epicyclic_schemes::quantity::Quantity as Of;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
@@ -237,7 +237,7 @@ impl Rotor {
 fn refuse(error: Error) -> Failure {
     let Error::Design(error) = error else { return error.into() };
     let option = match &error {
-        DesignError::NotPositive { quantity, .. } => match quantity {
+        SchemeError::NotPositive { quantity, .. } => match quantity {
             Of::PickSpacing => "--pick-spacing",
             Of::Feed => "--feed",
             Of::MeanChip | Of::GreatestChip => "--chip",
@@ -254,8 +254,8 @@ fn refuse(error: Error) -> Failure {
             Of::Discharge => "--discharge",
             _ => return error.into(),
         },
-        DesignError::SpeedCount { .. } | DesignError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
-        DesignError::NoFlight { .. } => "--release, --chute",
+        SchemeError::SpeedCount { .. } | SchemeError::SpeedsOutOfOrder { .. } => "<SPEEDS>",
+        SchemeError::NoFlight { .. } => "--release, --chute",
         _ => return error.into(),
     };
     Failure::Option { option, message: error.to_string() }

@@ -3,10 +3,10 @@
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
-use epicyclic_answers::schemes::{self, AnyScheme, SizeName, SizeProblem, Sized, Sizes};
+use epicyclic_answers::schemes::{self, SizeName, SizeProblem, Sized, Sizes};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::RingToSunRange;
+use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
 use uom::si::f64::Ratio;
 
 /// The catalogue of two- and three-speed schemes of planetary gearboxes.
@@ -86,14 +86,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(of_option("--efficiency"))?;
     let Some(name) = &args.scheme else { return args.output.deliver(&schemes::list(range)) };
     let options = SizeOptions { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
-    let found = schemes::one(AnyScheme::named(name)?, range, options.sizes(), eta0);
+    let found = schemes::one(name.parse()?, range, options.sizes(), eta0);
     args.output.deliver(&found.map_err(refuse)?)
 }
 
 /// The scheme with the ring-to-sun ratios or ratios that were given, if any were.
 pub(crate) fn sized(
     options: SizeOptions,
-    scheme: AnyScheme,
+    scheme: Scheme,
     eta0: MeshEfficiency,
 ) -> Result<Option<Sized>, Failure> {
     schemes::sized(scheme, options.sizes(), eta0).map_err(refuse)

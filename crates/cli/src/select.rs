@@ -12,11 +12,10 @@ use epicyclic_answers::select::{self, Wanted};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
+use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
-use epicyclic_selection::{
-    Limits, Objective, Order, Orders, Rating, RatioSeries, Requirements, SelectionError, Signs, Space,
-};
+use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
 
 /// Designs shown unless said otherwise: in a table, and of tooth numbers.
@@ -319,11 +318,11 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
 
 fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
     let series = match (&args.speeds, &args.ratios) {
-        (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values()),
+        (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values(), 1),
         (None, ratios) => {
             let ratios: Vec<f64> =
                 ratios.iter().flat_map(|ratios| &ratios.0).map(|ratio| ratio.get()).collect();
-            RatioSeries::new(&ratios)
+            RatioSeries::of_braked_gears(&ratios)
         }
     };
     let criteria = &args.criteria;
@@ -355,7 +354,7 @@ fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
         },
         eta0,
         rating: rating(args, duty)?,
-        ..Requirements::new(series.map_err(|error| refuse(args, error.into()))?)
+        ..Requirements::new(series.map_err(|error| refuse_selection(error.into()))?)
     })
 }
 
@@ -428,11 +427,15 @@ fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
     Failure::Option { option, message }
 }
 
-fn refuse_selection(error: SelectionError) -> Failure {
-    use SelectionError as E;
+fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
+    use epicyclic_schemes::Error as S;
+    use epicyclic_selection::Error as E;
     let option = match &error {
-        E::SpeedCount { .. } | E::SpeedsOutOfOrder { .. } => "--speeds",
-        E::RatioCount { .. } | E::Ratio { .. } | E::EqualRatios { .. } => "--ratios",
+        E::SpeedCount { .. } => "--speeds, --ratios",
+        E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
+        E::RatioCount { .. } | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => {
+            "--ratios"
+        }
         E::Tolerance { .. } => "--tolerance",
         E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
         E::RingToSunRange { .. } => "--k",
@@ -451,7 +454,7 @@ fn refuse_selection(error: SelectionError) -> Failure {
         E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
         E::GearSet(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
-            None => return Failure::Selection(SelectionError::GearSet(error.clone())),
+            None => return Failure::Selection(E::GearSet(error.clone())),
         },
         E::RepeatedObjective { .. } | E::UnknownObjective { .. } => "--order",
         _ => return Failure::Selection(error),

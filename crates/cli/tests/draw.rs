@@ -121,6 +121,29 @@ fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
     ));
 }
 
+/// Either set first, either brake as T1: the same picture, its sizes and gears those of the links as they were named.
+#[test]
+fn a_structure_is_drawn_by_any_spelling_of_its_name() {
+    let folder = here();
+    let drawn = |args: &[&str]| {
+        let args = [&["draw"], args].concat();
+        text(&output(folder.path(), &args).stdout)
+    };
+    let canonical = drawn(&["D.T1.B+T2.B.T1", "--k1", "1.618", "--k2", "2.5", "--gear", "2", "--power"]);
+    assert!(canonical.contains("<svg"), "{canonical}");
+    for (name, k1, k2, gear) in [
+        ("D.T2.B+T1.B.T2", "1.618", "2.5", "1"),
+        ("T2.B.T1+D.T1.B", "2.5", "1.618", "2"),
+        ("t1.b.t2+d.t2.b", "2.5", "1.618", "1"),
+    ] {
+        assert_eq!(drawn(&[name, "--k1", k1, "--k2", k2, "--gear", gear, "--power"]), canonical, "{name}");
+    }
+    let refused = |name: &str| text(&output(folder.path(), &["draw", name]).stderr);
+    let unknown = refused("D.T1.B+D.T1.T3");
+    assert!(unknown.contains("did you mean `D.T1.B+D.T1.T2`?"), "{unknown}");
+    assert!(refused("D.T1.B+D.B.T1").contains("no structure"));
+}
+
 #[test]
 fn a_motor_is_drawn_from_its_file() {
     let folder = here();

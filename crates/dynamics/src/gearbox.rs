@@ -85,7 +85,7 @@ pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Ve
         }
         for (planet, moving) in planets.each.iter().zip(&motion.planets) {
             // A bevel planet turns about an axis across: its own spin and the carrier's are apart.
-            let speed = moving.and_then(|moving| moving.absolute).ok_or_else(|| no_speed(name))?;
+            let speed = moving.and_then(|moving| moving.speed).ok_or_else(|| no_speed(name))?;
             let orbit = Orbit { mass: planet.mass, radius: planet.radius, speed_ratio: carrier };
             links.push(Link {
                 name: LinkName::PlanetsOf(name.clone()),

@@ -29,16 +29,19 @@
 //!
 //! The source states neither condition; it says that eleven schemes exist for any pair of ratios. That does not
 //! follow from its rule. Of the 20 that circulate power six keep the sign of `i₁` for all k and can slow down
-//! (five of them do at every k), and lose little while the circulating power is small ([`Use::Slows`]); four of those whose ratio
+//! (five of them do at every k), and lose little while the circulating power is small ([`Use::Slows`](crate::standing::Use::Slows)); four of those whose ratio
 //! changes its sign do so for some k; the others only reverse or speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.36)–(2.38), section 2.4.
 
-use crate::DesignError;
+use crate::Error;
+use crate::catalogue::range::limits;
 use crate::catalogue::simple_set::{fraction, ring_to_sun_ratio};
-use crate::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, gearbox};
+use crate::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, with_role};
+use crate::pair::{self, coefficients};
 use crate::quantity::ConnectionPart;
+use crate::structures::{Structure, gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
 use epicyclic_train::Gearbox;
@@ -89,9 +92,9 @@ pub fn superposed_ratio(from_a: f64, a_tie: f64, b_tie: f64) -> f64 {
 /// Ratio of gear 2 from that of gear 1 and the connection ratio: (2.37) and (2.38).
 ///
 /// # Errors
-/// [`DesignError::ConnectionRatio`] for `i₁` of 0 or 1 and what is not finite; for an `i_c` that brings the
+/// [`Error::ConnectionRatio`] for `i₁` of 0 or 1 and what is not finite; for an `i_c` that brings the
 /// output to rest.
-pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, DesignError> {
+pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, Error> {
     let first = stage_one(first)?;
     let second = match shaft {
         Shaft::Driven => superposed_ratio(first, 1.0, connection),
@@ -104,7 +107,7 @@ pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, De
 ///
 /// ```
 /// use epicyclic_schemes::connection::{Shaft, connection_ratio, second_ratio};
-/// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+/// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let connection = connection_ratio(Shaft::Driven, 1.465, 2.56)?;
 /// assert!((connection - -2.354_838_71).abs() < 1e-8); // −k₂ of II-3
 /// assert!((second_ratio(Shaft::Driven, 1.465, connection)? - 2.56).abs() < 1e-12);
@@ -113,8 +116,8 @@ pub fn second_ratio(shaft: Shaft, first: f64, connection: f64) -> Result<f64, De
 /// ```
 ///
 /// # Errors
-/// [`DesignError::ConnectionRatio`] for `i₁` of 0 or 1, `i₂` of 0, and what is not finite.
-pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, DesignError> {
+/// [`Error::ConnectionRatio`] for `i₁` of 0 or 1, `i₂` of 0, and what is not finite.
+pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, Error> {
     let first = stage_one(first)?;
     if second == 0.0 || !second.is_finite() {
         return Err(refused(ConnectionPart::SecondGear, second));
@@ -126,7 +129,7 @@ pub fn connection_ratio(shaft: Shaft, first: f64, second: f64) -> Result<f64, De
     })
 }
 
-fn stage_one(ratio: f64) -> Result<f64, DesignError> {
+fn stage_one(ratio: f64) -> Result<f64, Error> {
     if ratio.is_finite() && ratio != 0.0 && ratio != 1.0 {
         Ok(ratio)
     } else {
@@ -134,8 +137,8 @@ fn stage_one(ratio: f64) -> Result<f64, DesignError> {
     }
 }
 
-fn refused(what: ConnectionPart, ratio: f64) -> DesignError {
-    DesignError::ConnectionRatio { what, ratio }
+fn refused(what: ConnectionPart, ratio: f64) -> Error {
+    Error::ConnectionRatio { what, ratio }
 }
 
 /// Circulating power in the loop of gear 2, as a part of the input power, without losses.
@@ -160,31 +163,6 @@ pub struct Connection {
     mode: Mode,
 }
 
-/// What becomes of a connection over a range of ring-to-sun ratios.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Standing {
-    /// The source has it: power splits, and it can slow down.
-    Listed(ThreeSpeed),
-    /// Power splits, but `|i₂| < 1` at every k, while `i₁` slows down: the source calls slowing mixed with
-    /// speeding unfavourable.
-    OnlySpeedsUp,
-    /// Power circulates at every k; the source passes it over without saying so.
-    Circulates(Use),
-}
-
-/// What a connection that circulates power could be used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Use {
-    /// Its ratio has the sign of `i₁` at every k and can slow down: *missed by the source*.
-    Slows,
-    /// Its ratio has the sign of `i₁` but `|i₂| < 1` throughout.
-    OnlySpeedsUp,
-    /// Its ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
-    Reverses,
-    /// Its ratio changes sign within the range: whether it drives forward, backward or not at all depends on k.
-    ChangesSign,
-}
-
 impl Connection {
     /// All 36: by scheme of set 1, by shaft, by ratio of table 2.2.
     #[must_use]
@@ -198,12 +176,24 @@ impl Connection {
         all
     }
 
-    /// The connection whose set 2 has its members `[a, b, H]` at these links.
-    pub(crate) fn of_set(first: TwoSpeed, shaft: Shaft, set: [Role; 3]) -> Self {
-        let is = |connection: &Self| {
-            connection.first == first && connection.shaft == shaft && connection.sets()[1] == set
+    /// The connection that a structure is; `None` of one that is not built by the rule.
+    #[must_use]
+    pub fn of_structure(structure: Structure) -> Option<Self> {
+        let [first, second] = structure.sets();
+        let first = TwoSpeed::of_set(first)?;
+        let shafts = Shaft::ALL.map(|shaft| (shaft, second.contains(&shaft.role())));
+        let shaft = match shafts {
+            [(shaft, true), (_, false)] | [(_, false), (shaft, true)] => shaft,
+            _ => return None,
         };
-        Self::all().into_iter().find(is).unwrap_or_else(|| unreachable!("sets of T1, T2 and the shaft"))
+        let mode = Mode::new(with_role(second, Role::T1)?, with_role(second, shaft.role())?).ok()?;
+        Some(Self { first, shaft, mode })
+    }
+
+    /// The structure that it is; set 1 has D and B, so the labels of its links stay.
+    #[must_use]
+    pub fn structure(self) -> Structure {
+        Structure::new(self.sets()).unwrap_or_else(|| unreachable!("the 36 are structures, by test"))
     }
 
     /// Scheme of set 1.
@@ -237,12 +227,8 @@ impl Connection {
 
     /// Ratio `i₂` as a fraction whose parts are linear in each of `k₁`, `k₂`.
     fn fraction(self, k1: f64, k2: f64) -> [f64; 2] {
-        let [n1, d1] = self.first.fraction(k1);
-        let [nc, dc] = fraction(self.mode, k2);
-        match self.shaft {
-            Shaft::Driven => [n1 * dc + (d1 - n1) * nc, d1 * dc],
-            Shaft::Driving => [n1 * dc, d1 * dc + (n1 - d1) * nc],
-        }
+        let [first, second] = self.sets();
+        pair::fraction(&coefficients(first, k1), &coefficients(second, k2), 1)
     }
 
     /// Ratio `i₂ = ω_D/ω_B` with T₂ braked; infinite where the output rests, 0 where the input is blocked.
@@ -255,64 +241,36 @@ impl Connection {
     /// What the ratio does while both ring-to-sun ratios run over a range.
     #[must_use]
     pub fn reach(self, range: RingToSunRange) -> Reach {
-        Reach::of(|k1, k2| self.fraction(k1, k2), range)
+        Reach::of(|k1, k2| self.fraction(k1, k2), range.ends())
     }
 
     /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
     ///
     /// # Errors
-    /// [`DesignError::RatioOutOfReach`] with the ratios at `k₂ → 1` and `k₂ → ∞`.
-    pub fn second_ring_to_sun_ratio(
-        self,
-        k1: RingToSunRatio,
-        ratio: f64,
-    ) -> Result<RingToSunRatio, DesignError> {
+    /// [`Error::RatioOutOfReach`] with the ratios at `k₂ → 1` and `k₂ → ∞`.
+    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, Error> {
         let needed = connection_ratio(self.shaft, self.first.ratio(k1), ratio).ok();
         needed.and_then(|needed| ring_to_sun_ratio(self.mode, needed).ok()).ok_or_else(|| {
-            let at = |k2: f64| {
-                let [n, d] = self.fraction(k1.get(), k2);
-                n / d
-            };
-            // The fraction's parts are linear in k₂: its limit is the ratio of their slopes.
-            let [from, to] = [self.fraction(k1.get(), 1.0), self.fraction(k1.get(), 2.0)];
-            let limit = (to[0] - from[0]) / (to[1] - from[1]);
-            let (low, high) = (at(1.0).min(limit), at(1.0).max(limit));
-            DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
+            let [low, high] = limits(|k2| self.fraction(k1.get(), k2));
+            Error::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
         })
     }
 
     /// The source's scheme that it is.
     #[must_use]
     pub fn listed(self) -> Option<ThreeSpeed> {
-        ThreeSpeed::ALL.into_iter().find(|scheme| scheme.sets() == self.sets())
+        self.structure().scheme()
     }
 
     /// Whether power never circulates: `0 < s < 1`, which depends on signs alone.
     #[must_use]
     pub fn splits_power(self) -> bool {
         // i₁ > 1 of I and II, i₁ < 0 of III.
-        let reverses = self.first == TwoSpeed::III;
+        let reverses = self.first.sign() < 0.0;
         let negative = fraction(self.mode, 2.0)[0] < 0.0;
         match self.shaft {
             Shaft::Driven => negative,
             Shaft::Driving => negative == reverses,
-        }
-    }
-
-    /// What becomes of it over a range of ring-to-sun ratios.
-    #[must_use]
-    pub fn standing(self, range: RingToSunRange) -> Standing {
-        if let Some(scheme) = self.listed() {
-            return Standing::Listed(scheme);
-        }
-        let reach = self.reach(range);
-        let sign = if self.first == TwoSpeed::III { -1.0 } else { 1.0 };
-        match reach {
-            _ if self.splits_power() => Standing::OnlySpeedsUp,
-            Reach::ThroughZero | Reach::ThroughInfinity => Standing::Circulates(Use::ChangesSign),
-            _ if !reach.has_sign_of(sign) => Standing::Circulates(Use::Reverses),
-            _ if reach.slows() => Standing::Circulates(Use::Slows),
-            _ => Standing::Circulates(Use::OnlySpeedsUp),
         }
     }
 
@@ -325,9 +283,10 @@ impl Connection {
         k1: RingToSunRatio,
         k2: RingToSunRatio,
         eta0: MeshEfficiency,
-    ) -> Result<Gearbox, DesignError> {
+    ) -> Result<Gearbox, Error> {
         let [first, second] = self.sets();
-        Ok(gearbox(&self.to_string(), &[(first, k1), (second, k2)], eta0)?)
+        let sets = [(first, k1.get()), (second, k2.get())];
+        gearbox(&self.to_string(), &sets, eta0, Some([Role::D, Role::B]))
     }
 }
 
@@ -338,19 +297,37 @@ impl fmt::Display for Connection {
     }
 }
 
-impl fmt::Display for Standing {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Listed(scheme) => write!(f, "scheme {scheme}"),
-            Self::OnlySpeedsUp => f.write_str("not listed: only speeds up"),
-            Self::Circulates(usage) => {
-                f.write_str("not listed: power circulates; ")?;
-                f.write_str(match usage {
-                    Use::Slows => "slows down with the sign of stage 1",
-                    Use::OnlySpeedsUp => "only speeds up",
-                    Use::Reverses => "reverses stage 1",
-                    Use::ChangesSign => "changes its sign within the range",
-                })
+impl ThreeSpeed {
+    /// How set 2 is connected: see [this module](self).
+    #[must_use]
+    pub fn connection(self) -> Connection {
+        Connection::of_structure(self.structure())
+            .unwrap_or_else(|| unreachable!("the eleven are among the 36, by test"))
+    }
+
+    /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
+    ///
+    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
+    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
+    ///
+    /// # Errors
+    /// [`Error::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
+    pub fn second_ring_to_sun_ratio(self, k1: RingToSunRatio, ratio: f64) -> Result<RingToSunRatio, Error> {
+        self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
+            Error::RatioOutOfReach { ratio, low, high, .. } => {
+                Error::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
+            }
+            other => other,
+        })
+    }
+
+    /// Least and greatest ratio of gear 2 while both ring-to-sun ratios run over a range.
+    #[must_use]
+    pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
+        match self.connection().reach(range) {
+            Reach::Between { least, greatest } => [least, greatest],
+            Reach::ThroughZero { .. } | Reach::ThroughInfinity { .. } => {
+                unreachable!("numerators and denominators of the eleven keep their sign for k above 1")
             }
         }
     }
@@ -359,6 +336,7 @@ impl fmt::Display for Standing {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::standing::{Standing, Use};
     use proptest::prelude::*;
 
     fn k(value: f64) -> RingToSunRatio {
@@ -371,17 +349,30 @@ mod tests {
 
     #[test]
     fn thirty_six_are_eleven_five_and_twenty() {
+        let only_speeds_up =
+            |s| matches!(s, Standing::Unlisted { usage: Use::OnlySpeedsUp, splits_power: true, .. });
         for range in [RingToSunRange::USED, RingToSunRange::RECOMMENDED] {
             assert_eq!(Connection::all().len(), 36);
             assert_eq!(counted(range, |s| matches!(s, Standing::Listed(_))), 11);
-            assert_eq!(counted(range, |s| s == Standing::OnlySpeedsUp), 5);
-            assert_eq!(counted(range, |s| matches!(s, Standing::Circulates(_))), 20);
+            assert_eq!(counted(range, only_speeds_up), 5);
+            assert_eq!(counted(range, |s| matches!(s, Standing::Unlisted { splits_power: false, .. })), 20);
+            assert_eq!(counted(range, |s| matches!(s, Standing::Unlisted { .. })), 25);
         }
-        let used = RingToSunRange::USED;
-        let of = |usage| counted(used, |s| s == Standing::Circulates(usage));
-        assert_eq!(of(Use::Slows), 6);
-        let all = of(Use::OnlySpeedsUp) + of(Use::Reverses) + of(Use::ChangesSign);
-        assert_eq!(all, 14);
+    }
+
+    #[test]
+    fn a_connection_and_its_structure_are_one() {
+        for connection in Connection::all() {
+            assert_eq!(connection.structure().sets(), connection.sets());
+            assert_eq!(Connection::of_structure(connection.structure()), Some(connection));
+            assert_eq!(Connection::of_structure(connection.structure().reversal()), None);
+        }
+        let of_the_rule = Structure::all().into_iter().filter_map(Connection::of_structure);
+        assert_eq!(of_the_rule.count(), 36);
+        for scheme in ThreeSpeed::ALL {
+            assert_eq!(scheme.connection().listed(), Some(scheme));
+            assert_eq!(scheme.connection().first_stage(), scheme.first_stage());
+        }
     }
 
     #[test]
@@ -402,11 +393,19 @@ mod tests {
             };
             corners.iter().any(|k1| corners.iter().any(|k2| some(*k1, k2 * 1.01)))
         };
-        let changing = Standing::Circulates(Use::ChangesSign);
         let all = Connection::all();
-        let of_them: Vec<_> = all.iter().filter(|c| c.standing(RingToSunRange::USED) == changing).collect();
+        let changing = |connection: &&Connection| connection.reach(RingToSunRange::USED).sign().is_none();
+        let of_them: Vec<_> = all.iter().filter(changing).collect();
         assert_eq!(of_them.len(), 6);
-        assert_eq!(of_them.into_iter().filter(|connection| serves(connection)).count(), 4);
+        for connection in of_them {
+            let usage = match connection.standing(RingToSunRange::USED) {
+                Standing::Unlisted { usage, .. } => usage,
+                other => panic!("{connection}: {other:?}"),
+            };
+            let expected = if serves(connection) { Use::SlowsAtSome } else { Use::ChangesSign };
+            assert_eq!(usage, expected, "{connection}");
+        }
+        assert_eq!(all.iter().filter(changing).filter(|connection| serves(connection)).count(), 4);
     }
 
     #[test]
@@ -424,8 +423,9 @@ mod tests {
     #[test]
     fn one_the_source_misses_serves_its_own_excavator() {
         // i₁ = 2.56 by I with k₁ = 1.56, i₂ = 1.465 by tying H₂ = T₁ to b₂ = B.
-        let missed = Connection::of_set(TwoSpeed::I, Shaft::Driven, [Role::T2, Role::B, Role::T1]);
-        assert_eq!(missed.standing(RingToSunRange::RECOMMENDED), Standing::Circulates(Use::Slows));
+        let structure = Structure::new([[Role::D, Role::T1, Role::B], [Role::T2, Role::B, Role::T1]]);
+        let missed = structure.and_then(Connection::of_structure).unwrap();
+        assert!(missed.standing(RingToSunRange::RECOMMENDED).is_missed());
         let (k1, eta0) = (k(1.56), MeshEfficiency::new(0.97).unwrap());
         let k2 = missed.second_ring_to_sun_ratio(k1, 1.465).unwrap();
         assert!((k2.get() - (1.56 / 0.465 - 1.0)).abs() < 1e-12);

@@ -3,12 +3,10 @@
 //! # Source
 //! multispeed-gearboxes (2.1)–(2.4).
 
-use crate::DesignError;
+use crate::Error;
 use crate::quantity::Quantity;
+use crate::units::{metres, metres_per_second, newtons};
 use uom::si::f64::{Force, Length, Velocity};
-use uom::si::force::newton;
-use uom::si::length::meter;
-use uom::si::velocity::meter_per_second;
 
 /// Cutting speed of a chain cutter.
 ///
@@ -27,11 +25,11 @@ use uom::si::velocity::meter_per_second;
 /// `(100/60)·(2/π) = 1.061`.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.1).
-pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, DesignError> {
+pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> Result<Velocity, Error> {
     lengths([(Quantity::PickSpacing, pick_spacing), (Quantity::MeanChip, mean_chip)])?;
     speed(Quantity::Feed, feed)?;
     Ok(feed * (pick_spacing / mean_chip).value * (1.07 * 60.0 / 100.0))
@@ -54,9 +52,7 @@ pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> R
 /// ```
 /// use epicyclic_schemes::cutting::drum_speed;
 /// use uom::si::f64::{Length, Velocity};
-/// use uom::si::length::{centimeter, meter};
-/// use uom::si::velocity::meter_per_second;
-/// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+/// /// /// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let (drum, chip) = (Length::new::<meter>(1.4), Length::new::<centimeter>(5.0));
 /// let speed = drum_speed(drum, Velocity::new::<meter_per_second>(4.0 / 60.0), chip, 2)?;
 /// assert!((speed.get::<meter_per_second>() - 5.24 * 1.4 * 4.0 / (5.0 * 2.0)).abs() < 1e-12);
@@ -65,7 +61,7 @@ pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> R
 /// ```
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.2), with its 5.24.
@@ -74,7 +70,7 @@ pub fn drum_speed(
     feed: Velocity,
     greatest_chip: Length,
     picks_per_line: u32,
-) -> Result<Velocity, DesignError> {
+) -> Result<Velocity, Error> {
     lengths([(Quantity::DrumDiameter, diameter), (Quantity::GreatestChip, greatest_chip)])?;
     speed(Quantity::Feed, feed)?;
     positive(Quantity::PicksPerLine, f64::from(picks_per_line), "")?;
@@ -90,55 +86,50 @@ pub fn drum_speed(
 /// | `P_cp`, `P_cp′` | `force`, `other_force` | mean cutting forces there and here |
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.3).
-pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, DesignError> {
+pub fn speed_at_force(cutting: Velocity, force: Force, other_force: Force) -> Result<Velocity, Error> {
     speed(Quantity::CuttingSpeed, cutting)?;
-    positive(Quantity::CuttingForce, force.get::<newton>(), "N")?;
-    positive(Quantity::OtherCuttingForce, other_force.get::<newton>(), "N")?;
+    positive(Quantity::CuttingForce, newtons(force), "N")?;
+    positive(Quantity::OtherCuttingForce, newtons(other_force), "N")?;
     Ok(cutting * (force / other_force).value)
 }
 
 /// Feed that keeps the chip at another cutting speed: `v_n′/v_p′ = v_n/v_p`.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.4).
-pub fn matching_feed(
-    feed: Velocity,
-    cutting: Velocity,
-    other_cutting: Velocity,
-) -> Result<Velocity, DesignError> {
+pub fn matching_feed(feed: Velocity, cutting: Velocity, other_cutting: Velocity) -> Result<Velocity, Error> {
     speed(Quantity::Feed, feed)?;
     speed(Quantity::CuttingSpeed, cutting)?;
     speed(Quantity::OtherCuttingSpeed, other_cutting)?;
     Ok(feed * (other_cutting / cutting).value)
 }
 
-fn lengths(of: [(Quantity, Length); 2]) -> Result<(), DesignError> {
-    of.into_iter().try_for_each(|(what, length)| positive(what, length.get::<meter>(), "m"))
+fn lengths(of: [(Quantity, Length); 2]) -> Result<(), Error> {
+    of.into_iter().try_for_each(|(what, length)| positive(what, metres(length), "m"))
 }
 
-fn speed(what: Quantity, speed: Velocity) -> Result<(), DesignError> {
-    positive(what, speed.get::<meter_per_second>(), "m/s")
+fn speed(what: Quantity, speed: Velocity) -> Result<(), Error> {
+    positive(what, metres_per_second(speed), "m/s")
 }
 
-pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<(), DesignError> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(DesignError::NotPositive { quantity, value, unit })
-    }
+pub(crate) fn positive(quantity: Quantity, value: f64, unit: &'static str) -> Result<(), Error> {
+    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(Error::NotPositive { quantity, value, unit }) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use uom::si::force::newton;
     use uom::si::length::centimeter;
+    use uom::si::length::meter;
+    use uom::si::velocity::meter_per_second;
 
     #[test]
     fn the_sources_units_give_its_factors() {

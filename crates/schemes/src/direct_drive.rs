@@ -23,6 +23,7 @@
 //! multispeed-gearboxes, section 3.1: the smallest "blocking moment" among the options for the direct-drive clutch.
 
 use crate::structures::{Role, motion};
+use crate::tolerance::TORQUE_GRID;
 
 /// The six pairs of links that a clutch may join.
 pub const DIRECT_CLUTCH_PAIRS: [[Role; 2]; 6] = [
@@ -78,8 +79,8 @@ pub fn direct_clutch_options_of_set(ratio: f64) -> Vec<DirectClutch> {
 
 fn ascending(options: impl Iterator<Item = DirectClutch>) -> Vec<DirectClutch> {
     let mut found: Vec<DirectClutch> = options.filter(|option| option.torque.is_finite()).collect();
-    // To 12 digits: rounding is no reason to prefer an option.
-    let size = |option: &DirectClutch| (option.torque.abs() * 1e12).round();
+    // Rounding is no reason to prefer an option.
+    let size = |option: &DirectClutch| (option.torque.abs() / TORQUE_GRID).round();
     found.sort_by(|one, other| size(one).total_cmp(&size(other)));
     found
 }

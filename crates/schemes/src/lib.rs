@@ -16,7 +16,7 @@
 //!
 //! ```
 //! use epicyclic_schemes::catalogue::TwoSpeed;
-//! # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+//! # fn main() -> Result<(), epicyclic_schemes::Error> {
 //! // The conveyor of section 3.3: scheme I with i = 3.94 has k = 2.94.
 //! assert!((TwoSpeed::I.ring_to_sun_ratio(3.94)?.get() - 2.94).abs() < 1e-9);
 //! # Ok(())
@@ -26,8 +26,8 @@
 pub mod catalogue;
 pub mod connection;
 pub mod cutting;
-pub mod design_error;
 pub mod direct_drive;
+mod error;
 pub mod machines;
 pub mod pair;
 pub mod quantity;
@@ -35,5 +35,8 @@ pub mod ratio_series;
 pub mod rotor;
 pub mod standing;
 pub mod structures;
+mod tolerance;
+mod units;
 
-pub use design_error::DesignError;
+pub use error::Error;
+pub use ratio_series::RatioSeries;

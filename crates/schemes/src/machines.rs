@@ -18,7 +18,7 @@
 //! # Source
 //! multispeed-gearboxes, tables 1.1, 1.2, 2.1.
 
-use crate::DesignError;
+use crate::Error;
 use crate::quantity::SeriesParameter;
 use epicyclic_train::names::nearest;
 use std::fmt;
@@ -119,13 +119,13 @@ pub fn machines() -> &'static [Machine] {
 /// ```
 /// let wheel = epicyclic_schemes::machines::machine("РЕ-1")?;
 /// assert_eq!((wheel.steps, wheel.recommended().speeds), (Some(2), 3));
-/// # Ok::<(), epicyclic_schemes::DesignError>(())
+/// # Ok::<(), epicyclic_schemes::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`DesignError::UnknownMachine`] with the nearest name.
-pub fn machine(name: &str) -> Result<&'static Machine, DesignError> {
-    MACHINES.iter().find(|machine| machine.name == name).ok_or_else(|| DesignError::UnknownMachine {
+/// [`Error::UnknownMachine`] with the nearest name.
+pub fn machine(name: &str) -> Result<&'static Machine, Error> {
+    MACHINES.iter().find(|machine| machine.name == name).ok_or_else(|| Error::UnknownMachine {
         name: name.into(),
         nearest: nearest(name, MACHINES.iter().map(|machine| machine.name)),
     })
@@ -143,10 +143,10 @@ pub struct Recommendation {
 /// Number of speeds that table 2.1 recommends for a range of speeds.
 ///
 /// # Errors
-/// [`DesignError::SpeedRange`] for `d ≤ 1`.
-pub fn recommended_speeds(speed_range: f64) -> Result<Recommendation, DesignError> {
+/// [`Error::SpeedRange`] for `d ≤ 1`.
+pub fn recommended_speeds(speed_range: f64) -> Result<Recommendation, Error> {
     if !(speed_range > 1.0 && speed_range.is_finite()) {
-        return Err(DesignError::SpeedRange { what: SeriesParameter::SpeedRange, value: speed_range });
+        return Err(Error::SpeedRange { what: SeriesParameter::SpeedRange, value: speed_range });
     }
     let ends = [1.2, 1.5, 2.5];
     let speeds = 1 + ends.iter().filter(|end| speed_range >= **end).count() as u32;
@@ -169,10 +169,7 @@ mod tests {
     #[test]
     fn an_unknown_machine_is_answered_with_the_nearest() {
         let refused = machine("СП-62").unwrap_err();
-        assert_eq!(
-            refused,
-            DesignError::UnknownMachine { name: "СП-62".into(), nearest: Some("СП-63".into()) }
-        );
+        assert_eq!(refused, Error::UnknownMachine { name: "СП-62".into(), nearest: Some("СП-63".into()) });
     }
 
     #[test]

@@ -26,6 +26,7 @@
 //! monotonous in each `k`** between its zeros and poles, always in the same direction.
 
 use crate::structures::{Role, SetRoles};
+use crate::tolerance::IDLE;
 
 /// Coefficients of a set by role.
 pub type Coefficients = [f64; 4];
@@ -101,7 +102,7 @@ pub fn exponents(sets: [SetRoles; 2], k: [f64; 2], gear: usize) -> [i8; 2] {
         let [a, _, h] = sets[set].map(|role| speeds[role.index()]);
         let power = torques[set] * (a - h);
         // An idle set has no torque at all; one at work has a share of the power that does not vanish.
-        if power.abs() <= 1e-13 { 0 } else { power.signum() as i8 }
+        if power.abs() <= IDLE { 0 } else { power.signum() as i8 }
     })
 }
 

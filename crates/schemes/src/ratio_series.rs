@@ -20,10 +20,10 @@
 //! # Source
 //! multispeed-gearboxes (2.10)–(2.21), (2.33)–(2.35). It calls the combined regime undesirable.
 
-use crate::DesignError;
+use crate::Error;
 use crate::quantity::SeriesParameter;
+use crate::units::metres_per_second;
 use uom::si::f64::Velocity;
-use uom::si::velocity::meter_per_second;
 
 /// Which speeds the gearbox gives by slowing down, which by speeding up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -36,7 +36,8 @@ pub enum Regime {
     Combined,
 }
 
-/// Ratios of a gearbox, the fastest output first, one of them direct drive.
+/// Ratios of a gearbox with direct drive among them, in the order of its gears: of a series from speeds the fastest
+/// output first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RatioSeries {
     ratios: Vec<f64>,
@@ -54,8 +55,7 @@ impl RatioSeries {
     /// ```
     /// use epicyclic_schemes::ratio_series::RatioSeries;
     /// use uom::si::f64::Velocity;
-    /// use uom::si::velocity::meter_per_second;
-    /// # fn main() -> Result<(), epicyclic_schemes::DesignError> {
+    ///     /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let speeds = [0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>);
     /// let series = RatioSeries::of_speeds(&speeds, 1)?;
     /// assert!((series.ratios()[1] - 1.466).abs() < 1e-3 && (series.ratios()[2] - 2.566).abs() < 1e-3);
@@ -64,15 +64,15 @@ impl RatioSeries {
     /// ```
     ///
     /// # Errors
-    /// [`DesignError::SpeedCount`], [`DesignError::SpeedsOutOfOrder`], [`DesignError::DirectPlace`].
-    pub fn of_speeds(speeds: &[Velocity], direct: usize) -> Result<Self, DesignError> {
+    /// [`Error::SpeedCount`], [`Error::SpeedsOutOfOrder`], [`Error::DirectPlace`].
+    pub fn of_speeds(speeds: &[Velocity], direct: usize) -> Result<Self, Error> {
         let count = speeds.len();
         counts(count, direct)?;
         let mut before = 0.0;
         for (place, speed) in speeds.iter().enumerate() {
-            let speed = speed.get::<meter_per_second>();
+            let speed = metres_per_second(*speed);
             if !(speed > before && speed.is_finite()) {
-                return Err(DesignError::SpeedsOutOfOrder { place: place + 1, speed, before });
+                return Err(Error::SpeedsOutOfOrder { place: place + 1, speed, before });
             }
             before = speed;
         }
@@ -81,25 +81,73 @@ impl RatioSeries {
         Ok(Self { ratios, direct: direct - 1 })
     }
 
+    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over middle; direct
+    /// drive is the fastest.
+    ///
+    /// ```text
+    /// v₁ < v₂          d = v₂/v₁                 ratios  1, d
+    /// v₁ < v₂ < v₃     d = v₃/v₁   q = v₃/v₂     ratios  1, q, d
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::SpeedRange`], [`Error::MiddleSpeed`].
+    ///
+    /// # Source
+    /// Section 3.2.
+    pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, Error> {
+        range(SeriesParameter::SpeedRange, d)?;
+        match q {
+            None => Self::of_braked_gears(&[d]),
+            Some(q) if q > 1.0 && q < d => Self::of_braked_gears(&[q, d]),
+            Some(q) => Err(Error::MiddleSpeed { q, d }),
+        }
+    }
+
+    /// Of direct drive and the ratios of the braked gears, in their order and with their signs.
+    ///
+    /// # Errors
+    /// [`Error::RatioCount`], [`Error::Ratio`], [`Error::EqualRatios`].
+    pub fn of_braked_gears(ratios: &[f64]) -> Result<Self, Error> {
+        if !(1..=3).contains(&ratios.len()) {
+            return Err(Error::RatioCount { count: ratios.len() });
+        }
+        for (place, &ratio) in ratios.iter().enumerate() {
+            if !ratio.is_finite() || ratio == 0.0 || ratio == 1.0 {
+                return Err(Error::Ratio { ratio });
+            }
+            if ratios[..place].contains(&ratio) {
+                return Err(Error::EqualRatios { ratio });
+            }
+        }
+        Ok(Self { ratios: std::iter::once(1.0).chain(ratios.iter().copied()).collect(), direct: 0 })
+    }
+
     /// The geometric series of step `q`: `1, q, q², …` for direct drive in place 1, and as a whole divided
     /// by `q^(direct − 1)` for another place.
     ///
     /// # Errors
-    /// [`DesignError::SpeedCount`], [`DesignError::DirectPlace`], [`DesignError::SpeedRange`] for `q ≤ 1`.
+    /// [`Error::SpeedCount`], [`Error::DirectPlace`], [`Error::SpeedRange`] for `q ≤ 1`.
     ///
     /// # Source
     /// (2.10)–(2.19).
-    pub fn geometric(step: f64, count: usize, direct: usize) -> Result<Self, DesignError> {
+    pub fn geometric(step: f64, count: usize, direct: usize) -> Result<Self, Error> {
         counts(count, direct)?;
         range(SeriesParameter::Step, step)?;
         let power = |place: usize| step.powi(place as i32 - (direct as i32 - 1));
         Ok(Self { ratios: (0..count).map(power).collect(), direct: direct - 1 })
     }
 
-    /// The ratios, the fastest output first.
+    /// The ratios, direct drive among them.
     #[must_use]
     pub fn ratios(&self) -> &[f64] {
         &self.ratios
+    }
+
+    /// The ratios of the braked gears: all but direct drive.
+    #[must_use]
+    pub fn braked(&self) -> Vec<f64> {
+        let braked = self.ratios.iter().enumerate().filter(|(place, _)| *place != self.direct);
+        braked.map(|(_, ratio)| *ratio).collect()
     }
 
     /// Place of direct drive among them, from 0.
@@ -111,39 +159,42 @@ impl RatioSeries {
     /// The regime.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        match self.direct {
-            0 => Regime::Reduction,
-            last if last + 1 == self.ratios.len() => Regime::Overdrive,
-            _ => Regime::Combined,
+        let slows = self.ratios.iter().any(|ratio| ratio.abs() > 1.0);
+        let speeds_up = self.ratios.iter().any(|ratio| ratio.abs() < 1.0);
+        match (slows, speeds_up) {
+            (true, true) => Regime::Combined,
+            (false, true) => Regime::Overdrive,
+            (_, false) => Regime::Reduction,
         }
     }
 
     /// Range of speeds `d`, the fastest over the slowest.
     #[must_use]
     pub fn speed_range(&self) -> f64 {
-        self.ratios[self.ratios.len() - 1] / self.ratios[0]
+        let sizes = self.ratios.iter().map(|ratio| ratio.abs());
+        sizes.clone().fold(0.0, f64::max) / sizes.fold(f64::INFINITY, f64::min)
     }
 }
 
-fn counts(count: usize, direct: usize) -> Result<(), DesignError> {
+fn counts(count: usize, direct: usize) -> Result<(), Error> {
     if !(2..=4).contains(&count) {
-        return Err(DesignError::SpeedCount { count });
+        return Err(Error::SpeedCount { count });
     }
     if !(1..=count).contains(&direct) {
-        return Err(DesignError::DirectPlace { place: direct, count });
+        return Err(Error::DirectPlace { place: direct, count });
     }
     Ok(())
 }
 
-fn range(what: SeriesParameter, value: f64) -> Result<(), DesignError> {
-    if value > 1.0 && value.is_finite() { Ok(()) } else { Err(DesignError::SpeedRange { what, value }) }
+fn range(what: SeriesParameter, value: f64) -> Result<(), Error> {
+    if value > 1.0 && value.is_finite() { Ok(()) } else { Err(Error::SpeedRange { what, value }) }
 }
 
 /// Step of a geometric series of `count` speeds over the range `d`: `q = d^(1/(λ − 1))`, from (2.10).
 ///
 /// # Errors
-/// [`DesignError::SpeedCount`], [`DesignError::SpeedRange`] for `d ≤ 1`.
-pub fn step(speed_range: f64, count: usize) -> Result<f64, DesignError> {
+/// [`Error::SpeedCount`], [`Error::SpeedRange`] for `d ≤ 1`.
+pub fn step(speed_range: f64, count: usize) -> Result<f64, Error> {
     counts(count, 1)?;
     range(SeriesParameter::SpeedRange, speed_range)?;
     Ok(speed_range.powf(1.0 / (count as f64 - 1.0)))
@@ -222,7 +273,7 @@ impl PrintedSeries {
     ///
     /// # Errors
     /// Those of [`RatioSeries::of_speeds`].
-    pub fn serves(self, speeds: &[Velocity], tolerance: f64) -> Result<bool, DesignError> {
+    pub fn serves(self, speeds: &[Velocity], tolerance: f64) -> Result<bool, Error> {
         let right = RatioSeries::of_speeds(speeds, self.direct.min(speeds.len()))?;
         let count = speeds.len();
         let q = (speeds[count - 1] / speeds[count - 2]).value;
@@ -236,6 +287,7 @@ impl PrintedSeries {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use uom::si::velocity::meter_per_second;
 
     fn speeds(values: &[f64]) -> Vec<Velocity> {
         values.iter().map(|v| Velocity::new::<meter_per_second>(*v)).collect()
@@ -255,12 +307,29 @@ mod tests {
     #[test]
     fn speeds_that_are_no_series_are_refused() {
         let refused = |values: &[f64], direct| RatioSeries::of_speeds(&speeds(values), direct).unwrap_err();
-        assert_eq!(refused(&[1.0], 1), DesignError::SpeedCount { count: 1 });
-        assert_eq!(refused(&[1.0, 2.0], 3), DesignError::DirectPlace { place: 3, count: 2 });
-        assert!(matches!(refused(&[2.0, 1.0], 1), DesignError::SpeedsOutOfOrder { place: 2, .. }));
-        assert!(matches!(refused(&[f64::NAN, 1.0], 1), DesignError::SpeedsOutOfOrder { place: 1, .. }));
+        assert_eq!(refused(&[1.0], 1), Error::SpeedCount { count: 1 });
+        assert_eq!(refused(&[1.0, 2.0], 3), Error::DirectPlace { place: 3, count: 2 });
+        assert!(matches!(refused(&[2.0, 1.0], 1), Error::SpeedsOutOfOrder { place: 2, .. }));
+        assert!(matches!(refused(&[f64::NAN, 1.0], 1), Error::SpeedsOutOfOrder { place: 1, .. }));
         assert!(RatioSeries::geometric(1.0, 3, 1).is_err());
         assert!(step(0.9, 3).is_err() && step(2.0, 5).is_err());
+    }
+
+    #[test]
+    fn a_range_and_the_braked_gears_make_a_series() {
+        let series = RatioSeries::of_range(2.566, Some(1.466)).unwrap();
+        assert_eq!((series.ratios(), series.braked()), (&[1.0, 1.466, 2.566][..], vec![1.466, 2.566]));
+        assert_eq!((series.regime(), series.speed_range()), (Regime::Reduction, 2.566));
+        let mixed = RatioSeries::of_braked_gears(&[-2.0, 0.5]).unwrap();
+        assert_eq!((mixed.regime(), mixed.speed_range(), mixed.direct()), (Regime::Combined, 4.0, 0));
+        assert_eq!(RatioSeries::of_range(2.0, Some(3.0)), Err(Error::MiddleSpeed { q: 3.0, d: 2.0 }));
+        assert!(matches!(RatioSeries::of_range(1.0, None), Err(Error::SpeedRange { .. })));
+        assert!(RatioSeries::of_range(f64::NAN, None).is_err());
+        for bad in [0.0, 1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(RatioSeries::of_braked_gears(&[bad, 2.0]), Err(Error::Ratio { .. })), "{bad}");
+        }
+        assert_eq!(RatioSeries::of_braked_gears(&[2.0, 2.0]), Err(Error::EqualRatios { ratio: 2.0 }));
+        assert_eq!(RatioSeries::of_braked_gears(&[]), Err(Error::RatioCount { count: 0 }));
     }
 
     proptest! {

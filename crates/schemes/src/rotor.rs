@@ -5,20 +5,17 @@
 //! # Source
 //! multispeed-gearboxes (2.5)–(2.9).
 
-use crate::DesignError;
+use crate::Error;
 use crate::cutting::positive;
 use crate::quantity::Quantity;
+use crate::units::{acceleration, angular_velocity, degrees, m_per_s2, metres, rad_per_s, radians};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use uom::si::acceleration::meter_per_second_squared;
-use uom::si::angle::{degree, radian};
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length};
-use uom::si::length::meter;
 
 /// Standard acceleration of fall.
 #[must_use]
 pub fn standard_gravity() -> Acceleration {
-    Acceleration::new::<meter_per_second_squared>(9.806_65)
+    acceleration(9.806_65)
 }
 
 /// Optimal speed of the wheel: a bucket passes while the boom advances by the width of a chip.
@@ -40,7 +37,7 @@ pub fn standard_gravity() -> Acceleration {
 /// `1/cos φ` to keep the chip's volume.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`]; `cos φ` is above 0.
+/// [`Error::NotPositive`]; `cos φ` is above 0.
 ///
 /// # Source
 /// (2.6), restored.
@@ -50,15 +47,15 @@ pub fn optimal_speed(
     chip_width: Length,
     buckets: u32,
     boom_angle: Angle,
-) -> Result<AngularVelocity, DesignError> {
-    positive(Quantity::BoomRadius, boom_radius.get::<meter>(), "m")?;
-    positive(Quantity::SlewingSpeed, slewing.get::<radian_per_second>(), "rad/s")?;
-    positive(Quantity::ChipWidth, chip_width.get::<meter>(), "m")?;
+) -> Result<AngularVelocity, Error> {
+    positive(Quantity::BoomRadius, metres(boom_radius), "m")?;
+    positive(Quantity::SlewingSpeed, rad_per_s(slewing), "rad/s")?;
+    positive(Quantity::ChipWidth, metres(chip_width), "m")?;
     positive(Quantity::Buckets, f64::from(buckets), "")?;
-    let cos = boom_angle.get::<radian>().cos();
-    let is_acute = boom_angle.get::<radian>().abs() < FRAC_PI_2;
+    let cos = radians(boom_angle).cos();
+    let is_acute = radians(boom_angle).abs() < FRAC_PI_2;
     if !is_acute {
-        return Err(DesignError::NotPositive { quantity: Quantity::BoomAngleCosine, value: cos, unit: "" });
+        return Err(Error::NotPositive { quantity: Quantity::BoomAngleCosine, value: cos, unit: "" });
     }
     Ok(slewing * (TAU * (boom_radius / chip_width).value / (f64::from(buckets) * cos)))
 }
@@ -72,16 +69,14 @@ pub fn optimal_speed(
 /// That is the positive root of `ω² − ω_po·ω − 0.37 = 0`. The copy lost the radical; it is inferred.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.5), restored.
-pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, DesignError> {
-    let omega_rad_s = optimal.get::<radian_per_second>();
+pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Error> {
+    let omega_rad_s = rad_per_s(optimal);
     positive(Quantity::OptimalSpeed, omega_rad_s, "rad/s")?;
-    Ok(AngularVelocity::new::<radian_per_second>(
-        0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt()),
-    ))
+    Ok(angular_velocity(0.5 * (omega_rad_s + (omega_rad_s * omega_rad_s + 1.48).sqrt())))
 }
 
 /// Least speed of the wheel in light and medium rock: `ω_min = √(Ω·g/R_p)`.
@@ -93,7 +88,7 @@ pub fn greatest_speed(optimal: AngularVelocity) -> Result<AngularVelocity, Desig
 /// | `R_p` | `wheel_radius` | radius of the wheel |
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.7).
@@ -101,12 +96,12 @@ pub fn least_speed(
     discharge: f64,
     gravity: Acceleration,
     wheel_radius: Length,
-) -> Result<AngularVelocity, DesignError> {
+) -> Result<AngularVelocity, Error> {
     positive(Quantity::Discharge, discharge, "")?;
-    positive(Quantity::FallAcceleration, gravity.get::<meter_per_second_squared>(), "m/s²")?;
-    positive(Quantity::WheelRadius, wheel_radius.get::<meter>(), "m")?;
-    let squared = discharge * gravity.get::<meter_per_second_squared>() / wheel_radius.get::<meter>();
-    Ok(AngularVelocity::new::<radian_per_second>(squared.sqrt()))
+    positive(Quantity::FallAcceleration, m_per_s2(gravity), "m/s²")?;
+    positive(Quantity::WheelRadius, metres(wheel_radius), "m")?;
+    let squared = discharge * m_per_s2(gravity) / metres(wheel_radius);
+    Ok(angular_velocity(squared.sqrt()))
 }
 
 /// Discharge parameter `Ω = ω²·R_p/g` at which what leaves a bucket just clears the chute's edge.
@@ -127,18 +122,14 @@ pub fn least_speed(
 /// Of the raised and the lowered boom the smaller Ω counts, says the source.
 ///
 /// # Errors
-/// [`DesignError::NoFlight`] where no particle can come from one point to the other.
+/// [`Error::NoFlight`] where no particle can come from one point to the other.
 ///
 /// # Source
 /// (2.8).
-pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, DesignError> {
-    let (tau1, tau) = (release.get::<radian>(), chute.get::<radian>());
-    let refuse = |why| DesignError::NoFlight {
-        release_deg: release.get::<degree>(),
-        chute_deg: chute.get::<degree>(),
-        radius_ratio,
-        why,
-    };
+pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64, Error> {
+    let (tau1, tau) = (radians(release), radians(chute));
+    let refuse =
+        |why| Error::NoFlight { release_deg: degrees(release), chute_deg: degrees(chute), radius_ratio, why };
     if !(radius_ratio > 0.0 && radius_ratio.is_finite() && tau1.is_finite() && tau.is_finite()) {
         return Err(refuse("ε is above 0 and all are finite"));
     }
@@ -160,13 +151,13 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
 /// Range of the wheel's speeds: `d_p = ω_max/ω_min = ω_max·√(R_p/(Ω·g))`.
 ///
 /// # Errors
-/// [`DesignError::NotPositive`].
+/// [`Error::NotPositive`].
 ///
 /// # Source
 /// (2.9).
-pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, DesignError> {
-    positive(Quantity::GreatestSpeed, greatest.get::<radian_per_second>(), "rad/s")?;
-    positive(Quantity::LeastSpeed, least.get::<radian_per_second>(), "rad/s")?;
+pub fn speed_range(greatest: AngularVelocity, least: AngularVelocity) -> Result<f64, Error> {
+    positive(Quantity::GreatestSpeed, rad_per_s(greatest), "rad/s")?;
+    positive(Quantity::LeastSpeed, rad_per_s(least), "rad/s")?;
     Ok((greatest / least).value)
 }
 
@@ -176,6 +167,10 @@ mod tests {
     use proptest::prelude::*;
     use proptest::test_runner::TestRunner;
     use std::cell::Cell;
+    use uom::si::angle::degree;
+    use uom::si::angle::radian;
+    use uom::si::angular_velocity::radian_per_second;
+    use uom::si::length::meter;
 
     fn omega(value: f64) -> AngularVelocity {
         AngularVelocity::new::<radian_per_second>(value)

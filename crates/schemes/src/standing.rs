@@ -1,55 +1,36 @@
 //! Why the document has a structure, or has it not.
 //!
 //! The document builds three speeds by a rule: set 1 alone works in gear 1 as scheme I, II or III, and
-//! set 2 ties T₁ to D or to B. That makes 3·2·6 = 36 structures, of which it lists eleven and gives no
-//! reason for leaving out the other 25. Of all 111
+//! set 2 ties T₁ to D or to B. That makes 3·2·6 = 36 structures ([`connection`](crate::connection)), of which it
+//! lists eleven and gives no reason for leaving out the other 25. Of all 111
 //!
 //! | standing | how many | why |
 //! |---|---|---|
 //! | [`Listed`](Standing::Listed) | 11 | |
-//! | [`OutOfReach`](Standing::OutOfReach) | 15 | gear 2 turns against gear 1, or speeds up, for every k |
-//! | [`Missed`](Standing::Missed) | 10 | built by its rule, and fit for its purpose |
+//! | [`Unlisted`](Standing::Unlisted) | 25 | built by its rule; 10 of them are fit for its purpose: [*missed*](Standing::is_missed) |
 //! | [`Reversed`](Standing::Reversed) | 36 | one of the 36 with D and B exchanged: speeds up in gear 1 |
 //! | [`OutsideRule`](Standing::OutsideRule) | 39 | set 2 ties T₁ to neither D nor B as the rule has it |
 //!
 //! No two of the 36 are equal as structures. What distinguishes the eleven is that they split the power and that none of it
-//! circulates: [`connection`](crate::connection). In the ten missed some power circulates. Fit for its purpose means: some
-//! `k₁`, `k₂` within the range give gears that both slow, in the same direction of rotation. Of the ten missed five do so
-//! for every `k₁`, `k₂` with no sign change: see the test below.
+//! circulates. Fit for its purpose means: some `k₁`, `k₂` within the range give gears that both slow, in the same
+//! direction of rotation. What gear 2 of the 25 can be used for ([`Use`]) is
+//!
+//! | use | how many, k from 1.7 to 7 | of these splitting the power |
+//! |---|---|---|
+//! | [`Slows`](Use::Slows) | 6 | 0 |
+//! | [`SlowsAtSome`](Use::SlowsAtSome) | 4 | 0 |
+//! | [`OnlySpeedsUp`](Use::OnlySpeedsUp) | 6 | 5 |
+//! | [`Reverses`](Use::Reverses) | 7 | 0 |
+//! | [`ChangesSign`](Use::ChangesSign) | 2 | 0 |
 //!
 //! # Source
 //! multispeed-gearboxes, section 2.4.
 
+use crate::catalogue::{Reach, RingToSunRange, ThreeSpeed};
+use crate::connection::Connection;
 use crate::pair::{coefficients, fraction};
 use crate::structures::{Family, Structure};
-use std::fmt;
 use std::ops::RangeInclusive;
-
-/// What the ratio of a gear does while both ring-to-sun ratios run over a range.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RatioReach {
-    /// Every value between these.
-    Between {
-        /// The least.
-        least: f64,
-        /// The greatest.
-        greatest: f64,
-    },
-    /// It changes its sign through 0; these are its extremes.
-    ThroughZero {
-        /// The least.
-        least: f64,
-        /// The greatest.
-        greatest: f64,
-    },
-    /// It changes its sign through ±∞: every value *outside* these.
-    ThroughInfinity {
-        /// The greatest below the gap.
-        below: f64,
-        /// The least above the gap.
-        above: f64,
-    },
-}
 
 /// What the ratios of a structure's gears do while both ring-to-sun ratios run over a range.
 ///
@@ -57,54 +38,29 @@ pub enum RatioReach {
 /// every change of sign, at the corners; and between zeros and poles the ratio is monotonous in each
 /// `k`, so it takes its extremes at corners too.
 #[must_use]
-pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [RatioReach; 2] {
-    let ends = [*range.start(), *range.end()];
+pub fn reach(structure: Structure, range: &RangeInclusive<f64>) -> [Reach; 2] {
+    let [one, two] = structure.sets();
     [0, 1].map(|gear| {
-        let corner = |place: usize| {
-            let sets = structure.sets();
-            let c = [0, 1].map(|set| coefficients(sets[set], ends[place >> set & 1]));
-            fraction(&c[0], &c[1], gear)
-        };
-        let corners = [0, 1, 2, 3].map(corner);
-        let values = corners.map(|[n, d]| n / d);
-        let changes = |part: usize| {
-            corners.iter().any(|corner| corner[part] >= 0.0)
-                && corners.iter().any(|corner| corner[part] <= 0.0)
-        };
-        let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
-        let greatest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
-        if changes(1) {
-            RatioReach::ThroughInfinity {
-                below: greatest(&mut values.into_iter().filter(|i| *i < 0.0)),
-                above: least(&mut values.into_iter().filter(|i| *i > 0.0)),
-            }
-        } else {
-            let (least, greatest) = (least(&mut values.into_iter()), greatest(&mut values.into_iter()));
-            if changes(0) {
-                RatioReach::ThroughZero { least, greatest }
-            } else {
-                RatioReach::Between { least, greatest }
-            }
-        }
+        let of = |k1: f64, k2: f64| fraction(&coefficients(one, k1), &coefficients(two, k2), gear);
+        Reach::of(of, [*range.start(), *range.end()])
     })
 }
 
-/// Why the document has a structure, or has it not.
+/// Why the document has a structure, or has it not, the ring-to-sun ratios within a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Standing {
-    /// One of its eleven.
-    Listed(&'static str),
-    /// By its rule, but gear 2 never slows in the direction of gear 1.
-    OutOfReach {
-        /// What gear 2 gives instead.
-        second: RatioReach,
-    },
-    /// By its rule and fit for its purpose, yet not listed.
-    Missed {
+    /// One of its eleven: power splits, and gear 2 can slow down.
+    Listed(ThreeSpeed),
+    /// By its rule, and not listed.
+    Unlisted {
+        /// What gear 2 could be used for.
+        usage: Use,
+        /// Whether gear 2 splits the power between the sets; otherwise power circulates at every `k`.
+        splits_power: bool,
         /// What gear 1 gives.
-        first: RatioReach,
+        first: Reach,
         /// What gear 2 gives.
-        second: RatioReach,
+        second: Reach,
     },
     /// By its rule once D and B change places; as it stands gear 1 speeds up.
     Reversed {
@@ -118,72 +74,72 @@ pub enum Standing {
     },
 }
 
+/// What gear 2 of a structure could be used for beside gear 1, over a range of ring-to-sun ratios.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Use {
+    /// Its ratio has the sign of `i₁` at every k and can slow down.
+    Slows,
+    /// Its ratio changes its sign within the range, and slows down with the sign of `i₁` at some k.
+    SlowsAtSome,
+    /// Its ratio has the sign of `i₁` but `|i₂| < 1` throughout: slowing mixed with speeding, which the source
+    /// calls unfavourable.
+    OnlySpeedsUp,
+    /// Its ratio has the other sign than `i₁`: a reverse gear, with `|i₂| > 1` in part of the range or not.
+    Reverses,
+    /// Its ratio changes its sign within the range, and with the sign of `i₁` never slows down.
+    ChangesSign,
+}
+
+impl Use {
+    /// Of a gear 2 with these values beside a gear 1 whose ratio has this sign.
+    fn of(second: Reach, sign: f64) -> Self {
+        match (second.sign(), second.slows_with_sign_of(sign)) {
+            (None, true) => Self::SlowsAtSome,
+            (None, false) => Self::ChangesSign,
+            (Some(own), _) if own != sign => Self::Reverses,
+            (Some(_), true) => Self::Slows,
+            (Some(_), false) => Self::OnlySpeedsUp,
+        }
+    }
+}
+
 impl Standing {
     /// Of a structure, the ring-to-sun ratios within a range.
     ///
     /// ```
     /// use epicyclic_schemes::{standing::Standing, structures::{Role::*, Structure}};
     /// let structure = Structure::new([[D, T1, B], [T2, B, T1]]).unwrap();
-    /// assert!(matches!(Standing::of(structure, &(1.3..=10.0)), Standing::Missed { .. }));
+    /// assert!(Standing::of(structure, &(1.3..=10.0)).is_missed());
     /// ```
     #[must_use]
     pub fn of(structure: Structure, range: &RangeInclusive<f64>) -> Self {
-        if let Some(name) = structure.scheme() {
-            return Self::Listed(name);
+        if let Some(scheme) = structure.scheme() {
+            return Self::Listed(scheme);
         }
         let family = structure.family();
         if matches!(family, Family::Parallel | Family::Serial) {
             return Self::OutsideRule { family };
         }
-        let [first, second] = reach(structure, range);
-        let (RatioReach::Between { least, greatest }
-        | RatioReach::ThroughZero { least, greatest }
-        | RatioReach::ThroughInfinity { below: least, above: greatest }) = first;
-        // Set 1 alone: its ratio is one of the six of a set, which lie all within ±1 or all outside.
-        if least.abs().max(greatest.abs()) < 1.0 {
+        let Some(connection) = Connection::of_structure(structure) else {
             return Self::Reversed { of: structure.reversal() };
-        }
-        let forward = least > 0.0;
-        let slows = match second {
-            RatioReach::ThroughInfinity { .. } => true,
-            RatioReach::Between { least, greatest } | RatioReach::ThroughZero { least, greatest } => {
-                if forward {
-                    greatest > 1.0
-                } else {
-                    least < -1.0
-                }
-            }
         };
-        if slows { Self::Missed { first, second } } else { Self::OutOfReach { second } }
+        let [first, second] = reach(structure, range);
+        let usage = Use::of(second, connection.first_stage().sign());
+        Self::Unlisted { usage, splits_power: connection.splits_power(), first, second }
+    }
+
+    /// Whether the source passes over a structure that is built by its rule and fit for its purpose.
+    #[must_use]
+    pub fn is_missed(self) -> bool {
+        matches!(self, Self::Unlisted { usage: Use::Slows | Use::SlowsAtSome, .. })
     }
 }
 
-impl fmt::Display for Standing {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Listed(name) => write!(f, "scheme {name}"),
-            Self::OutOfReach { second } => write!(f, "out of reach: gear 2 gives {second}"),
-            Self::Missed { first, second } => {
-                write!(f, "missed by the document: gear 1 gives {first}, gear 2 {second}")
-            }
-            Self::Reversed { of } => write!(f, "equal to {of} with D and B exchanged"),
-            Self::OutsideRule { family: Family::Parallel } => {
-                f.write_str("outside the document's rule: set 2 ties T2, not T1, to D and B, and works alone")
-            }
-            Self::OutsideRule { .. } => {
-                f.write_str("outside the document's rule: no set has both D and B, the sets work in series")
-            }
-        }
-    }
-}
-
-impl fmt::Display for RatioReach {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Between { least, greatest } => write!(f, "{least:.3} to {greatest:.3}"),
-            Self::ThroughZero { least, greatest } => write!(f, "{least:.3} to {greatest:.3}, 0 included"),
-            Self::ThroughInfinity { below, above } => write!(f, "below {below:.3} and above {above:.3}"),
-        }
+impl Connection {
+    /// Why the source has it, or has it not, the ring-to-sun ratios within a range.
+    #[must_use]
+    pub fn standing(self, range: RingToSunRange) -> Standing {
+        Standing::of(self.structure(), &(range.low()..=range.high()))
     }
 }
 
@@ -202,11 +158,11 @@ mod tests {
     #[test]
     fn every_structure_has_its_reason() {
         assert_eq!(named(|s| matches!(s, Standing::Listed(_))).len(), 11);
-        assert_eq!(named(|s| matches!(s, Standing::OutOfReach { .. })).len(), 15);
+        assert_eq!(named(|s| matches!(s, Standing::Unlisted { .. }) && !s.is_missed()).len(), 15);
         assert_eq!(named(|s| matches!(s, Standing::Reversed { .. })).len(), 36);
         assert_eq!(named(|s| matches!(s, Standing::OutsideRule { .. })).len(), 39);
         assert_eq!(
-            named(|s| matches!(s, Standing::Missed { .. })),
+            named(|s| s.is_missed()),
             [
                 "D.B.T1+B.T2.T1",
                 "D.B.T1+T2.B.T1",
@@ -223,11 +179,29 @@ mod tests {
     }
 
     #[test]
+    fn uses_are_those_of_the_table() {
+        let count = |usage: Use, splits: bool| {
+            let is = |structure: &Structure| {
+                matches!(Standing::of(*structure, &(1.7..=7.0)),
+                    Standing::Unlisted { usage: found, splits_power, .. } if found == usage && splits_power == splits)
+            };
+            Structure::all().into_iter().filter(is).count()
+        };
+        let of = |usage| [count(usage, false), count(usage, true)];
+        assert_eq!(of(Use::Slows), [6, 0]);
+        assert_eq!(of(Use::SlowsAtSome), [4, 0]);
+        assert_eq!(of(Use::OnlySpeedsUp), [1, 5]);
+        assert_eq!(of(Use::Reverses), [7, 0]);
+        assert_eq!(of(Use::ChangesSign), [2, 0]);
+    }
+
+    #[test]
     fn five_of_the_missed_slow_in_the_same_direction_whatever_their_ring_to_sun_ratios() {
         let always = |standing: &Standing| match standing {
-            Standing::Missed {
-                first: RatioReach::Between { least: first, .. },
-                second: RatioReach::Between { least: second, .. },
+            Standing::Unlisted {
+                first: Reach::Between { least: first, .. },
+                second: Reach::Between { least: second, .. },
+                ..
             } => *first > 1.0 && *second > 1.0,
             _ => false,
         };
@@ -244,9 +218,11 @@ mod tests {
             })
             .collect();
         assert_eq!(of.len(), 36);
-        assert!(
-            of.iter().all(|structure| !matches!(Standing::of(*structure, &RANGE), Standing::Reversed { .. }))
-        );
+        assert_eq!(of, Connection::all().into_iter().map(Connection::structure).collect());
+        // Set 1 alone: as it stands its ratio lies within ±1, exchanged outside.
+        for structure in of {
+            assert!(reach(structure, &RANGE)[0].slows() && !reach(structure.reversal(), &RANGE)[0].slows());
+        }
     }
 
     proptest! {
@@ -257,13 +233,7 @@ mod tests {
                 let ratios = crate::pair::ratios(&coefficients(sets[0], a), &coefficients(sets[1], b));
                 for (ratio, reach) in ratios.into_iter().zip(reach(structure, &RANGE)) {
                     let slack = 1e-9 * (1.0 + ratio.abs());
-                    let within = match reach {
-                        RatioReach::Between { least, greatest } | RatioReach::ThroughZero { least, greatest } => {
-                            least - slack <= ratio && ratio <= greatest + slack
-                        }
-                        RatioReach::ThroughInfinity { below, above } => ratio <= below + slack || ratio >= above - slack,
-                    };
-                    prop_assert!(within, "{structure} {ratio} {reach:?}");
+                    prop_assert!(reach.meets(ratio, ratio, slack), "{structure} {ratio} {reach:?}");
                 }
             }
         }

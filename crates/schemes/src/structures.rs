@@ -45,11 +45,16 @@
 
 pub use crate::catalogue::Role;
 
+use crate::Error;
+use crate::catalogue::{SchemeElement, SchemeGear, ThreeSpeed, TwoSpeed};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::simple_set::RingToSunRatio;
+use epicyclic_train::Gearbox;
+use epicyclic_train::names::nearest;
 use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::{Error, Gearbox};
 use std::cmp::Ordering;
 use std::fmt;
+use std::str::FromStr;
 
 impl Role {
     /// All of them.
@@ -75,6 +80,30 @@ impl Ord for Role {
     }
 }
 
+impl FromStr for Role {
+    type Err = UnknownRole;
+
+    /// Reads `D`, `B`, `T1`, `T2` in capital or small letters, also `T₁`, `T₂`.
+    fn from_str(name: &str) -> Result<Self, UnknownRole> {
+        let plain = name.replace('₁', "1").replace('₂', "2");
+        Self::ALL.into_iter().find(|role| role.symbol().eq_ignore_ascii_case(&plain)).ok_or(UnknownRole)
+    }
+}
+
+/// A name that is none of `D`, `B`, `T1`, `T2`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("a link of a scheme is D, B, T1 or T2")]
+pub struct UnknownRole;
+
+/// What a canonical labelling renames in the one given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Renaming {
+    /// Whether sets 1 and 2 change places, and with them their ring-to-sun ratios.
+    pub sets: bool,
+    /// Whether T₁ and T₂ change places, and with them gears 1 and 2.
+    pub brakes: bool,
+}
+
 /// Roles of sun, ring and carrier of a set.
 pub type SetRoles = [Role; 3];
 
@@ -94,11 +123,12 @@ pub enum Family {
 /// A two-set structure, in its canonical labelling.
 ///
 /// ```
+/// use epicyclic_schemes::catalogue::ThreeSpeed;
 /// use epicyclic_schemes::structures::{Family, Structure};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let structures = Structure::all();
 /// assert_eq!(structures.len(), 111);
-/// let ii_3 = structures.iter().find(|structure| structure.scheme() == Some("II-3")).unwrap();
+/// let ii_3 = structures.iter().find(|structure| structure.scheme() == Some(ThreeSpeed::II3)).unwrap();
 /// assert_eq!(ii_3.to_string(), "T1.D.B+T1.B.T2");
 /// assert_eq!(ii_3.family(), Family::ConnectedToB);
 /// let [k1, k2] = ii_3.ring_to_sun_ratios([1.465, 2.56]).unwrap();
@@ -111,24 +141,6 @@ pub struct Structure {
     sets: [SetRoles; 2],
 }
 
-/// The document's eleven, as its table has them.
-const SCHEMES: [(&str, [SetRoles; 2]); 11] = {
-    use Role::{B, D, T1, T2};
-    [
-        ("I-1", [[D, T1, B], [D, T2, T1]]),
-        ("I-2", [[D, T1, B], [T2, D, T1]]),
-        ("I-3", [[D, T1, B], [B, T1, T2]]),
-        ("I-4", [[D, T1, B], [T1, B, T2]]),
-        ("II-1", [[T1, D, B], [D, T2, T1]]),
-        ("II-2", [[T1, D, B], [T2, D, T1]]),
-        ("II-3", [[T1, D, B], [T1, B, T2]]),
-        ("II-4", [[T1, D, B], [B, T1, T2]]),
-        ("III-1", [[D, B, T1], [D, T1, T2]]),
-        ("III-2", [[D, B, T1], [T1, B, T2]]),
-        ("III-3", [[D, B, T1], [B, T1, T2]]),
-    ]
-};
-
 impl Structure {
     /// The structure of two sets by the roles of their suns, rings and carriers, in its canonical
     /// labelling; `None` for sets that are not such.
@@ -137,6 +149,12 @@ impl Structure {
     /// set 1 has D, and of the labellings that remain the least counts.
     #[must_use]
     pub fn new(sets: [SetRoles; 2]) -> Option<Self> {
+        Self::canonical(sets).map(|(structure, _)| structure)
+    }
+
+    /// The same, with what the canonical labelling renames.
+    #[must_use]
+    pub fn canonical(sets: [SetRoles; 2]) -> Option<(Self, Renaming)> {
         let lacks = |set: SetRoles| {
             let missing = Role::ALL.into_iter().find(|role| !set.contains(role))?;
             (set[0] != set[1] && set[0] != set[2] && set[1] != set[2]).then_some(missing)
@@ -147,11 +165,45 @@ impl Structure {
         }
         let [a, b] = sets;
         let [c, d] = sets.map(exchange_brakes);
-        let canonical = [[a, b], [b, a], [c, d], [d, c]]
+        let labellings =
+            [([a, b], false, false), ([b, a], true, false), ([c, d], false, true), ([d, c], true, true)];
+        let (sets, of_sets, of_brakes) = labellings
             .into_iter()
-            .filter(|labelled| is_labelled_as_in_the_source(*labelled))
-            .min()?;
-        Some(Self { sets: canonical })
+            .filter(|(labelled, ..)| is_labelled_as_in_the_source(*labelled))
+            .min_by_key(|(labelled, ..)| *labelled)?;
+        Some((Self { sets }, Renaming { sets: of_sets, brakes: of_brakes }))
+    }
+
+    /// Reads a structure in any spelling: `a.b.H+a.b.H` with either set first and either brake as T₁, in capital or
+    /// small letters. D and B are the input and the output, and sun and ring of a set differ in size: exchanging these
+    /// makes another gearbox.
+    ///
+    /// ```
+    /// use epicyclic_schemes::structures::Structure;
+    /// # fn main() -> Result<(), epicyclic_schemes::Error> {
+    /// let (structure, renaming) = Structure::read("D.T2.B+D.T1.B")?;
+    /// assert_eq!(structure.to_string(), "D.T1.B+D.T2.B");
+    /// assert!(renaming.sets && !renaming.brakes);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::UnknownStructure`] with the nearest canonical spelling, [`Error::NotAStructure`] where the six links are
+    /// named and do not make one.
+    pub fn read(name: &str) -> Result<(Self, Renaming), Error> {
+        let unknown = || {
+            let all: Vec<String> = Self::all().iter().map(Self::to_string).collect();
+            let nearest = nearest(name, all.iter().map(String::as_str));
+            Error::UnknownStructure { name: name.into(), nearest }
+        };
+        let set = |text: &str| -> Option<SetRoles> {
+            let roles: Option<Vec<Role>> = text.split('.').map(|role| role.trim().parse().ok()).collect();
+            roles?.try_into().ok()
+        };
+        let (first, second) = name.split_once('+').ok_or_else(unknown)?;
+        let sets = set(first).zip(set(second)).ok_or_else(unknown)?;
+        Self::canonical([sets.0, sets.1]).ok_or_else(|| Error::NotAStructure { name: name.into() })
     }
 
     /// All 111, by family and then in the order of their roles.
@@ -168,7 +220,7 @@ impl Structure {
     /// The document's eleven, in its order.
     #[must_use]
     pub fn catalogue() -> Vec<Self> {
-        SCHEMES.iter().filter_map(|(_, sets)| Self::new(*sets)).collect()
+        ThreeSpeed::ALL.into_iter().map(ThreeSpeed::structure).collect()
     }
 
     /// Roles of sun, ring and carrier of both sets.
@@ -177,10 +229,10 @@ impl Structure {
         self.sets
     }
 
-    /// The document's name, if it is one of its eleven.
+    /// The document's scheme, if it is one of its eleven.
     #[must_use]
-    pub fn scheme(self) -> Option<&'static str> {
-        SCHEMES.iter().find(|(_, sets)| *sets == self.sets).map(|(name, _)| *name)
+    pub fn scheme(self) -> Option<ThreeSpeed> {
+        ThreeSpeed::ALL.into_iter().find(|scheme| scheme.sets() == self.sets)
     }
 
     /// How the sets share the work.
@@ -207,13 +259,7 @@ impl Structure {
     /// drives here is driven there.
     #[must_use]
     pub fn reversal(self) -> Self {
-        let reversed = self.sets.map(|set| {
-            set.map(|role| match role {
-                Role::D => Role::B,
-                Role::B => Role::D,
-                brake => brake,
-            })
-        });
+        let reversed = self.sets.map(|set| set.map(Role::reversed));
         Self::new(reversed).unwrap_or_else(|| unreachable!("renaming links keeps a structure one"))
     }
 
@@ -233,26 +279,58 @@ impl Structure {
     /// links.
     ///
     /// # Errors
-    /// [`Error::RingToSunRatio`] for `k ≤ 1`, [`Error::ShiftElementJoinsItself`] for a clutch between a link and
-    /// itself.
+    /// [`Error::Gearbox`] for `k ≤ 1`, and for a clutch between a link and itself.
     pub fn gearbox(
         self,
         k: [f64; 2],
         eta0: MeshEfficiency,
         direct_clutch: [Role; 2],
     ) -> Result<Gearbox, Error> {
-        let mut builder = Gearbox::builder(&self.to_string())
-            .links(Role::ALL.map(Role::symbol))
-            .brake("K1", "T1")
-            .brake("K2", "T2")
-            .clutch("L", direct_clutch[0].symbol(), direct_clutch[1].symbol())
-            .input("D")
-            .output("B");
-        for (name, (members, k)) in ["1", "2"].iter().zip(self.sets.iter().zip(k)) {
-            let set = SetSpec::simple(name, members.map(Role::symbol), k);
-            builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
-        }
-        builder.gear("1", ["K1"]).gear("2", ["K2"]).gear("direct", ["L"]).build()
+        let [first, second] = self.sets;
+        gearbox(&self.to_string(), &[(first, k[0]), (second, k[1])], eta0, Some(direct_clutch))
+    }
+}
+
+/// The gearbox of one or two simple sets whose members `[a, b, H]` belong to these links, with their ring-to-sun
+/// ratios: brakes `K1` and, of two sets, `K2` with gears `1` and `2`; with a direct-drive clutch, `L`, also the gear
+/// `direct`.
+///
+/// # Errors
+/// [`Error::Gearbox`] for `k ≤ 1`, and for a clutch between a link and itself.
+pub fn gearbox(
+    name: &str,
+    sets: &[(SetRoles, f64)],
+    eta0: MeshEfficiency,
+    direct_clutch: Option<[Role; 2]>,
+) -> Result<Gearbox, Error> {
+    let [d, b, t1, t2] = Role::ALL.map(Role::symbol);
+    let mut builder = Gearbox::builder(name).links([d, b, t1]).input(d).output(b);
+    let mut gears = vec![SchemeGear::First];
+    builder = builder.brake(SchemeElement::FirstBrake.name(), t1);
+    if sets.len() > 1 {
+        builder = builder.links([t2]).brake(SchemeElement::SecondBrake.name(), t2);
+        gears.push(SchemeGear::Second);
+    }
+    if let Some([one, other]) = direct_clutch {
+        builder = builder.clutch(SchemeElement::DirectClutch.name(), one.symbol(), other.symbol());
+        gears.push(SchemeGear::Direct);
+    }
+    for gear in gears {
+        builder = builder.gear(gear.name(), [gear.engaged().name()]);
+    }
+    for (name, (members, k)) in ["1", "2"].into_iter().zip(sets) {
+        let set = SetSpec::simple(name, members.map(Role::symbol), *k);
+        builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
+    }
+    Ok(builder.build()?)
+}
+
+impl FromStr for Structure {
+    type Err = Error;
+
+    /// As [`read`](Self::read).
+    fn from_str(name: &str) -> Result<Self, Error> {
+        Self::read(name).map(|(structure, _)| structure)
     }
 }
 
@@ -297,6 +375,38 @@ fn is_labelled_as_in_the_source([first, second]: [SetRoles; 2]) -> bool {
     } else {
         // Neither set has both shafts, or set 2 has them and should be set 1.
         has(first, Role::D) && !(has(second, Role::B) && has(second, Role::D))
+    }
+}
+
+impl TwoSpeed {
+    /// The scheme as a gearbox with gears `1` and `direct`.
+    ///
+    /// # Errors
+    /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
+    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, Error> {
+        gearbox(self.name(), &[(self.set(), k.get())], eta0, Some([Role::D, Role::B]))
+    }
+}
+
+impl ThreeSpeed {
+    /// The structure that it is.
+    #[must_use]
+    pub fn structure(self) -> Structure {
+        Structure::new(self.sets()).unwrap_or_else(|| unreachable!("the eleven are structures, by test"))
+    }
+
+    /// The scheme as a gearbox with gears `1`, `2` and `direct`.
+    ///
+    /// # Errors
+    /// None of ring-to-sun ratios: what the solver would refuse is refused before.
+    pub fn gearbox(
+        self,
+        k1: RingToSunRatio,
+        k2: RingToSunRatio,
+        eta0: MeshEfficiency,
+    ) -> Result<Gearbox, Error> {
+        let [first, second] = self.sets();
+        gearbox(self.name(), &[(first, k1.get()), (second, k2.get())], eta0, Some([Role::D, Role::B]))
     }
 }
 
@@ -385,9 +495,9 @@ mod tests {
 
     #[test]
     fn the_documents_eleven_keep_their_labels() {
-        for (name, sets) in SCHEMES {
-            assert_eq!(Structure::new(sets).unwrap().sets(), sets, "{name}");
-            assert_eq!(Structure::new(sets).unwrap().scheme(), Some(name));
+        for scheme in ThreeSpeed::ALL {
+            assert_eq!(scheme.structure().sets(), scheme.sets(), "{scheme}");
+            assert_eq!(scheme.structure().scheme(), Some(scheme));
         }
         assert_eq!(Structure::catalogue().len(), 11);
     }
@@ -398,6 +508,53 @@ mod tests {
         for sets in [[[D, T1, B], [B, D, T1]], [[D, D, B], [T1, T2, B]], [[D, B, T2], [D, T1, T1]]] {
             assert_eq!(Structure::new(sets), None);
         }
+    }
+
+    /// Every way to name the links of each structure is read as that structure, and says what it renames: the same
+    /// gearbox, gear for gear.
+    #[test]
+    fn any_spelling_is_read() {
+        let mut spellings = 0;
+        for structure in Structure::all() {
+            let [first, second] = structure.sets();
+            let [a, b] = [first, second].map(exchange_brakes);
+            for sets in [[first, second], [second, first], [a, b], [b, a]] {
+                let name = sets.map(|set| set.map(Role::symbol).join(".")).join("+");
+                let (read, renaming) = Structure::read(&name).unwrap();
+                assert_eq!(read, structure, "{name}");
+                assert_eq!(name.to_lowercase().parse(), Ok(structure));
+                // Ratios as named and as canonical, by the sets' coefficients alone.
+                let k = [2.3, 3.1];
+                let ours = |sets: [SetRoles; 2], k: [f64; 2]| {
+                    crate::pair::ratios(
+                        &crate::pair::coefficients(sets[0], k[0]),
+                        &crate::pair::coefficients(sets[1], k[1]),
+                    )
+                };
+                let mut named = ours(sets, k);
+                if renaming.brakes {
+                    named.reverse();
+                }
+                let canonical = ours(structure.sets(), if renaming.sets { [k[1], k[0]] } else { k });
+                for (named, canonical) in named.into_iter().zip(canonical) {
+                    assert!((named / canonical - 1.0).abs() < 1e-12, "{name} {named} {canonical}");
+                }
+                spellings += 1;
+            }
+        }
+        assert_eq!(spellings, 444);
+    }
+
+    #[test]
+    fn what_is_misspelt_is_answered_with_the_nearest() {
+        let nearest = |name: &str| match Structure::read(name) {
+            Err(Error::UnknownStructure { nearest, .. }) => nearest,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(nearest("D.T1.B+D.T1.T3"), Some("D.T1.B+D.T1.T2".to_owned()));
+        assert_eq!(nearest("D.T1.B"), None);
+        let same = Structure::read("D.T1.B+D.B.T1");
+        assert_eq!(same, Err(Error::NotAStructure { name: "D.T1.B+D.B.T1".to_owned() }));
     }
 
     proptest! {

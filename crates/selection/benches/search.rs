@@ -7,16 +7,17 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_gears::synthesis::Bounds;
+use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::search::ToothSearch;
-use epicyclic_selection::{RatioSeries, Requirements, Space, select};
+use epicyclic_selection::{Requirements, Space, select};
 use std::hint::black_box;
 
 #[path = "../tests/brute_common/mod.rs"]
 mod brute;
 
 fn excavator() -> Requirements {
-    Requirements::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).expect("two ratios"))
+    Requirements::new(RatioSeries::of_braked_gears(&[1.95 / 1.33, 1.95 / 0.76]).expect("two ratios"))
 }
 
 /// Rings up to 48 teeth: a few dozen combinations of tooth numbers a set.

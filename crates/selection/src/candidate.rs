@@ -4,7 +4,9 @@ use super::mechanism::{Mechanism, largest_error};
 use super::objectives::{Objectives, ring_to_sun_distance};
 use super::requirements::{Limits, Requirements};
 use super::size::relative_ring_diameter;
-use super::{Drawing, SelectionError};
+use super::tolerance::SLACK;
+use super::{Drawing, Error, NotDrawable};
+use epicyclic_schemes::catalogue::{SchemeElement, SchemeGear};
 use epicyclic_schemes::direct_drive::DirectClutch;
 use epicyclic_schemes::structures::Role;
 use epicyclic_train::Gearbox;
@@ -14,8 +16,8 @@ use std::fmt;
 /// A braked gear; speeds and torques are multiples of the input's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearReport {
-    /// Its name, `1` or `2`.
-    pub name: &'static str,
+    /// Which.
+    pub gear: SchemeGear,
     /// Ratio wanted.
     pub wanted: f64,
     /// Ratio it has.
@@ -37,10 +39,10 @@ pub struct GearReport {
 /// A line of the engagement table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Engagement {
-    /// Name of the gear: `1`, `2`, `direct`.
-    pub gear: &'static str,
-    /// The one shift element engaged: `K1`, `K2`, `L`.
-    pub engaged: &'static str,
+    /// Which gear.
+    pub gear: SchemeGear,
+    /// The one shift element engaged.
+    pub engaged: SchemeElement,
     /// Ratio of speeds.
     pub ratio: f64,
     /// Whether the output turns against the input.
@@ -97,16 +99,46 @@ pub struct Verdict {
     pub met: bool,
     /// Whether a candidate is rejected where it does not.
     pub required: bool,
-    /// Where the worst value is, or the witness against it.
-    pub place: String,
+    /// Where the worst value is, or what speaks for or against a yes or no.
+    pub evidence: Evidence,
 }
 
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let not = if self.met { "" } else { "not " };
-        write!(f, "{}: {:.4} ({}), {not}within ", self.criterion, self.value, self.place)?;
-        write!(f, "{} to {}", self.limits[0], self.limits[1])
-    }
+/// Where the worst value of a criterion is, or what speaks for or against a yes or no.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Evidence {
+    /// A gear.
+    Gear(SchemeGear),
+    /// A set, by its place from 0.
+    Set(usize),
+    /// A link.
+    Link {
+        /// Which.
+        role: Role,
+        /// In which gear.
+        gear: SchemeGear,
+    },
+    /// The planets of a set, by its place from 0.
+    Planet {
+        /// Which set.
+        set: usize,
+        /// In which gear.
+        gear: SchemeGear,
+    },
+    /// The direct-drive clutch between these links.
+    DirectClutch([Role; 2]),
+    /// No direct-drive clutch gives direct drive.
+    NoDirectClutch,
+    /// All gears turn the output as direct drive does.
+    AllForward,
+    /// Gears that turn the output against direct drive.
+    Backward(Vec<SchemeGear>),
+    /// The scheme can be drawn, with so many options for the direct-drive clutch.
+    Drawable {
+        /// How many.
+        direct_clutches: usize,
+    },
+    /// The scheme cannot be drawn.
+    NotDrawable(NotDrawable),
 }
 
 /// A mechanism at given ring-to-sun ratios, measured and judged.
@@ -150,16 +182,14 @@ impl Candidate {
     /// Gears and what engages them, the slowest output first.
     #[must_use]
     pub fn engagement_table(&self) -> Vec<Engagement> {
-        let braked = self.gears.iter().zip(["K1", "K2"]);
-        let mut table: Vec<Engagement> = braked
-            .map(|(gear, engaged)| Engagement {
-                gear: gear.name,
-                engaged,
-                ratio: gear.ratio,
-                reverses: gear.ratio < 0.0,
-            })
-            .collect();
-        table.push(Engagement { gear: "direct", engaged: "L", ratio: 1.0, reverses: false });
+        let line = |gear: SchemeGear, ratio: f64| Engagement {
+            gear,
+            engaged: gear.engaged(),
+            ratio,
+            reverses: ratio < 0.0,
+        };
+        let mut table: Vec<Engagement> = self.gears.iter().map(|one| line(one.gear, one.ratio)).collect();
+        table.push(line(SchemeGear::Direct, 1.0));
         table.sort_by(|one, other| other.ratio.abs().total_cmp(&one.ratio.abs()));
         table
     }
@@ -168,7 +198,7 @@ impl Candidate {
     ///
     /// # Errors
     /// None of a candidate of [`select`](super::select).
-    pub fn gearbox(&self, requirements: &Requirements) -> Result<Gearbox, SelectionError> {
+    pub fn gearbox(&self, requirements: &Requirements) -> Result<Gearbox, Error> {
         let pair =
             self.direct_clutches.get(self.direct_clutch).map_or([Role::D, Role::B], |clutch| clutch.pair);
         self.mechanism.gearbox(&self.k, requirements.eta0, pair)
@@ -181,12 +211,12 @@ impl Candidate {
         wanted: &[f64],
         requirements: &Requirements,
         drawing: Option<&Drawing>,
-    ) -> Result<Self, SelectionError> {
+    ) -> Result<Self, Error> {
         let gearbox = mechanism.gearbox(&k, requirements.eta0, [Role::D, Role::B])?;
-        let gears = ["1", "2"]
+        let gears = SchemeGear::BRAKED
             .into_iter()
             .zip(wanted)
-            .map(|(name, &wanted)| gear_report(&gearbox, name, wanted))
+            .map(|(gear, &wanted)| gear_report(&gearbox, gear, wanted))
             .collect::<Result<Vec<_>, _>>()?;
         let ratios: Vec<f64> = gears.iter().map(|gear| gear.ratio).collect();
         let direct_clutches = mechanism.direct_clutch_options(&ratios);
@@ -196,7 +226,7 @@ impl Candidate {
             Some(Ok(pairs)) if limits.drawable => pairs.contains(&clutch.pair),
             _ => true,
         };
-        let slips = |clutch: &DirectClutch| slip(clutch, gears.len()) > limits.clutch_slip * (1.0 + 1e-9);
+        let slips = |clutch: &DirectClutch| slip(clutch, gears.len()) > limits.clutch_slip * (1.0 + SLACK);
         let chosen = direct_clutches.iter().position(|clutch| drawn(clutch) && !slips(clutch));
         let direct_clutch = chosen.or_else(|| direct_clutches.iter().position(drawn)).unwrap_or(0);
         let worst = worst_speeds(&gears);
@@ -224,39 +254,38 @@ impl Candidate {
     fn judge(
         &self,
         requirements: &Requirements,
-        [links, planets]: [(f64, String); 2],
-        drawing: Option<Result<Vec<[Role; 2]>, String>>,
+        [links, planets]: [(f64, Evidence); 2],
+        drawing: Option<Result<Vec<[Role; 2]>, NotDrawable>>,
     ) -> Vec<Verdict> {
         let Limits { ring_to_sun, .. } = &requirements.limits;
         let limits = &requirements.limits;
-        let within = |criterion, (value, place): (f64, String), [least, greatest]: [f64; 2]| {
+        let within = |criterion, (value, evidence): (f64, Evidence), [least, greatest]: [f64; 2]| {
             // What was chosen to lie at a limit may miss it by rounding.
-            let slack = 1e-9 * (1.0 + value.abs());
+            let slack = SLACK * (1.0 + value.abs());
             let met = value >= least - slack && value <= greatest + slack;
-            Verdict { criterion, value, limits: [least, greatest], met, required: true, place }
+            Verdict { criterion, value, limits: [least, greatest], met, required: true, evidence }
         };
         let preferred = f64::midpoint(limits.preferred.start().ln(), limits.preferred.end().ln());
         let far = |k: f64| (k.ln() - preferred).abs();
         let odd = (0..self.k.len()).max_by(|a, b| far(self.k[*a]).total_cmp(&far(self.k[*b]))).unwrap_or(0);
-        let of_set = |set: usize| format!("set {}", set + 1);
         let error = |gear: &GearReport| (gear.ratio / gear.wanted - 1.0).abs();
         let off = self.gears.iter().max_by(|a, b| error(a).total_cmp(&error(b)));
-        let off = off.map_or_else(String::new, |gear| format!("gear {}", gear.name));
+        let off = Evidence::Gear(off.map_or(SchemeGear::First, |gear| gear.gear));
         let chosen = self.direct_clutches.get(self.direct_clutch);
-        let (slipping, pair) = chosen.map_or((f64::INFINITY, "no direct-drive clutch".into()), |clutch| {
-            (slip(clutch, self.gears.len()), format!("{}–{}", clutch.pair[0], clutch.pair[1]))
+        let (slipping, pair) = chosen.map_or((f64::INFINITY, Evidence::NoDirectClutch), |clutch| {
+            (slip(clutch, self.gears.len()), Evidence::DirectClutch(clutch.pair))
         });
-        let backward: Vec<&str> = self.gears.iter().filter(|g| g.ratio < 0.0).map(|g| g.name).collect();
+        let backward: Vec<SchemeGear> = self.gears.iter().filter(|g| g.ratio < 0.0).map(|g| g.gear).collect();
         let directions = if backward.is_empty() {
-            (1.0, "all gears forward".to_owned())
+            (1.0, Evidence::AllForward)
         } else {
-            (0.0, format!("gears {} turn against direct drive", backward.join(", ")))
+            (0.0, Evidence::Backward(backward))
         };
         let mut verdicts = vec![
             within(Criterion::Ratio, (self.objectives.ratio_error, off), [0.0, requirements.tolerance]),
             within(
                 Criterion::RingToSun,
-                (self.k[odd], of_set(odd)),
+                (self.k[odd], Evidence::Set(odd)),
                 [*ring_to_sun.start(), *ring_to_sun.end()],
             ),
             within(Criterion::Efficiency, least_efficiency(&self.gears), [limits.efficiency, 1.0]),
@@ -270,8 +299,8 @@ impl Candidate {
         ];
         if let Some(drawing) = drawing {
             let found = drawing.map_or_else(
-                |witness| (0.0, witness),
-                |pairs| (1.0, format!("drawn, {} options for the direct-drive clutch", pairs.len())),
+                |witness| (0.0, Evidence::NotDrawable(witness)),
+                |pairs| (1.0, Evidence::Drawable { direct_clutches: pairs.len() }),
             );
             let verdict = within(Criterion::Drawable, found, [1.0, 1.0]);
             verdicts.push(Verdict { required: limits.drawable, ..verdict });
@@ -280,15 +309,15 @@ impl Candidate {
     }
 }
 
-fn gear_report(gearbox: &Gearbox, name: &'static str, wanted: f64) -> Result<GearReport, SelectionError> {
-    let found = gearbox.analyze(name)?;
+fn gear_report(gearbox: &Gearbox, gear: SchemeGear, wanted: f64) -> Result<GearReport, Error> {
+    let found = gearbox.analyze(gear.name())?;
     let not_driven = || epicyclic_train::Error::NotDriven { state: found.state().to_string() };
     let ratio = found.ratio().ok_or_else(not_driven)?;
     let link = |role: Role| Some((role, found.speed(gearbox.link(role.symbol())?)?));
-    let brake = if name == "1" { 0 } else { 1 };
+    let brake = if gear == SchemeGear::First { 0 } else { 1 };
     let loaded = found.driving();
     Ok(GearReport {
-        name,
+        gear,
         wanted,
         ratio,
         efficiency: found.efficiency(),
@@ -308,21 +337,27 @@ pub(crate) fn slip(clutch: &DirectClutch, gears: usize) -> f64 {
 }
 
 /// Efficiency 0 stands for a self-locking gear, which has none.
-fn least_efficiency(gears: &[GearReport]) -> (f64, String) {
-    let of = |gear: &GearReport| (gear.efficiency.unwrap_or(0.0), format!("gear {}", gear.name));
-    gears.iter().map(of).min_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or((1.0, String::new()))
+fn least_efficiency(gears: &[GearReport]) -> (f64, Evidence) {
+    let of = |gear: &GearReport| (gear.efficiency.unwrap_or(0.0), Evidence::Gear(gear.gear));
+    gears
+        .iter()
+        .map(of)
+        .min_by(|one, other| one.0.total_cmp(&other.0))
+        .unwrap_or((1.0, Evidence::Gear(SchemeGear::First)))
 }
 
 /// The largest speeds of links and of planets relative to their carriers.
-fn worst_speeds(gears: &[GearReport]) -> [(f64, String); 2] {
-    let mut worst = [(0.0, String::new()), (0.0, String::new())];
-    for gear in gears {
-        let links = gear.links.iter().map(|(role, speed)| (0, *speed, role.to_string()));
-        let planets = gear.planets.iter().enumerate();
-        let planets = planets.map(|(set, planet)| (1, planet.relative, format!("planet {}", set + 1)));
-        for (kind, speed, name) in links.chain(planets) {
+fn worst_speeds(gears: &[GearReport]) -> [(f64, Evidence); 2] {
+    let gear = SchemeGear::First;
+    let mut worst = [(0.0, Evidence::Link { role: Role::D, gear }), (0.0, Evidence::Planet { set: 0, gear })];
+    for report in gears {
+        let gear = report.gear;
+        let links = report.links.iter().map(|&(role, speed)| (0, speed, Evidence::Link { role, gear }));
+        let planets = report.planets.iter().enumerate();
+        let planets = planets.map(|(set, planet)| (1, planet.relative, Evidence::Planet { set, gear }));
+        for (kind, speed, evidence) in links.chain(planets) {
             if speed.abs() > worst[kind].0 {
-                worst[kind] = (speed.abs(), format!("{name} in gear {}", gear.name));
+                worst[kind] = (speed.abs(), evidence);
             }
         }
     }

@@ -3,25 +3,41 @@
 //! Brakes, input and output are drawn always; of the options for that clutch only the one chosen is built, so a
 //! mechanism is drawable if at least one of them can be drawn with the rest, and the choice is among these.
 
+use super::Error;
 use super::mechanism::Mechanism;
-use epicyclic_layout::{Options, Verdict, direct_clutch_options, draw, is_drawable};
+use epicyclic_layout::{Options, Verdict, Witness, direct_clutch_options, draw, is_drawable};
 use epicyclic_schemes::structures::Role;
 
-/// The pairs of links between which a direct-drive clutch can be drawn; where there are none, what cannot be
-/// drawn together.
-pub fn drawable_direct_clutches(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, String> {
-    // Whether a scheme can be drawn does not depend on k.
-    let gearbox = mechanism.without_direct_clutch(3.0).map_err(|error| error.to_string())?;
+/// Why a mechanism cannot be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NotDrawable {
+    /// It makes no gearbox.
+    Gearbox(Error),
+    /// What of [`Mechanism::without_direct_clutch`] cannot be drawn together.
+    SelfCrossing(Witness),
+    /// No direct-drive clutch can be drawn with the rest.
+    NoDirectClutch,
+}
+
+/// Ring-to-sun ratio of the sets that are drawn: whether a scheme can be drawn does not depend on it.
+pub const DRAWN_K: f64 = 3.0;
+
+/// The pairs of links between which a direct-drive clutch can be drawn.
+///
+/// # Errors
+/// [`NotDrawable`] where there are none.
+pub fn drawable_direct_clutches(mechanism: Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> {
+    let gearbox = mechanism.without_direct_clutch(DRAWN_K).map_err(NotDrawable::Gearbox)?;
     if !is_drawable(&gearbox) {
         return match draw(&gearbox, Options { attempts: 1, ..Options::default() }) {
-            Verdict::SelfCrossing(witness) => Err(witness.describe(&gearbox)),
+            Verdict::SelfCrossing(witness) => Err(NotDrawable::SelfCrossing(witness)),
             Verdict::Drawable(_) => unreachable!("both verdicts are one"),
         };
     }
     let role = |link| Role::ALL.into_iter().find(|role| gearbox.link(role.symbol()) == Some(link));
     let pairs = direct_clutch_options(&gearbox).into_iter();
     let pairs: Vec<[Role; 2]> = pairs.filter_map(|[x, y]| Some([role(x)?, role(y)?])).collect();
-    if pairs.is_empty() { Err("no direct-drive clutch can be drawn with the rest".into()) } else { Ok(pairs) }
+    if pairs.is_empty() { Err(NotDrawable::NoDirectClutch) } else { Ok(pairs) }
 }
 
 #[cfg(test)]

@@ -6,60 +6,32 @@ use crate::quantity::{KRange, Limited, Rated};
 /// Invalid requirements, or a search too large.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum SelectionError {
+pub enum Error {
     /// Too few or too many speeds.
     #[error("{}: gearboxes of one set have 2, of two sets 3", counted(*count, "speed"))]
     SpeedCount {
         /// How many were given.
         count: usize,
     },
-    /// Speeds that do not rise, or not all above 0.
-    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are finite, above 0, and rise")]
-    SpeedsOutOfOrder {
-        /// Its place from 1.
-        place: usize,
-        /// The speed, m/s.
-        speed: f64,
-        /// The one before, or 0, m/s.
-        before: f64,
-    },
-    /// A range of speeds that leaves nothing to shift.
-    #[error("d = {d}: the range of speeds, fastest over slowest, is finite and above 1")]
-    SpeedRange {
-        /// Fastest over slowest.
-        d: f64,
-    },
-    /// A middle speed outside the range.
-    #[error("q = {q} with d = {d}: fastest over middle speed lies above 1 and below d")]
-    MiddleSpeed {
-        /// Fastest over middle.
-        q: f64,
-        /// Fastest over slowest.
-        d: f64,
-    },
-    /// Too few or too many ratios.
-    #[error("{}: beside direct drive one set gives 1, two sets give 2", counted(*count, "ratio"))]
+    /// Too few or too many ratios for a search of two sets.
+    #[error("{}: a search over the teeth of two sets wants 2", counted(*count, "ratio"))]
     RatioCount {
-        /// How many were given.
+        /// How many there are.
         count: usize,
-    },
-    /// A ratio that no braked gear has.
-    #[error("ratio {ratio}: finite and not 0, and not 1, which is direct drive")]
-    Ratio {
-        /// The ratio given.
-        ratio: f64,
-    },
-    /// Two gears of one ratio.
-    #[error("two gears of ratio {ratio}: three speeds have three ratios")]
-    EqualRatios {
-        /// Their ratio.
-        ratio: f64,
     },
     /// An invalid tolerance.
     #[error("tolerance {tolerance}: at least 0 and below 1; 0.1 means ten per cent")]
     Tolerance {
         /// The value given.
         tolerance: f64,
+    },
+    /// Ring-to-sun ratios that do not match the sets.
+    #[error("{}, of {}: one a set", counted(*given, "ring-to-sun ratio"), counted(*sets, "set"))]
+    RingToSunCount {
+        /// How many were given.
+        given: usize,
+        /// How many sets there are.
+        sets: usize,
     },
     /// An invalid range of ring-to-sun ratios.
     #[error("{what} ring-to-sun ratios from {from} to {to}: above 1, finite, the smaller first")]
@@ -173,24 +145,23 @@ pub enum SelectionError {
     /// What a gear set refuses.
     #[error(transparent)]
     GearSet(#[from] epicyclic_gears::Error),
+    /// What the catalogue refuses.
+    #[error(transparent)]
+    Scheme(#[from] epicyclic_schemes::Error),
     /// What the solver refuses.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
 }
 
-impl SelectionError {
+impl Error {
     /// Name of the fault, which does not change with the message: `speed-count`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
             Self::SpeedCount { .. } => "speed-count",
-            Self::SpeedsOutOfOrder { .. } => "speeds-out-of-order",
-            Self::SpeedRange { .. } => "speed-range",
-            Self::MiddleSpeed { .. } => "middle-speed",
             Self::RatioCount { .. } => "ratio-count",
-            Self::Ratio { .. } => "ratio",
-            Self::EqualRatios { .. } => "equal-ratios",
             Self::Tolerance { .. } => "tolerance",
+            Self::RingToSunCount { .. } => "ring-to-sun-count",
             Self::RingToSunRange { .. } => "ring-to-sun-range",
             Self::Limit { .. } => "limit",
             Self::Rating { .. } => "rating",
@@ -204,6 +175,7 @@ impl SelectionError {
             Self::FrontTooLarge { .. } => "front-too-large",
             Self::Cancelled => "cancelled",
             Self::GearSet(error) => error.name(),
+            Self::Scheme(error) => error.name(),
             Self::Gearbox(error) => error.name(),
         }
     }
@@ -226,13 +198,13 @@ mod tests {
 
     #[test]
     fn messages_count_and_measure() {
-        let message = |error: SelectionError| error.to_string();
-        assert!(message(SelectionError::SpeedCount { count: 1 }).starts_with("1 speed: "));
-        assert!(message(SelectionError::RatioCount { count: 3 }).starts_with("3 ratios: "));
-        assert_eq!(message(SelectionError::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
-        let rating = SelectionError::Rating { what: Rated::InputTorque, value: -1.0, unit: "N·m" };
+        let message = |error: Error| error.to_string();
+        assert!(message(Error::SpeedCount { count: 1 }).starts_with("1 speed: "));
+        assert!(message(Error::RatioCount { count: 1 }).starts_with("1 ratio: "));
+        assert_eq!(message(Error::PlanetNumber { planets: 1, most: 8 }), "1 planet: from 2 to 8");
+        let rating = Error::Rating { what: Rated::InputTorque, value: -1.0, unit: "N·m" };
         assert_eq!(message(rating), "input torque -1 N·m: finite and above 0");
-        let rating = SelectionError::Rating { what: Rated::FaceWidthRatio, value: 0.0, unit: "" };
+        let rating = Error::Rating { what: Rated::FaceWidthRatio, value: 0.0, unit: "" };
         assert_eq!(message(rating), "face-width ratio 0: finite and above 0");
     }
 }

@@ -16,14 +16,15 @@
 //! and the tolerance says whether that is near enough. [`search`](crate::search) goes on from here to teeth.
 //!
 //! ```
-//! use epicyclic_selection::{Requirements, RatioSeries, Space, select};
+//! use epicyclic_schemes::RatioSeries;
+//! use epicyclic_selection::{Requirements, Space, select};
 //! use uom::si::{f64::Velocity, velocity::meter_per_second};
-//! # fn main() -> Result<(), epicyclic_selection::SelectionError> {
+//! # fn main() -> Result<(), epicyclic_selection::Error> {
 //! // The conveyor of section 3.3: scheme I wins over III.
 //! let speeds = [0.8, 3.15].map(Velocity::new::<meter_per_second>);
-//! let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds)?), &Space::Catalogue)?;
+//! let found = select(&Requirements::new(RatioSeries::of_speeds(&speeds, 1)?), &Space::Catalogue)?;
 //! let best = &found.accepted[found.best[0]];
-//! assert_eq!(best.mechanism.scheme(), Some("I"));
+//! assert_eq!(best.mechanism.scheme().map(|scheme| scheme.name()), Some("I"));
 //! assert!((best.k[0] - 2.9375).abs() < 1e-12);
 //! # Ok(())
 //! # }
@@ -43,21 +44,23 @@ pub mod requirements;
 pub mod search;
 pub mod size;
 mod threads;
+mod tolerance;
 mod units;
 
-pub use candidate::{Candidate, Criterion, Engagement, GearReport, Verdict};
-pub use error::SelectionError;
+pub use candidate::{Candidate, Criterion, Engagement, Evidence, GearReport, Verdict};
+pub use drawing::NotDrawable;
+pub use error::Error;
 pub use mechanism::{Mechanism, Space};
 pub use objectives::{Objective, Objectives, Order};
-pub use requirements::{Limits, Orders, RatioSeries, Requirements, Signs};
+pub use requirements::{Limits, Orders, Requirements, Signs};
 pub use size::Rating;
 
 use epicyclic_schemes::structures::Role;
 use front::Entry;
 
 /// Between which links a mechanism's direct-drive clutch can be drawn; if there are none, or the mechanism
-/// itself cannot be drawn without self-crossing, the witness in words. As [`drawing::drawable_direct_clutches`].
-pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, String> + Sync + 'a;
+/// itself cannot be drawn without self-crossing, why. As [`drawing::drawable_direct_clutches`].
+pub type Drawing<'a> = dyn Fn(Mechanism) -> Result<Vec<[Role; 2]>, NotDrawable> + Sync + 'a;
 
 /// A mechanism that has no ring-to-sun ratios for the ratios, so that there is nothing to judge.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +72,16 @@ pub struct Unreachable {
     /// Ring-to-sun ratios that the ratios would need, where they need finite ones.
     pub needed: Option<Vec<f64>>,
     /// Why these are out of reach.
-    pub reason: String,
+    pub obstacle: Obstacle,
+}
+
+/// Why ring-to-sun ratios are out of reach.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Obstacle {
+    /// A set would need an infinite `k`.
+    Infinite,
+    /// These sets, by their places from 0, would need `k ≤ 1`, and that of a simple set is above 1.
+    TooSmall(Vec<usize>),
 }
 
 /// What a selection found.
@@ -91,25 +103,25 @@ pub struct Selection {
 ///
 /// # Errors
 /// As [`select_with`].
-pub fn select(requirements: &Requirements, space: &Space) -> Result<Selection, SelectionError> {
+pub fn select(requirements: &Requirements, space: &Space) -> Result<Selection, Error> {
     select_with(requirements, space, Order::default(), Some(&drawing::drawable_direct_clutches))
 }
 
 /// Every mechanism of a space for every assignment of the ratios: measured, judged, compared.
 ///
 /// # Errors
-/// Those [`SelectionError`]s that speak of tolerance, limits and rating.
+/// Those [`Error`]s that speak of tolerance, limits and rating.
 pub fn select_with(
     requirements: &Requirements,
     space: &Space,
     order: Order,
     drawing: Option<&Drawing>,
-) -> Result<Selection, SelectionError> {
+) -> Result<Selection, Error> {
     requirements.check()?;
     let targets = requirements.targets();
     let mut found =
         Selection { accepted: vec![], rejected: vec![], unreachable: vec![], front: vec![], best: vec![] };
-    for mechanism in space.mechanisms(requirements.series.ratios().len()) {
+    for mechanism in space.mechanisms(requirements.series.braked().len()) {
         for (place, wanted) in targets.iter().enumerate() {
             // Of a symmetric structure the other order is the same design.
             let mirrored: Vec<f64> = wanted.iter().rev().copied().collect();
@@ -125,9 +137,9 @@ pub fn select_with(
             // Beyond the tolerance the exact ring-to-sun ratios tell more, if a simple set can have them.
             let simple = exact.clone().filter(|k| k.iter().all(|k| *k > 1.0));
             let Some(k) = nearest.filter(in_tolerance).or(simple) else {
-                let reason = reason(exact.as_deref());
+                let obstacle = obstacle(exact.as_deref());
                 let wanted = wanted.clone();
-                found.unreachable.push(Unreachable { mechanism, wanted, needed: exact, reason });
+                found.unreachable.push(Unreachable { mechanism, wanted, needed: exact, obstacle });
                 continue;
             };
             let candidate = Candidate::new(mechanism, k, wanted, requirements, drawing)?;
@@ -141,9 +153,8 @@ pub fn select_with(
     Ok(found)
 }
 
-fn reason(needed: Option<&[f64]>) -> String {
-    let Some(needed) = needed else { return "a set would need an infinite k".into() };
-    let bad = |(set, k): (usize, &f64)| (*k <= 1.0).then(|| format!("k{} = {k:.3}", set + 1));
-    let bad: Vec<String> = needed.iter().enumerate().filter_map(bad).collect();
-    format!("{} needed, and k of a simple set is above 1", bad.join(" and "))
+fn obstacle(needed: Option<&[f64]>) -> Obstacle {
+    let Some(needed) = needed else { return Obstacle::Infinite };
+    let too_small = needed.iter().enumerate().filter(|(_, k)| **k <= 1.0);
+    Obstacle::TooSmall(too_small.map(|(set, _)| set).collect())
 }

@@ -1,12 +1,12 @@
 //! What selection chooses among: one set of two speeds, or two sets of three.
 
-use super::SelectionError;
+use super::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::catalogue::{Scheme, TwoSpeed};
 use epicyclic_schemes::direct_drive::{DirectClutch, direct_clutch_options, direct_clutch_options_of_set};
 use epicyclic_schemes::pair::{coefficients, ratios};
-use epicyclic_schemes::structures::{Role, SetRoles, Structure};
-use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::{Error, Gearbox};
+use epicyclic_schemes::structures::{Role, SetRoles, Structure, gearbox};
+use epicyclic_train::Gearbox;
 use std::fmt;
 use std::ops::RangeInclusive;
 
@@ -33,13 +33,14 @@ pub enum Space {
 impl Space {
     /// The mechanisms of so many braked gears.
     pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
-        use Role::{B, D, T1};
-        let sets = [[D, T1, B], [T1, D, B], [D, B, T1], [B, T1, D], [T1, B, D], [B, D, T1]];
+        let listed = TwoSpeed::ALL.map(TwoSpeed::set);
+        // The other three ways to use a set speed up: D and B exchanged.
+        let reversed = listed.map(|set| set.map(Role::reversed));
         let structures =
             |structures: Vec<Structure>| structures.into_iter().map(Mechanism::TwoSets).collect();
         match (self, gears) {
-            (Self::Catalogue, 1) => sets[..3].iter().copied().map(Mechanism::OneSet).collect(),
-            (Self::All, 1) => sets.into_iter().map(Mechanism::OneSet).collect(),
+            (Self::Catalogue, 1) => listed.into_iter().map(Mechanism::OneSet).collect(),
+            (Self::All, 1) => listed.into_iter().chain(reversed).map(Mechanism::OneSet).collect(),
             (Self::Structures(_), 1) => vec![],
             (Self::Catalogue, _) => structures(Structure::catalogue()),
             (Self::All, _) => structures(Structure::all()),
@@ -49,16 +50,12 @@ impl Space {
 }
 
 impl Mechanism {
-    /// The document's name, if it has one.
+    /// The document's scheme, if it is one.
     #[must_use]
-    pub fn scheme(self) -> Option<&'static str> {
-        use Role::{B, D, T1};
+    pub fn scheme(self) -> Option<Scheme> {
         match self {
-            Self::OneSet([D, T1, B]) => Some("I"),
-            Self::OneSet([T1, D, B]) => Some("II"),
-            Self::OneSet([D, B, T1]) => Some("III"),
-            Self::OneSet(_) => None,
-            Self::TwoSets(structure) => structure.scheme(),
+            Self::OneSet(set) => TwoSpeed::of_set(set).map(Scheme::Two),
+            Self::TwoSets(structure) => structure.scheme().map(Scheme::Three),
         }
     }
 
@@ -155,50 +152,40 @@ impl Mechanism {
     }
 
     /// The mechanism with its brakes and without a direct-drive clutch, sets without losses at this `k`.
-    pub(crate) fn without_direct_clutch(self, k: f64) -> Result<Gearbox, Error> {
-        let mut builder = Gearbox::builder(&self.to_string()).input("D").output("B").brake("K1", "T1");
-        builder = match self {
-            Self::OneSet(_) => builder.links(["D", "B", "T1"]),
-            Self::TwoSets(_) => builder.links(["D", "B", "T1", "T2"]).brake("K2", "T2"),
-        };
-        for (name, set) in ["1", "2"].iter().zip(self.sets()) {
-            builder = builder.set(SetSpec::simple(name, set.map(Role::symbol), k));
-        }
-        builder.build()
+    ///
+    /// # Errors
+    /// As [`gearbox`](Self::gearbox).
+    pub fn without_direct_clutch(self, k: f64) -> Result<Gearbox, Error> {
+        self.built(&vec![k; self.sets().len()], MeshEfficiency::IDEAL, None)
     }
 
     /// The mechanism as a gearbox with gears `1`, `2` (of two sets) and `direct`, the direct-drive clutch `L`
     /// between these links.
     ///
     /// # Errors
-    /// As [`Structure::gearbox`].
+    /// [`Error::RingToSunCount`] unless there is one `k` a set; as
+    /// [`structures::gearbox`](epicyclic_schemes::structures::gearbox).
     pub fn gearbox(
         self,
         k: &[f64],
         eta0: MeshEfficiency,
         direct_clutch: [Role; 2],
-    ) -> Result<Gearbox, SelectionError> {
-        match (self, k) {
-            (Self::TwoSets(structure), &[first, second]) => {
-                Ok(structure.gearbox([first, second], eta0, direct_clutch)?)
-            }
-            (Self::OneSet(set), &[k]) => Ok(Gearbox::builder(&self.to_string())
-                .links(["D", "B", "T1"])
-                .set(SetSpec::simple("1", set.map(Role::symbol), k).with_loss(MeshLoss::Set(eta0)))
-                .brake("K1", "T1")
-                .clutch("L", direct_clutch[0].symbol(), direct_clutch[1].symbol())
-                .input("D")
-                .output("B")
-                .gear("1", ["K1"])
-                .gear("direct", ["L"])
-                .build()?),
-            _ => Err(Error::ValueCount {
-                what: "ring-to-sun ratios",
-                given: k.len(),
-                expected: self.sets().len(),
-            }
-            .into()),
+    ) -> Result<Gearbox, Error> {
+        self.built(k, eta0, Some(direct_clutch))
+    }
+
+    fn built(
+        self,
+        k: &[f64],
+        eta0: MeshEfficiency,
+        direct_clutch: Option<[Role; 2]>,
+    ) -> Result<Gearbox, Error> {
+        let sets = self.sets();
+        if k.len() != sets.len() {
+            return Err(Error::RingToSunCount { given: k.len(), sets: sets.len() });
         }
+        let sets: Vec<(SetRoles, f64)> = sets.into_iter().zip(k.iter().copied()).collect();
+        Ok(gearbox(&self.to_string(), &sets, eta0, direct_clutch)?)
     }
 }
 

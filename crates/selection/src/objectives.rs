@@ -13,7 +13,9 @@
 //! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹² (of the size: its cube), so that rounding
 //! neither parts what is alike nor makes the answer depend on the way it was computed.
 
-use super::SelectionError;
+use super::Error;
+use super::tolerance::{GRID_END, GRID_SHIFT};
+use epicyclic_pareto::dominates;
 use std::fmt;
 use std::str::FromStr;
 
@@ -56,14 +58,11 @@ impl fmt::Display for Objective {
 }
 
 impl FromStr for Objective {
-    type Err = SelectionError;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<Self, SelectionError> {
+    fn from_str(name: &str) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|objective| objective.name() == name).ok_or_else(|| {
-            SelectionError::UnknownObjective {
-                name: name.into(),
-                known: Self::ALL.map(Self::name).join(", "),
-            }
+            Error::UnknownObjective { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
         })
     }
 }
@@ -76,12 +75,12 @@ impl Order {
     /// These first, the others after them in the order of [`Objective::ALL`].
     ///
     /// # Errors
-    /// [`SelectionError::RepeatedObjective`].
-    pub fn new(first: &[Objective]) -> Result<Self, SelectionError> {
+    /// [`Error::RepeatedObjective`].
+    pub fn new(first: &[Objective]) -> Result<Self, Error> {
         let mut all = first.to_vec();
         all.extend(Objective::ALL.into_iter().filter(|objective| !first.contains(objective)));
         if let Some(place) = (0..first.len()).find(|&place| first[..place].contains(&first[place])) {
-            return Err(SelectionError::RepeatedObjective { objective: first[place] });
+            return Err(Error::RepeatedObjective { objective: first[place] });
         }
         all.try_into().map(Self).map_err(|_| unreachable!("each of the five once"))
     }
@@ -130,9 +129,7 @@ pub(crate) type Costs = [f64; 5];
 /// Rounds to a multiple of 2⁻⁴⁰; of more than 2¹¹ nothing is lost that could matter.
 #[inline]
 pub(crate) fn on_grid(value: f64) -> f64 {
-    // Adding 1.5·2¹² leaves 40 bits behind the point. Larger values are their own grid.
-    const SHIFT: f64 = 6144.0;
-    if value.abs() < 2048.0 { (value + SHIFT) - SHIFT } else { value }
+    if value.abs() < GRID_END { (value + GRID_SHIFT) - GRID_SHIFT } else { value }
 }
 
 impl Objectives {
@@ -150,21 +147,6 @@ impl Objectives {
     pub fn dominates(&self, other: &Self) -> bool {
         dominates(&self.costs(), &other.costs())
     }
-}
-
-#[inline]
-pub(crate) fn nowhere_worse(one: &Costs, other: &Costs) -> bool {
-    // All five without a branch: mostly none decides alone.
-    (one[0] <= other[0])
-        & (one[1] <= other[1])
-        & (one[2] <= other[2])
-        & (one[3] <= other[3])
-        & (one[4] <= other[4])
-}
-
-#[inline]
-pub(crate) fn dominates(one: &Costs, other: &Costs) -> bool {
-    nowhere_worse(one, other) && one != other
 }
 
 /// Distance of `ln k` from the preferred range.
@@ -189,9 +171,9 @@ mod tests {
         let names = order.objectives().map(Objective::name);
         assert_eq!(names, ["size", "speed", "efficiency", "k", "error"]);
         let twice = Order::new(&[Objective::Size, Objective::Size]);
-        assert_eq!(twice, Err(SelectionError::RepeatedObjective { objective: Objective::Size }));
+        assert_eq!(twice, Err(Error::RepeatedObjective { objective: Objective::Size }));
         assert_eq!("error".parse(), Ok(Objective::RatioError));
-        assert!(matches!("mass".parse::<Objective>(), Err(SelectionError::UnknownObjective { .. })));
+        assert!(matches!("mass".parse::<Objective>(), Err(Error::UnknownObjective { .. })));
     }
 
     #[test]

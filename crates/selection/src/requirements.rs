@@ -1,86 +1,11 @@
 //! What is wanted of a gearbox: ratios, their tolerance, and the limits of section 3.1.
 
-use super::SelectionError;
+use super::Error;
 use super::size::Rating;
 use crate::quantity::{KRange, Limited};
-use crate::units::metres_per_second;
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::RatioSeries;
 use std::ops::RangeInclusive;
-use uom::si::f64::Velocity;
-
-/// Ratios wanted of the braked gears beside direct drive: one or two.
-///
-/// ```text
-/// v₁ < v₂          d = v₂/v₁                 ratios  d
-/// v₁ < v₂ < v₃     d = v₃/v₁   q = v₃/v₂     ratios  q, d
-/// ```
-///
-/// # Source
-/// multispeed-gearboxes, section 3.2.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RatioSeries(Vec<f64>);
-
-impl RatioSeries {
-    /// Of two or three rising speeds, the fastest in direct drive.
-    ///
-    /// # Errors
-    /// [`SelectionError::SpeedCount`], [`SelectionError::SpeedsOutOfOrder`].
-    pub fn of_speeds(speeds: &[Velocity]) -> Result<Self, SelectionError> {
-        let speeds: Vec<f64> = speeds.iter().copied().map(metres_per_second).collect();
-        if !(2..=3).contains(&speeds.len()) {
-            return Err(SelectionError::SpeedCount { count: speeds.len() });
-        }
-        let mut before = 0.0;
-        for (place, &speed) in speeds.iter().enumerate() {
-            if !(speed > before && speed.is_finite()) {
-                return Err(SelectionError::SpeedsOutOfOrder { place: place + 1, speed, before });
-            }
-            before = speed;
-        }
-        Self::new(&speeds.iter().rev().skip(1).map(|speed| before / speed).collect::<Vec<_>>())
-    }
-
-    /// Of the range of speeds `d`, fastest over slowest, and with three speeds of `q`, fastest over
-    /// middle.
-    ///
-    /// # Errors
-    /// [`SelectionError::SpeedRange`], [`SelectionError::MiddleSpeed`].
-    pub fn of_range(d: f64, q: Option<f64>) -> Result<Self, SelectionError> {
-        if !(d > 1.0 && d.is_finite()) {
-            return Err(SelectionError::SpeedRange { d });
-        }
-        match q {
-            None => Self::new(&[d]),
-            Some(q) if q > 1.0 && q < d => Self::new(&[q, d]),
-            Some(q) => Err(SelectionError::MiddleSpeed { q, d }),
-        }
-    }
-
-    /// Of the ratios themselves, in the order of the gears.
-    ///
-    /// # Errors
-    /// [`SelectionError::RatioCount`], [`SelectionError::Ratio`], [`SelectionError::EqualRatios`].
-    pub fn new(ratios: &[f64]) -> Result<Self, SelectionError> {
-        if !(1..=2).contains(&ratios.len()) {
-            return Err(SelectionError::RatioCount { count: ratios.len() });
-        }
-        for &ratio in ratios {
-            if !ratio.is_finite() || ratio == 0.0 || ratio == 1.0 {
-                return Err(SelectionError::Ratio { ratio });
-            }
-        }
-        if ratios.len() == 2 && ratios[0] == ratios[1] {
-            return Err(SelectionError::EqualRatios { ratio: ratios[0] });
-        }
-        Ok(Self(ratios.to_vec()))
-    }
-
-    /// The ratios.
-    #[must_use]
-    pub fn ratios(&self) -> &[f64] {
-        &self.0
-    }
-}
 
 /// Which gear may have which of two ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -144,7 +69,7 @@ impl Default for Limits {
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirements {
-    /// Ratios of the braked gears.
+    /// Ratios of direct drive and of one or two braked gears.
     pub series: RatioSeries,
     /// Relative tolerance of each, 0.1.
     pub tolerance: f64,
@@ -179,7 +104,7 @@ impl Requirements {
     /// Every assignment of signed ratios to the gears, each once: as given first.
     #[must_use]
     pub fn targets(&self) -> Vec<Vec<f64>> {
-        let given = self.series.ratios().to_vec();
+        let given = self.series.braked();
         let mut orders = vec![given.clone()];
         if self.orders == Orders::Both && given.len() == 2 {
             orders.push(vec![given[1], given[0]]);
@@ -197,7 +122,7 @@ impl Requirements {
             for sign in signs {
                 let target: Vec<f64> = order.iter().zip(sign).map(|(i, sign)| i.abs() * sign).collect();
                 // Ratios given as ±1, or of equal size, are invalid with some signs.
-                let is_one = RatioSeries::new(&target).is_err();
+                let is_one = RatioSeries::of_braked_gears(&target).is_err();
                 if !is_one && !found.contains(&target) {
                     found.push(target);
                 }
@@ -206,16 +131,20 @@ impl Requirements {
         found
     }
 
-    pub(crate) fn check(&self) -> Result<(), SelectionError> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let count = self.series.ratios().len();
+        if !(2..=3).contains(&count) {
+            return Err(Error::SpeedCount { count });
+        }
         if !(self.tolerance >= 0.0 && self.tolerance < 1.0) {
-            return Err(SelectionError::Tolerance { tolerance: self.tolerance });
+            return Err(Error::Tolerance { tolerance: self.tolerance });
         }
         let limits = &self.limits;
         for (what, range) in [(KRange::Allowed, &limits.ring_to_sun), (KRange::Preferred, &limits.preferred)]
         {
             let (from, to) = (*range.start(), *range.end());
             if !(from > 1.0 && from <= to && to.is_finite()) {
-                return Err(SelectionError::RingToSunRange { what, from, to });
+                return Err(Error::RingToSunRange { what, from, to });
             }
         }
         for (what, value) in [
@@ -225,7 +154,7 @@ impl Requirements {
             (Limited::ClutchSlip, limits.clutch_slip),
         ] {
             if value.is_nan() || value < 0.0 {
-                return Err(SelectionError::Limit { what, value });
+                return Err(Error::Limit { what, value });
             }
         }
         self.rating.check()
@@ -235,60 +164,31 @@ impl Requirements {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::velocity;
-
-    fn speeds(speeds: &[f64]) -> Result<RatioSeries, SelectionError> {
-        RatioSeries::of_speeds(&speeds.iter().copied().map(velocity).collect::<Vec<_>>())
-    }
 
     #[test]
-    fn speeds_give_q_and_d() {
-        let series = speeds(&[0.76, 1.33, 1.95]).unwrap();
-        assert!((series.ratios()[0] - 1.95 / 1.33).abs() < 1e-15);
-        assert!((series.ratios()[1] - 1.95 / 0.76).abs() < 1e-15);
-        assert!((speeds(&[0.8, 3.15]).unwrap().ratios()[0] - 3.9375).abs() < 1e-12);
-    }
-
-    #[test]
-    fn an_invalid_series_is_refused() {
-        assert_eq!(speeds(&[1.0]), Err(SelectionError::SpeedCount { count: 1 }));
-        let refused = SelectionError::SpeedsOutOfOrder { place: 2, speed: 1.0, before: 1.0 };
-        assert_eq!(speeds(&[1.0, 1.0]), Err(refused));
-        for bad in [[0.0, 1.0], [2.0, 1.0], [1.0, f64::NAN], [1.0, f64::INFINITY]] {
-            assert!(matches!(speeds(&bad), Err(SelectionError::SpeedsOutOfOrder { .. })), "{bad:?}");
-        }
-        assert_eq!(RatioSeries::of_range(1.0, None), Err(SelectionError::SpeedRange { d: 1.0 }));
-        assert!(RatioSeries::of_range(f64::NAN, None).is_err());
-        let refused = SelectionError::MiddleSpeed { q: 3.0, d: 2.0 };
-        assert_eq!(RatioSeries::of_range(2.0, Some(3.0)), Err(refused));
-        for bad in [0.0, 1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(RatioSeries::new(&[bad, 2.0]), Err(SelectionError::Ratio { .. })), "{bad}");
-        }
-        assert_eq!(RatioSeries::new(&[2.0, 2.0]), Err(SelectionError::EqualRatios { ratio: 2.0 }));
-        assert_eq!(RatioSeries::new(&[]), Err(SelectionError::RatioCount { count: 0 }));
+    fn a_gearbox_of_two_sets_has_no_fourth_speed() {
+        let requirements = Requirements::new(RatioSeries::geometric(1.5, 4, 1).unwrap());
+        assert_eq!(requirements.check(), Err(Error::SpeedCount { count: 4 }));
     }
 
     #[test]
     fn invalid_limits_are_refused() {
-        let requirements = Requirements::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
+        let requirements = Requirements::new(RatioSeries::of_braked_gears(&[1.5, 2.5]).unwrap());
         assert_eq!(requirements.check(), Ok(()));
         let with = |change: &dyn Fn(&mut Requirements)| {
             let mut requirements = requirements.clone();
             change(&mut requirements);
             requirements.check()
         };
-        assert!(matches!(with(&|d| d.tolerance = f64::NAN), Err(SelectionError::Tolerance { .. })));
-        assert!(matches!(
-            with(&|d| d.limits.ring_to_sun = 1.0..=10.0),
-            Err(SelectionError::RingToSunRange { .. })
-        ));
-        assert!(matches!(with(&|d| d.limits.link_speed = f64::NAN), Err(SelectionError::Limit { .. })));
-        assert!(matches!(with(&|d| d.rating.planets = 0), Err(SelectionError::PlanetNumber { .. })));
+        assert!(matches!(with(&|d| d.tolerance = f64::NAN), Err(Error::Tolerance { .. })));
+        assert!(matches!(with(&|d| d.limits.ring_to_sun = 1.0..=10.0), Err(Error::RingToSunRange { .. })));
+        assert!(matches!(with(&|d| d.limits.link_speed = f64::NAN), Err(Error::Limit { .. })));
+        assert!(matches!(with(&|d| d.rating.planets = 0), Err(Error::PlanetNumber { .. })));
     }
 
     #[test]
     fn both_orders_and_both_signs_are_four_targets() {
-        let mut requirements = Requirements::new(RatioSeries::new(&[1.5, 2.5]).unwrap());
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(&[1.5, 2.5]).unwrap());
         assert_eq!(requirements.targets().len(), 4);
         requirements.signs = Signs::Any;
         assert_eq!(requirements.targets().len(), 8);

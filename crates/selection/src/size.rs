@@ -27,7 +27,7 @@
 //! Left out: the planet–ring mesh, whose flanks are conformal and carry more; bending, which settles the
 //! module within a diameter; shafts, bearings and shift elements.
 
-use super::SelectionError;
+use super::Error;
 use crate::quantity::Rated;
 use crate::units::{metres, n_m, pascal};
 use std::ops::RangeInclusive;
@@ -57,20 +57,16 @@ impl Default for Rating {
 }
 
 impl Rating {
-    pub(crate) fn check(&self) -> Result<(), SelectionError> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         let check = |what, value: f64, unit| {
-            if value > 0.0 && value.is_finite() {
-                Ok(())
-            } else {
-                Err(SelectionError::Rating { what, value, unit })
-            }
+            if value > 0.0 && value.is_finite() { Ok(()) } else { Err(Error::Rating { what, value, unit }) }
         };
         check(Rated::FaceWidthRatio, self.face_width_ratio, "")?;
         for factor in self.mesh_load_factors {
             check(Rated::MeshLoadFactor, factor, "")?;
         }
         if !PLANETS.contains(&self.planets) {
-            return Err(SelectionError::PlanetNumber { planets: self.planets, most: MOST_PLANETS });
+            return Err(Error::PlanetNumber { planets: self.planets, most: MOST_PLANETS });
         }
         if let Some((torque, load_factor)) = self.load {
             check(Rated::InputTorque, n_m(torque), "N·m")?;
@@ -143,6 +139,6 @@ mod tests {
     fn a_size_without_a_torque_is_relative() {
         assert_eq!(Rating::default().unit(), None);
         let bad = Rating { load: Some((torque(0.0), pressure(1e6))), ..Rating::default() };
-        assert!(matches!(bad.check(), Err(SelectionError::Rating { .. })));
+        assert!(matches!(bad.check(), Err(Error::Rating { .. })));
     }
 }

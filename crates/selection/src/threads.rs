@@ -13,19 +13,6 @@ pub(crate) fn map<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
     items.iter().map(work).collect()
 }
 
-/// The answer to each item, where one takes so little that a thread is given many of them.
-#[cfg(feature = "parallel")]
-pub(crate) fn map_light<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
-    use rayon::prelude::*;
-    items.par_iter().with_min_len(256).map(work).collect()
-}
-
-/// The answer to each item, where one takes little.
-#[cfg(not(feature = "parallel"))]
-pub(crate) fn map_light<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
-    map(items, work)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,6 +22,5 @@ mod tests {
         let items: Vec<u64> = (0..5000).collect();
         let squares: Vec<u64> = items.iter().map(|item| item * item).collect();
         assert_eq!(map(&items, |item| item * item), squares);
-        assert_eq!(map_light(&items, |item| item * item), squares);
     }
 }

@@ -1,9 +1,8 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
-use uom::si::f64::{Length, Pressure, Torque, Velocity};
+use uom::si::f64::{Length, Pressure, Torque};
 use uom::si::length::meter;
 use uom::si::torque::newton_meter;
-use uom::si::velocity::meter_per_second;
 
 pub(crate) fn n_m(torque: Torque) -> f64 {
     torque.get::<newton_meter>()
@@ -12,15 +11,6 @@ pub(crate) fn n_m(torque: Torque) -> f64 {
 #[cfg(test)]
 pub(crate) fn torque(torque_n_m: f64) -> Torque {
     Torque::new::<newton_meter>(torque_n_m)
-}
-
-pub(crate) fn metres_per_second(speed: Velocity) -> f64 {
-    speed.get::<meter_per_second>()
-}
-
-#[cfg(test)]
-pub(crate) fn velocity(speed_m_s: f64) -> Velocity {
-    Velocity::new::<meter_per_second>(speed_m_s)
 }
 
 pub(crate) fn pascal(pressure: Pressure) -> f64 {

@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::search::{Found, MOST_PAIRS, MOST_TOOTH_SETS, ToothSearch};
-use epicyclic_selection::{Objective, Order, RatioSeries, Requirements, SelectionError, Signs};
+use epicyclic_selection::{Error, Objective, Order, Requirements, Signs};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -18,7 +19,7 @@ use uom::si::torque::newton_meter;
 mod brute;
 
 fn excavator() -> Requirements {
-    Requirements::new(RatioSeries::new(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
+    Requirements::new(RatioSeries::of_braked_gears(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())
 }
 
 type Key = (Structure, [ToothNumbers; 2], bool);
@@ -82,7 +83,7 @@ proptest! {
         objective in 0..5_usize,
         some in proptest::collection::vec(0..111_usize, 12),
     ) {
-        let mut requirements = Requirements::new(RatioSeries::new(&[q, q * step]).unwrap());
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(&[q, q * step]).unwrap());
         requirements.tolerance = tolerance;
         (requirements.limits.efficiency, requirements.limits.link_speed) = (limits.0, limits.1);
         (requirements.limits.planet_speed, requirements.limits.clutch_slip) = (limits.2, limits.3);
@@ -143,12 +144,12 @@ fn what_is_held_changes_nothing_or_is_refused() {
                 assert_eq!(found.counts(), best.counts());
                 told += 1;
             }
-            Err(SelectionError::FrontTooLarge { .. }) => refused += 1,
+            Err(Error::FrontTooLarge { .. }) => refused += 1,
             Err(other) => panic!("{other}"),
         }
         match little.front() {
             Ok(found) => assert_eq!(members(&found), members(&whole), "{most_held}"),
-            Err(SelectionError::FrontTooLarge { .. }) => refused += 1,
+            Err(Error::FrontTooLarge { .. }) => refused += 1,
             Err(other) => panic!("{other}"),
         }
     }
@@ -161,7 +162,7 @@ fn a_space_beyond_all_memory_is_refused_with_its_size() {
     let every = 1..=10_000;
     (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (every.clone(), every.clone(), every);
     match search.best(1) {
-        Err(SelectionError::TooManyToothSets { tooth_sets, most: MOST_TOOTH_SETS }) => {
+        Err(Error::TooManyToothSets { tooth_sets, most: MOST_TOOTH_SETS }) => {
             assert_eq!(tooth_sets, search.bounds.count().unwrap());
         }
         Err(other) => panic!("{other}"),
@@ -171,7 +172,7 @@ fn a_space_beyond_all_memory_is_refused_with_its_size() {
     (search.bounds.sun, search.bounds.planet, search.bounds.ring) = (range.clone(), range.clone(), range);
     search.requirements.tolerance = 0.5;
     match search.best(1) {
-        Err(SelectionError::TooManyPairs { tooth_sets: 80_313, pairs, most: MOST_PAIRS, .. }) => {
+        Err(Error::TooManyPairs { tooth_sets: 80_313, pairs, most: MOST_PAIRS, .. }) => {
             assert!(pairs > MOST_PAIRS);
         }
         Err(other) => panic!("{other}"),
@@ -200,8 +201,8 @@ fn a_search_can_be_watched_and_cancelled() {
         ControlFlow::Continue(())
     });
     assert!(all.is_ok() && seen.into_inner() > 1);
-    assert!(matches!(search.front_watched(&|_| ControlFlow::Break(())), Err(SelectionError::Cancelled)));
-    assert!(matches!(search.best_watched(3, &|_| ControlFlow::Break(())), Err(SelectionError::Cancelled)));
+    assert!(matches!(search.front_watched(&|_| ControlFlow::Break(())), Err(Error::Cancelled)));
+    assert!(matches!(search.best_watched(3, &|_| ControlFlow::Break(())), Err(Error::Cancelled)));
 }
 
 #[test]
@@ -210,7 +211,7 @@ fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
     search.bounds = Bounds { ring: 12..=72, ..Bounds::default() };
     let mm = Length::new::<millimeter>;
     search.ring_diameter = Some(mm(300.0));
-    assert!(matches!(search.front(), Err(SelectionError::SizeWithoutTorque)));
+    assert!(matches!(search.front(), Err(Error::SizeWithoutTorque)));
     search.requirements.rating.load =
         Some((Torque::new::<newton_meter>(800.0), Pressure::new::<megapascal>(2.0)));
     let unit = search.requirements.rating.unit().unwrap();
@@ -234,17 +235,17 @@ fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
 
 #[test]
 fn invalid_requirements_are_refused() {
-    let one = ToothSearch::new(Requirements::new(RatioSeries::new(&[2.0]).unwrap()));
-    assert_eq!(one.front().unwrap_err(), SelectionError::RatioCount { count: 1 });
+    let one = ToothSearch::new(Requirements::new(RatioSeries::of_braked_gears(&[2.0]).unwrap()));
+    assert_eq!(one.front().unwrap_err(), Error::RatioCount { count: 1 });
     let mut empty = ToothSearch::new(excavator());
     #[allow(clippy::reversed_empty_ranges, reason = "the bad input")]
     {
         empty.bounds.ring = 60..=50;
     }
-    assert!(matches!(empty.front().unwrap_err(), SelectionError::GearSet(_)));
+    assert!(matches!(empty.front().unwrap_err(), Error::GearSet(_)));
     let mut odd = ToothSearch::new(excavator());
     odd.requirements.tolerance = f64::NAN;
-    assert!(matches!(odd.best(1).unwrap_err(), SelectionError::Tolerance { .. }));
+    assert!(matches!(odd.best(1).unwrap_err(), Error::Tolerance { .. }));
     assert!(odd.requirements.tolerance.is_nan());
     let mut none = ToothSearch::new(excavator());
     none.bounds = Bounds { sun: 12..=12, planet: 12..=12, ring: 36..=36, ..Bounds::default() };

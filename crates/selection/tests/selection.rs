@@ -3,19 +3,20 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::ThreeSpeed;
+use epicyclic_schemes::RatioSeries;
+use epicyclic_schemes::catalogue::{Scheme, SchemeElement, TwoSpeed};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
 use epicyclic_selection::{
-    Candidate, Criterion, Mechanism, Objective, Order, RatioSeries, Requirements, Selection, Space, select,
-    select_with,
+    Candidate, Criterion, Evidence, Mechanism, NotDrawable, Objective, Order, Requirements, Selection, Space,
+    select, select_with,
 };
 use uom::si::f64::Velocity;
 use uom::si::velocity::meter_per_second;
 
 fn requirements(speeds: &[f64]) -> Requirements {
     let speeds: Vec<Velocity> = speeds.iter().map(|v| Velocity::new::<meter_per_second>(*v)).collect();
-    Requirements::new(RatioSeries::of_speeds(&speeds).unwrap())
+    Requirements::new(RatioSeries::of_speeds(&speeds, 1).unwrap())
 }
 
 fn excavator() -> Requirements {
@@ -27,7 +28,9 @@ fn all(found: &Selection) -> impl Iterator<Item = &Candidate> {
 }
 
 fn scheme<'a>(found: &'a Selection, name: &str) -> Vec<&'a Candidate> {
-    all(found).filter(|candidate| candidate.mechanism.scheme() == Some(name)).collect()
+    all(found)
+        .filter(|candidate| candidate.mechanism.scheme().is_some_and(|scheme| scheme.name() == name))
+        .collect()
 }
 
 fn objections(candidate: &Candidate) -> Vec<Criterion> {
@@ -38,11 +41,12 @@ fn objections(candidate: &Candidate) -> Vec<Criterion> {
 fn the_conveyor_takes_scheme_i() {
     let found = select(&requirements(&[0.8, 3.15]), &Space::Catalogue).unwrap();
     let names: Vec<_> = found.best.iter().map(|&place| found.accepted[place].mechanism.scheme()).collect();
-    assert_eq!(names, [Some("I"), Some("III")]);
+    assert_eq!(names, [TwoSpeed::I, TwoSpeed::III].map(|scheme| Some(Scheme::Two(scheme))));
     let best = &found.accepted[found.best[0]];
     assert!((best.objectives.efficiency - (1.0 + 2.9375 * 0.9702) / 3.9375).abs() < 1e-12);
     // Scheme II reaches 2 at most: unreachable, and it says which k it would need.
-    let refused = found.unreachable.iter().find(|u| u.mechanism.scheme() == Some("II")).unwrap();
+    let refused =
+        found.unreachable.iter().find(|u| u.mechanism.scheme() == Some(Scheme::Two(TwoSpeed::II))).unwrap();
     assert!((refused.needed.as_ref().unwrap()[0] - 1.0 / 2.9375).abs() < 1e-12, "{refused:?}");
 }
 
@@ -53,7 +57,7 @@ fn the_excavator_wheel_has_the_documents_two_and_the_objections_to_both() {
     assert!((ii_3.k[0] - 2.145).abs() < 1e-3 && (ii_3.k[1] - 2.359).abs() < 2e-3, "{:?}", ii_3.k);
     assert_eq!(objections(ii_3), [Criterion::PlanetSpeed]);
     let planets = ii_3.objections().next().unwrap();
-    assert!((planets.value - 2.28).abs() < 0.01, "{planets}");
+    assert!((planets.value - 2.28).abs() < 0.01, "{planets:?}");
     assert!(found.rejected.contains(ii_3));
 
     let iii_1 = scheme(&found, "III-1")[0];
@@ -71,7 +75,7 @@ fn the_excavator_wheel_has_the_documents_two_and_the_objections_to_both() {
 
 #[test]
 fn the_document_rounds_its_ratios_and_gets_k_of_2_15_2_35_and_4_76() {
-    let mut rounded = Requirements::new(RatioSeries::new(&[1.465, 2.56]).unwrap());
+    let mut rounded = Requirements::new(RatioSeries::of_braked_gears(&[1.465, 2.56]).unwrap());
     rounded.eta0 = MeshEfficiency::new(0.97).unwrap();
     let found = select(&rounded, &Space::Catalogue).unwrap();
     let [ii_3] = scheme(&found, "II-3")[..] else { unreachable!("one order of ratios fits II-3") };
@@ -98,7 +102,7 @@ fn the_document_missed_a_structure_of_both_sets_with_positive_ratios_and_more_th
     let [best] = missed[..] else { unreachable!("one: {missed:?}") };
     let structure = Structure::new([[D, T1, B], [T2, B, T1]]).unwrap();
     assert_eq!(best.mechanism, Mechanism::TwoSets(structure));
-    assert!(matches!(Standing::of(structure, &(1.3..=10.0)), Standing::Missed { .. }));
+    assert!(Standing::of(structure, &(1.3..=10.0)).is_missed());
     // Scheme I in gear 1, k₁ = d − 1; gear 2 by (2.37) with i_c = k₂/(1 + k₂).
     assert!((best.k[0] - (1.95 / 0.76 - 1.0)).abs() < 1e-12 && (best.k[1] - 2.359).abs() < 1e-3);
     let etas: Vec<f64> = best.gears.iter().map(|gear| gear.efficiency.unwrap()).collect();
@@ -134,7 +138,7 @@ fn brake_torques_are_those_of_the_ratio_and_the_direct_clutch_of_least_torque_is
         assert!((torque - clutch.torque).abs() < 1e-9, "{}: {torque} {clutch:?}", candidate.mechanism);
         assert!(candidate.direct_clutches[0].torque.abs() <= clutch.torque.abs() + 1e-12);
         let table = candidate.engagement_table();
-        assert_eq!(table.last().unwrap().engaged, "L");
+        assert_eq!(table.last().unwrap().engaged, SchemeElement::DirectClutch);
         assert_eq!(table.iter().any(|line| line.reverses), candidate.mixes_directions());
     }
 }
@@ -144,7 +148,7 @@ fn ring_to_sun_ratios_are_the_catalogues() {
     let found = select(&excavator(), &Space::Catalogue).unwrap();
     for candidate in all(&found) {
         let exact = candidate.objectives.ratio_error < 1e-9;
-        let scheme: ThreeSpeed = candidate.mechanism.scheme().unwrap().parse().unwrap();
+        let Some(Scheme::Three(scheme)) = candidate.mechanism.scheme() else { unreachable!("two sets") };
         let [first, second] = [0, 1].map(|gear: usize| candidate.gears[gear].ratio);
         let k1 = scheme.first_stage().ring_to_sun_ratio(first).unwrap();
         let k2 = scheme.second_ring_to_sun_ratio(k1, second).unwrap();
@@ -172,12 +176,12 @@ fn the_order_decides_and_the_front_holds_what_nothing_dominates() {
 
 #[test]
 fn drawing_is_a_criterion_that_can_be_lifted() {
-    let no = |_: Mechanism| Err("nothing can".to_owned());
+    let no = |_: Mechanism| Err(NotDrawable::NoDirectClutch);
     let mut requirements = excavator();
     let found = select_with(&requirements, &Space::All, Order::default(), Some(&no)).unwrap();
     assert!(found.accepted.is_empty());
     requirements.limits.drawable = false;
     let found = select_with(&requirements, &Space::All, Order::default(), Some(&no)).unwrap();
     let objection = found.accepted[0].objections().find(|v| v.criterion == Criterion::Drawable).unwrap();
-    assert_eq!(objection.place, "nothing can");
+    assert_eq!(objection.evidence, Evidence::NotDrawable(NotDrawable::NoDirectClutch));
 }

@@ -1,8 +1,9 @@
 //! Everything about one gear: state, ratio, speeds, torques, powers, efficiency.
 
-use crate::compiled::{CompiledGear, Direction, Solution, verdict};
+use crate::compiled::{CompiledGear, verdict};
 use crate::efficiency::{Pattern, patterns};
 use crate::kreines::{Kreines, kreines, ratio};
+use crate::solution::{Direction, Solution};
 use crate::speeds::{SetMotion, link_speeds, set_motion, slips};
 use crate::state::Verdict;
 use crate::topology::{Topology, numbers};

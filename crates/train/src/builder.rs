@@ -172,7 +172,7 @@ impl GearboxBuilder {
     ///     .output("B")
     ///     .gear("slow", ["K1"])
     ///     .build()?;
-    /// let other = gearbox.to_builder().map_sets(|set| SetSpec { gearing: Gearing::Parameter(4.0), ..set }).build()?;
+    /// let other = gearbox.to_builder().map_sets(|set| SetSpec { gearing: Gearing::BasicRatio(4.0), ..set }).build()?;
     /// assert!((other.analyze("slow")?.ratio().unwrap() - 5.0).abs() < 1e-12);
     /// # Ok(())
     /// # }

@@ -6,8 +6,8 @@
 //! exist beside it, mostly near self-locking; they are listed as what they are.
 
 use crate::branch::{self, Lossy};
-use crate::compiled::Solution;
-use crate::network::{Loads, Network};
+use crate::network::Loads;
+use crate::solution::Solution;
 use crate::tolerance::{ALIKE, SPEED};
 use crate::torques::Scene;
 
@@ -53,7 +53,7 @@ pub(crate) fn patterns(scene: &Scene, ratios: &[f64], solution: &Solution) -> Ve
     if lossy.len() > MOST_SEGMENTS {
         return found;
     }
-    let network = Network::of_gear(compiled, |equation| ratios[equation], eta, 0.0);
+    let network = compiled.network(|equation| ratios[equation], eta, 0.0);
     let output = usize::from(compiled.output);
     let terminals = [(0, Some(1.0)), (output, None)];
     let terminals = if output == 0 { &terminals[..0] } else { &terminals[..] };

@@ -16,7 +16,7 @@
 //! Some unknowns can be kept back until no other can serve as a pivot: what then still depends on
 //! them depends on nothing else.
 
-use crate::tolerance::{ERROR_FACTOR, SHARP};
+use crate::tolerance::{ERROR_FACTOR, LATE, LEAST_WEIGHT, SHARP};
 use epicyclic_gears::simple_set::Fraction;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -66,10 +66,6 @@ impl<const STRICT: bool> Bounded<STRICT> {
         Self { value, error: value.abs() * f64::EPSILON }
     }
 }
-
-/// Error bounds by which a number loses weight as a pivot: one known to six digits or fewer has the least.
-const LATE: f64 = 1e6;
-const LEAST_WEIGHT: f64 = 1e-6;
 
 impl<const STRICT: bool> Scalar for Bounded<STRICT> {
     fn zero() -> Self {

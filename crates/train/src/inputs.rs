@@ -13,11 +13,11 @@
 //!
 //! Losses take the signs continuous with `η → 1`, as in a gear with one input.
 
-use crate::compiled::Run;
 use crate::elimination::{Echelon, Scalar};
 use crate::error::InputsFault;
 use crate::network::{Loads, Network};
 use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
+use crate::solution::Run;
 use crate::speeds::{SetMotion, set_motion};
 use crate::state::{Known, Torques};
 use crate::tolerance::LARGEST_LOAD;

@@ -20,7 +20,7 @@
 //! gear moving at the full losses and there is no branch.
 
 use crate::branch::{self, Lossy};
-use crate::compiled::{Direction, RESTING, Run, Solution};
+use crate::solution::{Direction, RESTING, Run, Solution};
 
 /// Columns of a matrix of factors; the last one collects what is tied to the housing.
 const COLUMNS: usize = 16;

@@ -20,6 +20,7 @@
 //! | [`planet_bearings`] | forces on the bearings of the planets |
 //! | [`tooth_checks`] | centre distances, clearance, assembly and undercut of the sets |
 //! | [`combinations`] | every set of shift elements |
+//! | [`solution`] | what solving a gear finds |
 //! | [`compiled`] | a gear compiled once, solved often |
 //! | [`tolerance`] | what counts as nothing, and how much is solved |
 //! | [`mobility`] | Chebyshev's count |
@@ -83,6 +84,7 @@ mod planet_places;
 pub mod planet_set;
 pub mod power_flow;
 pub mod set;
+pub mod solution;
 pub mod speeds;
 pub mod state;
 pub mod tolerance;
@@ -93,10 +95,11 @@ mod units;
 
 pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
-pub use compiled::{CompiledGear, Direction, Solution, Values};
+pub use compiled::{CompiledGear, Values};
 pub use error::{CompoundFault, Error, InputsFault, Named, Place, Terminal, Warning};
 pub use gearbox::{GROUND, Gear, Gearbox, LinkId, ShiftElement};
 pub use operating::{InputLoad, Operation};
 pub use planet_set::PlanetSet;
+pub use solution::{Direction, Solution};
 pub use state::State;
 pub use torques::LoadCase;

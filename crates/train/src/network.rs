@@ -8,7 +8,7 @@
 //! It is what the kernel does, written for any size, and the way of gears with several inputs.
 
 use crate::branch::{self, Lossy};
-use crate::compiled::{CompiledGear, Direction, RESTING, Run, Solution};
+use crate::solution::{Direction, RESTING, Run, Solution};
 
 /// Equations on nodes, with their losses.
 pub(crate) struct Network {
@@ -43,24 +43,6 @@ pub(crate) struct Loads<'a> {
 }
 
 impl Network {
-    /// That of a compiled gear.
-    pub(crate) fn of_gear(
-        gear: &CompiledGear,
-        i0: impl Fn(usize) -> f64,
-        eta: impl Fn(usize) -> f64,
-        least_pivot: f64,
-    ) -> Self {
-        let node = |node: u16| (node != RESTING).then_some(usize::from(node));
-        Self {
-            nodes: gear.nodes.iter().map(|nodes| nodes.map(node)).collect(),
-            ratios: gear.equations.iter().map(|&equation| i0(equation)).collect(),
-            runs: gear.runs.clone(),
-            etas: gear.segments.iter().map(|&segment| eta(segment)).collect(),
-            count: gear.equations.len() + 1,
-            least_pivot,
-        }
-    }
-
     /// Factors of the equations at all nodes.
     fn matrix(&self, ratios: &[f64]) -> Vec<Vec<f64>> {
         let row = |(nodes, &i): (&[Option<usize>; 3], &f64)| {

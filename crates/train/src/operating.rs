@@ -1,6 +1,6 @@
 //! A gear at work: its speeds, torques and powers as quantities.
 
-use crate::compiled::Direction;
+use crate::solution::Direction;
 use crate::tolerance::LARGEST_LOAD;
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
 use crate::{Analysis, Error, State};

@@ -64,6 +64,7 @@ use crate::planet_places::{
 };
 use crate::planet_set::{GearOf, Mesh, MeshKind, PlanetSet};
 use crate::set::{Gearing, SetKind, SetSpec};
+use crate::tolerance::NO_TORQUE;
 use crate::units::{
     degrees, force, in_metres, kg_per_m3, kilograms, metres, n_m, rad_per_s, radians, torque,
 };
@@ -75,9 +76,6 @@ use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::planet_bearing::{self, Push};
 use epicyclic_gears::{Error, Quantity, ToothCount};
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Time, Torque};
-
-/// A carrier torque below this share of the largest torque of its set is nothing.
-const NO_TORQUE: f64 = 1e-9;
 
 /// What is known of the size of a set. What is said of all planets or meshes stands for each that says nothing
 /// itself.
@@ -676,8 +674,11 @@ impl PlanetBearing {
                 }
                 let torque = contact.weighed(&of_centrals).map(torque);
                 let known = contact.pitch_radius.zip(torque);
-                let kind = contact.gear_kind;
-                Some(known.map(|(pitch_radius, torque)| Push { kind, pitch_radius, torque }))
+                Some(known.map(|(pitch_radius, torque)| Push {
+                    kind: contact.gear_kind,
+                    pitch_radius,
+                    torque,
+                }))
             };
             let pushes: Option<Vec<Push>> = self.contacts.iter().filter_map(push).collect();
             // Its own limits.

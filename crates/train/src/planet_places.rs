@@ -18,10 +18,8 @@
 
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;
+use crate::tolerance::FLAT;
 use epicyclic_gears::ToothCount;
-
-/// Rounding that the cosine of a flat triangle may have.
-const FLAT: f64 = 1e-9;
 
 /// What is given of the places.
 pub(crate) struct Given {

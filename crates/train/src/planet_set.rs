@@ -454,7 +454,7 @@ pub(crate) fn parts_of_short(spec: &SetSpec, links: [LinkId; 2]) -> Result<Parts
     };
     let teeth = match spec.gearing {
         Gearing::Teeth(first, second) => [Some(first), Some(second)],
-        Gearing::Parameter(_) => [None; 2],
+        Gearing::BasicRatio(_) => [None; 2],
     };
     let central =
         |place: usize| Central { link: links[place], kind: kinds[place], teeth: teeth[place], body: place };

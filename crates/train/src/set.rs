@@ -94,8 +94,8 @@ impl fmt::Display for SetKind {
 /// What is known of a set's ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gearing {
-    /// `k = |i₀|`; the kind gives the sign.
-    Parameter(f64),
+    /// Size of the basic ratio, `|i₀|`: of a simple set its ring-to-sun ratio `k`. The kind gives the sign.
+    BasicRatio(f64),
     /// Teeth of the central gears 1 and 2.
     Teeth(ToothCount, ToothCount),
 }
@@ -175,7 +175,7 @@ impl SetSpec {
             id: id.into(),
             kind,
             members: members.map(Into::into),
-            gearing: Gearing::Parameter(k),
+            gearing: Gearing::BasicRatio(k),
             loss: MeshLoss::IDEAL,
             planet: None,
             second_planet: None,
@@ -237,7 +237,7 @@ impl SetSpec {
         let bad_ratio = |k| Error::RingToSunRatio { set: self.id.clone(), kind: self.kind, k };
         let simple_fits = |k: f64| self.kind != SetKind::Simple || k > 1.0;
         match self.gearing {
-            Gearing::Parameter(k) => {
+            Gearing::BasicRatio(k) => {
                 if !((1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&k) && simple_fits(k)) {
                     return Err(bad_ratio(k));
                 }

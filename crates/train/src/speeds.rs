@@ -31,7 +31,7 @@ pub struct PlanetMotion {
     /// Relative to the carrier, `ω_g − ω_H`: what its bearing sees.
     pub relative: f64,
     /// Seen from the housing, `ω_g`. Of a bevel planet, whose axis is not the set's, `None`.
-    pub absolute: Option<f64>,
+    pub speed: Option<f64>,
 }
 
 /// Speeds of all links by [`LinkId::index`](crate::LinkId::index), the housing at 0.
@@ -69,7 +69,7 @@ pub(crate) fn set_motion(set: &PlanetSet, speeds: &[Option<f64>]) -> SetMotion {
         let (central, carrier) = (known?, carrier?);
         let over_central = set.planet_factor(place)? / set.ratio_between(central, 0);
         let relative = (members[central]? - carrier) * over_central;
-        Some(PlanetMotion { relative, absolute: is_parallel.then_some(relative + carrier) })
+        Some(PlanetMotion { relative, speed: is_parallel.then_some(relative + carrier) })
     };
     let planets = (0..set.planets().len()).map(planet).collect();
     SetMotion { relative: members[0].zip(carrier).map(|(a, h)| a - h), members, planets }

@@ -12,6 +12,10 @@
 //! | `POLE` | a torque with losses, over the largest without | beyond it no finite torque keeps the gear moving |
 //! | `ALIKE` | a difference of two efficiencies, over 1 and their size | two sign patterns with less are one |
 //! | `SPEED` | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
+//! | `LATE`, `LEAST_WEIGHT` | the weight of a number as a pivot, by the size of its error bound | one known to six digits or fewer has the least, so that a better known one is taken first |
+//! | `FLAT` | the cosine of a triangle beyond ±1 | rounding of sides that lie on one line |
+//! | `TOUCH` | the overlap of two circles, in modules | rounding of a sine times a centre distance |
+//! | `NO_TORQUE` | the torque of a carrier, over the largest of its set | torques with losses are known to 1e-11; less says nothing of the pins |
 //!
 //! # What is solved
 //! | constant | limits |
@@ -53,6 +57,21 @@ pub(crate) const SPEED: f64 = 1e-10;
 
 /// Efficiencies that differ by less are alike.
 pub(crate) const ALIKE: f64 = 1e-12;
+
+/// As a pivot a number weighs its size less this multiple of its error bound.
+pub(crate) const LATE: f64 = 1e6;
+
+/// The least weight of a pivot, over its size.
+pub(crate) const LEAST_WEIGHT: f64 = 1e-6;
+
+/// Rounding that the cosine of a flat triangle may have.
+pub(crate) const FLAT: f64 = 1e-9;
+
+/// A length in modules below which two circles only touch.
+pub(crate) const TOUCH: f64 = 1e-9;
+
+/// A carrier torque below this share of the largest torque of its set is none.
+pub(crate) const NO_TORQUE: f64 = 1e-9;
 
 /// How many planet sets and pairs a gearbox may have.
 pub const MOST_SETS: usize = 64;

@@ -43,13 +43,10 @@ use crate::planet_places::{
     Given, NoPair, Places, apart, central_mesh, places, planet_mesh, planet_of, teeth_of,
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
-use crate::tolerance::MOST_ALIKE;
+use crate::tolerance::{MOST_ALIKE, TOUCH};
 use epicyclic_gears::rack::BasicRack;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
-
-/// A length in modules below which two circles only touch: rounding of a sine.
-const TOUCH: f64 = 1e-9;
 
 /// A gear with its teeth, by name.
 #[derive(Debug, Clone, PartialEq, Eq)]

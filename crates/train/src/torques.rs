@@ -1,7 +1,8 @@
 //! Torques in a gear, with and without losses: members, shift elements, input and output.
 
-use crate::compiled::{CompiledGear, Direction, Solution};
+use crate::compiled::CompiledGear;
 use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
+use crate::solution::{Direction, Solution};
 use crate::state::{Known, Verdict};
 use crate::topology::{Edge, Topology};
 use crate::{Gearbox, LinkId};

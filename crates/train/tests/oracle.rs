@@ -54,8 +54,8 @@ fn compare_speeds(plan: &BoxPlan, found: &Analysis, speeds: &Speeds) {
             let body = bodies[set.centrals.len() + planet];
             let own = own.as_ref().unwrap();
             close("planet", own.relative, body - carrier, 10.0 * scale);
-            if let Some(absolute) = own.absolute {
-                close("planet", absolute, body, 10.0 * scale);
+            if let Some(speed) = own.speed {
+                close("planet", speed, body, 10.0 * scale);
             }
         }
     }

@@ -104,7 +104,7 @@ fn build(plan: &Plan, order: &[usize], exact: bool) -> Option<Gearbox> {
         let [a, b, h] = [&members[0], &members[1], &members[2]].map(String::as_str);
         let mut set = SetSpec::teeth(&place.to_string(), KINDS[kind], [a, b, h], sun, ring).ok()?;
         if !(exact && teeth) {
-            set.gearing = Gearing::Parameter(f64::from(ring) / f64::from(sun));
+            set.gearing = Gearing::BasicRatio(f64::from(ring) / f64::from(sun));
         }
         builder = builder.set(set.with_loss(MeshLoss::Set(MeshEfficiency::new(eta).ok()?)));
     }

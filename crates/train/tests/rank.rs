@@ -57,7 +57,7 @@ fn assert_driven(name: &str, builder: GearboxBuilder, ratio: f64) {
 
 #[test]
 fn ratios_beyond_ten_billion_are_driven() {
-    let k = Gearing::Parameter;
+    let k = Gearing::BasicRatio;
     assert_driven("twelve of 6", chain(&[k(6.0); 12]), 7_f64.powi(12));
     assert_driven("three of 3000", chain(&[k(3000.0); 3]), 3001_f64.powi(3));
     assert_driven("twenty of 29 and 71", chain(&[teeth(29, 71); 20]), (100_f64 / 29.0).powi(20));
@@ -74,7 +74,7 @@ fn ratios_beyond_ten_billion_are_driven() {
 
 #[test]
 fn a_loop_that_contradicts_itself_blocks() {
-    let k = Gearing::Parameter;
+    let k = Gearing::BasicRatio;
     // Two sets on the same three links, their rings held, beside one of a huge ratio.
     for great in [1e7, 1e8, 1e9, 1e9 / 3.0] {
         for held in [2, 3] {
@@ -119,7 +119,7 @@ fn pairs(a: Gearing, b: Gearing, c: Gearing) -> State {
 
 #[test]
 fn decimals_close_a_loop_exactly_or_not_at_all() {
-    let k = Gearing::Parameter;
+    let k = Gearing::BasicRatio;
     for (a, b, c) in [
         (1.2, 2.0, 2.4),
         (1.1, 1.1, 1.21),
@@ -155,7 +155,7 @@ fn decimals_close_a_loop_exactly_or_not_at_all() {
 
 #[test]
 fn a_basic_ratio_of_one_makes_two_members_turn_alike() {
-    for gearing in [Gearing::Parameter(1.0), teeth(40, 40), Gearing::Parameter(3.0 * (1.0 / 3.0))] {
+    for gearing in [Gearing::BasicRatio(1.0), teeth(40, 40), Gearing::BasicRatio(3.0 * (1.0 / 3.0))] {
         let state = |input: usize, output: usize, held: &[usize]| {
             let held =
                 held.iter().fold(builder(3, input, output), |builder, &one| builder.ground(&link(one)));
@@ -172,7 +172,7 @@ fn a_basic_ratio_of_one_makes_two_members_turn_alike() {
 
 #[test]
 fn brakes_on_the_far_side_make_the_output_rest() {
-    for gearing in [Gearing::Parameter(6.0), teeth(29, 71), Gearing::Parameter(20.0 / 3.0)] {
+    for gearing in [Gearing::BasicRatio(6.0), teeth(29, 71), Gearing::BasicRatio(20.0 / 3.0)] {
         // The output's set has ring and sun held; the input spins what is before.
         let gearbox = chain(&[gearing; 6])
             .set(set(9, SetKind::Simple, [7, 0, 8], gearing))
@@ -267,7 +267,7 @@ fn spec(id: usize, exact: &Exact, written: Written) -> SetSpec {
     let kind = if exact.ratio.is_negative() { SetKind::MeshingSuns } else { SetKind::DoublePlanet };
     let gearing = match (numer.to_u32(), denom.to_u32(), written) {
         (Some(second), Some(first), Written::Teeth) => teeth(first, second),
-        _ => Gearing::Parameter(exact.ratio.abs().to_f64().unwrap()),
+        _ => Gearing::BasicRatio(exact.ratio.abs().to_f64().unwrap()),
     };
     set(id, kind, exact.members, gearing)
 }
@@ -375,8 +375,8 @@ fn planted_losses_of_rank_are_found_by_teeth_and_by_numbers() {
 #[test]
 fn ratios_beyond_all_numbers_are_refused() {
     for (sets, k) in [(40, 1e9), (64, 1e9), (64, 1e9 / 3.0), (64, 3000.0)] {
-        let error = chain(&vec![Gearing::Parameter(k); sets]).build().unwrap_err();
+        let error = chain(&vec![Gearing::BasicRatio(k); sets]).build().unwrap_err();
         assert!(matches!(error, Error::Spread { exponent } if exponent > 200.0), "{error}");
     }
-    assert_driven("64 of 5/3", chain(&[Gearing::Parameter(5.0 / 3.0); 64]), (8.0_f64 / 3.0).powi(64));
+    assert_driven("64 of 5/3", chain(&[Gearing::BasicRatio(5.0 / 3.0); 64]), (8.0_f64 / 3.0).powi(64));
 }

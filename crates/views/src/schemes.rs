@@ -34,8 +34,8 @@ impl AsReport for Schemes {
             row.extend(links(first));
             row.extend(links(second));
             row.extend([
-                text(scheme.ratio_formula),
-                text(scheme.efficiency_formula),
+                text(&scheme.ratio_formula),
+                text(&scheme.efficiency_formula),
                 Figure::Multiple(scheme.least_ratio),
                 Figure::Multiple(scheme.greatest_ratio),
             ]);
@@ -115,8 +115,8 @@ fn formulas(scheme: &Scheme) -> Records {
         vec![
             text(gear.gear.name()),
             text(gear.braked.map_or("-", |link| link.name())),
-            text(gear.ratio_formula),
-            text(gear.efficiency_formula),
+            text(&gear.ratio_formula),
+            text(&gear.efficiency_formula),
             Figure::Multiple(gear.least_ratio),
             Figure::Multiple(gear.greatest_ratio),
         ]

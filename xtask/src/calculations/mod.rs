@@ -112,8 +112,8 @@ macro_rules! refusals {
 refusals! {
     epicyclic_gears::Error,
     epicyclic_train::Error,
-    epicyclic_schemes::DesignError,
-    epicyclic_selection::SelectionError,
+    epicyclic_schemes::Error,
+    epicyclic_selection::Error,
     epicyclic_dynamics::Error,
     epicyclic_hydromotor::Error,
     epicyclic_formats::gearbox::DescriptionError,

@@ -6,10 +6,11 @@ use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Fraction, Mode, RingToSunRatio};
-use epicyclic_schemes::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, simple_set};
-use epicyclic_schemes::connection::{self, Connection, Shaft, Standing, Use};
+use epicyclic_schemes::catalogue::{Reach, RingToSunRange, Role, Scheme, simple_set};
+use epicyclic_schemes::connection::{self, Connection, Shaft};
 use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
+use epicyclic_schemes::standing::{Standing, Use};
 use epicyclic_schemes::{cutting, rotor};
 use epicyclic_train::{Gearbox, mobility};
 use schemars::JsonSchema;
@@ -28,7 +29,7 @@ pub(super) fn calculations() -> Vec<Calculation> {
         Calculation::new("schemes.scheme_range", "ratios of a scheme over a range of k", scheme_range),
         Calculation::new(
             "schemes.printed_formula",
-            "whether a printed formula of a scheme equals the solver over k and η₀",
+            "whether a printed formula of a scheme equals the solver, and the catalogue, over k and η₀",
             printed_formula,
         ),
         Calculation::new("schemes.row_range", "the six ratios of a row over a range of k", row_range),
@@ -97,8 +98,8 @@ fn gear(given: &GearGiven) -> Result<Results, Refusal> {
             let Some(planet) = planet else { continue };
             let name = format!("planet.{}.{}", row.id(), place + 1);
             results.number(format!("{name}.relative"), planet.relative);
-            if let Some(absolute) = planet.absolute {
-                results.number(name, absolute);
+            if let Some(speed) = planet.speed {
+                results.number(name, speed);
             }
         }
     }
@@ -144,20 +145,6 @@ fn gear_ratios(given: &GearRatiosGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
-/// A scheme of two or of three speeds.
-#[derive(Debug, Clone, Copy)]
-enum Named {
-    Two(TwoSpeed),
-    Three(ThreeSpeed),
-}
-
-fn named(name: &str) -> Result<Named, Refusal> {
-    if let Ok(scheme) = name.parse() {
-        return Ok(Named::Two(scheme));
-    }
-    Ok(Named::Three(name.parse::<ThreeSpeed>()?))
-}
-
 fn parameter(k: Number) -> Result<RingToSunRatio, Refusal> {
     Ok(RingToSunRatio::new(k.get())?)
 }
@@ -190,11 +177,8 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
         message: format!("row {what}: give exactly one of k{what} and ratio{what}"),
     };
     let eta0 = MeshEfficiency::new(given.efficiency.get())?;
-    let scheme = named(&given.scheme)?;
-    let first = match scheme {
-        Named::Two(scheme) => scheme,
-        Named::Three(scheme) => scheme.first_stage(),
-    };
+    let scheme: Scheme = given.scheme.parse()?;
+    let first = scheme.first_stage();
     let k1 = match (given.k1, given.ratio1) {
         (Some(k), None) => parameter(k)?,
         (None, Some(ratio)) => first.ring_to_sun_ratio(ratio.get())?,
@@ -203,8 +187,8 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
     let mut results = Results::default();
     results.number("k1", k1.get());
     let gearbox = match scheme {
-        Named::Two(scheme) => scheme.gearbox(k1, eta0)?,
-        Named::Three(scheme) => {
+        Scheme::Two(scheme) => scheme.gearbox(k1, eta0)?,
+        Scheme::Three(scheme) => {
             let k2 = match (given.k2, given.ratio2) {
                 (Some(k), None) => parameter(k)?,
                 (None, Some(ratio)) => scheme.second_ring_to_sun_ratio(k1, ratio.get())?,
@@ -242,8 +226,8 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
             for planet in motion.planets.iter().flatten() {
                 fastest_planet = fastest_planet.max(planet.relative.abs());
                 results.number(format!("{name}.g{}.relative", row + 1), planet.relative);
-                if let Some(absolute) = planet.absolute {
-                    results.number(format!("{name}.g{}", row + 1), absolute);
+                if let Some(speed) = planet.speed {
+                    results.number(format!("{name}.g{}", row + 1), speed);
                 }
             }
         }
@@ -279,10 +263,8 @@ fn parameter_range(given: RangeGiven) -> Result<RingToSunRange, Refusal> {
 
 fn scheme_range(given: &SchemeRangeGiven) -> Result<Results, Refusal> {
     let range = parameter_range(given.k)?;
-    let (ends, rows) = match named(&given.scheme)? {
-        Named::Two(scheme) => (scheme.ratio_range(range), vec![scheme.set()]),
-        Named::Three(scheme) => (scheme.ratio_range(range), scheme.sets().to_vec()),
-    };
+    let scheme: Scheme = given.scheme.parse()?;
+    let (ends, rows) = (scheme.ratio_range(range), scheme.sets());
     let [smallest, largest] = [ends[0].abs().min(ends[1].abs()), ends[0].abs().max(ends[1].abs())];
     let mut results = Results::default();
     for (place, links) in rows.into_iter().enumerate() {
@@ -332,16 +314,20 @@ fn evaluate(formula: &str, names: &[(&str, f64)]) -> Result<f64, Refusal> {
 const GRID: [f64; 6] = [1.3, 1.7, 2.5, 4.0, 7.0, 10.0];
 
 fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
-    let scheme = named(&given.scheme)?;
-    let mut largest: f64 = 0.0;
+    let scheme: Scheme = given.scheme.parse()?;
+    let (mut largest, mut from_catalogue): (f64, f64) = (0.0, 0.0);
+    let closed = match given.gives {
+        PrintedQuantity::Ratio => scheme.ratio_formula(),
+        PrintedQuantity::Efficiency => scheme.efficiency_formula(),
+    };
     for k1 in GRID {
         for k2 in GRID {
             for eta0 in [0.9, 0.97, 1.0] {
                 let (first, second) = (RingToSunRatio::new(k1)?, RingToSunRatio::new(k2)?);
                 let eta = MeshEfficiency::new(eta0)?;
                 let (gearbox, gear): (Gearbox, &str) = match scheme {
-                    Named::Two(scheme) => (scheme.gearbox(first, eta)?, "1"),
-                    Named::Three(scheme) => (scheme.gearbox(first, second, eta)?, "2"),
+                    Scheme::Two(scheme) => (scheme.gearbox(first, eta)?, "1"),
+                    Scheme::Three(scheme) => (scheme.gearbox(first, second, eta)?, "2"),
                 };
                 let found = gearbox.analyze(gear)?;
                 let solved = match given.gives {
@@ -351,11 +337,12 @@ fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
                 let printed = evaluate(&given.formula, &[("k1", k1), ("k2", k2), ("eta0", eta0)])?;
                 let off = solved.map_or(f64::INFINITY, |solved| (printed / solved - 1.0).abs());
                 largest = largest.max(off);
+                from_catalogue = from_catalogue.max((printed / closed.value(k1, k2, eta0) - 1.0).abs());
             }
         }
     }
     let mut results = Results::default();
-    results.answer("equals_solver", largest < 1e-12);
+    results.answer("equals_solver", largest < 1e-12).answer("equals_catalogue", from_catalogue < 1e-12);
     // Rounding alone would only make the snapshot noisy.
     results.number("largest_relative_difference", if largest < 1e-12 { 0.0 } else { largest });
     Ok(results)
@@ -495,18 +482,46 @@ fn connections(given: &RowRangeGiven) -> Result<Results, Refusal> {
         .count("listed", count(&|c| c.listed().is_some()))
         .count(
             "same_sign_and_slow",
-            count(&|c| matches!(c.standing(range), Standing::Listed(_) | Standing::Circulates(Use::Slows))),
+            count(&|c| match c.standing(range) {
+                Standing::Unlisted { usage, .. } => usage == Use::Slows,
+                standing => matches!(standing, Standing::Listed(_)),
+            }),
         )
-        .count("missed", count(&|c| c.standing(range) == Standing::Circulates(Use::Slows)));
+        .count("missed", count(&|c| usage(c.standing(range)) == Some(Use::Slows)))
+        .count("missed_for_some", count(&|c| usage(c.standing(range)) == Some(Use::SlowsAtSome)));
     for connection in all {
         let ratios = match connection.reach(range) {
             Reach::Between { least, greatest } => format!("{least:.3} to {greatest:.3}"),
-            Reach::ThroughZero => "through 0".into(),
-            Reach::ThroughInfinity => "through infinity".into(),
+            Reach::ThroughZero { least, greatest } => format!("{least:.3} through 0 to {greatest:.3}"),
+            Reach::ThroughInfinity { below, above } => format!("below {below:.3} and above {above:.3}"),
         };
-        results.text(format!("{connection}"), format!("{ratios}, {}", connection.standing(range)));
+        let standing = match connection.standing(range) {
+            Standing::Listed(scheme) => format!("scheme {scheme}"),
+            Standing::Unlisted { usage, splits_power, .. } => {
+                let power = if splits_power { "power splits" } else { "power circulates" };
+                let usage = match usage {
+                    Use::Slows => "slows down with the sign of gear 1",
+                    Use::SlowsAtSome => "slows down with the sign of gear 1 at some k",
+                    Use::OnlySpeedsUp => "only speeds up",
+                    Use::Reverses => "reverses gear 1",
+                    Use::ChangesSign => "changes its sign within the range",
+                };
+                format!("not listed: {power}; {usage}")
+            }
+            Standing::Reversed { .. } | Standing::OutsideRule { .. } => {
+                unreachable!("the 36 are built by the rule")
+            }
+        };
+        results.text(format!("{connection}"), format!("{ratios}, {standing}"));
     }
     Ok(results)
+}
+
+fn usage(standing: Standing) -> Option<Use> {
+    match standing {
+        Standing::Unlisted { usage, .. } => Some(usage),
+        _ => None,
+    }
 }
 
 /// Speeds of a machine, slowest first, and a printed series of ratios for as many.

@@ -5,9 +5,11 @@ use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Options, Verdict};
+use epicyclic_schemes::RatioSeries;
+use epicyclic_schemes::catalogue::ThreeSpeed;
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::{Family, Role, Structure};
-use epicyclic_selection::{Candidate, Mechanism, RatioSeries, Requirements, Selection, Space, select};
+use epicyclic_selection::{Candidate, Mechanism, Requirements, Selection, Space, select};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::Velocity;
@@ -47,15 +49,17 @@ struct SelectGiven {
 
 /// Name of a mechanism: the source's if it has one.
 fn name(mechanism: Mechanism) -> String {
-    mechanism.scheme().map_or_else(|| mechanism.to_string(), ToOwned::to_owned)
+    mechanism.scheme().map_or_else(|| mechanism.to_string(), |scheme| scheme.to_string())
 }
 
 fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     let series = match (&given.speeds, &given.ratios) {
         (Some(speeds), None) => {
-            RatioSeries::of_speeds(&speeds.iter().map(|speed| speed.0).collect::<Vec<_>>())?
+            RatioSeries::of_speeds(&speeds.iter().map(|speed| speed.0).collect::<Vec<_>>(), 1)?
         }
-        (None, Some(ratios)) => RatioSeries::new(&ratios.iter().map(|i| i.get()).collect::<Vec<_>>())?,
+        (None, Some(ratios)) => {
+            RatioSeries::of_braked_gears(&ratios.iter().map(|i| i.get()).collect::<Vec<_>>())?
+        }
         _ => {
             let message = "give either speeds or ratios".into();
             return Err(Refusal { name: "speeds-or-ratios".into(), message });
@@ -78,7 +82,7 @@ fn selected(given: &SelectGiven) -> Result<Results, Refusal> {
     if !given.all_structures {
         results.text("accepted_schemes", accepted.join(", "));
     }
-    if requirements.series.ratios().len() == 2 {
+    if requirements.series.braked().len() == 2 {
         results.count("unlisted_above_98_per_cent", unlisted_above(&found, 0.98) as i64);
     }
     if let Some(wanted) = &given.candidate {
@@ -119,14 +123,14 @@ fn numbers(candidate: &Candidate, results: &mut Results) {
         results.number(format!("k{}", row + 1), *k);
     }
     for gear in &candidate.gears {
-        results.number(format!("ratio.{}", gear.name), gear.ratio);
+        results.number(format!("ratio.{}", gear.gear.name()), gear.ratio);
         if let Some(eta) = gear.efficiency {
-            results.number(format!("efficiency.{}", gear.name), eta);
+            results.number(format!("efficiency.{}", gear.gear.name()), eta);
         }
         if let Some(torque) = gear.brake_torque {
-            results.number(format!("brake_torque.{}", gear.name), torque);
+            results.number(format!("brake_torque.{}", gear.gear.name()), torque);
         }
-        results.number(format!("ideal_brake_torque.{}", gear.name), gear.ideal_brake_torque);
+        results.number(format!("ideal_brake_torque.{}", gear.gear.name()), gear.ideal_brake_torque);
     }
     if let Some(clutch) = candidate.direct_clutches.first() {
         results.text("least_lock", clutch.pair.map(Role::symbol).join(" "));
@@ -168,8 +172,11 @@ fn structures(given: &StructuresGiven) -> Result<Results, Refusal> {
     results
         .count("structures", all.len() as i64)
         .count("listed", count(&|standing| matches!(standing, Standing::Listed(_))))
-        .count("missed", count(&|standing| matches!(standing, Standing::Missed { .. })))
-        .count("out_of_reach", count(&|standing| matches!(standing, Standing::OutOfReach { .. })))
+        .count("missed", count(&|standing| standing.is_missed()))
+        .count(
+            "out_of_reach",
+            count(&|standing| matches!(standing, Standing::Unlisted { .. }) && !standing.is_missed()),
+        )
         .count("reversed", count(&|standing| matches!(standing, Standing::Reversed { .. })))
         .count("outside_the_rule", count(&|standing| matches!(standing, Standing::OutsideRule { .. })))
         .count("drawable", drawable);
@@ -183,8 +190,8 @@ struct DrawableGiven {}
 
 fn drawable(_: &DrawableGiven) -> Result<Results, Refusal> {
     let mut results = Results::default();
-    for structure in Structure::catalogue() {
-        let gearbox = structure.gearbox([2.5, 2.5], MeshEfficiency::IDEAL, [Role::D, Role::B])?;
+    for scheme in ThreeSpeed::ALL {
+        let gearbox = scheme.structure().gearbox([2.5, 2.5], MeshEfficiency::IDEAL, [Role::D, Role::B])?;
         let drawn = match drawability::draw(&gearbox, Options::default()) {
             Verdict::Drawable(layout) => {
                 assert!(layout.crossings().is_empty(), "a drawing with crossings is no drawing");
@@ -192,7 +199,7 @@ fn drawable(_: &DrawableGiven) -> Result<Results, Refusal> {
             }
             Verdict::SelfCrossing(_) => false,
         };
-        results.answer(structure.scheme().unwrap_or("?"), drawn);
+        results.answer(scheme.name(), drawn);
     }
     Ok(results)
 }

@@ -438,7 +438,7 @@ impl Scene<'_> {
         for (set, motion) in self.gearbox.sets().iter().zip(self.worked.analysis.sets()) {
             for (place, planet) in motion.planets.iter().enumerate() {
                 let relative = planet.map(|planet| planet.relative);
-                let absolute = planet.and_then(|planet| planet.absolute);
+                let absolute = planet.and_then(|planet| planet.speed);
                 all.push(Planet {
                     set: set.id().to_owned(),
                     planet: planet_name(set, place),

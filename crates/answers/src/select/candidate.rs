@@ -5,21 +5,17 @@ use super::required::{Objective, finite};
 use crate::Error;
 use crate::catalogue::{GearName, Link, SetLinks, SetSpeeds, ShiftElement};
 use crate::shared::zero;
-use epicyclic_schemes::standing::{RatioReach, Standing};
+use crate::tolerance::ROUNDED;
+use epicyclic_formats::Physical;
+use epicyclic_schemes::catalogue::{Reach as RatioReach, Scheme};
+use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Family;
-use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::{self as selection, Mechanism, Requirements};
+use epicyclic_selection::drawing::{DRAWN_K, drawable_direct_clutches};
+use epicyclic_selection::{self as selection, Evidence, Mechanism, NotDrawable, Requirements};
 use epicyclic_train::{Gearbox, InputLoad, Operation};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
-use uom::si::length::meter;
-use uom::si::power::watt;
-use uom::si::torque::newton_meter;
-
-/// What rounding leaves of a balance of powers is no loss: its size over the power that enters.
-const ROUNDED: f64 = 1e-12;
 
 /// A mechanism measured and judged; speeds and torques without a unit are multiples of the input's.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -297,7 +293,7 @@ impl Candidate {
         let sets = one.mechanism.sets().into_iter().map(SetLinks::of);
         Ok(Self {
             no,
-            scheme: one.mechanism.scheme(),
+            scheme: one.mechanism.scheme().map(Scheme::name),
             structure: one.mechanism.to_string(),
             source: InSource::of(one.mechanism, requirements),
             accepted: one.is_accepted(),
@@ -306,10 +302,10 @@ impl Candidate {
             mixed_directions: one.mixes_directions(),
             sets: sets.zip(&one.k).map(|(links, &k)| Set { links, k }).collect(),
             objectives: Objectives::of(&one.objectives, requirements),
-            gears: one.gears.iter().filter_map(|gear| BrakedGear::of(one.mechanism, gear)).collect(),
+            gears: one.gears.iter().map(|gear| BrakedGear::of(one.mechanism, gear)).collect(),
             direct_drive_clutches: direct_drive_clutches(one),
             engagement_table: engagement_table(one),
-            criteria: one.verdicts.iter().map(Verdict::of).collect(),
+            criteria: one.verdicts.iter().map(|verdict| Verdict::of(one.mechanism, verdict)).collect(),
             operation: operation(one, requirements, duty)?,
         })
     }
@@ -323,7 +319,7 @@ impl Objectives {
             ring_to_sun_distance: objectives.ring_to_sun,
             ratio_error: objectives.ratio_error,
             size: objectives.size,
-            ring_diameter_m: requirements.rating.unit().map(|unit| unit.get::<meter>() * objectives.size),
+            ring_diameter_m: requirements.rating.unit().map(|unit| unit.si() * objectives.size),
         }
     }
 }
@@ -335,14 +331,14 @@ impl InSource {
         let only = |standing| Self { standing, ratio_1, ratio_2, reversed_of };
         Some(match Standing::of(structure, &requirements.limits.ring_to_sun) {
             Standing::Listed(_) => only(InSourceStanding::Listed),
-            Standing::OutOfReach { second } => {
-                Self { ratio_2: Some(Reach::of(second)), ..only(InSourceStanding::OutOfReach) }
-            }
-            Standing::Missed { first, second } => Self {
+            standing @ Standing::Unlisted { first, second, .. } if standing.is_missed() => Self {
                 ratio_1: Some(Reach::of(first)),
                 ratio_2: Some(Reach::of(second)),
                 ..only(InSourceStanding::Missed)
             },
+            Standing::Unlisted { second, .. } => {
+                Self { ratio_2: Some(Reach::of(second)), ..only(InSourceStanding::OutOfReach) }
+            }
             Standing::Reversed { of } => {
                 Self { reversed_of: Some(of.to_string()), ..only(InSourceStanding::Reversed) }
             }
@@ -364,11 +360,11 @@ impl Reach {
 }
 
 impl BrakedGear {
-    fn of(mechanism: Mechanism, gear: &selection::GearReport) -> Option<Self> {
+    fn of(mechanism: Mechanism, gear: &selection::GearReport) -> Self {
         let speed = |role| gear.links.iter().find(|(link, _)| *link == role).map(|(_, speed)| *speed);
         let sets = mechanism.sets().into_iter().enumerate();
-        Some(Self {
-            gear: GearName::named(gear.name)?,
+        Self {
+            gear: GearName::of(gear.gear),
             wanted_ratio: gear.wanted,
             ratio: gear.ratio,
             efficiency: gear.efficiency,
@@ -376,7 +372,7 @@ impl BrakedGear {
             sets: sets
                 .map(|(set, roles)| SetSpeeds::of(roles.map(speed), gear.planets.get(set).copied()))
                 .collect(),
-        })
+        }
     }
 }
 
@@ -395,18 +391,17 @@ fn direct_drive_clutches(one: &selection::Candidate) -> Vec<DirectDriveClutch> {
 
 fn engagement_table(one: &selection::Candidate) -> Vec<Engagement> {
     let line = |line: selection::Engagement| {
-        let gear = GearName::named(line.gear)?;
-        Some(Engagement { gear, ratio: line.ratio, engaged: gear.engaged(), reverses: line.reverses })
+        let gear = GearName::of(line.gear);
+        Engagement { gear, ratio: line.ratio, engaged: gear.engaged(), reverses: line.reverses }
     };
-    one.engagement_table().into_iter().filter_map(line).collect()
+    one.engagement_table().into_iter().map(line).collect()
 }
 
 impl Verdict {
-    fn of(verdict: &selection::Verdict) -> Self {
-        let criterion = Criterion::of(verdict.criterion);
-        let place = Place::of(criterion, verdict);
+    fn of(mechanism: Mechanism, verdict: &selection::Verdict) -> Self {
+        let place = Place::of(mechanism, &verdict.evidence);
         Self {
-            criterion,
+            criterion: Criterion::of(verdict.criterion),
             met: verdict.met,
             required: verdict.required,
             value: finite(verdict.value).map(zero),
@@ -446,26 +441,39 @@ struct Place {
 }
 
 impl Place {
-    /// From the words of a verdict: `gear 1`, `set 2`, `T1 in gear 2`, `planet 1 in gear 2`, or what crosses.
-    fn of(criterion: Criterion, verdict: &selection::Verdict) -> Self {
-        let words = verdict.place.as_str();
-        match criterion {
-            Criterion::ClutchSlip | Criterion::SameDirection => Self::default(),
-            Criterion::Drawable => {
-                Self { crossing: (!verdict.met).then(|| verdict.place.clone()), ..Self::default() }
+    fn of(mechanism: Mechanism, evidence: &Evidence) -> Self {
+        let gear_of = |gear| Some(GearName::of(gear));
+        let set_of = |set: usize| u32::try_from(set + 1).ok();
+        match *evidence {
+            Evidence::Gear(gear) => Self { gear: gear_of(gear), ..Self::default() },
+            Evidence::Set(set) => Self { set: set_of(set), ..Self::default() },
+            Evidence::Link { role, gear } => {
+                Self { gear: gear_of(gear), link: Some(Link::of(role)), ..Self::default() }
             }
-            _ => {
-                let (what, gear) = words.split_once("gear ").unwrap_or((words, ""));
-                let what = what.strip_suffix(" in ").unwrap_or(what);
-                let set = what.strip_prefix("set ").or_else(|| what.strip_prefix("planet "));
-                Self {
-                    gear: GearName::named(gear),
-                    set: set.and_then(|set| set.parse().ok()),
-                    link: Link::named(what),
-                    crossing: None,
-                }
+            Evidence::Planet { set, gear } => {
+                Self { gear: gear_of(gear), set: set_of(set), ..Self::default() }
             }
+            Evidence::NotDrawable(ref why) => {
+                Self { crossing: Some(crossing(mechanism, why)), ..Self::default() }
+            }
+            Evidence::DirectClutch(_)
+            | Evidence::NoDirectClutch
+            | Evidence::AllForward
+            | Evidence::Backward(_)
+            | Evidence::Drawable { .. } => Self::default(),
         }
+    }
+}
+
+/// What cannot be drawn together.
+fn crossing(mechanism: Mechanism, why: &NotDrawable) -> String {
+    match why {
+        NotDrawable::Gearbox(error) => error.to_string(),
+        NotDrawable::SelfCrossing(witness) => match mechanism.without_direct_clutch(DRAWN_K) {
+            Ok(gearbox) => witness.describe(&gearbox),
+            Err(error) => error.to_string(),
+        },
+        NotDrawable::NoDirectClutch => "no direct-drive clutch can be drawn with the rest".to_owned(),
     }
 }
 
@@ -481,10 +489,10 @@ fn operation(
     let gearbox = one.gearbox(requirements)?;
     let mut found = vec![];
     for line in one.engagement_table() {
-        let Some(gear) = GearName::named(line.gear) else { continue };
-        let analysis = gearbox.analyze(line.gear)?;
+        let gear = GearName::of(line.gear);
+        let analysis = gearbox.analyze(gear.name())?;
         // Torques do not depend on the speed; powers are told only where it is known.
-        let turning = speed.unwrap_or(AngularVelocity::new::<radian_per_second>(1.0));
+        let turning = speed.unwrap_or(AngularVelocity::from_si(1.0));
         let at = match torque.map(|torque| analysis.at(turning, InputLoad::Torque(torque))) {
             None | Some(Err(epicyclic_train::Error::NotDriven { .. })) => None,
             Some(operation) => Some(operation?),
@@ -492,12 +500,12 @@ fn operation(
         let at = at.as_ref();
         let powered = at.filter(|_| speed.is_some());
         let circulating = analysis.driving().map(|case| case.power.circulating);
-        let n_m = |torque: Torque| zero(torque.get::<newton_meter>());
-        let w = |power: Power| zero(power.get::<watt>());
+        let n_m = |torque: Torque| zero(torque.si());
+        let w = |power: Power| zero(power.si());
         let element = |element| shift_element(&gearbox, at, element).map(n_m);
         found.push(GearOperation {
             gear,
-            output_speed_rad_s: speed.map(|speed| (speed / line.ratio).get::<radian_per_second>()),
+            output_speed_rad_s: speed.map(|speed| (speed / line.ratio).si()),
             input_torque_n_m: at.map(|at| n_m(at.input)),
             output_torque_n_m: at.map(|at| n_m(at.output)),
             k1_torque_n_m: element(ShiftElement::K1),
@@ -521,9 +529,8 @@ fn shift_element(gearbox: &Gearbox, at: Option<&Operation>, element: ShiftElemen
 
 impl SetTorques {
     fn of(torques: &Option<Vec<Torque>>) -> Self {
-        let on = |member: usize| {
-            torques.as_ref().and_then(|torques| torques.get(member)).map(|t| zero(t.get::<newton_meter>()))
-        };
+        let on =
+            |member: usize| torques.as_ref().and_then(|torques| torques.get(member)).map(|t| zero(t.si()));
         Self { sun_torque_n_m: on(0), ring_torque_n_m: on(1), carrier_torque_n_m: on(2) }
     }
 }

@@ -1,11 +1,9 @@
 //! Speed and load of the input of a gearbox that is chosen.
 
 use crate::Error;
-use std::fmt;
-use uom::si::angular_velocity::radian_per_second;
+pub use crate::refusal::{DutyProblem, DutyQuantity};
+use epicyclic_formats::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
-use uom::si::power::watt;
-use uom::si::torque::newton_meter;
 
 /// What is known of the input.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -25,47 +23,6 @@ pub enum Load {
     Power(Power),
 }
 
-/// A quantity of the [`Duty`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DutyQuantity {
-    /// Speed of the input.
-    InputSpeed,
-    /// Torque on the input.
-    Torque,
-    /// Power into the input.
-    Power,
-}
-
-impl fmt::Display for DutyQuantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::InputSpeed => "speed of the input",
-            Self::Torque => "torque on the input",
-            Self::Power => "power into the input",
-        })
-    }
-}
-
-/// A duty that cannot be.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum DutyProblem {
-    /// A quantity that is not above 0.
-    #[error("{quantity}: a finite quantity above 0 is due")]
-    NotPositive {
-        /// Which.
-        quantity: DutyQuantity,
-    },
-    /// A power and a speed whose torque no double holds.
-    #[error("{torque_n_m} N·m by power and speed of the input: a finite quantity above 0 is due")]
-    TorqueOfPower {
-        /// Power over speed.
-        torque_n_m: f64,
-    },
-    /// A power without a speed.
-    #[error("power into the input: its torque needs the speed of the input")]
-    PowerWithoutSpeed,
-}
-
 impl Duty {
     /// The torque on the input, given or from power and speed.
     ///
@@ -75,22 +32,21 @@ impl Duty {
         let positive = |value: f64, quantity| {
             if is_positive(value) { Ok(value) } else { Err(DutyProblem::NotPositive { quantity }) }
         };
-        let rad_s =
-            |speed: AngularVelocity| positive(speed.get::<radian_per_second>(), DutyQuantity::InputSpeed);
+        let rad_s = |speed: AngularVelocity| positive(speed.si(), DutyQuantity::InputSpeed);
         let speed_rad_s = self.input_speed.map(rad_s).transpose()?;
         match self.load {
             None => Ok(None),
             Some(Load::Torque(torque)) => {
-                positive(torque.get::<newton_meter>(), DutyQuantity::Torque)?;
+                positive(torque.si(), DutyQuantity::Torque)?;
                 Ok(Some(torque))
             }
             Some(Load::Power(power)) => {
-                let power_w = positive(power.get::<watt>(), DutyQuantity::Power)?;
+                let power_w = positive(power.si(), DutyQuantity::Power)?;
                 let torque_n_m = power_w / speed_rad_s.ok_or(DutyProblem::PowerWithoutSpeed)?;
                 if !is_positive(torque_n_m) {
                     return Err(DutyProblem::TorqueOfPower { torque_n_m }.into());
                 }
-                Ok(Some(Torque::new::<newton_meter>(torque_n_m)))
+                Ok(Some(Torque::from_si(torque_n_m)))
             }
         }
     }
@@ -103,6 +59,8 @@ fn is_positive(value: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use uom::si::angular_velocity::radian_per_second;
+    use uom::si::power::watt;
 
     #[test]
     fn a_power_gives_a_torque_at_a_speed() {

@@ -3,12 +3,10 @@
 use super::duty::Duty;
 use crate::Error;
 use crate::catalogue::KRange;
+use epicyclic_formats::Physical;
 use epicyclic_selection::{self as selection, Order, Orders, Requirements, Signs};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::angular_velocity::radian_per_second;
-use uom::si::pressure::pascal;
-use uom::si::torque::newton_meter;
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -142,9 +140,9 @@ impl Required {
             planets: rating.planets,
             mesh_load_factors: rating.mesh_load_factors.to_vec(),
             face_width_ratio: rating.face_width_ratio,
-            load_factor_pa: rating.load.map(|(_, load_factor)| load_factor.get::<pascal>()),
-            input_speed_rad_s: duty.input_speed.map(|speed| speed.get::<radian_per_second>()),
-            input_torque_n_m: duty.torque()?.map(|torque| torque.get::<newton_meter>()),
+            load_factor_pa: rating.load.map(|(_, load_factor)| load_factor.si()),
+            input_speed_rad_s: duty.input_speed.map(|speed| speed.si()),
+            input_torque_n_m: duty.torque()?.map(|torque| torque.si()),
         })
     }
 }

@@ -4,20 +4,23 @@ use super::candidate::{Candidate, Ranked};
 use super::decisive;
 use super::duty::Duty;
 use super::required::{Required, finite};
+use crate::tolerance::LEAST_MODULE_M;
+use crate::units::millimetres;
 use crate::{Answer, Error};
+use epicyclic_formats::Physical;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter;
 use epicyclic_selection::{
-    self as selection, Criterion, Order, Orders, Rating, RatioSeries, Requirements, Signs, Space, select_with,
+    self as selection, Criterion, Evidence, Order, Orders, Rating, Requirements, Signs, Space, select_with,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
-use uom::si::length::{meter, millimeter};
 
 /// The most designs that are told: each takes some 35 kB while the answer is written.
 pub const MOST_DESIGNS: usize = 10_000;
@@ -57,12 +60,12 @@ impl SizeLimits {
         if self.least_module.is_none() && self.greatest_module.is_none() {
             return Ok(None);
         }
-        let least = self.least_module.unwrap_or(Length::new::<millimeter>(1e-3));
-        let greatest = self.greatest_module.unwrap_or(Length::new::<meter>(1.0));
+        let least = self.least_module.unwrap_or(Length::from_si(LEAST_MODULE_M));
+        let greatest = self.greatest_module.unwrap_or(Length::from_si(1.0));
         if least > greatest {
             return Err(Error::ModuleRange {
-                least_mm: least.get::<millimeter>(),
-                greatest_mm: greatest.get::<millimeter>(),
+                least_mm: millimetres(least),
+                greatest_mm: millimetres(greatest),
             });
         }
         Ok(Some(least..=greatest))
@@ -102,7 +105,7 @@ pub struct RequiredSize {
 #[schemars(deny_unknown_fields)]
 pub struct Searched {
     /// Combinations of tooth numbers of a set.
-    pub tooth_sets: usize,
+    pub tooth_numbers: usize,
     /// Structures, each counted once for every assignment of the ratios.
     pub structures: usize,
     /// Designs in all: pairs of combinations of tooth numbers in all structures.
@@ -178,9 +181,9 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
     Ok(SelectTeeth {
         required: Required::of(requirements, *order, duty)?,
         size_limits: RequiredSize {
-            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.get::<meter>()),
-            least_module_m: limits.least_module.map(|module| module.get::<meter>()),
-            greatest_module_m: limits.greatest_module.map(|module| module.get::<meter>()),
+            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.si()),
+            least_module_m: limits.least_module.map(|module| module.si()),
+            greatest_module_m: limits.greatest_module.map(|module| module.si()),
         },
         searched: Searched::of(found.counts()),
         shown: designs.len(),
@@ -191,7 +194,7 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
 impl Searched {
     fn of(counts: Counts) -> Self {
         Self {
-            tooth_sets: counts.tooth_sets,
+            tooth_numbers: counts.tooth_sets,
             structures: counts.patches,
             designs: counts.designs,
             tried: counts.tried,
@@ -211,12 +214,12 @@ fn designs(wanted: &Wanted, found: &Found) -> Result<Vec<Design>, Error> {
         for (gear, wanted) in candidate.gears.iter_mut().zip(first.wanted) {
             gear.wanted = wanted;
         }
-        let off = candidate.gears.iter().map(|gear| (gear.name, (gear.ratio / gear.wanted - 1.0).abs()));
+        let off = candidate.gears.iter().map(|gear| (gear.gear, (gear.ratio / gear.wanted - 1.0).abs()));
         let worst = off.max_by(|(_, one), (_, other)| one.total_cmp(other));
         let ratio = candidate.verdicts.iter_mut().find(|verdict| verdict.criterion == Criterion::Ratio);
         if let Some((verdict, (gear, error))) = ratio.zip(worst) {
             verdict.value = error;
-            verdict.place = format!("gear {gear}");
+            verdict.evidence = Evidence::Gear(gear);
         }
         let teeth = first.pairs.first().into_iter().flatten().enumerate();
         let tooth_numbers =
@@ -243,7 +246,7 @@ fn measured(
     let ratio = |gear| Ok::<_, Error>(gearbox.analyze(gear)?.ratio());
     let (Some(first), Some(second)) = (ratio("1")?, ratio("2")?) else { return Ok(None) };
     let exactly = Requirements {
-        series: RatioSeries::new(&[first, second])?,
+        series: RatioSeries::of_braked_gears(&[first, second])?,
         orders: Orders::AsGiven,
         signs: Signs::AsGiven,
         ..requirements.clone()
@@ -260,7 +263,7 @@ impl SetTeeth {
         let torque = candidate.gears.iter().map(torque).fold(0.0, f64::max);
         let k = candidate.k.get(set).copied().unwrap_or(f64::NAN);
         let size = relative_ring_diameter(k, torque, teeth.planets, rating);
-        let ring_diameter_m = rating.unit().map(|unit| unit.get::<meter>() * size);
+        let ring_diameter_m = rating.unit().map(|unit| unit.si() * size);
         Self {
             sun: teeth.sun.get(),
             planet: teeth.planet.get(),
@@ -277,11 +280,12 @@ impl SetTeeth {
 mod tests {
     use super::*;
     use uom::si::f64::{Pressure, Torque};
+    use uom::si::length::millimeter;
     use uom::si::pressure::megapascal;
     use uom::si::torque::newton_meter;
 
     fn wanted(ratios: &[f64]) -> Wanted {
-        let mut requirements = Requirements::new(RatioSeries::new(ratios).unwrap());
+        let mut requirements = Requirements::new(RatioSeries::of_braked_gears(ratios).unwrap());
         let torque = Torque::new::<newton_meter>(500.0);
         requirements.rating.load = Some((torque, Pressure::new::<megapascal>(2.0)));
         Wanted {

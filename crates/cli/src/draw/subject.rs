@@ -1,16 +1,17 @@
-//! The gearbox that is drawn: a scheme of the catalogue, a structure of two rows, or one from a file.
+//! The gearbox that is drawn: a scheme of the catalogue, a structure of two sets, or one from a file.
 
 use super::{Args, View};
 use crate::analyze::{self, Choice};
 use crate::failure::Failure;
 use crate::input;
 use crate::schemes::{SizeOptions, sized};
-use epicyclic_answers::schemes::AnyScheme;
 use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
-use epicyclic_schemes::structures::{Role, Structure};
+use epicyclic_schemes::Error as SchemeError;
+use epicyclic_schemes::catalogue::Scheme;
+use epicyclic_schemes::structures::{Renaming, Role, Structure};
 use epicyclic_train::Gearbox;
 use std::path::Path;
 
@@ -20,15 +21,26 @@ pub(super) struct Subject {
     pub(super) gearing: bool,
     /// Its place in a file.
     pub(super) base: formats::Path,
+    /// Whether gears 1 and 2 are named the other way round than in the gearbox.
+    gears_exchanged: bool,
 }
 
 impl Subject {
+    /// The gear of this name in the gearbox.
+    pub(super) fn gear_name<'a>(&self, named: &'a str) -> &'a str {
+        match named {
+            "1" if self.gears_exchanged => "2",
+            "2" if self.gears_exchanged => "1",
+            named => named,
+        }
+    }
+
     fn of_catalogue(gearbox: Gearbox, gearing: bool) -> Self {
-        Self { gearbox, gearing, base: formats::Path::root() }
+        Self { gearbox, gearing, base: formats::Path::root(), gears_exchanged: false }
     }
 }
 
-/// Row parameter of rows of which only the structure is drawn; it shows nowhere.
+/// Ring-to-sun ratio of sets of which only the structure is drawn; it is not shown.
 const ANY_K: f64 = 2.5;
 
 /// Reads what is named.
@@ -37,10 +49,12 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
     if let Some(document) = document {
         return from_file(args, file, document);
     }
-    match (AnyScheme::named(&args.gearbox), structure(&args.gearbox)) {
+    match (args.gearbox.parse::<Scheme>(), Structure::read(&args.gearbox)) {
         (Ok(scheme), _) => catalogue(args, scheme),
-        (_, Some(structure)) => of_two_rows(args, structure),
-        // What looks like a name and is neither: say which schemes there are.
+        (_, Ok((structure, renaming))) => of_two_sets(args, structure, renaming),
+        // What looks like a name and is none: say which there are.
+        (_, Err(unknown @ SchemeError::NotAStructure { .. })) => Err(unknown.into()),
+        (_, Err(unknown)) if args.gearbox.contains('+') && !file.exists() => Err(unknown.into()),
         (Err(unknown), _) if file.extension().is_none() && file.components().count() == 1 => {
             Err(unknown.into())
         }
@@ -48,7 +62,7 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
     }
 }
 
-fn catalogue(args: &Args, scheme: AnyScheme) -> Result<Subject, Failure> {
+fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     let option = |option, message: String| Err(Failure::Option { option, message });
     if args.transmission.is_some() {
         return option("--transmission", "a scheme of the catalogue is one gearbox; leave it out".into());
@@ -63,67 +77,70 @@ fn catalogue(args: &Args, scheme: AnyScheme) -> Result<Subject, Failure> {
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
         let message = format!(
-            "for speeds of {} give --k1 or --ratio1, and of two rows --k2 or --ratio2",
+            "for speeds of {} give --k1 or --ratio1, and of two sets --k2 or --ratio2",
             scheme.name()
         );
         return option("--k1", message);
     }
     let any = |is_there: bool| is_there.then(|| Number::new(ANY_K).ok()).flatten();
-    let sizes = SizeOptions {
-        k1: any(true),
-        k2: any(matches!(scheme, AnyScheme::Three(_))),
-        ..SizeOptions::default()
-    };
+    let sizes =
+        SizeOptions { k1: any(true), k2: any(matches!(scheme, Scheme::Three(_))), ..SizeOptions::default() };
     match sized(sizes, scheme, eta)? {
         Some(found) => Ok(Subject::of_catalogue(found.gearbox, false)),
         None => option("--k1", "needed".into()),
     }
 }
 
-/// A structure by the name that `select` gives it: D.T1.B+T2.B.T1.
-fn structure(name: &str) -> Option<Structure> {
-    Structure::all().into_iter().find(|structure| structure.to_string() == name)
-}
-
-fn of_two_rows(args: &Args, structure: Structure) -> Result<Subject, Failure> {
+/// A structure by any of its names; the sizes are of the sets and gears as they are named.
+fn of_two_sets(args: &Args, structure: Structure, renaming: Renaming) -> Result<Subject, Failure> {
     let option = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     if args.transmission.is_some() {
         return option("--transmission", "a structure is one gearbox; leave it out");
     }
     let number = |number: Option<Number>| number.map(Number::get);
-    let k = match ([args.k1, args.k2].map(number), [args.ratio1, args.ratio2].map(number)) {
+    let exchanged = |pair: [Option<Number>; 2], exchanged: bool| {
+        let [one, other] = pair.map(number);
+        if exchanged { [other, one] } else { [one, other] }
+    };
+    let k = exchanged([args.k1, args.k2], renaming.sets);
+    let ratios = exchanged([args.ratio1, args.ratio2], renaming.brakes);
+    let k = match (k, ratios) {
         ([Some(k1), Some(k2)], _) => Some([k1, k2]),
         ([None, None], [Some(first), Some(second)]) => match structure.ring_to_sun_ratios([first, second]) {
             None => {
                 return option(
                     "--ratio1",
-                    "these ratios leave a row without relative motion: no k gives them",
+                    "these ratios leave a set without relative motion: no k gives them",
                 );
             }
             found => found,
         },
         ([None, None], [None, None]) => None,
-        _ => return option("--k1", "a structure has two rows: give --k1 and --k2, or --ratio1 and --ratio2"),
+        _ => return option("--k1", "a structure has two sets: give --k1 and --k2, or --ratio1 and --ratio2"),
     };
     if k.is_none() && (args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme)) {
         return option("--k1", "for speeds give --k1 and --k2, or --ratio1 and --ratio2");
     }
     let eta = args.efficiency.map_or(Ok(MeshEfficiency::IDEAL), analyze::efficiency)?;
-    // The lock of direct drive stands between the first two links that leave room for it, input and output before others.
+    // The direct-drive clutch stands between the first two links that leave room for it, input and output before others.
     let roles = Role::ALL
         .iter()
         .flat_map(|&one| Role::ALL.map(|other| [one, other]))
         .filter(|[one, other]| one < other);
     let mut any = None;
-    for lock in roles {
-        let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, lock)?;
+    for pair in roles {
+        let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, pair)?;
         if matches!(drawability::draw(&gearbox, drawability::Options::default()), Verdict::Drawable(_)) {
-            return Ok(Subject::of_catalogue(gearbox, k.is_some()));
+            any = Some(gearbox);
+            break;
         }
         any.get_or_insert(gearbox);
     }
     match any {
-        Some(gearbox) => Ok(Subject::of_catalogue(gearbox, k.is_some())),
+        Some(gearbox) => {
+            let subject = Subject::of_catalogue(gearbox, k.is_some());
+            Ok(Subject { gears_exchanged: renaming.brakes, ..subject })
+        }
         None => unreachable!("four roles have six pairs"),
     }
 }
@@ -136,5 +153,5 @@ fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, F
     }
     let choice = Choice::new(file.to_owned(), args.transmission.clone(), args.efficiency);
     let (gearbox, base) = analyze::gearbox(&choice, document)?;
-    Ok(Subject { gearbox, gearing: true, base })
+    Ok(Subject { gearbox, gearing: true, base, gears_exchanged: false })
 }

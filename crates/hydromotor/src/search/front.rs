@@ -4,33 +4,9 @@
 pub(super) type Value = [f64; 3];
 
 /// Indices of the values that no other dominates, ascending; equal ones stand together.
-///
-/// A value dominates another where it is nowhere less and somewhere greater. In falling order a value is dominated only by
-/// an earlier one; of these a staircase of the other two objectives is kept: `O(n·log n)` comparisons.
 pub(super) fn front(values: &[Value]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    let falling = |&one: &usize, &other: &usize| {
-        let parts = values[one].iter().zip(&values[other]);
-        parts.fold(std::cmp::Ordering::Equal, |order, (one, other)| order.then(other.total_cmp(one)))
-    };
-    order.sort_by(|one, other| falling(one, other).then(one.cmp(other)));
-    let mut front = Vec::new();
-    // By rising second objective, the third falls.
-    let mut stairs: Vec<[f64; 2]> = Vec::new();
-    for group in order.chunk_by(|one, other| values[*one] == values[*other]) {
-        let [_, second, third] = values[group[0]];
-        let above = stairs.partition_point(|stair| stair[0] < second);
-        if stairs.get(above).is_some_and(|stair| stair[1] >= third) {
-            continue;
-        }
-        front.extend_from_slice(group);
-        // Stairs that reach no further in either: before `above`, and an equal one at it.
-        let end = above + usize::from(stairs.get(above).is_some_and(|stair| stair[0] == second));
-        let start = stairs[..end].partition_point(|stair| stair[1] > third);
-        stairs.splice(start..end, [[second, third]]);
-    }
-    front.sort_unstable();
-    front
+    let costs: Vec<Value> = values.iter().map(|value| value.map(|part| -part)).collect();
+    epicyclic_pareto::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
 }
 
 /// Members in falling order of the first objective.

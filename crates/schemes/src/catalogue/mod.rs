@@ -3,6 +3,9 @@
 //! | module | answers |
 //! |---|---|
 //! | [`simple_set`] | the six ratios of a set and its four relations of speeds |
+//! | [`scheme`] | any of the fourteen |
+//! | [`table`] | what the fourteen are: names, links, closed forms |
+//! | [`gear`] | gears and shift elements of a scheme |
 //! | [`range`] | which k are used, and what a quantity does over them |
 //! | [`two_speed`] | I, II, III: ratio, efficiency, k from a ratio |
 //! | [`three_speed`] | I-1…III-3: the same of the second gear |
@@ -15,7 +18,7 @@
 //! The closed forms are fast paths; the solver is the truth they are tested against.
 //!
 //! ```
-//! use epicyclic_gears::{efficiency::MeshEfficiency, row::RingToSunRatio};
+//! use epicyclic_gears::{efficiency::MeshEfficiency, simple_set::RingToSunRatio};
 //! use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! // Section 3.3, first variation: II with k₁ = 2.15, then II-3 with k₂ = 2.354.
@@ -35,19 +38,21 @@
 //! # Source
 //! multispeed-gearboxes, sections 2.3 and 2.4.
 
+pub mod gear;
 pub mod range;
+pub mod scheme;
 pub mod simple_set;
+pub mod table;
 pub mod three_speed;
 pub mod two_speed;
 
+pub use gear::{SchemeElement, SchemeGear};
 pub use range::{Reach, RingToSunRange};
+pub use scheme::Scheme;
 pub use three_speed::ThreeSpeed;
 pub use two_speed::TwoSpeed;
 
-use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_train::set::{MeshLoss, SetSpec};
-use epicyclic_train::{Error, Gearbox};
+use epicyclic_gears::simple_set::Member;
 use std::fmt;
 
 /// What a link is in a scheme.
@@ -74,6 +79,16 @@ impl Role {
             Self::T2 => "T2",
         }
     }
+
+    /// The role with D and B exchanged.
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::D => Self::B,
+            Self::B => Self::D,
+            brake => brake,
+        }
+    }
 }
 
 impl fmt::Display for Role {
@@ -82,28 +97,7 @@ impl fmt::Display for Role {
     }
 }
 
-/// The gearbox of one or two simple sets whose members `[a, b, H]` belong to these links: gears `1`,
-/// `2` (with two sets) and `direct`.
-///
-/// Links `D B T1 T2`, brakes `K1`, `K2`, the direct-drive clutch `L` between D and B.
-pub(crate) fn gearbox(
-    name: &str,
-    sets: &[([Role; 3], RingToSunRatio)],
-    eta0: MeshEfficiency,
-) -> Result<Gearbox, Error> {
-    let mut builder = Gearbox::builder(name)
-        .links(["D", "B", "T1"])
-        .brake("K1", "T1")
-        .clutch("L", "D", "B")
-        .input("D")
-        .output("B")
-        .gear("1", ["K1"]);
-    if sets.len() > 1 {
-        builder = builder.links(["T2"]).brake("K2", "T2").gear("2", ["K2"]);
-    }
-    for (place, (members, k)) in sets.iter().enumerate() {
-        let set = SetSpec::simple(&(place + 1).to_string(), members.map(Role::symbol), k.get());
-        builder = builder.set(set.with_loss(MeshLoss::Set(eta0)));
-    }
-    builder.gear("direct", ["L"]).build()
+/// The member of a set that belongs to a link.
+pub(crate) fn with_role(set: [Role; 3], role: Role) -> Option<Member> {
+    Member::ALL.into_iter().zip(set).find_map(|(member, of)| (of == role).then_some(member))
 }

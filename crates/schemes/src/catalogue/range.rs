@@ -1,6 +1,6 @@
 //! Which ring-to-sun ratios are used, and what a ratio does over them.
 
-use crate::DesignError;
+use crate::Error;
 use epicyclic_gears::simple_set::RingToSunRatio;
 
 /// Ring-to-sun ratios from one to another, ends included.
@@ -21,12 +21,12 @@ impl RingToSunRange {
     /// A range.
     ///
     /// # Errors
-    /// [`DesignError::RingToSunRange`] unless `1 < low ≤ high`, both finite.
-    pub fn new(low: f64, high: f64) -> Result<Self, DesignError> {
+    /// [`Error::RingToSunRange`] unless `1 < low ≤ high`, both finite.
+    pub fn new(low: f64, high: f64) -> Result<Self, Error> {
         if low > 1.0 && low <= high && high.is_finite() {
             Ok(Self { low, high })
         } else {
-            Err(DesignError::RingToSunRange { low, high })
+            Err(Error::RingToSunRange { low, high })
         }
     }
 
@@ -53,62 +53,103 @@ impl RingToSunRange {
     }
 }
 
+/// The ratios at `k → 1` and `k → ∞`, the smaller first, of a fraction with parts linear in `k`.
+pub(crate) fn limits(fraction: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
+    let [one, two] = [fraction(1.0), fraction(2.0)];
+    let at_one = one[0] / one[1];
+    // At infinity the ratio is that of the slopes.
+    let at_infinity = (two[0] - one[0]) / (two[1] - one[1]);
+    [at_one.min(at_infinity), at_one.max(at_infinity)]
+}
+
 /// What a ratio does while the ring-to-sun ratios run over a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reach {
-    /// It takes every value between these, ends included.
+    /// It takes every value between these, ends included, and keeps its sign.
     Between {
         /// The least.
         least: f64,
         /// The greatest.
         greatest: f64,
     },
-    /// It changes its sign through 0: there the input is blocked while the output could turn.
-    ThroughZero,
-    /// It changes its sign through ±∞: there the output rests.
-    ThroughInfinity,
+    /// It takes every value between these and changes its sign through 0: there the input is blocked while the
+    /// output could turn.
+    ThroughZero {
+        /// The least, below 0 or 0.
+        least: f64,
+        /// The greatest, above 0 or 0.
+        greatest: f64,
+    },
+    /// It changes its sign through ±∞, where the output rests, and takes every value *outside* these.
+    ThroughInfinity {
+        /// The greatest below the gap.
+        below: f64,
+        /// The least above the gap.
+        above: f64,
+    },
 }
 
 impl Reach {
     /// Of a ratio `N(k₁, k₂)/D(k₁, k₂)` with `N` and `D` linear in `k₁` and in `k₂`.
     ///
     /// A function linear in each of two variables takes its extremes over a rectangle at the corners,
-    /// so corners show every change of sign of `N` and `D`. Without one the ratio is monotonous along
+    /// so corners show every change of sign of `N` and `D`. Between zeros and poles the ratio is monotonous along
     /// each edge direction, and its extremes are at corners too: the answer is exact.
-    pub(crate) fn of(fraction: impl Fn(f64, f64) -> [f64; 2], range: RingToSunRange) -> Self {
-        let mut corners = [[0.0; 2]; 4];
-        for (place, corner) in corners.iter_mut().enumerate() {
-            *corner = fraction(range.ends()[place / 2], range.ends()[place % 2]);
-        }
+    pub(crate) fn of(fraction: impl Fn(f64, f64) -> [f64; 2], ends: [f64; 2]) -> Self {
+        let corners = [0, 1, 2, 3].map(|place| fraction(ends[place / 2], ends[place % 2]));
+        let values = corners.map(|[n, d]| n / d);
         let keeps_sign =
             |part: usize| corners.iter().all(|c| c[part] > 0.0) || corners.iter().all(|c| c[part] < 0.0);
+        let least = |of: &mut dyn Iterator<Item = f64>| of.fold(f64::INFINITY, f64::min);
+        let greatest = |of: &mut dyn Iterator<Item = f64>| of.fold(f64::NEG_INFINITY, f64::max);
         if !keeps_sign(1) {
-            return Self::ThroughInfinity;
+            return Self::ThroughInfinity {
+                below: greatest(&mut values.into_iter().filter(|i| *i < 0.0)),
+                above: least(&mut values.into_iter().filter(|i| *i > 0.0)),
+            };
         }
-        if !keeps_sign(0) {
-            return Self::ThroughZero;
-        }
-        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        for [n, d] in corners {
-            least = least.min(n / d);
-            greatest = greatest.max(n / d);
-        }
-        Self::Between { least, greatest }
+        let (least, greatest) = (least(&mut values.into_iter()), greatest(&mut values.into_iter()));
+        if keeps_sign(0) { Self::Between { least, greatest } } else { Self::ThroughZero { least, greatest } }
     }
 
-    /// Whether the ratio keeps its sign, and that sign is `sign`'s.
+    /// The sign that the ratio keeps; `None` where it changes.
     #[must_use]
-    pub fn has_sign_of(self, sign: f64) -> bool {
-        matches!(self, Self::Between { least, .. } if least * sign > 0.0)
+    pub fn sign(self) -> Option<f64> {
+        match self {
+            Self::Between { least, .. } => Some(least.signum()),
+            Self::ThroughZero { .. } | Self::ThroughInfinity { .. } => None,
+        }
+    }
+
+    /// Whether some of its values of this sign slow down, `|i| > 1`.
+    #[must_use]
+    pub fn slows_with_sign_of(self, sign: f64) -> bool {
+        match self {
+            Self::Between { least, greatest } | Self::ThroughZero { least, greatest } => {
+                if sign > 0.0 {
+                    greatest > 1.0
+                } else {
+                    least < -1.0
+                }
+            }
+            Self::ThroughInfinity { .. } => true,
+        }
     }
 
     /// Whether some of its values slow down, `|i| > 1`.
     #[must_use]
     pub fn slows(self) -> bool {
+        self.slows_with_sign_of(1.0) || self.slows_with_sign_of(-1.0)
+    }
+
+    /// Whether it takes a value between two, `slack` of these aside.
+    #[must_use]
+    pub fn meets(self, from: f64, to: f64, slack: f64) -> bool {
         match self {
-            Self::Between { least, greatest } => least.abs().max(greatest.abs()) > 1.0,
-            Self::ThroughInfinity => true,
-            Self::ThroughZero => false,
+            Self::Between { least, greatest } | Self::ThroughZero { least, greatest } => {
+                to >= least - slack && from <= greatest + slack
+            }
+            Self::ThroughInfinity { below, above } => from <= below + slack || to >= above - slack,
         }
     }
 }
@@ -130,10 +171,29 @@ mod tests {
 
     #[test]
     fn a_change_of_sign_shows_at_the_corners() {
-        let used = RingToSunRange::USED;
-        assert_eq!(Reach::of(|k, l| [l - k, l], used), Reach::ThroughZero);
-        assert_eq!(Reach::of(|k, l| [l, l - k], used), Reach::ThroughInfinity);
+        let used = RingToSunRange::USED.ends();
+        let Reach::ThroughZero { least, greatest } = Reach::of(|k, l| [l - k, l], used) else {
+            unreachable!()
+        };
+        assert!((least - (1.7 - 7.0) / 1.7).abs() < 1e-15 && (greatest - (7.0 - 1.7) / 7.0).abs() < 1e-15);
+        let Reach::ThroughInfinity { below, above } = Reach::of(|k, l| [l, l - k], used) else {
+            unreachable!()
+        };
+        assert!((below - 1.7 / (1.7 - 7.0)).abs() < 1e-15 && (above - 7.0 / (7.0 - 1.7)).abs() < 1e-15);
         let Reach::Between { least, greatest } = Reach::of(|k, l| [k, l], used) else { unreachable!() };
         assert!((least - 1.7 / 7.0).abs() < 1e-15 && (greatest - 7.0 / 1.7).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_ratio_through_zero_slows_where_its_extremes_do() {
+        let used = RingToSunRange::USED.ends();
+        // (l − k)/l reaches (1.7 − 7)/1.7 = −3.1, but never more than 0.76 forward.
+        let reach = Reach::of(|k, l| [l - k, l], used);
+        assert!(reach.slows() && reach.slows_with_sign_of(-1.0) && !reach.slows_with_sign_of(1.0));
+        assert_eq!(reach.sign(), None);
+        // (l − k)/7 never does: ±0.76.
+        assert!(!Reach::of(|k, l| [l - k, 7.0], used).slows());
+        assert!(Reach::of(|k, l| [l, l - k], used).slows());
+        assert!(!Reach::of(|k, _| [1.0, k], used).slows());
     }
 }

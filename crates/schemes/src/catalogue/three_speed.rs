@@ -14,22 +14,16 @@
 //! | III-2 | D B T₁ | T₁ B T₂ | `−(k₁(k₂+1)+k₂)` |
 //! | III-3 | D B T₁ | B T₁ T₂ | `−(k₁(k₂+1)+1)/k₂` |
 //!
-//! # Where this departs from the print
-//! (2.49), the ratio of II-2, is printed as a copy of (2.39); the one above follows from the scheme and
-//! is the inverse of the ratio inside the printed (2.50). Among the efficiencies (2.59) is printed with
-//! η₀ squared before the fraction, (2.54) and (2.57) with a stray "+", and (2.61) breaks off: all are
-//! taken as the torque balance has them.
+//! They are lines of [`table`](super::table), which also says where they depart from the print.
 //!
 //! # Source
-//! multispeed-gearboxes (2.39)–(2.61); the number (2.55) does not exist.
+//! multispeed-gearboxes (2.39)–(2.61).
 
-use super::range::{Reach, RingToSunRange};
-use super::{Role, TwoSpeed, gearbox};
-use crate::DesignError;
-use crate::connection::{Connection, Shaft};
+use super::table::{ClosedForm, Line, THREE_SPEED};
+use super::{Role, TwoSpeed};
+use crate::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
-use epicyclic_train::Gearbox;
 use std::fmt;
 use std::str::FromStr;
 
@@ -66,150 +60,51 @@ impl ThreeSpeed {
         Self::III3,
     ];
 
+    fn line(self) -> &'static Line {
+        &THREE_SPEED[self as usize]
+    }
+
     /// Its name, as in the source.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::I1 => "I-1",
-            Self::I2 => "I-2",
-            Self::I3 => "I-3",
-            Self::I4 => "I-4",
-            Self::II1 => "II-1",
-            Self::II2 => "II-2",
-            Self::II3 => "II-3",
-            Self::II4 => "II-4",
-            Self::III1 => "III-1",
-            Self::III2 => "III-2",
-            Self::III3 => "III-3",
-        }
+    pub fn name(self) -> &'static str {
+        self.line().name
     }
 
     /// The scheme of its gear 1, in which set 1 works alone.
     #[must_use]
-    pub const fn first_stage(self) -> TwoSpeed {
-        match self {
-            Self::I1 | Self::I2 | Self::I3 | Self::I4 => TwoSpeed::I,
-            Self::II1 | Self::II2 | Self::II3 | Self::II4 => TwoSpeed::II,
-            Self::III1 | Self::III2 | Self::III3 => TwoSpeed::III,
-        }
+    pub fn first_stage(self) -> TwoSpeed {
+        TwoSpeed::of_set(self.sets()[0])
+            .unwrap_or_else(|| unreachable!("set 1 of each is I, II or III, by test"))
     }
 
     /// Links of `a b H` of sets 1 and 2.
     #[must_use]
     pub fn sets(self) -> [[Role; 3]; 2] {
-        use Role::{B, D, T1, T2};
-        let second = match self {
-            Self::I1 | Self::II1 => [D, T2, T1],
-            Self::I2 | Self::II2 => [T2, D, T1],
-            Self::I3 | Self::II4 | Self::III3 => [B, T1, T2],
-            Self::I4 | Self::II3 | Self::III2 => [T1, B, T2],
-            Self::III1 => [D, T1, T2],
-        };
-        [self.first_stage().set(), second]
+        [self.line().sets[0], self.line().sets[1]]
     }
 
-    /// How set 2 is connected: see [`crate::connection`].
+    /// Its second ratio as a formula in `k1` and `k2`.
     #[must_use]
-    pub fn connection(self) -> Connection {
-        let second = self.sets()[1];
-        let shaft = if second.contains(&Role::D) { Shaft::Driving } else { Shaft::Driven };
-        Connection::of_set(self.first_stage(), shaft, second)
+    pub fn ratio_formula(self) -> ClosedForm {
+        self.line().ratio
+    }
+
+    /// Its second efficiency as a formula in `k1`, `k2` and `eta0`.
+    #[must_use]
+    pub fn efficiency_formula(self) -> ClosedForm {
+        self.line().efficiency
     }
 
     /// Ratio `i₂ = ω_D/ω_B` with T₂ braked.
     #[must_use]
     pub fn ratio(self, k1: RingToSunRatio, k2: RingToSunRatio) -> f64 {
-        let (k, l) = (k1.get(), k2.get());
-        match self {
-            Self::I1 => (k + 1.0) * (l + 1.0) / (k + l + 1.0),
-            Self::I2 => (k + 1.0) * (l + 1.0) / (l * (k + 1.0) + 1.0),
-            Self::I3 => (l * (k + 1.0) + k) / l,
-            Self::I4 => k * (l + 1.0) + 1.0,
-            Self::II1 => (k + 1.0) * (l + 1.0) / (k * (l + 1.0) + 1.0),
-            Self::II2 => (k + 1.0) * (l + 1.0) / ((k + 1.0) * (l + 1.0) - 1.0),
-            Self::II3 => (k + l + 1.0) / k,
-            Self::II4 => (l * (k + 1.0) + 1.0) / (k * l),
-            Self::III1 => -k * l / (k + l + 1.0),
-            Self::III2 => -(k * (l + 1.0) + l),
-            Self::III3 => -(k * (l + 1.0) + 1.0) / l,
-        }
+        self.line().ratio.value(k1.get(), k2.get(), f64::NAN)
     }
 
     /// Efficiency with T₂ braked, each set losing `1 − η₀` of its rolling power.
-    ///
-    /// By Kreines' rule these are the ratios with each `k` times `η₀^±1`, over the ratio itself.
     #[must_use]
     pub fn efficiency(self, k1: RingToSunRatio, k2: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
-        let (k, l, e) = (k1.get(), k2.get(), eta0.get());
-        match self {
-            Self::I1 => {
-                (k * e + 1.0) * (l * e + 1.0) * (k + l + 1.0)
-                    / ((k + 1.0) * (l + 1.0) * (k * e + l * e + 1.0))
-            }
-            Self::I2 => {
-                (k * e + 1.0) * (l + e) * (l * (k + 1.0) + 1.0)
-                    / ((k + 1.0) * (l + 1.0) * (l * (k * e + 1.0) + e))
-            }
-            Self::I3 => (l * (k * e + 1.0) + k * e * e) / (l * (k + 1.0) + k),
-            Self::I4 => (k * (l * e + 1.0) * e + 1.0) / (k * (l + 1.0) + 1.0),
-            Self::II1 => {
-                (k + e) * (l * e + 1.0) * (k * (l + 1.0) + 1.0)
-                    / ((k + 1.0) * (l + 1.0) * (k * (l * e + 1.0) + e))
-            }
-            Self::II2 => {
-                (k + e) * (l + e) * (k * (l + 1.0) + l) / ((k + 1.0) * (l + 1.0) * (k * (l + e) + l * e))
-            }
-            Self::II3 => (k + (l * e + 1.0) * e) / (k + l + 1.0),
-            Self::II4 => (l * (k + e) + e * e) / (l * (k + 1.0) + 1.0),
-            Self::III1 => e * e * (k + l + 1.0) / ((k + l) * e + 1.0),
-            Self::III2 => (k * (l * e + 1.0) + l) * e / (k * (l + 1.0) + l),
-            Self::III3 => (k * (l + e) + 1.0) * e / (k * (l + 1.0) + 1.0),
-        }
-    }
-
-    /// Ring-to-sun ratio of set 2 for a ratio of gear 2, that of set 1 being known.
-    ///
-    /// The connection ratio follows from (2.37) or (2.38), and `k₂` from it as from any ratio of table 2.2;
-    /// for II-3 that is `k₂ = i₂·k₁ − k₁ − 1`, for III-1 `k₂ = −i₂(k₁ + 1)/(k₁ + i₂)`.
-    ///
-    /// # Errors
-    /// [`DesignError::RatioOutOfReach`] with what `k₂ > 1` gives at this `k₁`.
-    pub fn second_ring_to_sun_ratio(
-        self,
-        k1: RingToSunRatio,
-        ratio: f64,
-    ) -> Result<RingToSunRatio, DesignError> {
-        self.connection().second_ring_to_sun_ratio(k1, ratio).map_err(|error| match error {
-            DesignError::RatioOutOfReach { ratio, low, high, .. } => {
-                DesignError::RatioOutOfReach { scheme: format!("gear 2 of {self}"), ratio, low, high }
-            }
-            other => other,
-        })
-    }
-
-    /// Least and greatest ratio of gear 2 while both ring-to-sun ratios run over a range.
-    #[must_use]
-    pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
-        match self.connection().reach(range) {
-            Reach::Between { least, greatest } => [least, greatest],
-            Reach::ThroughZero | Reach::ThroughInfinity => {
-                unreachable!("numerators and denominators of the eleven keep their sign for k above 1")
-            }
-        }
-    }
-
-    /// The scheme as a gearbox with gears `1`, `2` and `direct`.
-    ///
-    /// # Errors
-    /// None of ring-to-sun ratios: what the solver would refuse is refused before.
-    pub fn gearbox(
-        self,
-        k1: RingToSunRatio,
-        k2: RingToSunRatio,
-        eta0: MeshEfficiency,
-    ) -> Result<Gearbox, DesignError> {
-        let [first, second] = self.sets();
-        Ok(gearbox(self.name(), &[(first, k1), (second, k2)], eta0)?)
+        self.line().efficiency.value(k1.get(), k2.get(), eta0.get())
     }
 }
 
@@ -220,12 +115,11 @@ impl fmt::Display for ThreeSpeed {
 }
 
 impl FromStr for ThreeSpeed {
-    type Err = DesignError;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<Self, DesignError> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| DesignError::UnknownScheme {
-            name: name.into(),
-            known: Self::ALL.map(Self::name).join(", "),
+    fn from_str(name: &str) -> Result<Self, Error> {
+        Self::ALL.into_iter().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
+            Error::UnknownScheme { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
         })
     }
 }
@@ -233,6 +127,7 @@ impl FromStr for ThreeSpeed {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalogue::RingToSunRange;
     use proptest::prelude::*;
 
     fn k(value: f64) -> RingToSunRatio {
@@ -251,7 +146,7 @@ mod tests {
     fn a_ratio_out_of_reach_says_what_is_in_reach() {
         // With k₁ = 1.56 scheme I-1 gives (k₁+1)·2/(k₁+2) to k₁+1: 1.465 is not among them.
         let refused = ThreeSpeed::I1.second_ring_to_sun_ratio(k(1.56), 1.4);
-        let Err(DesignError::RatioOutOfReach { low, high, .. }) = refused else { panic!("{refused:?}") };
+        let Err(Error::RatioOutOfReach { low, high, .. }) = refused else { panic!("{refused:?}") };
         assert!((low - 2.56 * 2.0 / 3.56).abs() < 1e-12 && (high - 2.56).abs() < 1e-12);
         assert!(ThreeSpeed::III1.second_ring_to_sun_ratio(k(2.0), f64::NAN).is_err());
     }

@@ -6,18 +6,18 @@
 //! | II | T₁ D B | `(1 + k₁)/k₁` | `(k₁ + η₀)/(1 + k₁)` |
 //! | III | D B T₁ | `−k₁` | `η₀` |
 //!
-//! The other three ways to use a set are these with D and B exchanged; they speed up.
+//! They are lines of [`table`](super::table). The other three ways to use a set are these with D and B exchanged; they speed up.
 //!
 //! # Source
 //! multispeed-gearboxes (2.26)–(2.31).
 
-use super::range::RingToSunRange;
+use super::range::{RingToSunRange, limits};
 use super::simple_set::{self, fraction, ratio_range};
-use super::{Role, gearbox};
-use crate::DesignError;
+use super::table::{ClosedForm, Line, TWO_SPEED};
+use super::{Role, with_role};
+use crate::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
-use epicyclic_train::Gearbox;
+use epicyclic_gears::simple_set::{Mode, RingToSunRatio};
 use std::fmt;
 use std::str::FromStr;
 
@@ -36,73 +36,76 @@ impl TwoSpeed {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::I, Self::II, Self::III];
 
-    /// Its name, as in the source.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::I => "I",
-            Self::II => "II",
-            Self::III => "III",
-        }
+    fn line(self) -> &'static Line {
+        &TWO_SPEED[self as usize]
     }
 
-    /// Driving and driven member of the set.
+    /// The scheme whose set 1 has its members `[a, b, H]` at these links.
     #[must_use]
-    pub fn mode(self) -> Mode {
-        let place = match self {
-            Self::I => 1,
-            Self::II => 2,
-            Self::III => 0,
-        };
-        Mode::ALL[place]
+    pub fn of_set(set: [Role; 3]) -> Option<Self> {
+        Self::ALL.into_iter().find(|scheme| scheme.set() == set)
+    }
+
+    /// Its name, as in the source.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.line().name
     }
 
     /// Links of `a₁`, `b₁`, `H₁`.
     #[must_use]
     pub fn set(self) -> [Role; 3] {
-        let mode = self.mode();
-        Member::ALL.map(|member| match member {
-            _ if member == mode.input() => Role::D,
-            _ if member == mode.output() => Role::B,
-            _ => Role::T1,
-        })
+        self.line().sets[0]
+    }
+
+    /// Driving and driven member of the set.
+    #[must_use]
+    pub fn mode(self) -> Mode {
+        let set = self.set();
+        with_role(set, Role::D)
+            .zip(with_role(set, Role::B))
+            .and_then(|(input, output)| Mode::new(input, output).ok())
+            .unwrap_or_else(|| unreachable!("D and B are different members of each, by test"))
+    }
+
+    /// Its ratio as a formula in `k1`.
+    #[must_use]
+    pub fn ratio_formula(self) -> ClosedForm {
+        self.line().ratio
+    }
+
+    /// Its efficiency as a formula in `k1` and `eta0`.
+    #[must_use]
+    pub fn efficiency_formula(self) -> ClosedForm {
+        self.line().efficiency
     }
 
     /// Ratio `i = ω_D/ω_B` with T₁ braked.
     #[must_use]
     pub fn ratio(self, k: RingToSunRatio) -> f64 {
-        let [n, d] = self.fraction(k.get());
-        n / d
+        self.line().ratio.value(k.get(), f64::NAN, f64::NAN)
     }
 
-    pub(crate) fn fraction(self, k: f64) -> [f64; 2] {
-        fraction(self.mode(), k)
+    /// Sign of the ratio, whatever `k`.
+    pub(crate) fn sign(self) -> f64 {
+        fraction(self.mode(), 2.0)[0].signum()
     }
 
     /// Efficiency with T₁ braked, the set losing `1 − η₀` of its rolling power.
     #[must_use]
     pub fn efficiency(self, k: RingToSunRatio, eta0: MeshEfficiency) -> f64 {
-        let (k, eta0) = (k.get(), eta0.get());
-        match self {
-            Self::I => (1.0 + k * eta0) / (1.0 + k),
-            Self::II => (k + eta0) / (1.0 + k),
-            Self::III => eta0,
-        }
+        self.line().efficiency.value(k.get(), f64::NAN, eta0.get())
     }
 
     /// Ring-to-sun ratio for a ratio: `k = i − 1`, `1/(i − 1)`, `−i`.
     ///
     /// # Errors
-    /// [`DesignError::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
+    /// [`Error::RatioOutOfReach`] outside `i > 2` (I), `1 < i < 2` (II), `i < −1` (III), where a
     /// simple set would need `k ≤ 1`.
-    pub fn ring_to_sun_ratio(self, ratio: f64) -> Result<RingToSunRatio, DesignError> {
+    pub fn ring_to_sun_ratio(self, ratio: f64) -> Result<RingToSunRatio, Error> {
         simple_set::ring_to_sun_ratio(self.mode(), ratio).map_err(|_| {
-            let (low, high) = match self {
-                Self::I => (2.0, f64::INFINITY),
-                Self::II => (1.0, 2.0),
-                Self::III => (f64::NEG_INFINITY, -1.0),
-            };
-            DesignError::RatioOutOfReach { scheme: format!("scheme {self}"), ratio, low, high }
+            let [low, high] = limits(|k| fraction(self.mode(), k));
+            Error::RatioOutOfReach { scheme: format!("scheme {self}"), ratio, low, high }
         })
     }
 
@@ -110,14 +113,6 @@ impl TwoSpeed {
     #[must_use]
     pub fn ratio_range(self, range: RingToSunRange) -> [f64; 2] {
         ratio_range(self.mode(), range)
-    }
-
-    /// The scheme as a gearbox with gears `1` and `direct`.
-    ///
-    /// # Errors
-    /// None of a ring-to-sun ratio: what the solver would refuse is refused before.
-    pub fn gearbox(self, k: RingToSunRatio, eta0: MeshEfficiency) -> Result<Gearbox, DesignError> {
-        Ok(gearbox(self.name(), &[(self.set(), k)], eta0)?)
     }
 }
 
@@ -128,12 +123,11 @@ impl fmt::Display for TwoSpeed {
 }
 
 impl FromStr for TwoSpeed {
-    type Err = DesignError;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<Self, DesignError> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name).ok_or_else(|| DesignError::UnknownScheme {
-            name: name.into(),
-            known: Self::ALL.map(Self::name).join(", "),
+    fn from_str(name: &str) -> Result<Self, Error> {
+        Self::ALL.into_iter().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
+            Error::UnknownScheme { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
         })
     }
 }
@@ -162,7 +156,7 @@ mod tests {
     fn what_needs_a_ring_no_larger_than_the_sun_is_refused() {
         for (scheme, ratio) in [(TwoSpeed::I, 2.0), (TwoSpeed::II, 2.0), (TwoSpeed::III, 2.56)] {
             let refused = scheme.ring_to_sun_ratio(ratio);
-            assert!(matches!(refused, Err(DesignError::RatioOutOfReach { .. })), "{scheme} {ratio}");
+            assert!(matches!(refused, Err(Error::RatioOutOfReach { .. })), "{scheme} {ratio}");
         }
         assert!("IV".parse::<TwoSpeed>().is_err());
         assert_eq!("III".parse(), Ok(TwoSpeed::III));

@@ -5,7 +5,8 @@
 //! something near by dominates, out of memory.
 
 use super::Point;
-use crate::objectives::{Costs, Order, dominates};
+use crate::objectives::{Costs, Order};
+use epicyclic_pareto::dominates;
 
 /// Designs of a piece of work, with their costs.
 #[derive(Debug, Default)]

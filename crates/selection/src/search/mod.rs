@@ -19,7 +19,7 @@
 //!    brakes only one order of the ratios is tried: the other is the same design.
 //!
 //! All that remains is measured and judged in full; the front is found by asking of each design whether
-//! any other dominates it ([`front`](crate::front)). Brute force over reduced ranges is the
+//! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
 //! # What it costs
@@ -41,9 +41,10 @@
 //!
 //! ```
 //! use epicyclic_selection::search::ToothSearch;
-//! use epicyclic_selection::{Requirements, RatioSeries};
+//! use epicyclic_selection::Requirements;
+//! use epicyclic_schemes::RatioSeries;
 //! use epicyclic_gears::synthesis::Bounds;
-//! # fn main() -> Result<(), epicyclic_selection::SelectionError> {
+//! # fn main() -> Result<(), epicyclic_selection::Error> {
 //! let requirements = Requirements::new(RatioSeries::of_range(2.566, Some(1.466))?);
 //! let mut search = ToothSearch::new(requirements);
 //! search.bounds = Bounds { ring: 12..=80, ..Bounds::default() };
@@ -61,15 +62,16 @@ mod levels;
 mod patch;
 mod window;
 
-use crate::SelectionError;
-use crate::front::{Entry, front, non_dominated};
-use crate::objectives::{Costs, Objectives, Order, nowhere_worse};
+use crate::Error;
+use crate::front::{Entry, front};
+use crate::objectives::{Costs, Objectives, Order};
 use crate::quantity::Limited;
 use crate::requirements::Requirements;
 use crate::threads::map;
 use crate::units::in_metres;
 use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_pareto::{non_dominated, nowhere_worse};
 use epicyclic_schemes::structures::Structure;
 use levels::{Level, levels};
 use patch::{Allowed, Measured, Patch, Side};
@@ -188,7 +190,7 @@ pub const MOST_WINDOWS: u64 = 20_000_000;
 pub const MOST_PAIRS: u64 = 1_000_000_000;
 
 /// Leaves out some of the designs held.
-type Reduce<'a> = dyn FnMut(&mut Contenders) -> Result<(), SelectionError> + 'a;
+type Reduce<'a> = dyn FnMut(&mut Contenders) -> Result<(), Error> + 'a;
 
 /// Strips in pieces, and these in batches.
 fn batches(strips: &[[u32; 3]]) -> Vec<Vec<&[[u32; 3]]>> {
@@ -236,24 +238,24 @@ impl ToothSearch {
     /// The whole Pareto front, the best first by the order.
     ///
     /// # Errors
-    /// Invalid bounds, limits and ratios, [`SelectionError::RatioCount`] unless two ratios are
-    /// wanted, [`SelectionError::SizeWithoutTorque`].
-    pub fn front(&self) -> Result<Found, SelectionError> {
+    /// Invalid bounds, limits and ratios, [`Error::RatioCount`] unless two ratios are
+    /// wanted, [`Error::SizeWithoutTorque`].
+    pub fn front(&self) -> Result<Found, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
 
     /// The same, watched.
     ///
     /// # Errors
-    /// As [`front`](Self::front), and [`SelectionError::Cancelled`].
-    pub fn front_watched(&self, watch: &Watch) -> Result<Found, SelectionError> {
+    /// As [`front`](Self::front), and [`Error::Cancelled`].
+    pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let mut found = self.prepared()?;
         let held = self.each(&mut found, watch, &mut |held: &mut Contenders| {
             // Nothing on the front of all is off the front of a part.
             held.keep(&non_dominated(&held.costs));
             let most = self.most_held / 4 * 3;
             if held.costs.len() > most {
-                return Err(SelectionError::FrontTooLarge { designs: held.costs.len(), most });
+                return Err(Error::FrontTooLarge { designs: held.costs.len(), most });
             }
             Ok(())
         })?;
@@ -269,7 +271,7 @@ impl ToothSearch {
     ///
     /// # Errors
     /// As [`front`](Self::front).
-    pub fn best(&self, count: usize) -> Result<Found, SelectionError> {
+    pub fn best(&self, count: usize) -> Result<Found, Error> {
         self.best_watched(count, &|_| ControlFlow::Continue(()))
     }
 
@@ -277,7 +279,7 @@ impl ToothSearch {
     ///
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
-    pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, SelectionError> {
+    pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, Error> {
         let mut found = self.prepared()?;
         // The first design in the order that was left out. All before it are held, and what dominates a design stands
         // before it; so entries before it are those of the front of all.
@@ -295,7 +297,7 @@ impl ToothSearch {
             let before = |entry: &Entry| self.order.compare(&held.costs[entry.members[0]], &left_out).is_lt();
             found.entries.retain(before);
             if found.entries.len() < count {
-                return Err(SelectionError::FrontTooLarge { designs: count, most: found.entries.len() });
+                return Err(Error::FrontTooLarge { designs: count, most: found.entries.len() });
             }
         }
         found.points = held.points;
@@ -303,12 +305,12 @@ impl ToothSearch {
     }
 
     /// Levels, patches and windows: all that comes before trying.
-    fn prepared(&self) -> Result<Found, SelectionError> {
+    fn prepared(&self) -> Result<Found, Error> {
         self.requirements.check()?;
         let size = self.size_limits()?;
         let counted = self.bounds.count()?;
         if counted > MOST_TOOTH_SETS {
-            return Err(SelectionError::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
+            return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
         }
         let all = self.bounds.tooth_numbers()?;
         let count = all.len();
@@ -316,7 +318,7 @@ impl ToothSearch {
         let assignments = self.assignments()?;
         let of = assignments.len();
         if levels.len() as u64 * of as u64 > MOST_WINDOWS {
-            return Err(SelectionError::TooManyWindows {
+            return Err(Error::TooManyWindows {
                 tooth_sets: counted,
                 ring_to_sun_ratios: levels.len(),
                 structures: of,
@@ -329,7 +331,7 @@ impl ToothSearch {
         let patches: Vec<Patch> = patches.into_iter().flatten().collect();
         let pairs = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
         if pairs > MOST_PAIRS {
-            return Err(SelectionError::TooManyPairs {
+            return Err(Error::TooManyPairs {
                 tooth_sets: counted,
                 ring_to_sun_ratios: levels.len(),
                 pairs,
@@ -356,12 +358,7 @@ impl ToothSearch {
     ///
     /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a batch and
     /// what is held.
-    fn each(
-        &self,
-        found: &mut Found,
-        watch: &Watch,
-        reduce: &mut Reduce,
-    ) -> Result<Contenders, SelectionError> {
+    fn each(&self, found: &mut Found, watch: &Watch, reduce: &mut Reduce) -> Result<Contenders, Error> {
         let batches: Vec<(u32, Vec<&[[u32; 3]]>)> = (0_u32..)
             .zip(&found.patches)
             .flat_map(|(place, patch)| batches(&patch.strips).into_iter().map(move |batch| (place, batch)))
@@ -391,7 +388,7 @@ impl ToothSearch {
             };
             let results: Vec<(Contenders, [u64; 2])> = map(pieces, try_piece);
             if cancelled.load(Ordering::Relaxed) {
-                return Err(SelectionError::Cancelled);
+                return Err(Error::Cancelled);
             }
             for (gathered, counts) in results {
                 (tried, feasible) = (tried + counts[0], feasible + counts[1]);
@@ -407,11 +404,11 @@ impl ToothSearch {
     }
 
     /// Structures with the ratios of their gears, each design once.
-    fn assignments(&self) -> Result<Vec<(Structure, [f64; 2])>, SelectionError> {
+    fn assignments(&self) -> Result<Vec<(Structure, [f64; 2])>, Error> {
         let mut targets: Vec<[f64; 2]> = vec![];
         for target in self.requirements.targets() {
             let [first, second] = target[..] else {
-                return Err(SelectionError::RatioCount { count: target.len() });
+                return Err(Error::RatioCount { count: target.len() });
             };
             if !(self.requirements.limits.same_direction && (first < 0.0 || second < 0.0)) {
                 targets.push([first, second]);
@@ -429,14 +426,14 @@ impl ToothSearch {
         Ok(found)
     }
 
-    fn size_limits(&self) -> Result<SizeLimits, SelectionError> {
+    fn size_limits(&self) -> Result<SizeLimits, Error> {
         if self.module.is_none() && self.ring_diameter.is_none() {
             return Ok(SizeLimits { module: None, ring: f64::INFINITY });
         }
-        let unit = in_metres(self.requirements.rating.unit().ok_or(SelectionError::SizeWithoutTorque)?);
+        let unit = in_metres(self.requirements.rating.unit().ok_or(Error::SizeWithoutTorque)?);
         let relative = |what, length: Length| {
             let value = in_metres(length);
-            if value > 0.0 { Ok(value / unit) } else { Err(SelectionError::Limit { what, value }) }
+            if value > 0.0 { Ok(value / unit) } else { Err(Error::Limit { what, value }) }
         };
         let module = match &self.module {
             Some(range) => {

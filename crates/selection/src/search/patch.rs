@@ -6,6 +6,7 @@ use crate::Mechanism;
 use crate::drawing::drawable_direct_clutches;
 use crate::objectives::{Costs, on_grid};
 use crate::requirements::{Limits, Requirements};
+use crate::tolerance::SLACK;
 use epicyclic_schemes::direct_drive::{DIRECT_CLUTCH_PAIRS, link_speeds};
 use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
 use epicyclic_schemes::structures::{Role, SetRoles, Structure};
@@ -42,9 +43,7 @@ pub(crate) struct Measured {
     pub(crate) sun_torques: [f64; 2],
 }
 
-/// What a trial allows for rounding, relative: a value at its limit is within.
-const SLACK: f64 = 1e-9;
-
+/// A limit as a trial takes it: a value at it is within.
 fn allowed(limit: f64) -> f64 {
     limit + SLACK * (1.0 + limit)
 }
@@ -228,17 +227,12 @@ impl Measured {
 
 /// Whether the ratios can come within tolerance at all: both within what the corners say.
 fn in_reach(structure: Structure, wanted: Wanted, [low, high]: [f64; 2]) -> bool {
-    use epicyclic_schemes::standing::{RatioReach, reach};
+    use epicyclic_schemes::standing::reach;
     reach(structure, &(low..=high)).into_iter().zip(wanted.ratios).all(|(reach, ratio)| {
         let parts = [1.0 - wanted.tolerance - SLACK, 1.0 + wanted.tolerance + SLACK];
         let ends = parts.map(|part| part * ratio);
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let hair = SLACK * to.abs().max(from.abs());
-        match reach {
-            RatioReach::Between { least, greatest } | RatioReach::ThroughZero { least, greatest } => {
-                to >= least - hair && from <= greatest + hair
-            }
-            RatioReach::ThroughInfinity { below, above } => from <= below + hair || to >= above - hair,
-        }
+        reach.meets(from, to, hair)
     })
 }

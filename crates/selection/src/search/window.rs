@@ -16,6 +16,7 @@
 //! too much through.
 
 use crate::requirements::Limits;
+use crate::tolerance::{HAIR, WIDER};
 use epicyclic_schemes::pair::{Coefficients, minor};
 use epicyclic_schemes::structures::{Role, SetRoles};
 
@@ -28,8 +29,6 @@ pub(crate) struct Wanted {
     pub(crate) ratios: [f64; 2],
     pub(crate) tolerance: f64,
 }
-
-const WIDER: f64 = 2e-9;
 
 /// The window of `k₂` within `range`, beside a set 1 of these coefficients.
 pub(crate) fn window(
@@ -113,7 +112,7 @@ fn part_within(num: Linear, den: Linear, [low, high]: [f64; 2], [from, to]: [f64
     let first = within.next()?;
     let last = within.next_back().unwrap_or(first);
     // Roots are rounded: a hair more on both sides.
-    Some([cuts[first] * (1.0 - 1e-12), cuts[last + 1] * (1.0 + 1e-12)])
+    Some([cuts[first] * (1.0 - HAIR), cuts[last + 1] * (1.0 + HAIR)])
 }
 
 #[cfg(test)]

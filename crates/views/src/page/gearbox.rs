@@ -244,7 +244,7 @@ fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
     let id = gearbox.sets()[set].id().to_owned();
     let change = |spec: SetSpec| {
         if spec.id == id {
-            SetSpec { gearing: Gearing::Parameter(k), planet: None, second_planet: None, ..spec }
+            SetSpec { gearing: Gearing::BasicRatio(k), planet: None, second_planet: None, ..spec }
         } else {
             spec
         }

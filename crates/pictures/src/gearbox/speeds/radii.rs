@@ -196,7 +196,7 @@ mod tests {
             let planet = diagram.lines.iter().find(|line| line.link.is_none()).unwrap();
             let [[r, v], [further, faster]] = [planet.from, planet.to];
             let slope = (faster - v) / (further - r);
-            let speed = gear.sets()[0].planets[0].unwrap().absolute.unwrap();
+            let speed = gear.sets()[0].planets[0].unwrap().speed.unwrap();
             assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
             let carrier = diagram.lines.iter().find(|line| line.name == "H1").unwrap();
             let on_line = v + slope * (carrier.to[0] - r);

@@ -7,7 +7,7 @@ use crate::quantity::{ConnectionPart, Quantity, SeriesParameter};
 /// An invalid input, or requirements that nothing meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum DesignError {
+pub enum Error {
     /// A name that no scheme bears.
     #[error("no scheme is called `{name}`: there are {known}")]
     UnknownScheme {
@@ -15,6 +15,25 @@ pub enum DesignError {
         name: String,
         /// The names there are.
         known: String,
+    },
+    /// A name that no structure bears in any spelling.
+    #[error(
+        "no structure is called `{name}`: one is a.b.H+a.b.H, the links D, B, T1, T2 of sun, ring and carrier of both sets{}",
+        nearest.as_deref().map_or_else(String::new, |nearest| format!("; did you mean `{nearest}`?"))
+    )]
+    UnknownStructure {
+        /// The name given.
+        name: String,
+        /// The nearest canonical spelling.
+        nearest: Option<String>,
+    },
+    /// Links that make no structure.
+    #[error(
+        "`{name}` is no structure: each set has three different links of D, B, T1, T2, and the two sets lack different ones"
+    )]
+    NotAStructure {
+        /// The name given.
+        name: String,
     },
     /// An invalid range of ring-to-sun ratios.
     #[error("ring-to-sun ratios from {low} to {high}: a range has 1 < low ≤ high")]
@@ -55,7 +74,7 @@ pub enum DesignError {
         count: usize,
     },
     /// Speeds that do not rise, or not all above 0.
-    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are above 0 and rise")]
+    #[error("speed {place} is {speed} m/s after {before} m/s: speeds are finite, above 0, and rise")]
     SpeedsOutOfOrder {
         /// Its place from 1.
         place: usize,
@@ -71,6 +90,32 @@ pub enum DesignError {
         what: SeriesParameter,
         /// The value given.
         value: f64,
+    },
+    /// A middle speed outside the range.
+    #[error("q = {q} with d = {d}: fastest over middle speed lies above 1 and below d")]
+    MiddleSpeed {
+        /// Fastest over middle.
+        q: f64,
+        /// Fastest over slowest.
+        d: f64,
+    },
+    /// Too few or too many ratios of braked gears.
+    #[error("{count} ratio{}: beside direct drive one set gives 1, two sets give 2, and a series has at most 3", if *count == 1 { "" } else { "s" })]
+    RatioCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// A ratio that no braked gear has.
+    #[error("ratio {ratio}: finite and not 0, and not 1, which is direct drive")]
+    Ratio {
+        /// The ratio given.
+        ratio: f64,
+    },
+    /// Two gears of one ratio.
+    #[error("two gears of ratio {ratio}: the ratios of a gearbox are different")]
+    EqualRatios {
+        /// Their ratio.
+        ratio: f64,
     },
     /// A place for direct drive outside the series.
     #[error("direct drive in place {place} of {count} speeds: places count from 1, the fastest")]
@@ -118,18 +163,24 @@ pub enum DesignError {
     Gearbox(#[from] epicyclic_train::Error),
 }
 
-impl DesignError {
+impl Error {
     /// Name of the fault, which does not change with the message: `unknown-scheme`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
             Self::UnknownScheme { .. } => "unknown-scheme",
+            Self::UnknownStructure { .. } => "unknown-structure",
+            Self::NotAStructure { .. } => "not-a-structure",
             Self::RingToSunRange { .. } => "ring-to-sun-range",
             Self::RatioOutOfReach { .. } => "ratio-out-of-reach",
             Self::ConnectionRatio { .. } => "connection-ratio",
             Self::SpeedCount { .. } => "speed-count",
             Self::SpeedsOutOfOrder { .. } => "speeds-out-of-order",
             Self::SpeedRange { .. } => "speed-range",
+            Self::MiddleSpeed { .. } => "middle-speed",
+            Self::RatioCount { .. } => "ratio-count",
+            Self::Ratio { .. } => "ratio",
+            Self::EqualRatios { .. } => "equal-ratios",
             Self::DirectPlace { .. } => "direct-place",
             Self::NotPositive { .. } => "not-positive",
             Self::NoFlight { .. } => "no-flight",
