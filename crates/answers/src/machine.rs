@@ -1,6 +1,6 @@
 //! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
 
-use crate::tolerance::SAME_SPEED;
+use crate::tolerance::SAME;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
@@ -206,7 +206,7 @@ impl Series {
                 Ok::<_, epicyclic_schemes::Error>(Printed {
                     number: printed.number(),
                     ratios: printed.members(q, d),
-                    serves: printed.serves(speeds, SAME_SPEED)?,
+                    serves: printed.serves(speeds, SAME)?,
                 })
             });
         Ok(Self {
@@ -436,7 +436,7 @@ pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
         discharges: found
             .into_iter()
             .map(|(chute, discharge)| Discharge {
-                chute_rad: chute.map(|chute| chute.si()),
+                chute_rad: chute.map(Physical::si),
                 discharge,
                 counts: discharge == smallest,
             })

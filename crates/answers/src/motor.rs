@@ -13,7 +13,7 @@ pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Whee
 use crate::number::{maybe_si, plain, si};
 use crate::tolerance::CLOSED;
 use crate::{Answer, Error, Warning};
-use epicyclic_formats::Physical;
+use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::arcs::StatorArcs;

@@ -117,7 +117,7 @@ impl ToothNumbers {
             undercut_sun: found.undercut_sun,
             undercut_planet: found.undercut_planet,
             equal_spacing: found.spacing.is_equal(),
-            planet_angles_rad: found.spacing.angles().into_iter().map(|angle| angle.si()).collect(),
+            planet_angles_rad: found.spacing.angles().into_iter().map(Physical::si).collect(),
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
         }
     }

@@ -1,15 +1,24 @@
-//! Every number below which something counts as nothing, and every limit of size that is small.
+//! What counts as nothing in an answer.
 //!
 //! | constant | of | why this size |
 //! |---|---|---|
-//! | `ROUNDED` | the loss of a balance of powers, over the power that enters; the imbalance of planets, over that of one | rounding of the sums leaves 1e-15 to 1e-13 |
-//! | `CLOSED` | the angle by which a hydromotor's wheel fails to close, in rad, where the telling begins | rounding of the quadrature |
-//! | `SAME_SPEED` | the error of a member of a printed series of speeds, relative | beyond the rounding of its powers, and far below what is printed |
+//! | `ROUNDED` | a loss over the power that enters, an imbalance | rounding leaves 1e-15 of a balance of some dozen terms |
+//! | `SAME` | the members of a printed series, over their right values | the series are calculated, not read from print |
+//! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
 //! | `OBJECTIVE` | a difference of two objectives | the order compares on a grid of this size |
-//! | `LEAST_MODULE_M` | the module, in m, where no least one is given | a micrometre: no gear has less |
+//! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
 
+/// A sum of balanced terms below this is zero.
 pub(crate) const ROUNDED: f64 = 1e-12;
+
+/// Members of a series that differ by less are the right ones.
+pub(crate) const SAME: f64 = 1e-9;
+
+/// The residual of a closed motor is told as a power of ten from here on.
 pub(crate) const CLOSED: f64 = 1e-12;
-pub(crate) const SAME_SPEED: f64 = 1e-9;
+
+/// Objectives that differ by less are equal.
 pub(crate) const OBJECTIVE: f64 = 2e-12;
+
+/// The least module where none is given, in m.
 pub(crate) const LEAST_MODULE_M: f64 = 1e-6;

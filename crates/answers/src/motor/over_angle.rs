@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::number::si;
-use epicyclic_formats::Physical;
+use epicyclic_formats::Physical as _;
 use epicyclic_hydromotor::Motor;
 use schemars::JsonSchema;
 use serde::Serialize;

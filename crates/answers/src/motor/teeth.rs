@@ -3,7 +3,7 @@
 use super::Verdict;
 use crate::number::{maybe_si, plain, si};
 use crate::{Error, Warning};
-use epicyclic_formats::Physical;
+use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor::centrode;
 use epicyclic_hydromotor::profile::clearance::Nearest;

@@ -116,7 +116,7 @@ impl Required {
         let rating = &requirements.rating;
         let range = |range: &std::ops::RangeInclusive<f64>| KRange::of(*range.start(), *range.end());
         Ok(Self {
-            ratios: requirements.series.ratios().to_vec(),
+            ratios: requirements.series.braked(),
             tolerance: requirements.tolerance,
             brakes: match requirements.orders {
                 Orders::Both => Brakes::Either,
@@ -141,8 +141,8 @@ impl Required {
             mesh_load_factors: rating.mesh_load_factors.to_vec(),
             face_width_ratio: rating.face_width_ratio,
             load_factor_pa: rating.load.map(|(_, load_factor)| load_factor.si()),
-            input_speed_rad_s: duty.input_speed.map(|speed| speed.si()),
-            input_torque_n_m: duty.torque()?.map(|torque| torque.si()),
+            input_speed_rad_s: duty.input_speed.map(Physical::si),
+            input_torque_n_m: duty.torque()?.map(Physical::si),
         })
     }
 }

@@ -159,7 +159,7 @@ impl Answer for SelectTeeth {
 pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<SelectTeeth, Error> {
     let Wanted { requirements, order, structures, bounds, limits, most, duty } = wanted;
     duty.torque()?;
-    if requirements.series.ratios().len() != 2 {
+    if requirements.series.braked().len() != 2 {
         return Err(Error::OneSet);
     }
     if *most > MOST_DESIGNS {
@@ -181,9 +181,9 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
     Ok(SelectTeeth {
         required: Required::of(requirements, *order, duty)?,
         size_limits: RequiredSize {
-            greatest_ring_diameter_m: limits.ring_diameter.map(|diameter| diameter.si()),
-            least_module_m: limits.least_module.map(|module| module.si()),
-            greatest_module_m: limits.greatest_module.map(|module| module.si()),
+            greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
+            least_module_m: limits.least_module.map(Physical::si),
+            greatest_module_m: limits.greatest_module.map(Physical::si),
         },
         searched: Searched::of(found.counts()),
         shown: designs.len(),
