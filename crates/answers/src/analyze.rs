@@ -22,6 +22,7 @@ pub mod records;
 pub mod warnings;
 
 use crate::Error;
+pub use crate::refusal::LoadQuantity;
 use epicyclic_formats::Physical;
 use epicyclic_train::{Analysis, Gear, Gearbox, InputLoad, Operation};
 use schemars::JsonSchema;
@@ -62,15 +63,6 @@ impl OperatingPoint {
             power_w: power.map(Physical::si),
         }
     }
-}
-
-/// Which quantity of the load a gear refuses.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LoadQuantity {
-    /// The torque on the input.
-    Torque,
-    /// The power into the input.
-    Power,
 }
 
 /// The analysis of a gear by its name.

@@ -1,9 +1,6 @@
 //! What is refused instead of answered.
 
-use crate::analyze::LoadQuantity;
-use crate::analyze::inputs::Given;
-use crate::schemes::{SizeName, SizeProblem};
-use crate::select::duty::DutyProblem;
+use crate::refusal::{DutyProblem, Given, LoadQuantity, SizeName, SizeProblem};
 
 /// A question without an answer.
 #[derive(Debug, thiserror::Error)]

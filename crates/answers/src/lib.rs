@@ -21,7 +21,7 @@
 //! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
 //! | [`finite`] | that every number of an answer is one |
-//! | [`error`] | what is refused |
+//! | [`error`], [`refusal`] | what is refused, and what a refusal speaks of |
 //!
 //! # Stability
 //! [`SCHEMA_VERSION`] is raised whenever a key goes, or changes its meaning or unit. A new key does not raise it.
@@ -51,6 +51,7 @@ pub mod machine;
 pub mod motor;
 pub mod motor_search;
 pub mod number;
+pub mod refusal;
 pub mod schemes;
 pub mod select;
 pub mod shared;

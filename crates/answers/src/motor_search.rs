@@ -223,7 +223,7 @@ impl Searched {
         let shown = &listed[..wanted.most.min(listed.len())];
         let designs = shown.iter().filter_map(|&(place, design)| Design::of(place, design, found)).collect();
         MotorSearch {
-            displacement_m3: si(wanted.search.demand.displacement),
+            displacement_m3: si(wanted.search.requirements.displacement),
             order: wanted.order,
             with_teeth: wanted.with_teeth,
             found: found.designs.len(),
@@ -249,7 +249,7 @@ impl Searched {
         let Some(size) = shown_size(design) else { return Err(none) };
         let motor = design.motor(size.module)?;
         let form = ToothForm::default();
-        let demand = &self.wanted.search.demand;
+        let requirements = &self.wanted.search.requirements;
         Ok(Designed {
             profile: Profile::new(&motor, form),
             family: Some(Family::new(design.numbers, size.module)?),
@@ -257,8 +257,8 @@ impl Searched {
             chosen: Chosen::Given,
             form,
             width: Some(size.width),
-            pressure: demand.pressure_drop,
-            speed: demand.speed,
+            pressure: requirements.pressure_drop,
+            speed: requirements.speed,
             angle,
         })
     }

@@ -3,6 +3,7 @@
 mod formulas;
 
 use crate::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds, ShiftElement};
+pub use crate::refusal::{SizeName, SizeProblem};
 use crate::shared::{Motion, zero};
 use crate::{Answer, Error, Warning};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -26,56 +27,6 @@ pub struct Sizes {
     pub ratio1: Option<f64>,
     /// Ratio of gear 2, in place of `k2`.
     pub ratio2: Option<f64>,
-}
-
-/// One of the [`Sizes`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SizeName {
-    /// Ring-to-sun ratio of set 1.
-    K1,
-    /// Ring-to-sun ratio of set 2.
-    K2,
-    /// Ratio of gear 1.
-    Ratio1,
-    /// Ratio of gear 2.
-    Ratio2,
-}
-
-impl std::fmt::Display for SizeName {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::K1 => "k1",
-            Self::K2 => "k2",
-            Self::Ratio1 => "ratio1",
-            Self::Ratio2 => "ratio2",
-        })
-    }
-}
-
-/// What is wrong with one of the [`Sizes`].
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SizeProblem {
-    /// No ring-to-sun ratio of a simple set.
-    #[error(transparent)]
-    RingToSunRatio(#[from] epicyclic_gears::Error),
-    /// A ratio that the scheme does not give.
-    #[error(transparent)]
-    Ratio(#[from] epicyclic_schemes::Error),
-    /// Set 1 has no size, and set 2 has one.
-    #[error("k1 or ratio1 is due too")]
-    FirstMissing,
-    /// Set 1 has a size, and set 2 none.
-    #[error("{scheme} has two sets: k2 or ratio2 is due too")]
-    SecondMissing {
-        /// The scheme.
-        scheme: &'static str,
-    },
-    /// A size of set 2, which the scheme lacks.
-    #[error("scheme {scheme} has one set")]
-    OneSet {
-        /// The scheme.
-        scheme: &'static str,
-    },
 }
 
 /// A scheme whose sets have sizes.

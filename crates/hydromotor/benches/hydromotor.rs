@@ -7,7 +7,7 @@ use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
-use epicyclic_hydromotor::search::{Demand, MotorSearch, Size};
+use epicyclic_hydromotor::search::{MotorSearch, Requirements, Size};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::hint::black_box;
 use uom::si::area::square_millimeter;
@@ -69,11 +69,12 @@ fn profiles(c: &mut Criterion) {
     slow.finish();
 }
 
-/// The demand of the benches: 900 N·m at 20 MPa.
+/// The requirements of the benches: 900 N·m at 20 MPa.
 fn order() -> MotorSearch {
     let pressure = Pressure::new::<megapascal>(20.0);
-    let demand = Demand::of_torque(Torque::new::<newton_meter>(900.0), pressure).expect("positive");
-    MotorSearch::new(demand)
+    let requirements =
+        Requirements::of_torque(Torque::new::<newton_meter>(900.0), pressure).expect("positive");
+    MotorSearch::new(requirements)
 }
 
 fn search(c: &mut Criterion) {
@@ -93,7 +94,7 @@ fn search(c: &mut Criterion) {
     // On few numbers beside the plain way: each motor by itself with all its checks, each held against each.
     let mut few = places;
     few.bounds = Bounds { stator_lobes: 4..=6, stator_teeth: 40..=66, satellite_teeth: 8..=60 };
-    few.demand.size = Size::WidthOverDiameter(0.5);
+    few.requirements.size = Size::WidthOverDiameter(0.5);
     assert_eq!(found(&few).designs.len(), trial(&few));
     group.bench_function("few_places_only", |b| b.iter(|| found(black_box(&few))));
     group.bench_function("few_by_trial", |b| b.iter(|| trial(black_box(&few))));

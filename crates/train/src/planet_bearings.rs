@@ -674,8 +674,11 @@ impl PlanetBearing {
                 }
                 let torque = contact.weighed(&of_centrals).map(torque);
                 let known = contact.pitch_radius.zip(torque);
-                let kind = contact.gear_kind;
-                Some(known.map(|(pitch_radius, torque)| Push { kind, pitch_radius, torque }))
+                Some(known.map(|(pitch_radius, torque)| Push {
+                    kind: contact.gear_kind,
+                    pitch_radius,
+                    torque,
+                }))
             };
             let pushes: Option<Vec<Push>> = self.contacts.iter().filter_map(push).collect();
             // Its own limits.

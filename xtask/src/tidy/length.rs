@@ -11,7 +11,7 @@ const LONGER: &[(&str, usize)] = &[
     ("crates/answers/src/motor.rs", 670),
     ("crates/train/src/planet_bearings.rs", 751),
     ("crates/train/src/tooth_checks.rs", 633),
-    ("xtask/src/calculations/gears.rs", 609),
+    ("xtask/src/calculations/gears.rs", 610),
     ("xtask/src/calculations/schemes.rs", 780),
 ];
 

@@ -3,6 +3,7 @@
 use super::records::{ShiftElementKind, links_of, member_name, meshes, planet_name};
 use super::{analysis, engaged, warnings};
 use crate::gearbox::Subject;
+pub use crate::refusal::Given;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::{Physical, Problem, Quantity};
@@ -51,17 +52,6 @@ impl Steps {
         let (from, to, steps) = (self.from, self.to, self.places - 1);
         (0..=steps).map(move |step| from + (to - from) * (f64::from(step) / f64::from(steps)))
     }
-}
-
-/// Which of the given values are at fault.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Given {
-    /// Speeds by link.
-    Speeds,
-    /// Torques by link.
-    Torques,
-    /// Ranges of two speeds.
-    Map,
 }
 
 /// A gear with several inputs at given speeds, and at torques where they are given.

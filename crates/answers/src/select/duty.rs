@@ -1,8 +1,8 @@
 //! Speed and load of the input of a gearbox that is chosen.
 
 use crate::Error;
+pub use crate::refusal::{DutyProblem, DutyQuantity};
 use epicyclic_formats::Physical;
-use std::fmt;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// What is known of the input.
@@ -21,47 +21,6 @@ pub enum Load {
     Torque(Torque),
     /// The power into it, which needs a speed.
     Power(Power),
-}
-
-/// A quantity of the [`Duty`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DutyQuantity {
-    /// Speed of the input.
-    InputSpeed,
-    /// Torque on the input.
-    Torque,
-    /// Power into the input.
-    Power,
-}
-
-impl fmt::Display for DutyQuantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::InputSpeed => "speed of the input",
-            Self::Torque => "torque on the input",
-            Self::Power => "power into the input",
-        })
-    }
-}
-
-/// A duty that cannot be.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum DutyProblem {
-    /// A quantity that is not above 0.
-    #[error("{quantity}: a finite quantity above 0 is due")]
-    NotPositive {
-        /// Which.
-        quantity: DutyQuantity,
-    },
-    /// A power and a speed whose torque no double holds.
-    #[error("{torque_n_m} N·m by power and speed of the input: a finite quantity above 0 is due")]
-    TorqueOfPower {
-        /// Power over speed.
-        torque_n_m: f64,
-    },
-    /// A power without a speed.
-    #[error("power into the input: its torque needs the speed of the input")]
-    PowerWithoutSpeed,
 }
 
 impl Duty {

@@ -105,7 +105,7 @@ pub struct RequiredSize {
 #[schemars(deny_unknown_fields)]
 pub struct Searched {
     /// Combinations of tooth numbers of a set.
-    pub tooth_sets: usize,
+    pub tooth_numbers: usize,
     /// Structures, each counted once for every assignment of the ratios.
     pub structures: usize,
     /// Designs in all: pairs of combinations of tooth numbers in all structures.
@@ -194,7 +194,7 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
 impl Searched {
     fn of(counts: Counts) -> Self {
         Self {
-            tooth_sets: counts.tooth_sets,
+            tooth_numbers: counts.tooth_sets,
             structures: counts.patches,
             designs: counts.designs,
             tried: counts.tried,

@@ -1,4 +1,4 @@
-//! The gearbox that is drawn: a scheme of the catalogue, a structure of two rows, or one from a file.
+//! The gearbox that is drawn: a scheme of the catalogue, a structure of two sets, or one from a file.
 
 use super::{Args, View};
 use crate::analyze::{self, Choice};
@@ -40,7 +40,7 @@ impl Subject {
     }
 }
 
-/// Row parameter of rows of which only the structure is drawn; it shows nowhere.
+/// Ring-to-sun ratio of sets of which only the structure is drawn; it is not shown.
 const ANY_K: f64 = 2.5;
 
 /// Reads what is named.
@@ -51,7 +51,7 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
     }
     match (args.gearbox.parse::<Scheme>(), Structure::read(&args.gearbox)) {
         (Ok(scheme), _) => catalogue(args, scheme),
-        (_, Ok((structure, renaming))) => of_two_rows(args, structure, renaming),
+        (_, Ok((structure, renaming))) => of_two_sets(args, structure, renaming),
         // What looks like a name and is none: say which there are.
         (_, Err(unknown @ SchemeError::NotAStructure { .. })) => Err(unknown.into()),
         (_, Err(unknown)) if args.gearbox.contains('+') && !file.exists() => Err(unknown.into()),
@@ -77,7 +77,7 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
         let message = format!(
-            "for speeds of {} give --k1 or --ratio1, and of two rows --k2 or --ratio2",
+            "for speeds of {} give --k1 or --ratio1, and of two sets --k2 or --ratio2",
             scheme.name()
         );
         return option("--k1", message);
@@ -91,8 +91,8 @@ fn catalogue(args: &Args, scheme: Scheme) -> Result<Subject, Failure> {
     }
 }
 
-/// A structure by any of its names; the sizes are of the rows and gears as they are named.
-fn of_two_rows(args: &Args, structure: Structure, renaming: Renaming) -> Result<Subject, Failure> {
+/// A structure by any of its names; the sizes are of the sets and gears as they are named.
+fn of_two_sets(args: &Args, structure: Structure, renaming: Renaming) -> Result<Subject, Failure> {
     let option = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     if args.transmission.is_some() {
         return option("--transmission", "a structure is one gearbox; leave it out");
@@ -110,26 +110,26 @@ fn of_two_rows(args: &Args, structure: Structure, renaming: Renaming) -> Result<
             None => {
                 return option(
                     "--ratio1",
-                    "these ratios leave a row without relative motion: no k gives them",
+                    "these ratios leave a set without relative motion: no k gives them",
                 );
             }
             found => found,
         },
         ([None, None], [None, None]) => None,
-        _ => return option("--k1", "a structure has two rows: give --k1 and --k2, or --ratio1 and --ratio2"),
+        _ => return option("--k1", "a structure has two sets: give --k1 and --k2, or --ratio1 and --ratio2"),
     };
     if k.is_none() && (args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme)) {
         return option("--k1", "for speeds give --k1 and --k2, or --ratio1 and --ratio2");
     }
     let eta = args.efficiency.map_or(Ok(MeshEfficiency::IDEAL), analyze::efficiency)?;
-    // The lock of direct drive stands between the first two links that leave room for it, input and output before others.
+    // The direct-drive clutch stands between the first two links that leave room for it, input and output before others.
     let roles = Role::ALL
         .iter()
         .flat_map(|&one| Role::ALL.map(|other| [one, other]))
         .filter(|[one, other]| one < other);
     let mut any = None;
-    for lock in roles {
-        let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, lock)?;
+    for pair in roles {
+        let gearbox = structure.gearbox(k.unwrap_or([ANY_K; 2]), eta, pair)?;
         if matches!(drawability::draw(&gearbox, drawability::Options::default()), Verdict::Drawable(_)) {
             any = Some(gearbox);
             break;

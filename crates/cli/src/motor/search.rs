@@ -11,7 +11,7 @@ use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_hydromotor::checks::ToothHeights;
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::profile::ToothForm;
-use epicyclic_hydromotor::search::{Demand, Limits, LobeDivisor, MotorSearch, Size, SizeLimits};
+use epicyclic_hydromotor::search::{Limits, LobeDivisor, MotorSearch, Requirements, Size, SizeLimits};
 use std::str::FromStr;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio, Torque, Volume};
 
@@ -201,10 +201,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn search(args: &Args) -> Result<MotorSearch, Failure> {
-    let demand = match (args.displacement, args.torque, args.pressure) {
-        (Some(displacement), ..) => Demand::of_displacement(displacement.0),
+    let requirements = match (args.displacement, args.torque, args.pressure) {
+        (Some(displacement), ..) => Requirements::of_displacement(displacement.0),
         (_, Some(torque), Some(pressure)) => {
-            Demand::of_torque(torque.0, pressure.0).map_err(|error| refuse(error.into()))?
+            Requirements::of_torque(torque.0, pressure.0).map_err(|error| refuse(error.into()))?
         }
         _ => unreachable!("one of them is required, and the pressure with the torque"),
     };
@@ -248,11 +248,11 @@ fn search(args: &Args) -> Result<MotorSearch, Failure> {
         },
         points: args.places,
         resolution: Some(args.resolution.0.si()),
-        ..MotorSearch::new(Demand {
+        ..MotorSearch::new(Requirements {
             pressure_drop: args.pressure.map(|pressure| pressure.0),
             speed: args.speed.map(|speed| speed.0),
             size,
-            ..demand
+            ..requirements
         })
     })
 }

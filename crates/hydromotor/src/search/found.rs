@@ -10,9 +10,9 @@ use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
 
-use super::demand::{Sizing, mean_flow};
 use super::front::Value;
 use super::point::{Point, Working};
+use super::requirements::{Sizing, mean_flow};
 use super::{MotorSearch, Reason};
 
 /// The answer of a search.
@@ -198,7 +198,7 @@ impl MotorSearch {
         let radian = |flow: f64| volume(flow, module, width);
         let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
         let (mean, least) = (radian(mean_flow(working.displacement)), radian(working.flow[0]));
-        let mean_torque = self.demand.pressure_drop.map(|drop| torque(mean, drop));
+        let mean_torque = self.requirements.pressure_drop.map(|drop| torque(mean, drop));
         Dimensions {
             module,
             width,
@@ -206,9 +206,9 @@ impl MotorSearch {
             volume: volume(disc, module, width),
             displacement: volume(working.displacement, module, width),
             torque: mean_torque,
-            least_torque: self.demand.pressure_drop.map(|drop| torque(least, drop)),
-            flow: self.demand.speed.map(|speed| volume_rate(mean, speed)),
-            power: mean_torque.zip(self.demand.speed).map(|(mean, speed)| power(mean, speed)),
+            least_torque: self.requirements.pressure_drop.map(|drop| torque(least, drop)),
+            flow: self.requirements.speed.map(|speed| volume_rate(mean, speed)),
+            power: mean_torque.zip(self.requirements.speed).map(|(mean, speed)| power(mean, speed)),
             trough_distance: arcs.trough_distance(),
             crest_distance: arcs.crest_distance(),
             trough_radius: arcs.trough_radius(),

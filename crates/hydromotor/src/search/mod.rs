@@ -44,13 +44,13 @@
 //! # Example
 //! ```
 //! use epicyclic_hydromotor::numbers::Bounds;
-//! use epicyclic_hydromotor::search::{Demand, MotorSearch};
+//! use epicyclic_hydromotor::search::{Requirements, MotorSearch};
 //! use uom::si::f64::{Pressure, Torque};
 //! use uom::si::{pressure::megapascal, torque::newton_meter};
 //!
 //! # fn main() -> Result<(), epicyclic_hydromotor::Error> {
-//! let demand = Demand::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
-//! let mut search = MotorSearch::new(demand);
+//! let requirements = Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+//! let mut search = MotorSearch::new(requirements);
 //! search.bounds = Bounds { stator_lobes: 5..=6, stator_teeth: 50..=66, satellite_teeth: 8..=60 };
 //! search.limits.ripple = Some(0.1);
 //! let found = search.front()?;
@@ -61,10 +61,10 @@
 //! ```
 
 mod branch;
-mod demand;
 mod found;
 mod front;
 mod point;
+mod requirements;
 
 use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
@@ -76,12 +76,12 @@ use crate::numbers::{Bounds, MotorNumbers};
 use crate::threads::{map, map_mut};
 use crate::units::length_of_metres;
 use branch::Branch;
-use demand::{Sizing, positive};
 use front::{Cover, Value, apart, front};
 use point::Yardstick;
+use requirements::{Sizing, positive};
 
-pub use demand::{Demand, PREFERRED_MODULES_MM, Size, SizeLimits};
 pub use found::{Design, Dimensions, Found, Funnel, SpacingError};
+pub use requirements::{PREFERRED_MODULES_MM, Requirements, Size, SizeLimits};
 
 /// The greatest number of sets that a search takes.
 pub const MOST_SETS: u64 = 100_000;
@@ -93,7 +93,7 @@ pub const MOST_POINTS: u32 = 1024;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotorSearch {
     /// What is wanted.
-    pub demand: Demand,
+    pub requirements: Requirements,
     /// Numbers of lobes and teeth.
     pub bounds: Bounds,
     /// Heights of the teeth, for the checks.
@@ -204,9 +204,9 @@ struct Place {
 impl MotorSearch {
     /// With default bounds, tooth heights and limits, 16 places and a resolution of 2 %.
     #[must_use]
-    pub fn new(demand: Demand) -> Self {
+    pub fn new(requirements: Requirements) -> Self {
         Self {
-            demand,
+            requirements,
             bounds: Bounds::default(),
             heights: ToothHeights::default(),
             limits: Limits::default(),
@@ -218,7 +218,7 @@ impl MotorSearch {
     /// The Pareto front. None of the designs is an answer too: the [`Funnel`] tells what refused them.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of demand, limits, heights or search,
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements, limits, heights or search,
     /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for bounds the wrong way round,
     /// [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
     pub fn front(&self) -> Result<Found, Error> {
@@ -261,7 +261,7 @@ impl MotorSearch {
         let out_of =
             |quantity, value, low, high, unit| Error::OutOfRange { quantity, value, low, high, unit };
         finite_heights(self.heights)?;
-        let sizing = Sizing::new(&self.demand, &self.limits.size)?;
+        let sizing = Sizing::new(&self.requirements, &self.limits.size)?;
         let ripple =
             self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive(Quantity::Ripple, ripple, ""))?;
         let least_radius = self.limits.least_radius.unwrap_or(0.0);

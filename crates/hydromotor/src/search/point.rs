@@ -8,8 +8,8 @@ use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 
 use super::Reason;
-use super::demand::{Sizing, mean_flow};
 use super::front::Value;
+use super::requirements::{Sizing, mean_flow};
 
 /// What a point is held against.
 #[derive(Debug, Clone)]

@@ -22,8 +22,8 @@ fn cm3(value: f64) -> Volume {
 
 /// Few numbers, so that a test can try them all; sizes are free.
 fn small(stator_lobes: RangeInclusive<u32>, stator_teeth: RangeInclusive<u32>) -> MotorSearch {
-    let mut search = MotorSearch::new(Demand::of_displacement(cm3(300.0)));
-    search.demand.size = Size::WidthOverDiameter(0.5);
+    let mut search = MotorSearch::new(Requirements::of_displacement(cm3(300.0)));
+    search.requirements.size = Size::WidthOverDiameter(0.5);
     search.bounds = Bounds { stator_lobes, stator_teeth, satellite_teeth: 8..=60 };
     search
 }
@@ -183,14 +183,15 @@ fn the_records_are_those_of_the_motors() {
     let mut refused = [0; 3];
     for size in [Size::Modules(list), Size::Width(mm(60.0)), both, Size::WidthOverDiameter(0.4)] {
         let mut search = small(4..=6, 40..=60);
-        search.demand = Demand { speed: Some(speed), size, ..Demand::of_torque(torque, pressure).unwrap() };
+        search.requirements =
+            Requirements { speed: Some(speed), size, ..Requirements::of_torque(torque, pressure).unwrap() };
         search.limits.size.outer_diameter = Some(mm(150.0));
         search.limits.size.width_over_diameter = 0.2..=0.8;
         search.limits.ripple = Some(0.07);
         search.limits.least_radius = Some(3.0);
         search.limits.rotor_lobes = 3..=5;
         let found = search.front().unwrap();
-        assert!(!found.designs.is_empty(), "{:?} {:?}", search.demand.size, found.funnel);
+        assert!(!found.designs.is_empty(), "{:?} {:?}", search.requirements.size, found.funnel);
         assert!(found.funnel.outside_limits > 0);
         for (counted, reason) in refused.iter_mut().zip([Reason::Ripple, Reason::LeastRadius, Reason::Size]) {
             *counted += found.funnel.refused(reason);
@@ -229,12 +230,12 @@ fn the_records_are_those_of_the_motors() {
                 assert!(near(arcs.crest_radius().value, size.crest_radius.value));
                 // The wanted torque, and the limits.
                 let reach =
-                    if matches!(search.demand.size, Size::ModulesAndWidth { .. }) { 0.1 } else { 1e-9 };
+                    if matches!(search.requirements.size, Size::ModulesAndWidth { .. }) { 0.1 } else { 1e-9 };
                 assert!((whole.value / 900.0 - 1.0).abs() < reach + 1e-9);
                 assert!(size.outer_diameter <= mm(150.0 + 1e-6));
                 let ratio = (size.width / size.outer_diameter).value;
                 assert!(ratio > 0.2 - 1e-9 && ratio < 0.8 + 1e-9);
-                match &search.demand.size {
+                match &search.requirements.size {
                     Size::Modules(modules) => assert!(modules.contains(&size.module)),
                     Size::Width(width) => assert_eq!(*width, size.width),
                     Size::ModulesAndWidth { modules, width, .. } => {
@@ -280,15 +281,17 @@ fn orders_that_make_no_sense_are_refused() {
     };
     #[allow(clippy::reversed_empty_ranges)] // the fault under test
     let messages = [
-        refused(&|search| search.demand.displacement = cm3(-3.0)),
-        refused(&|search| search.demand.pressure_drop = Some(Pressure::new::<megapascal>(0.0))),
-        refused(&|search| search.demand.speed = Some(AngularVelocity::new::<radian_per_second>(f64::NAN))),
-        refused(&|search| search.demand.size = Size::Modules(Vec::new())),
-        refused(&|search| search.demand.size = Size::Modules(vec![mm(2.0), mm(0.0)])),
-        refused(&|search| search.demand.size = Size::Width(mm(f64::INFINITY))),
-        refused(&|search| search.demand.size = Size::WidthOverDiameter(0.0)),
+        refused(&|search| search.requirements.displacement = cm3(-3.0)),
+        refused(&|search| search.requirements.pressure_drop = Some(Pressure::new::<megapascal>(0.0))),
         refused(&|search| {
-            search.demand.size =
+            search.requirements.speed = Some(AngularVelocity::new::<radian_per_second>(f64::NAN))
+        }),
+        refused(&|search| search.requirements.size = Size::Modules(Vec::new())),
+        refused(&|search| search.requirements.size = Size::Modules(vec![mm(2.0), mm(0.0)])),
+        refused(&|search| search.requirements.size = Size::Width(mm(f64::INFINITY))),
+        refused(&|search| search.requirements.size = Size::WidthOverDiameter(0.0)),
+        refused(&|search| {
+            search.requirements.size =
                 Size::ModulesAndWidth { modules: vec![mm(2.0)], width: mm(50.0), tolerance: 2.0 };
         }),
         refused(&|search| search.limits.size.outer_diameter = Some(mm(-1.0))),
@@ -305,10 +308,10 @@ fn orders_that_make_no_sense_are_refused() {
             search.bounds =
                 Bounds { stator_lobes: 2..=5000, stator_teeth: 1..=10_000, satellite_teeth: 1..=u32::MAX }
         }),
-        Demand::of_torque(Torque::new::<newton_meter>(0.0), Pressure::new::<megapascal>(20.0))
+        Requirements::of_torque(Torque::new::<newton_meter>(0.0), Pressure::new::<megapascal>(20.0))
             .unwrap_err()
             .to_string(),
-        Demand::of_torque(Torque::new::<newton_meter>(9.0), Pressure::new::<megapascal>(-2.0))
+        Requirements::of_torque(Torque::new::<newton_meter>(9.0), Pressure::new::<megapascal>(-2.0))
             .unwrap_err()
             .to_string(),
     ];
@@ -319,8 +322,9 @@ fn orders_that_make_no_sense_are_refused() {
 #[test]
 fn the_front_of_a_few_numbers() {
     let mut search = small(5..=6, 50..=66);
-    search.demand =
-        Demand::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0)).unwrap();
+    search.requirements =
+        Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))
+            .unwrap();
     search.limits.size.outer_diameter = Some(mm(180.0));
     search.resolution = Some(0.2);
     let found = search.front().unwrap();
@@ -389,10 +393,10 @@ proptest! {
     ) {
         let (lobes, more, teeth, wider, satellite, width) = bounds;
         let (displacement, pressure, addendum, dedendum) = numbers;
-        let mut search = MotorSearch::new(Demand::of_displacement(cm3(displacement)));
-        search.demand.size = size;
-        search.demand.pressure_drop = Some(Pressure::new::<megapascal>(pressure.abs()));
-        search.demand.speed = Some(AngularVelocity::new::<radian_per_second>(pressure));
+        let mut search = MotorSearch::new(Requirements::of_displacement(cm3(displacement)));
+        search.requirements.size = size;
+        search.requirements.pressure_drop = Some(Pressure::new::<megapascal>(pressure.abs()));
+        search.requirements.speed = Some(AngularVelocity::new::<radian_per_second>(pressure));
         search.bounds = Bounds {
             stator_lobes: lobes..=lobes + more,
             stator_teeth: teeth..=teeth + wider,
@@ -410,7 +414,7 @@ proptest! {
                 prop_assert!(design.displacement_by_volume > 0.0 && design.ripple >= 0.0 && !design.dimensions.is_empty());
             }
         }
-        let _ = Demand::of_torque(Torque::new::<newton_meter>(displacement), Pressure::new::<megapascal>(pressure));
+        let _ = Requirements::of_torque(Torque::new::<newton_meter>(displacement), Pressure::new::<megapascal>(pressure));
     }
 
     /// What is asked for to the last digit is not refused by rounding.
@@ -418,7 +422,7 @@ proptest! {
     fn the_size_of_a_design_asked_for_again_is_found(module in 0.5..20.0, width in 5.0..300.0) {
         let numbers = MotorNumbers::new(5, 3, 55, 10).unwrap();
         let motor = Motor::of_two_arcs(numbers, mm(module), mm(40.0 * module)).unwrap();
-        let demand = Demand::of_displacement(motor.displacement(mm(width)).unwrap());
+        let requirements = Requirements::of_displacement(motor.displacement(mm(width)).unwrap());
         let diameter = motor.envelope().stator_outer;
         let limits = SizeLimits {
             outer_diameter: Some(diameter),
@@ -427,7 +431,7 @@ proptest! {
         };
         let sizes = [Size::Modules(vec![mm(module)]), Size::Width(mm(width)), Size::WidthOverDiameter((mm(width) / diameter).value)];
         for size in sizes {
-            let sizing = Sizing::new(&Demand { size, ..demand.clone() }, &limits).unwrap();
+            let sizing = Sizing::new(&Requirements { size, ..requirements.clone() }, &limits).unwrap();
             let outer = (diameter / mm(module)).value;
             let displacement = motor.displacement_kernel();
             prop_assert!(sizing.margin(displacement, outer) >= 0.0);

@@ -28,7 +28,7 @@ fn searched(select: &SelectTeeth) -> String {
     let searched = format!(
         "{} combinations of tooth numbers per set, {} structures with their ratios: {:.2e} designs, none left out; {} \
          pairs of ring-to-sun ratios were tried in full, {} meet every criterion.",
-        counts.tooth_sets, counts.structures, counts.designs as f64, counts.tried, counts.accepted
+        counts.tooth_numbers, counts.structures, counts.designs as f64, counts.tried, counts.accepted
     );
     let shown = match select.shown {
         0 => String::new(),

@@ -19,7 +19,7 @@ pub const PREFERRED_MODULES_MM: [f64; 18] =
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Demand {
+pub struct Requirements {
     /// Displacement a revolution of the rotor, `q`.
     pub displacement: Volume,
     /// High less low pressure, `Δp`: with it the answer has torques.
@@ -30,7 +30,7 @@ pub struct Demand {
     pub size: Size,
 }
 
-impl Demand {
+impl Requirements {
     /// A motor of a displacement, with the default [`Size`].
     #[must_use]
     pub fn of_displacement(displacement: Volume) -> Self {
@@ -44,12 +44,12 @@ impl Demand {
     ///
     /// # Example
     /// ```
-    /// use epicyclic_hydromotor::search::Demand;
+    /// use epicyclic_hydromotor::search::Requirements;
     /// use uom::si::f64::{Pressure, Torque};
     /// use uom::si::{pressure::megapascal, torque::newton_meter, volume::cubic_centimeter};
     ///
-    /// let demand = Demand::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
-    /// assert!((demand.displacement.get::<cubic_centimeter>() - 282.743).abs() < 1e-3); // 2π·900/20
+    /// let requirements = Requirements::of_torque(Torque::new::<newton_meter>(900.0), Pressure::new::<megapascal>(20.0))?;
+    /// assert!((requirements.displacement.get::<cubic_centimeter>() - 282.743).abs() < 1e-3); // 2π·900/20
     /// # Ok::<(), epicyclic_hydromotor::Error>(())
     /// ```
     pub fn of_torque(torque: Torque, pressure_drop: Pressure) -> Result<Self, Error> {
@@ -114,7 +114,7 @@ impl Default for SizeLimits {
     }
 }
 
-/// Demand and limits of the size as numbers, SI.
+/// Requirements and limits of the size as numbers, SI.
 #[derive(Debug, Clone)]
 pub(super) struct Sizing {
     displacement: f64,
@@ -133,8 +133,8 @@ enum Choice {
 }
 
 impl Sizing {
-    pub(super) fn new(demand: &Demand, limits: &SizeLimits) -> Result<Self, Error> {
-        demand.checked()?;
+    pub(super) fn new(requirements: &Requirements, limits: &SizeLimits) -> Result<Self, Error> {
+        requirements.checked()?;
         let modules = |modules: &[Length]| {
             if modules.is_empty() {
                 return Err(Error::NoModules);
@@ -146,7 +146,7 @@ impl Sizing {
         };
         let mut ratio = [*limits.width_over_diameter.start(), *limits.width_over_diameter.end()];
         ordered(Quantity::WidthOverDiameter, ratio, "")?;
-        let choice = match &demand.size {
+        let choice = match &requirements.size {
             Size::Modules(list) => Choice::Modules(modules(list)?),
             Size::Width(width) => Choice::Width(metres(positive_length(Quantity::Width, *width)?)),
             Size::ModulesAndWidth { modules: list, width, tolerance } => {
@@ -174,7 +174,7 @@ impl Sizing {
             Some(diameter) => metres(positive_length(Quantity::OuterDiameter, diameter)?),
             None => f64::INFINITY,
         };
-        Ok(Self { displacement: cubic_metres(demand.displacement), choice, diameter, width, ratio })
+        Ok(Self { displacement: cubic_metres(requirements.displacement), choice, diameter, width, ratio })
     }
 
     /// Module and width of each choice, and how far they keep within the limits.
