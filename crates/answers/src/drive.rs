@@ -571,7 +571,7 @@ mod tests {
         of_file(&Document::parse_one("drive.yaml", text.as_bytes()).unwrap())
     }
 
-    const GEAR_SET: &str = "wheels: { module: 5 mm, face_width: 50 mm }\n";
+    const GEAR_SET: &str = "gear_set: { module: 5 mm, face_width: 50 mm }\n";
 
     #[test]
     fn forces_at_both_meshes_add_to_that_on_the_planet_bearings() {

@@ -1,5 +1,7 @@
 //! Keys of earlier days are refused with the word of today, at their place.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
 use epicyclic_formats::document::RENAMED;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::{Document, drive};

@@ -1,5 +1,7 @@
 //! What is said of tooth numbers, held against the geometry written out.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
 use epicyclic_gears::mass::{FormulaEight, MassProperties, published_gear_inertia};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Member, Mode};
@@ -61,7 +63,7 @@ fn unequally_spaced_planets_clear_each_other_where_they_stand() {
     let found = bounds.for_ratio(5.0, mode, 0.2).unwrap();
     let mut unequal = 0;
     for set in &found {
-        let angles: Vec<f64> = set.spacing.angles().iter().map(|angle| angle.get::<radian>()).collect();
+        let angles: Vec<f64> = set.spacing.angles().iter().map(uom::si::f64::Angle::get::<radian>).collect();
         let next = angles.iter().skip(1).copied().chain([angles[0] + 2.0 * PI]);
         let least = angles.iter().zip(next).map(|(one, next)| next - one).fold(f64::INFINITY, f64::min);
         assert!((set.smallest_gap_rad() - least).abs() < 1e-12, "{set:?}");

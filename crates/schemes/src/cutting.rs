@@ -52,7 +52,9 @@ pub fn chain_speed(pick_spacing: Length, feed: Velocity, mean_chip: Length) -> R
 /// ```
 /// use epicyclic_schemes::cutting::drum_speed;
 /// use uom::si::f64::{Length, Velocity};
-/// /// /// # fn main() -> Result<(), epicyclic_schemes::Error> {
+/// use uom::si::length::{centimeter, meter};
+/// use uom::si::velocity::meter_per_second;
+/// # fn main() -> Result<(), epicyclic_schemes::Error> {
 /// let (drum, chip) = (Length::new::<meter>(1.4), Length::new::<centimeter>(5.0));
 /// let speed = drum_speed(drum, Velocity::new::<meter_per_second>(4.0 / 60.0), chip, 2)?;
 /// assert!((speed.get::<meter_per_second>() - 5.24 * 1.4 * 4.0 / (5.0 * 2.0)).abs() < 1e-12);

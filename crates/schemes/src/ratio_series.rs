@@ -55,7 +55,8 @@ impl RatioSeries {
     /// ```
     /// use epicyclic_schemes::ratio_series::RatioSeries;
     /// use uom::si::f64::Velocity;
-    ///     /// # fn main() -> Result<(), epicyclic_schemes::Error> {
+    /// use uom::si::velocity::meter_per_second;
+    /// # fn main() -> Result<(), epicyclic_schemes::Error> {
     /// let speeds = [0.76, 1.33, 1.95].map(Velocity::new::<meter_per_second>);
     /// let series = RatioSeries::of_speeds(&speeds, 1)?;
     /// assert!((series.ratios()[1] - 1.466).abs() < 1e-3 && (series.ratios()[2] - 2.566).abs() < 1e-3);
