@@ -1,7 +1,6 @@
 //! What is said of tooth numbers, held against the geometry written out.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 use epicyclic_gears::mass::{FormulaEight, MassProperties, published_gear_inertia};
 use epicyclic_gears::rack::BasicRack;

@@ -284,7 +284,7 @@ fn orders_that_make_no_sense_are_refused() {
         refused(&|search| search.requirements.displacement = cm3(-3.0)),
         refused(&|search| search.requirements.pressure_drop = Some(Pressure::new::<megapascal>(0.0))),
         refused(&|search| {
-            search.requirements.speed = Some(AngularVelocity::new::<radian_per_second>(f64::NAN))
+            search.requirements.speed = Some(AngularVelocity::new::<radian_per_second>(f64::NAN));
         }),
         refused(&|search| search.requirements.size = Size::Modules(Vec::new())),
         refused(&|search| search.requirements.size = Size::Modules(vec![mm(2.0), mm(0.0)])),
