@@ -23,9 +23,9 @@ use uom::si::f64::Ratio;
 
 /// A gearbox as a drawing: its scheme, speed diagram, lever diagram or ratio ladder; a hydromotor from its file.
 ///
-/// The gearbox is one of the catalogue (I … III-3), where no file has that name, or one from a file as for `analyze`. The scheme is the
-/// section by the half-plane above the axis, in the usual signs; its layout is made so that no link crosses another, and a gearbox for
-/// which there is none is refused with the parts that stand in each other's way. Drawings are in millimetres.
+/// The gearbox is a scheme of the catalogue (I … III-3) unless a file has that name, or comes from a file as for `analyze`. The scheme
+/// is the section by the half-plane above the axis with the usual symbols. No link crosses another in it; a gearbox for which this is
+/// impossible is refused, and the parts in conflict are named. Drawings are in millimetres.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -49,11 +49,11 @@ pub(crate) struct Args {
     #[arg(long, value_name = "NAME")]
     transmission: Option<String>,
 
-    /// One gear: engaged controls filled, resting links grey.
+    /// One gear: engaged shift elements are filled, links at rest are grey.
     #[arg(long, value_name = "NAME")]
     gear: Option<String>,
 
-    /// Lines of the scheme as wide as the power they pass.
+    /// The width of each line of the scheme shows the power through it.
     #[arg(long, requires = "gear")]
     power: bool,
 
@@ -81,7 +81,7 @@ pub(crate) struct Args {
     #[arg(long, allow_negative_numbers = true)]
     ratio2: Option<Number>,
 
-    /// With --power: efficiency, under a resting carrier, of each row for which no losses are stated; else they lose nothing.
+    /// With --power: efficiency with the carrier fixed of each set for which no losses are stated. Default: no losses.
     #[arg(long, value_name = "NUMBER", requires = "power", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
 
@@ -89,7 +89,7 @@ pub(crate) struct Args {
     #[arg(long)]
     title: Option<String>,
 
-    /// File for the drawing, DXF where its name ends so and else SVG. Default: SVG on standard output.
+    /// File for the drawing: DXF if its name ends in .dxf, otherwise SVG. Default: SVG on standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -109,7 +109,7 @@ enum View {
     Scheme,
     /// The speed diagram of a gear (Kutzbach).
     Speeds,
-    /// The rows as levers, with the speeds of a gear.
+    /// The lever diagram: each set as a lever, with the speeds of a gear.
     Levers,
     /// The ratios of all gears on a logarithmic scale.
     Ladder,

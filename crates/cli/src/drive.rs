@@ -21,8 +21,8 @@ Example:
 
 Keys of the file, all but the first four optional:
   power, speed, ratio
-  wheels: module, face_width, addendum, clearance, pressure_angle, density,
-          sun_bore, planet_bore (shaft, bearing, or a diameter)
+  gear_set: module, face_width, addendum, clearance, pressure_angle, density,
+            sun_bore, planet_bore (shaft, bearing, or a diameter)
   title
   ratio_tolerance
   teeth: sun, planet, ring, planets (a number or a range), spacing, tip_gap

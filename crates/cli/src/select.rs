@@ -25,7 +25,7 @@ const SHOWN: usize = 10;
 ///
 /// The fastest speed is direct drive; the others give the ratios wanted of one or two braked gears. Each mechanism is
 /// tried with both orders of the ratios and both signs, its ring-to-sun ratios follow, and every criterion is stated with
-/// what it found. Nothing is weighed: of what meets the criteria, the order of objectives picks the first, and the
+/// what it found. There are no weights: of the designs that meet the criteria, the order of objectives chooses the first. The
 /// non-dominated designs are those that no other beats in everything.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
@@ -59,7 +59,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// What decides first, and what next where that is equal: size, efficiency.
+    /// The objective that decides first, then the next for equal values: size, efficiency.
     #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
     order: List<Objective>,
 
@@ -178,7 +178,7 @@ struct Size {
     )]
     face_width_ratio: Number,
 
-    /// Planets of each set, where no teeth say.
+    /// Planets of each set, without --teeth.
     #[arg(long, value_name = "N", default_value = "3")]
     planets: u32,
 

@@ -24,15 +24,15 @@ const SHOWN_IN_TABLE: usize = 20;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  epicyclic teeth --ratio 6 --planets 4 --no-undercut")]
 pub(crate) struct Args {
-    /// Wanted ratio of the speeds of input and output; negative where they turn against each other.
+    /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
     #[arg(long, allow_negative_numbers = true)]
     ratio: Number,
 
-    /// Who drives whom, and what rests: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier H.
+    /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier H.
     #[arg(long, default_value = "aH^b", value_parser = mode)]
     mode: Mode,
 
-    /// How far the ratio may be off, below 100%: 1%, or 0.01.
+    /// Greatest error of the ratio, below 100%: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
@@ -56,7 +56,7 @@ pub(crate) struct Args {
     #[arg(long, default_value = "1.3..10")]
     k: Span<f64>,
 
-    /// Where the planets may stand.
+    /// Spacing of the planets.
     #[arg(long, value_enum, default_value_t = Spacing::Equal)]
     spacing: Spacing,
 
@@ -87,9 +87,9 @@ pub(crate) struct Args {
 /// Where the planets may stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Spacing {
-    /// At equal angles only.
+    /// Equal angles only.
     Equal,
-    /// Where equal angles do not assemble, as near to them as do.
+    /// The assembly positions nearest to equal angles, where equal angles do not assemble.
     LeastUnequal,
 }
 

@@ -21,7 +21,7 @@ const SHOWN_IN_TABLE: usize = 12;
 /// Non-dominated motors for a displacement or torque.
 ///
 /// Every set of lobes and teeth is tried at places along its whole family; of those that pass the checks and limits, the motors
-/// remain that none surpasses in displacement over volume, ripple and least curvature radius together. The module is
+/// remain that no other surpasses in displacement over volume, ripple and least curvature radius together. The module is
 /// chosen from a list and the width follows, or the other way round. Between the places tried a motor may be better: by how much is
 /// estimated and said. Checks take the default teeth of `motor`. Ranges include both ends and may be open: 3..6, ..90.
 #[derive(Debug, clap::Args)]
