@@ -222,7 +222,7 @@ fn every_kind_of_set_has_a_sign() {
         check(&in_gear(&gearbox, "1", false));
         check(&in_gear(&gearbox, "1", true));
         let structure = scene(&gearbox, &layout(&gearbox), Show::Structure, &Options::default()).unwrap();
-        gears.push(widths(&structure, "wheels", Color::BLACK).iter().filter(|width| **width == 0.7).count());
+        gears.push(widths(&structure, "gears", Color::BLACK).iter().filter(|width| **width == 0.7).count());
     }
     // Rims, and the fork of two planets: 4 of a single planet, 6 of two and 3 lines of its fork on each side, 6 of a stepped one.
     assert_eq!(gears[0], 4);

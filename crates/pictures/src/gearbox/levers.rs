@@ -45,7 +45,7 @@ pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) 
         joints: scene.layer("joints", Style::line(0.25).color(Color::GREY).dash(Dash::Dashed))?,
         levers: scene.layer("levers", Style::line(0.7))?,
         speeds: scene.layer("speeds", Style::line(0.25).color(COLORS[0]))?,
-        shift_elements: scene.layer("controls", Style::line(0.35))?,
+        shift_elements: scene.layer("shift elements", Style::line(0.35))?,
         labels: scene.layer("labels", Style::line(0.1))?,
     };
     let levers = levers(gearbox);
@@ -275,7 +275,7 @@ impl Sheet<'_> {
         let mut lines: Vec<String> =
             (0..self.gearbox.drawn_sets().len()).map(|place| words::set(self.gearbox, place, true)).collect();
         lines.push(
-            "along a lever: distances between links; the first row of a lever has its carrier 1 from wheel 2"
+            "along a lever: distances between links; in its first set the carrier is at distance 1 from the second gear"
                 .into(),
         );
         if let Some(gear) = self.gear {

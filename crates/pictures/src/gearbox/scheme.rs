@@ -214,9 +214,9 @@ impl<'a> Sheet<'a> {
         let layers = Layers {
             axis: scene.layer("axis", Style::centre_line())?,
             housing: scene.layer("housing", Style::line(WEB_MM))?,
-            shift_elements: scene.layer("controls", Style::line(WEB_MM))?,
+            shift_elements: scene.layer("shift elements", Style::line(WEB_MM))?,
             links: scene.layer("links", Style::line(SHAFT_MM))?,
-            toothed_gears: scene.layer("wheels", Style::line(WEB_MM))?,
+            toothed_gears: scene.layer("gears", Style::line(WEB_MM))?,
             power: scene.layer("power", Style::filled(POWER))?,
             labels: scene.layer("labels", Style::line(0.1))?,
         };
@@ -363,12 +363,11 @@ impl<'a> Sheet<'a> {
         let Some(case) = self.load else { return };
         let eta = case.efficiency;
         let losses = if eta < 1.0 { format!("; efficiency {}", decimal(eta)) } else { String::new() };
-        let y =
-            write(&mut self.scene, 10.0, format!("the power that enters{losses}; other lines in proportion"));
+        let y = write(&mut self.scene, 10.0, format!("the input power{losses}; other lines in proportion"));
         line(&mut self.scene, y, Style::line(self.entering_mm).color(POWER));
         if case.power.circulating > CIRCULATES {
             let words =
-                format!("of it goes round, in all {} of what enters", decimal(case.power.circulating));
+                format!("circulating power, in all {} of the input power", decimal(case.power.circulating));
             let y = write(&mut self.scene, 10.0, words);
             line(&mut self.scene, y, Style::line(0.6 * self.entering_mm).color(CIRCULATING));
         }

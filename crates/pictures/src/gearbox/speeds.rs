@@ -40,7 +40,7 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     let layers = Layers {
         axes: scene.layer("axes", Style::line(0.25))?,
         help: scene.layer("levels", Style::line(0.1).color(Color::GREY).dash(Dash::Dashed))?,
-        toothed_gears: scene.layer("wheels", Style::line(0.7))?,
+        toothed_gears: scene.layer("gears", Style::line(0.7))?,
         lines: scene.layer("lines", Style::line(0.5))?,
         labels: scene.layer("labels", Style::line(0.1))?,
     };
@@ -222,7 +222,7 @@ fn rays(
     scene.add_styled(layers.lines, Style::filled(Color::BLACK), Shape::Circle { centre: pole, radius: 0.9 });
     scene.add(layers.labels, Text::new([pole.x + 4.0, pole.y - 2.6], LETTERS_MM, "pole"));
     let words = [
-        "above: velocities over radius, radii over that of the row's wheel 1",
+        "above: velocities over radius, radii over that of the first central gear of the set",
         "rays parallel to the lines above; at their ends the speeds over the input's",
     ];
     for (words, y) in words.into_iter().zip([pole.y - 8.0, pole.y - 12.6]) {

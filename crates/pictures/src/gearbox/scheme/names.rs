@@ -32,7 +32,7 @@ impl Sheet<'_> {
                 .gearbox
                 .shift_elements()
                 .get(shift_element)
-                .map_or("lock", |shift_element| shift_element.id())
+                .map_or("direct", |shift_element| shift_element.id())
                 .to_owned();
             let (one, other) = (at(one), at(other));
             let middle = Point::new(one.x, f64::midpoint(one.y, other.y));
