@@ -73,7 +73,12 @@ const EXCEPTIONS: &[(&str, &str)] = &[
     ("docs/src/glossary.md", "row parameter"),
     ("docs/src/glossary.md", "reduced inertia"),
     ("docs/src/glossary.md", "neighbour condition"),
-    // Old keys of files, which are refused with the new ones.
+    // Old keys of files and options, which are refused with the new ones.
+    ("CHANGELOG.md", "bearing capacity"),
+    ("CHANGELOG.md", "control"),
+    ("CHANGELOG.md", "one sense"),
+    ("docs/src/reference/files.md", "bearing capacity"),
+    ("docs/src/reference/files.md", "control"),
     ("crates/formats/src/document/renamed.rs", "bearing capacity"),
 ];
 
