@@ -206,7 +206,7 @@ pub fn search(wanted: &Wanted) -> Result<Searched, Error> {
 /// The answer of a search.
 ///
 /// # Errors
-/// As [`search`].
+/// As [`search()`].
 pub fn answer(wanted: &Wanted) -> Result<MotorSearch, Error> {
     Ok(search(wanted)?.answer())
 }

@@ -13,7 +13,7 @@
 //!
 //! Ring-to-sun ratios follow from the ratios, one pair from one pair: [`structures`](epicyclic_schemes::structures). Where
 //! they lie outside the range allowed, the point of the range is taken that comes nearest to the ratios,
-//! and the tolerance says whether that is near enough. [`search`](crate::search) goes on from here to teeth.
+//! and the tolerance says whether that is near enough. [`search`] goes on from here to teeth.
 //!
 //! ```
 //! use epicyclic_schemes::RatioSeries;

@@ -46,7 +46,7 @@ impl Duty {
 /// A one-way clutch in a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OneWay {
-    /// Its place in [`Gearbox::shift_elements`](crate::Gearbox::shift elements).
+    /// Its place in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
     pub shift_element: usize,
     /// Whether the gear relies on it.
     pub is_relied_on: bool,

@@ -69,7 +69,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// The source's letter, and the link's name in a scheme's [`Gearbox`].
+    /// The source's letter, and the link's name in a scheme's [`Gearbox`](epicyclic_train::Gearbox).
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
