@@ -3,7 +3,7 @@
 use std::{fmt, sync::Arc};
 
 use crate::{
-    document::{Path, Position},
+    document::{path::Path, position::Position},
     quantity::QuantityError,
     visible::one_line,
 };

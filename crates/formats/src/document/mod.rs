@@ -5,8 +5,8 @@
 //! tags, and numbers that are not finite.
 
 mod index;
-mod path;
-mod position;
+pub(crate) mod path;
+pub(crate) mod position;
 mod reader;
 mod renamed;
 mod words;
