@@ -119,7 +119,7 @@ fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
 }
 
 /// An efficiency of a gear that moves; none of one that its losses hold.
-fn moving(efficiency: Option<f64>) -> Option<f64> {
+pub(crate) fn moving(efficiency: Option<f64>) -> Option<f64> {
     efficiency.filter(|efficiency| *efficiency > 0.0)
 }
 

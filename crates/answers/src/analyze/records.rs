@@ -341,7 +341,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub(super) fn of(set: &PlanetSet) -> Self {
+    pub(crate) fn of(set: &PlanetSet) -> Self {
         match set.kind() {
             Some(SetKind::Simple) => Self::Simple,
             Some(SetKind::DoublePlanet) => Self::DoublePlanet,

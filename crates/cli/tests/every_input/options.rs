@@ -557,6 +557,7 @@ const COMMANDS: &[(&str, &[Tried])] = &[
             ("--output", &["II-3"], &["--output", "drawing.dxf"]),
             ("--svg", &["II-3"], &["--svg", "drawing.svg"]),
             ("--dxf", &["II-3"], &["--dxf", "drawing.dxf"]),
+            ("--format", &["II-3"], &["--format", "json"]),
         ],
     ),
     (
@@ -573,6 +574,7 @@ const COMMANDS: &[(&str, &[Tried])] = &[
             ("--speed", &["scheme-ii-3.yaml"], &["--speed", "1475 rpm"]),
             ("--input", &["scheme-ii-3.yaml"], &["--input", "1475 rpm"]),
             ("--output", &["minimal-drive.yaml"], &["--output", "page.html"]),
+            ("--format", &["minimal-drive.yaml"], &["--format", "json"]),
         ],
     ),
     ("schema", &[("--output", &["drive"], &["--output", "drive.json"])]),
