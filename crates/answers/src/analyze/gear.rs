@@ -186,18 +186,6 @@ pub enum RollingPower {
     SecondToFirst,
 }
 
-impl RollingPower {
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::FirstToSecond => "first_to_second",
-            Self::SecondToFirst => "second_to_first",
-        }
-    }
-}
-
 /// A planet set. Basic ratio, efficiency and rolling power are told of sets with two central gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]

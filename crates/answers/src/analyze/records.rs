@@ -44,20 +44,6 @@ impl State {
             train::State::SelfLocking { .. } => Self::SelfLocking,
         }
     }
-
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Driven => "driven",
-            Self::InputBlocked => "input_blocked",
-            Self::OutputAtRest => "output_at_rest",
-            Self::OutputFree => "output_free",
-            Self::Underdetermined => "underdetermined",
-            Self::TorquesIndeterminate => "torques_indeterminate",
-            Self::SelfLocking => "self_locking",
-        }
-    }
 }
 
 /// Redundant parts of a gear, whose torques depend on how tightly they hold.
@@ -269,18 +255,6 @@ impl Duty {
             one_way::Duty::Unknown => None,
         }
     }
-
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::Overruns => "overruns",
-            Self::Idles => "idles",
-            Self::WouldOverrun => "would_overrun",
-            Self::WouldHold => "would_hold",
-        }
-    }
 }
 
 /// A one-way clutch in a gear.
@@ -353,23 +327,6 @@ impl Kind {
             Some(SetKind::ExternalPair) => Self::ExternalPair,
             Some(SetKind::InternalPair) => Self::InternalPair,
             None => Self::Compound,
-        }
-    }
-
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Simple => "simple",
-            Self::DoublePlanet => "double_planet",
-            Self::SteppedSunRing => "stepped_sun_ring",
-            Self::SteppedSuns => "stepped_suns",
-            Self::SteppedRings => "stepped_rings",
-            Self::MeshingSuns => "meshing_suns",
-            Self::Bevel => "bevel",
-            Self::ExternalPair => "external_pair",
-            Self::InternalPair => "internal_pair",
-            Self::Compound => "compound",
         }
     }
 }
