@@ -581,7 +581,8 @@ impl Scene<'_> {
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });
         }
-        if self.worked.input.load.is_some() && self.operation().is_none() {
+        all.extend(warnings::released(self.gearbox, self.worked));
+        if self.worked.input.load.is_some() && self.operation().is_none() && self.worked.released.is_empty() {
             let message = "no torques follow from the load in this state".to_owned();
             all.push(Warning { name: "no-load", message });
         }

@@ -98,6 +98,7 @@ pub fn answer(subject: &Subject<'_>, input: Input) -> Result<Overview, Error> {
     let mut all = warnings::of_gearbox(subject);
     all.extend(gears().flat_map(|gear| warnings::fast_planets(gearbox, gear)));
     all.extend(gears().flat_map(|gear| warnings::contradictions(gearbox, gear)));
+    all.extend(worked.iter().flat_map(|worked| warnings::released(gearbox, worked)));
     Ok(Overview {
         gearbox: gearbox.name().to_owned(),
         source: subject.source.clone(),

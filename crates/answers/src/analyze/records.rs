@@ -145,7 +145,7 @@ pub struct GearFacts {
     pub efficiency: Option<f64>,
     /// The same by Kreines' rule, from the ratio alone.
     pub kreines_efficiency: Option<f64>,
-    /// Efficiency driven from the output; none where the mesh losses hold the gear.
+    /// Efficiency driven from the output; none where the mesh losses hold the gear, or a one-way clutch overruns.
     pub back_driving_efficiency: Option<f64>,
     /// In which directions it is self-locking.
     pub self_locking: Option<SelfLocking>,
@@ -173,7 +173,8 @@ impl GearFacts {
             published: subject.published(gear.name()).map(|gear| Published::of(gear, analysis.ratio())),
             efficiency: moving(analysis.efficiency()),
             kreines_efficiency: moving(kreines),
-            back_driving_efficiency: moving(analysis.back_driving_efficiency()),
+            back_driving_efficiency: moving(analysis.back_driving_efficiency())
+                .filter(|_| analysis.has_engine_braking() != Some(false)),
             self_locking: SelfLocking::of(analysis),
         }
     }
@@ -273,6 +274,20 @@ pub struct OneWayClutch {
     pub coast: Option<Duty>,
     /// Whether the output can drive the input in this gear, of gears that rely on a one-way clutch.
     pub engine_braking: Option<bool>,
+    /// Shift elements between the same links that hold in both directions: with one of them engaged besides, the gear holds on coast.
+    pub beside: Vec<String>,
+}
+
+/// Shift elements between the links of a one-way clutch that hold in both directions.
+pub(super) fn beside(gearbox: &Gearbox, clutch: usize) -> Vec<String> {
+    let links = |element: &train::ShiftElement| {
+        let [one, other] = element.links();
+        [one.min(other), one.max(other)]
+    };
+    let own = gearbox.shift_elements().get(clutch).map(links);
+    let all = gearbox.shift_elements().iter();
+    let others = all.filter(|element| !element.is_one_way() && Some(links(element)) == own);
+    others.map(|element| element.id().to_owned()).collect()
 }
 
 /// What the one-way clutches do in a gear.
@@ -284,6 +299,7 @@ pub(super) fn one_way_clutches(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Ve
         drive: Duty::of(one.drive),
         coast: Duty::of(one.coast),
         engine_braking: analysis.has_engine_braking(),
+        beside: beside(gearbox, one.shift_element),
     };
     analysis.one_way_clutches().into_iter().map(one).collect()
 }

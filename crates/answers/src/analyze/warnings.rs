@@ -1,6 +1,7 @@
 //! What the reader should know of a gearbox and of its gears.
 
-use super::records::{GearFacts, SelfLocking, State};
+use super::Worked;
+use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::Warning;
 use crate::gearbox::Subject;
 use epicyclic_formats::quantity::format::trimmed;
@@ -53,6 +54,24 @@ pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<Warn
         Some(Warning { name: "one-way-clutch", message })
     });
     all.collect()
+}
+
+/// One-way clutches that let go at the load, and what would have to be engaged besides.
+pub(super) fn released(gearbox: &Gearbox, worked: &Worked<'_>) -> Vec<Warning> {
+    let gear = worked.analysis.gear().name();
+    let one = |place: &usize| {
+        let clutch = gearbox.shift_elements()[*place].id();
+        let remedy = match &beside(gearbox, *place)[..] {
+            [] => "no other shift element joins its links".to_owned(),
+            elements => format!("engage {} besides", elements.join(" or ")),
+        };
+        let message = format!(
+            "gear {gear} does not take this load: the torque on the one-way clutch {clutch} would be reversed, so it \
+             overruns; {remedy}"
+        );
+        Warning { name: "one-way-clutch", message }
+    };
+    worked.released.iter().map(one).collect()
 }
 
 /// Remarks on the gearbox itself.
