@@ -66,7 +66,7 @@ pub use warning::Warning;
 
 use crate::Error;
 use crate::units::{kilowatts, n_m, rpm};
-use epicyclic_gears::simple_set::{Member, Mode};
+use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::check_tolerance;
 use loads::Carried;
 use motion::Moving;
@@ -115,9 +115,7 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
 }
 
 /// Sun drives, carrier is driven, ring at rest.
-fn mode() -> Result<Mode, Error> {
-    Ok(Mode::new(Member::Sun, Member::Carrier)?)
-}
+const MODE: Mode = Mode::SUN_TO_CARRIER;
 
 fn check(spec: &DriveSpec) -> Result<(), Error> {
     let positive = |quantity, value: f64, unit| {

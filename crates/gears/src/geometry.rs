@@ -3,32 +3,13 @@
 //! Uncorrected gears (no profile shift). Left out: interference, tip relief, and whether the tip of an
 //! internal gear stays outside its base circle.
 
-use std::fmt;
-
 use uom::si::f64::Length;
 
+pub use crate::gear_kind::GearKind;
 pub use crate::rack::BasicRack;
 use crate::tolerance::SAME;
 use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, Quantity, ToothCount};
-
-/// On which side of the pitch circle the teeth stand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum GearKind {
-    /// Teeth point away from the axis: sun, planet.
-    External,
-    /// Teeth point to the axis: ring.
-    Internal,
-}
-
-impl fmt::Display for GearKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::External => "external",
-            Self::Internal => "internal",
-        })
-    }
-}
 
 /// A spur gear without profile shift, whose circles all exist.
 ///

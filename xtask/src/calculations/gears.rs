@@ -189,7 +189,7 @@ fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     let mut results = Results::default();
     results
         .number("basic_ratio", row.get())
-        .number("ratio", row.ratio(Mode::new(Member::Sun, Member::Carrier)?)?)
+        .number("ratio", row.ratio(Mode::SUN_TO_CARRIER)?)
         .count("coaxiality_difference", coaxiality)
         .count("most_planets", bounds.most_planets(sun, planet))
         .number("slots_per_planet", spacing.slots() as f64 / f64::from(given.planets.max(1)))
@@ -240,7 +240,7 @@ fn tooth_synthesis(given: &ToothSynthesisGiven) -> Result<Results, Refusal> {
         placement: if given.unequal_spacing { Placement::LeastUnequal } else { Placement::Equal },
         ..Bounds::default()
     };
-    let mode = Mode::new(Member::Sun, Member::Carrier)?;
+    let mode = Mode::SUN_TO_CARRIER;
     let found = bounds.for_ratio(given.ratio.get(), mode, given.tolerance.map_or(0.0, Number::get))?;
     let best = &found[0];
     let mut results = Results::default();

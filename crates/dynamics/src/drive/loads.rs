@@ -2,7 +2,7 @@
 
 use super::result::{Efficiency, Powers, Speeds, TeethDesign, Torques};
 use super::spec::DriveSpec;
-use super::{finite, mode};
+use super::{MODE, finite};
 use crate::planetary::GearSet;
 use crate::units::{n_m, rad_per_s};
 use crate::{Error, loads};
@@ -18,7 +18,7 @@ pub(super) struct Carried {
 
 pub(super) fn carried(spec: &DriveSpec, set: &GearSet, teeth: &TeethDesign) -> Result<Carried, Error> {
     let eta0 = MeshEfficiency::of_meshes(&[spec.sun_planet_efficiency, spec.planet_ring_efficiency]);
-    let overall = efficiency::efficiency(teeth.numbers.basic_ratio(), eta0, mode()?)?;
+    let overall = efficiency::efficiency(teeth.numbers.basic_ratio(), eta0, MODE)?;
     let ratios = set.ratios();
     let (planet, carrier) = (spec.speed * ratios.planet, spec.speed * ratios.carrier);
     let speeds = Speeds { sun: spec.speed, planet, planet_relative: planet - carrier, carrier };

@@ -4,7 +4,7 @@ use super::part::BoredGear;
 use super::result::{GearSetGeometry, TeethDesign};
 use super::spec::{DriveSpec, GearSetSpec, TeethSpec};
 use super::warning::Warning;
-use super::{USUAL_RATIO, finite, mode};
+use super::{MODE, USUAL_RATIO, finite};
 use crate::Error;
 use crate::planetary::GearSet;
 use crate::tolerance::GAP;
@@ -47,7 +47,7 @@ fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
             let mut best: Option<Near> = None;
             bounds.each_for_ratio(
                 spec.ratio,
-                mode()?,
+                MODE,
                 spec.ratio_tolerance,
                 |_| {},
                 |near| {
@@ -62,7 +62,7 @@ fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
             )?;
             let nothing = epicyclic_gears::Error::NoToothNumbers {
                 wanted: spec.ratio,
-                mode: mode()?,
+                mode: MODE,
                 tolerance: spec.ratio_tolerance,
                 nearest: None,
             };
@@ -111,13 +111,13 @@ fn conditions(
         TeethSpec::Given { placement, tip_gap, .. } => (*placement, *tip_gap),
         TeethSpec::Within(bounds) => (bounds.placement, bounds.tip_gap),
     };
-    let ratio = teeth.basic_ratio().ratio(mode()?)?;
+    let ratio = teeth.basic_ratio().ratio(MODE)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
     let chord = 2.0 * meters(gear_set.centre_distance) * (radians(spacing.smallest_gap()) / 2.0).sin();
     let found = TeethDesign {
         numbers: teeth,
         ratio,
-        exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode()?),
+        exact_ratio: exact_ratio(teeth.sun, teeth.ring, MODE),
         ratio_error: ratio / spec.ratio - 1.0,
         clearance_limit: clearance_limit(teeth.sun, teeth.planet, &rack),
         most_planets: Bounds { rack, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
