@@ -11,6 +11,7 @@
 //! | [`synthesis`] | *every* set of tooth numbers of a simple set within bounds |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
 //! | [`rack`] | the basic rack that all checks take, and undercut |
+//! | [`mesh`] | circles of gears and centre distance from teeth alone, clearance between planets |
 //! | [`geometry`] | diameters of a gear, centre distance of a pair |
 //! | [`mass`] | volume, mass and polar inertia of rings and gears |
 //! | [`carrier`] | the same of a planet carrier |
@@ -50,6 +51,7 @@ mod gear_kind;
 pub mod geometry;
 pub mod life;
 pub mod mass;
+pub mod mesh;
 mod mode;
 pub mod planet_bearing;
 pub mod quantity;

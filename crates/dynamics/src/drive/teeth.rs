@@ -8,15 +8,14 @@ use super::{MODE, USUAL_RATIO, finite};
 use crate::Error;
 use crate::planetary::GearSet;
 use crate::tolerance::GAP;
-use crate::units::{degrees, length, meters, millimeters, radians};
+use crate::units::{degrees, meters, millimeters};
 use epicyclic_gears::Quantity;
 use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
+use epicyclic_gears::mesh::coaxial_ring;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::{
-    Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers, clearance_limit,
-};
+use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers};
 use std::cmp::Reverse;
 
 /// The gear set: its speeds, its tooth numbers with their conditions, its geometry.
@@ -29,7 +28,7 @@ pub(super) struct Geared {
 pub(super) fn geared(spec: &DriveSpec, warnings: &mut Vec<Warning>) -> Result<Geared, Error> {
     let numbers = tooth_numbers(spec)?;
     let geometry = geometry(spec, numbers)?;
-    let teeth = conditions(spec, numbers, &geometry, warnings)?;
+    let teeth = conditions(spec, numbers, warnings)?;
     Ok(Geared { set: GearSet::new(numbers)?, teeth, geometry })
 }
 
@@ -87,7 +86,11 @@ fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
         let (quantity, value, unit) = (Quantity::TipGap, tip_gap, "modules");
         return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
     }
-    if ring == sun + 2 * planet { Ok(()) } else { Err(Error::UnequalCentreDistances { sun, planet, ring }) }
+    if ring == coaxial_ring(sun, planet) {
+        Ok(())
+    } else {
+        Err(Error::UnequalCentreDistances { sun, planet, ring })
+    }
 }
 
 fn geometry(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Error> {
@@ -103,7 +106,6 @@ fn geometry(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Er
 fn conditions(
     spec: &DriveSpec,
     teeth: ToothNumbers,
-    gear_set: &GearSetGeometry,
     warnings: &mut Vec<Warning>,
 ) -> Result<TeethDesign, Error> {
     let rack = spec.gear_set.rack;
@@ -113,15 +115,15 @@ fn conditions(
     };
     let ratio = teeth.basic_ratio().ratio(MODE)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
-    let chord = 2.0 * meters(gear_set.centre_distance) * (radians(spacing.smallest_gap()) / 2.0).sin();
+    let planet = teeth.planet_circle(&rack);
     let found = TeethDesign {
         numbers: teeth,
         ratio,
         exact_ratio: exact_ratio(teeth.sun, teeth.ring, MODE),
         ratio_error: ratio / spec.ratio - 1.0,
-        clearance_limit: clearance_limit(teeth.sun, teeth.planet, &rack),
-        most_planets: Bounds { rack, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
-        tip_gap: length(chord - meters(gear_set.planet.tip_diameter())),
+        clearance_limit: planet.number_limit(0.0),
+        most_planets: planet.most(0.0),
+        tip_gap: spec.gear_set.module * planet.gap_to_alike(spacing.half_gap_sine()),
         spacing,
     };
     finite("error of the ratio", found.ratio_error)?;
