@@ -64,6 +64,7 @@ pub mod teeth;
 mod tolerance;
 mod units;
 pub mod willis;
+mod words;
 
 pub use error::Error;
 pub use quantity::Quantity;
