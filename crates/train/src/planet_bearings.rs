@@ -60,7 +60,7 @@
 
 use crate::compound::CentralKind;
 use crate::planet_places::{
-    Given, NoPair, Places, apart, central_mesh, places, planet_mesh, planet_of, teeth_of,
+    Given, NoPair, Places, central_mesh, pitch_over_centre_distance, places, planet_mesh, planet_of,
 };
 use crate::planet_set::{GearOf, Mesh, MeshKind, PlanetSet};
 use crate::set::{Gearing, SetKind, SetSpec};
@@ -412,9 +412,7 @@ impl PlanetSet {
                     let sun = 2.0 / (1.0 + k);
                     Some(if gear_kind == GearKind::Internal { sun * k } else { sun })
                 }
-                _ => teeth_of(self, GearOf::Central(central))
-                    .zip(apart(self, mesh))
-                    .map(|(teeth, apart)| teeth / apart),
+                _ => pitch_over_centre_distance(self, mesh),
             };
             let pitch_radius = places.radii[planet].zip(in_radii).map(|(radius, of)| metres(radius * of));
             let with = GearOf::Central(central);
@@ -435,9 +433,7 @@ impl PlanetSet {
         };
         match places.pairs[mesh] {
             Ok(pair) => {
-                let [z, z_other] = [gears[own], with].map(|gear| teeth_of(self, gear));
-                contact.pitch_radius =
-                    z.zip(z_other).map(|(z, other)| metres(pair.distance * z / (z + other)));
+                contact.pitch_radius = Some(metres(pair.pitch_radii[own]));
                 let angle_rad = if own == 0 { pair.angle_rad } else { -pair.angle_rad };
                 let towards = |radius: f64, other: f64| {
                     let (sin, cos) = angle_rad.sin_cos();

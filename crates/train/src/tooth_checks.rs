@@ -40,10 +40,12 @@
 use crate::Gearbox;
 use crate::compound::CentralKind;
 use crate::planet_places::{
-    Given, NoPair, Places, apart, central_mesh, places, planet_mesh, planet_of, teeth_of,
+    Given, NoPair, Places, central_mesh, centre_distance, places, planet_mesh, planet_of, teeth_of,
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::tolerance::{MOST_ALIKE, TOUCH};
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -350,7 +352,8 @@ impl<'a> Checks<'a> {
         let mut first: Vec<(GearOf, NamedGear, f64)> = vec![];
         let mut found = vec![];
         for mesh in 0..self.set.meshes().len() {
-            let Some(((central, gear), apart)) = central_mesh(self.set, mesh).zip(apart(self.set, mesh))
+            let Some(((central, gear), distance)) =
+                central_mesh(self.set, mesh).zip(centre_distance(self.set, mesh))
             else {
                 continue;
             };
@@ -359,13 +362,13 @@ impl<'a> Checks<'a> {
                 continue;
             };
             match first.iter().find(|(one, ..)| *one == gear) {
-                None => first.push((gear, central, apart)),
-                Some((_, one, of_one)) if *of_one != apart => {
+                None => first.push((gear, central, distance)),
+                Some((_, one, of_one)) if *of_one != distance => {
                     found.push(ToothWarning::UnequalCentreDistances {
                         set: self.name(),
                         planet,
                         centrals: [one.clone(), central],
-                        distances: [of_one / 2.0, apart / 2.0],
+                        distances: [*of_one, distance],
                     });
                 }
                 Some(_) => {}
@@ -397,15 +400,15 @@ impl<'a> Checks<'a> {
 
     /// Tip radius: of an external gear the largest, of a ring the smallest.
     fn tip(&self, gear: GearOf) -> Option<f64> {
-        let outward = match gear {
+        let kind = match gear {
             GearOf::Central(central) => match self.set.centrals()[central].kind {
-                CentralKind::Sun => 1.0,
-                CentralKind::Ring => -1.0,
+                CentralKind::Sun => GearKind::External,
+                CentralKind::Ring => GearKind::Internal,
                 _ => return None,
             },
-            GearOf::Planet(..) => 1.0,
+            GearOf::Planet(..) => GearKind::External,
         };
-        Some(self.module(gear)? * (teeth_of(self.set, gear)? / 2.0 + outward * self.rack.addendum))
+        Some(self.module(gear)? * Gear::new(kind, teeth_of(self.set, gear)?).tip_radius(&self.rack))
     }
 
     fn gears_of(&self, planet: usize) -> impl Iterator<Item = GearOf> + use<> {
@@ -431,15 +434,14 @@ impl<'a> Checks<'a> {
 
     /// Least gap of the tip circles of two gears over all but the one pair that is one gear or meshes.
     fn gap(&self, one: &Neighbours, planets: u32) -> Option<f64> {
-        let [first, second] = one.gears;
-        let tips = self.tip(first)? + self.tip(second)?;
-        let [r1, r2] = [first, second].map(|gear| self.places.radii[planet_of(gear).unwrap_or_default()]);
-        let (r1, r2) = (r1?, r2?);
-        let distance = |place: u32| {
-            let angle_rad = one.angle_rad + TAU * f64::from(place) / f64::from(planets);
-            (r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * angle_rad.cos()).max(0.0).sqrt()
+        let circle = |gear: GearOf| {
+            let centre_radius = self.places.radii[planet_of(gear).unwrap_or_default()]?;
+            Some(TipCircle { centre_radius, tip_radius: self.tip(gear)? })
         };
-        (1..planets).map(distance).reduce(f64::min).map(|least| least - tips)
+        let [first, second] = one.gears.map(circle);
+        let (first, second) = (first?, second?);
+        let gap = |place: u32| first.gap(second, one.angle_rad + TAU * f64::from(place) / f64::from(planets));
+        (1..planets).map(gap).reduce(f64::min)
     }
 
     /// Whether this many planets of each kind clear each other, as far as is known.

@@ -9,8 +9,6 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Circles that are still there: a crate, and the files among which they run.
 const KNOWN: &[(&str, &[&str])] = &[
-    // The error names the kinds that a constructor refuses: they belong into files below it.
-    ("gears", &["error.rs", "geometry.rs", "rack.rs", "simple_set.rs", "teeth.rs", "units.rs"]),
     ("selection", &["error.rs", "objectives.rs"]),
     // The gearbox analyses itself, and the analysis holds the gearbox.
     (
