@@ -22,9 +22,17 @@
 //! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
+//! # What is equal
+//! Objectives often do not depend on one of the sets, or do so through a product; so many designs have an objective in
+//! common, reached by different figures. They must not be parted by rounding, or one would dominate the other. Teeth are
+//! whole numbers, and what ratios and speeds have above and below the line is so too: the only rounding is that of the
+//! quotient, and equal ones are equal to the bit. Of efficiencies and sizes the rounding is bounded; where it could carry
+//! one over to the next point of the grid of [objectives](crate::objectives), it is computed with twice the digits. So the
+//! point is that of the exact value, whatever way led to it.
+//!
 //! # What it costs
 //! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to try
-//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 089 entries are on
+//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 087 entries are on
 //! the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Trying takes some
 //! 45 ms on one core, the front of all the rest; the first of it ([`ToothSearch::best`]) needs a sort.
 //!
@@ -58,6 +66,7 @@
 //! ```
 
 mod contenders;
+mod double;
 mod levels;
 mod patch;
 mod window;
@@ -479,7 +488,7 @@ impl ToothSearch {
                     }
                 }
                 feasible += 1;
-                into.gather(measured.costs(at, shares), Point { patch: place, levels: [one, two] });
+                into.gather(patch.costs(&measured, at, shares), Point { patch: place, levels: [one, two] });
             }
         }
         [tried, feasible]
@@ -554,7 +563,7 @@ impl Found {
         };
         for first in levels[0].of(&self.tooth_sets).iter().filter(|teeth| fits(0, teeth)) {
             for second in levels[1].of(&self.tooth_sets).iter().filter(|teeth| fits(1, teeth)) {
-                let theirs = measured.costs(levels, [share(first), share(second)]);
+                let theirs = patch.costs(&measured, levels, [share(first), share(second)]);
                 if Objectives::of_costs(theirs) == costs {
                     pairs.push([*first, *second]);
                 }
