@@ -44,6 +44,12 @@ pub struct GearSpec {
 }
 
 impl Gearbox {
+    /// A gearbox to be described.
+    #[must_use]
+    pub fn builder(name: &str) -> GearboxBuilder {
+        GearboxBuilder::new(name)
+    }
+
     /// Its description, to be changed and built again; unchanged it builds an equal gearbox.
     #[must_use]
     pub fn to_builder(&self) -> GearboxBuilder {

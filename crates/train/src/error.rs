@@ -1,7 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
 use crate::compound::GearName;
-use crate::set::SetKind;
+use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
 

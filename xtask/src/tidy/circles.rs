@@ -11,31 +11,6 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 const KNOWN: &[(&str, &[&str])] = &[
     // The error names the kinds that a constructor refuses: they belong into files below it.
     ("gears", &["error.rs", "geometry.rs", "rack.rs", "simple_set.rs", "teeth.rs", "units.rs"]),
-    ("selection", &["error.rs", "objectives.rs"]),
-    // The gearbox analyses itself, and the analysis holds the gearbox.
-    (
-        "train",
-        &[
-            "analysis.rs",
-            "builder.rs",
-            "compiled.rs",
-            "drawn.rs",
-            "efficiency.rs",
-            "error.rs",
-            "gearbox.rs",
-            "kernel.rs",
-            "kreines.rs",
-            "network.rs",
-            "planet_set.rs",
-            "planet_set/tree.rs",
-            "power_flow.rs",
-            "set.rs",
-            "speeds.rs",
-            "state.rs",
-            "topology.rs",
-            "torques.rs",
-        ],
-    ),
 ];
 
 /// How often a name is passed on at most.
