@@ -99,7 +99,10 @@ mod units;
 pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Values};
-pub use error::{CompoundFault, Error, InputsFault, Named, Place, Terminal, Warning};
+pub use error::{
+    CompoundFault, Error, InputsFault, LinkFault, MeshFault, Named, OperatingFault, Place, SetValue,
+    Terminal, Warning,
+};
 pub use gearbox::{Gear, Gearbox, ShiftElement};
 pub use link::{GROUND, LinkId};
 pub use operating::{InputLoad, Operation};
