@@ -121,6 +121,24 @@ fn the_range_of_k_holds_exactly_the_sets_between_its_ends() {
     assert!(matches!(of(1.0, 8.0).count(), Err(Error::RingToSunRange { from: 1.0, to: 8.0 })));
 }
 
+/// `(2 + z_g)·sin 90° = z_g + 2`: two planets about a sun of two teeth touch, and touching is not clear.
+#[test]
+fn planets_that_touch_do_not_clear() {
+    let bounds = Bounds {
+        sun: 1..=4,
+        planet: 8..=20,
+        ring: 17..=44,
+        planets: 2..=2,
+        ring_to_sun_ratio: 1.1..=50.0,
+        ..Bounds::default()
+    };
+    let found = bounds.tooth_numbers().unwrap();
+    assert_eq!(found, tooth_numbers_by_trial(&bounds).unwrap());
+    // Equal spacing of two: sun and ring together even, which they are.
+    let suns: Vec<u32> = found.iter().map(|set| set.sun.get()).collect();
+    assert_eq!(suns, [[3; 13], [4; 13]].concat());
+}
+
 #[test]
 fn the_first_of_many_are_the_first_of_all() {
     let bounds = Bounds { sun: 12..=60, planet: 12..=60, ..Bounds::default() };
