@@ -204,6 +204,25 @@ fn the_default_passes_every_limit_and_meshes_with_half_its_backlash() {
 }
 
 #[test]
+fn what_a_limit_of_distance_leaves_is_the_clearance() {
+    for motor in reference_motors() {
+        for form in [ToothForm::default(), mild(24.0, Crest::Space)] {
+            let profile = Profile::new(&motor, form).unwrap();
+            let limits = profile.limits();
+            let left = |kind: LimitKind| {
+                let [limit] = limits.iter().filter(|limit| limit.kind == kind).collect::<Vec<_>>()[..] else {
+                    panic!("one limit {kind:?}")
+                };
+                (limit.value - limit.bound).get::<meter>()
+            };
+            let clearances = profile.clearances(6).unwrap();
+            assert!((left(LimitKind::Wheels) - clearances.wheels.get::<meter>()).abs() < 1e-12);
+            assert!((left(LimitKind::Neighbours) - clearances.neighbours.0.get::<meter>()).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
 fn whoever_is_thinner_the_clearance_is_the_same() {
     let motor = motor((5, 3, 55, 10), 40.0);
     for satellite_share in [0.0, 0.4] {
