@@ -271,7 +271,36 @@ fn a_gearbox_of_pairs_on_a_layshaft_is_drawn() {
     assert!(check(&builder.input("in").output("out").build().unwrap()));
 }
 
-/// Power enters at `motor` in one gear and leaves at `T1` in another; all other gears use input and output.
+/// What can be drawn without a further clutch and not with it needs that clutch among the reasons.
+#[test]
+fn a_direct_drive_clutch_that_cannot_be_drawn_is_named() {
+    let mut refused = 0;
+    for structure in Structure::all() {
+        let sets = structure.sets().map(|set| set.map(Role::symbol).join(" "));
+        let gearbox = scheme(&[&sets[0], &sets[1]], None);
+        if !drawability::is_drawable(&gearbox) {
+            continue;
+        }
+        let options = drawability::direct_clutch_options(&gearbox);
+        let moving: Vec<LinkId> = gearbox.link_ids().skip(1).collect();
+        for (place, &a) in moving.iter().enumerate() {
+            for &b in &moving[place + 1..] {
+                let verdict = drawability::draw_with_direct_clutch(&gearbox, [a, b], QUICK);
+                let Verdict::SelfCrossing(witness) = verdict else {
+                    assert!(options.contains(&[a, b]), "{structure}");
+                    continue;
+                };
+                assert!(!options.contains(&[a, b]), "{structure}");
+                assert!(witness.elements.contains(&Element::ShiftElement(gearbox.shift_elements().len())));
+                assert!(witness.describe(&gearbox).contains("the direct-drive clutch"));
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 20, "{refused}");
+}
+
+/// Power leaves at `T1` in one gear and enters there in another, and enters at `T2` and leaves at the input in a third.
 #[test]
 fn links_where_power_enters_or_leaves_in_some_gear_only_reach_the_housing() {
     let gear = |name: &str, input: Option<&str>, output: Option<&str>| GearSpec {

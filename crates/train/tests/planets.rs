@@ -8,6 +8,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::compound::{CentralKind, CompoundSpec};
 use epicyclic_train::planet_bearings::{Lack, MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{GearOf, MeshKind};
+use epicyclic_train::set::{MeshLoss, SetSpec};
 use epicyclic_train::tooth_checks::ToothWarning;
 use epicyclic_train::{Gearbox, PlanetSet};
 use nalgebra::{DMatrix, DVector};
@@ -308,6 +309,20 @@ fn a_planet_without_teeth_has_no_speed_of_its_own() {
             assert!((found.abs() - ratio).abs() < 1e-14 && (found > 0.0) == (other == 2), "{other} {found}");
         }
     }
+}
+
+/// Between the first two central gears: sun, planets and ring, whatever else is in mesh; of a set in short the set's own.
+#[test]
+fn the_efficiency_of_a_set_is_that_of_the_meshes_between_its_first_gears() {
+    let eta = |value: f64| MeshEfficiency::new(value).unwrap();
+    let set = CompoundSpec::new("P", "H").planet("p", &[18]).planet("q", &[16]);
+    let set = set.sun("c0", 20).ring("c1", 56).sun("c2", 24);
+    let set = set.mesh("c0", "p", eta(0.99)).mesh("p", "q", eta(0.98));
+    let gearbox = alone(set.mesh("q", "c1", eta(0.97)).mesh("q", "c2", eta(0.5)));
+    assert!((gearbox.sets()[0].efficiency() - 0.99 * 0.98 * 0.97).abs() < 1e-15);
+    let short = SetSpec::simple("P", ["c0", "c1", "H"], 3.0).with_loss(MeshLoss::Set(eta(0.96)));
+    let builder = Gearbox::builder("short").links(["c0", "c1", "H"]).set(short).input("c0").output("H");
+    assert_eq!(builder.build().unwrap().sets()[0].efficiency(), 0.96);
 }
 
 /// `Σ N·F_t·R = |T_H|`: a planet's shaft takes part of the torque about the main axis.
