@@ -365,7 +365,9 @@ proptest! {
             prop_assert!((speed - 1.0).abs() < 1e-12);
         }
         if let Some(case) = found.driving() {
-            prop_assert!((case.efficiency - 1.0).abs() < 1e-12 && case.signs.iter().all(|s| *s == 0));
+            // Torques that circulate are rounded as what they are: fourteen thousand times the input's in some.
+            let rounding = 1e-12 * case.power.largest;
+            prop_assert!((case.efficiency - 1.0).abs() < rounding && case.signs.iter().all(|s| *s == 0));
         }
     }
 }
