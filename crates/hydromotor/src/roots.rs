@@ -98,10 +98,12 @@ mod tests {
         assert!((bracketed(0.0, 1.0, |x| if x < 0.7 { -1.0 } else { f64::NAN }) - 0.7).abs() < 1e-15);
     }
 
+    type Function = fn(f64) -> f64;
+
     /// Halving alone takes more than fifty evaluations.
     #[test]
     fn a_smooth_function_takes_a_dozen_evaluations() {
-        let functions: [(f64, f64, fn(f64) -> f64); 6] = [
+        let functions: [(f64, f64, Function); 6] = [
             (0.0, 1.0, |x| x.cos() - x),
             (0.0, 5.0, |x| x.exp() - 5.0),
             (1.0, 2.0, |x| x * x * x - x - 2.0),
