@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::drive::{BoredGear, Given};
+use crate::drive::{BoredGear, Computed, Given};
 use crate::link_name::{LinkName, Property};
 
 /// A mechanism that cannot move as described.
@@ -88,7 +88,7 @@ pub enum Error {
     #[error("{what} is {value}: the given quantities are too large or too small to calculate with")]
     Overflow {
         /// Which result.
-        what: &'static str,
+        what: Computed,
         /// Its value in SI units.
         value: f64,
     },
