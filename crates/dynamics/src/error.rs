@@ -2,6 +2,7 @@
 
 use crate::drive::{BoredGear, Computed, Given};
 use crate::link_name::{LinkName, Property};
+use epicyclic_train::State;
 
 /// A mechanism that cannot move as described.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -106,7 +107,7 @@ pub enum Error {
         /// The link, or the set of the planet.
         part: String,
         /// State of the gear.
-        state: String,
+        state: State,
     },
     /// An invalid gearbox.
     #[error(transparent)]
