@@ -9,12 +9,12 @@ use crate::quantity::{ConnectionPart, FlightFault, Quantity, SeriesParameter};
 #[non_exhaustive]
 pub enum Error {
     /// A name that no scheme bears.
-    #[error("no scheme is called `{name}`: there are {known}")]
+    #[error("no scheme is called `{name}`: there are {}", known.join(", "))]
     UnknownScheme {
         /// The name given.
         name: String,
         /// The names there are.
-        known: String,
+        known: Vec<&'static str>,
     },
     /// A name that no structure bears in any spelling.
     #[error(
