@@ -55,7 +55,7 @@ mod teeth;
 mod tests;
 mod warning;
 
-pub use part::{BoredGear, Shaft};
+pub use part::{BoredGear, Computed, Shaft};
 pub use result::{
     Choice, DriveDesign, Efficiency, EquivalentInertia, Forces, GearMass, GearSetGeometry, Masses, Motion,
     Powers, ShaftDesign, Shafts, Speeds, Start, TeethDesign, Torques,
@@ -155,6 +155,6 @@ fn check(spec: &DriveSpec) -> Result<(), Error> {
 }
 
 /// Refuses what overflowed on the way.
-fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
+fn finite(what: Computed, value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Error::Overflow { what, value }) }
 }

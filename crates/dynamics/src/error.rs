@@ -1,7 +1,8 @@
 //! What this crate refuses.
 
-use crate::drive::{BoredGear, Given};
+use crate::drive::{BoredGear, Computed, Given};
 use crate::link_name::{LinkName, Property};
+use epicyclic_train::State;
 
 /// A mechanism that cannot move as described.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -88,7 +89,7 @@ pub enum Error {
     #[error("{what} is {value}: the given quantities are too large or too small to calculate with")]
     Overflow {
         /// Which result.
-        what: &'static str,
+        what: Computed,
         /// Its value in SI units.
         value: f64,
     },
@@ -106,7 +107,7 @@ pub enum Error {
         /// The link, or the set of the planet.
         part: String,
         /// State of the gear.
-        state: String,
+        state: State,
     },
     /// An invalid gearbox.
     #[error(transparent)]

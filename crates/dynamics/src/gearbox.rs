@@ -68,7 +68,7 @@ pub struct PlanetMass {
 /// from the input's in this gear.
 pub fn moving_links(gearbox: &Gearbox, gear: &str, masses: &Masses) -> Result<Vec<Link>, Error> {
     let analysis = gearbox.analyze(gear)?;
-    let no_speed = |part: &str| Error::NoSpeed { part: part.into(), state: analysis.state().to_string() };
+    let no_speed = |part: &str| Error::NoSpeed { part: part.into(), state: analysis.state().clone() };
     let unknown = |part: &str| Error::UnknownPart { part: part.into(), gearbox: gearbox.name().into() };
     let mut links = Vec::new();
     for (name, inertia) in &masses.links {

@@ -82,7 +82,7 @@ impl GearSet {
         let analysis = gearbox.analyze(GEAR)?;
         let carrier = gearbox.link("carrier").and_then(|link| analysis.speed(link));
         let planet = analysis.sets()[0].planets[0].and_then(|planet| planet.speed);
-        let no_speed = || Error::NoSpeed { part: "the planet".into(), state: analysis.state().to_string() };
+        let no_speed = || Error::NoSpeed { part: "the planet".into(), state: analysis.state().clone() };
         let (planet, carrier) = planet.zip(carrier).ok_or_else(no_speed)?;
         Ok(Self { teeth, ratios: SpeedRatios { planet, carrier } })
     }

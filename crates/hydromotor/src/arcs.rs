@@ -42,7 +42,7 @@
 //! # Source
 //! rotary-hydromotor (1). It prints `L/(2n)`, with `n₃ = N` in `θ₃ = π/n₃`.
 
-use crate::quantity::Quantity;
+use crate::quantity::{ArcsFault, OpenPair, Quantity};
 use std::f64::consts::PI;
 
 use uom::si::f64::{Angle, Length};
@@ -104,14 +104,14 @@ impl Arcs {
         Self { theta3, half_length, l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, least }
     }
 
-    fn first_not_positive(&self) -> Option<&'static str> {
+    fn first_not_positive(&self) -> Option<ArcsFault> {
         let all = [
-            (self.l, "l is not positive"),
-            (self.a, "a is not positive: the centrode is a circle"),
-            (self.r1, "R₁ is not positive"),
-            (self.r2, "R₂ is not positive"),
-            (self.gamma, "Γ is not positive"),
-            (PI - self.beta, "B reaches half a turn"),
+            (self.l, ArcsFault::TroughDistance),
+            (self.a, ArcsFault::CrestDistance),
+            (self.r1, ArcsFault::TroughRadius),
+            (self.r2, ArcsFault::CrestRadius),
+            (self.gamma, ArcsFault::TroughAngle),
+            (PI - self.beta, ArcsFault::CrestAngle),
         ];
         all.iter().find(|(value, _)| !(value.is_finite() && *value > 0.0)).map(|(_, why)| *why)
     }
@@ -198,13 +198,13 @@ impl StatorArcs {
         let [one, other] = known.map(|known| scaled(known, theta3, module));
         let (one, other) = (one?, other?);
         if let (Scaled::Gamma(_), Scaled::Gamma(_)) = (one, other) {
-            return Err(undetermined("B − Γ is θ₃, so that the angles leave every length open"));
+            return Err(undetermined(OpenPair::BothAngles));
         }
         if first == second {
-            return Err(undetermined("two different parameters are needed"));
+            return Err(undetermined(OpenPair::SameParameter));
         }
         let candidates = candidates(theta3, half_length, one, other);
-        let mut refused = "the equation for Γ has no solution";
+        let mut refused = ArcsFault::NoSolution;
         let mut found = Vec::new();
         for arcs in candidates {
             match arcs.first_not_positive() {

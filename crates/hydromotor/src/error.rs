@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::quantity::{Quantity, WheelKind};
+use crate::quantity::{ArcsFault, OpenPair, Quantity, WheelKind};
 
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -147,7 +147,7 @@ pub enum Error {
         /// The second parameter.
         second: Quantity,
         /// Why not.
-        why: &'static str,
+        why: OpenPair,
     },
     /// Two parameters of system (1) that no pair of arcs has.
     #[error("no pair of arcs has {first} and {second} of these values: {why}")]
@@ -157,7 +157,7 @@ pub enum Error {
         /// The second parameter.
         second: Quantity,
         /// The condition that fails.
-        why: &'static str,
+        why: ArcsFault,
     },
     /// A distance `l` at which no motor of these numbers closes.
     #[error("l = {l_mm} mm: a motor of these numbers closes for l {}", ranges(.intervals_mm))]

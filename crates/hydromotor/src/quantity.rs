@@ -1,4 +1,4 @@
-//! What an error speaks of: a quantity, a wheel.
+//! What an error speaks of: a quantity, a wheel, a condition.
 
 use std::fmt;
 
@@ -82,5 +82,26 @@ words! {
         Satellite "satellite"
         WheelCutter "cutter of the wheels"
         SatelliteRack "rack of the satellite"
+    }
+}
+
+words! {
+    /// Why two parameters of system (1) leave the arcs open.
+    OpenPair {
+        BothAngles "B − Γ is θ₃, so that the angles leave every length open"
+        SameParameter "two different parameters are needed"
+    }
+}
+
+words! {
+    /// The condition of two arcs that fails.
+    ArcsFault {
+        NoSolution "the equation for Γ has no solution"
+        TroughDistance "l is not positive"
+        CrestDistance "a is not positive: the centrode is a circle"
+        TroughRadius "R₁ is not positive"
+        CrestRadius "R₂ is not positive"
+        TroughAngle "Γ is not positive"
+        CrestAngle "B reaches half a turn"
     }
 }

@@ -1,4 +1,4 @@
-//! Bracketed roots of functions of one variable, and quadrature.
+//! Bracketed roots and least values of functions of one variable, and quadrature.
 
 /// The root of a function that changes its sign between `low` and `high`, to the last bits (Brent).
 ///
@@ -52,6 +52,26 @@ pub(crate) fn bracketed(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> 
         }
     }
     high
+}
+
+/// The least value of a function between two arguments by golden section, and its argument.
+pub(crate) fn golden(low: f64, high: f64, steps: u32, f: impl Fn(f64) -> f64) -> (f64, f64) {
+    const PART: f64 = 0.381_966_011_250_105;
+    let (mut low, mut high) = (low, high);
+    let (mut a, mut b) = (low + PART * (high - low), high - PART * (high - low));
+    let (mut f_a, mut f_b) = (f(a), f(b));
+    for _ in 0..steps {
+        if f_a < f_b {
+            (high, b, f_b) = (b, a, f_a);
+            a = low + PART * (high - low);
+            f_a = f(a);
+        } else {
+            (low, a, f_a) = (a, b, f_b);
+            b = high - PART * (high - low);
+            f_b = f(b);
+        }
+    }
+    if f_a < f_b { (a, f_a) } else { (b, f_b) }
 }
 
 /// Nodes and weights of the Gauss–Legendre rule of eight points on −1…1, the positive half.

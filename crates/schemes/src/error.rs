@@ -2,19 +2,19 @@
 //!
 //! Apart from [`epicyclic_train::Error`], which is of gearboxes: these are requirements that no scheme meets.
 
-use crate::quantity::{ConnectionPart, Quantity, SeriesParameter};
+use crate::quantity::{ConnectionPart, FlightFault, Quantity, SeriesParameter};
 
 /// An invalid input, or requirements that nothing meets.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A name that no scheme bears.
-    #[error("no scheme is called `{name}`: there are {known}")]
+    #[error("no scheme is called `{name}`: there are {}", known.join(", "))]
     UnknownScheme {
         /// The name given.
         name: String,
         /// The names there are.
-        known: String,
+        known: Vec<&'static str>,
     },
     /// A name that no structure bears in any spelling.
     #[error(
@@ -145,7 +145,7 @@ pub enum Error {
         /// Radius of the chute's edge over that of the wheel.
         radius_ratio: f64,
         /// What stands in the way.
-        why: &'static str,
+        why: FlightFault,
     },
     /// A machine that the tables do not list.
     #[error("no machine `{name}` in tables 1.1 and 1.2{}", nearest.as_deref().map_or_else(String::new, |n| format!("; did you mean `{n}`?")))]

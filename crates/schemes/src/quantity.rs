@@ -45,3 +45,13 @@ words! {
         Connection "connection"
     }
 }
+
+words! {
+    /// Why no particle flies from the release to the chute.
+    FlightFault {
+        OutOfRange "ε is above 0 and all are finite"
+        ReleaseBelowAxis "release is above the axis"
+        ChuteBehind "the chute lies behind the release"
+        ChuteAbove "the chute lies above the tangent of the release"
+    }
+}

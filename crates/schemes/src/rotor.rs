@@ -7,7 +7,7 @@
 
 use crate::Error;
 use crate::cutting::positive;
-use crate::quantity::Quantity;
+use crate::quantity::{FlightFault, Quantity};
 use crate::units::{acceleration, angular_velocity, degrees, m_per_s2, metres, rad_per_s, radians};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Length};
@@ -131,19 +131,19 @@ pub fn discharge(release: Angle, chute: Angle, radius_ratio: f64) -> Result<f64,
     let refuse =
         |why| Error::NoFlight { release_deg: degrees(release), chute_deg: degrees(chute), radius_ratio, why };
     if !(radius_ratio > 0.0 && radius_ratio.is_finite() && tau1.is_finite() && tau.is_finite()) {
-        return Err(refuse("ε is above 0 and all are finite"));
+        return Err(refuse(FlightFault::OutOfRange));
     }
     if tau1.sin() <= 0.0 {
-        return Err(refuse("release is above the axis"));
+        return Err(refuse(FlightFault::ReleaseBelowAxis));
     }
     // Time of flight times ω·sin τ₁, from the horizontal way.
     let across = tau1.cos() - radius_ratio * tau.cos();
     let fall = 1.0 - radius_ratio * (tau - tau1).cos();
     if across <= 0.0 {
-        return Err(refuse("the chute lies behind the release"));
+        return Err(refuse(FlightFault::ChuteBehind));
     }
     if fall <= 0.0 {
-        return Err(refuse("the chute lies above the tangent of the release"));
+        return Err(refuse(FlightFault::ChuteAbove));
     }
     Ok(across * across / (2.0 * tau1.sin() * fall))
 }

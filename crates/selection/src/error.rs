@@ -76,12 +76,12 @@ pub enum Error {
         objective: Objective,
     },
     /// A name that no objective bears.
-    #[error("no objective `{name}`: there are {known}")]
+    #[error("no objective `{name}`: there are {}", known.join(", "))]
     UnknownObjective {
         /// The name given.
         name: String,
         /// The names there are.
-        known: String,
+        known: Vec<&'static str>,
     },
     /// Limits in millimetres without what settles millimetres.
     #[error("limits of module or ring diameter need an input torque and a load factor K")]

@@ -29,7 +29,7 @@ impl FromStr for Objective {
 
     fn from_str(name: &str) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|objective| objective.name() == name).ok_or_else(|| {
-            Error::UnknownObjective { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
+            Error::UnknownObjective { name: name.into(), known: Self::ALL.map(Self::name).to_vec() }
         })
     }
 }

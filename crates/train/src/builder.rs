@@ -348,8 +348,8 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
             if groups.root(members[i].0) == groups.root(members[j].0) {
                 return Err(Error::CoincidentMembers {
                     set: id,
-                    first: set.member_name(i),
-                    second: set.member_name(j),
+                    first: set.member(i),
+                    second: set.member(j),
                     link: gearbox.link_name(members[i]).into(),
                 });
             }
@@ -502,7 +502,7 @@ fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
                 found.push(Warning::SharedPlanets {
                     first: first.id().to_owned(),
                     second: second.id().to_owned(),
-                    member: shared.kind.name(),
+                    member: shared.kind,
                 });
             }
         }

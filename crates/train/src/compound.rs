@@ -52,15 +52,31 @@ pub enum CentralKind {
     PlanetShaft,
 }
 
-impl CentralKind {
-    /// The member's name in a table.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
+impl fmt::Display for CentralKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
             Self::Sun => "sun",
             Self::Ring => "ring",
             Self::BevelLeft | Self::BevelRight => "bevel gear",
             Self::PlanetShaft => "planet shaft",
+        })
+    }
+}
+
+/// A member of a set as errors name it: a central gear, a planet shaft or the carrier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SetMember {
+    /// What is beside the carrier.
+    Central(CentralKind),
+    /// The carrier.
+    Carrier,
+}
+
+impl fmt::Display for SetMember {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Central(kind) => kind.fmt(f),
+            Self::Carrier => f.pad("carrier"),
         }
     }
 }

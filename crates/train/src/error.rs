@@ -1,6 +1,6 @@
 //! What this crate refuses, and what it only remarks on.
 
-use crate::compound::GearName;
+use crate::compound::{CentralKind, GearName, SetMember};
 use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
@@ -126,9 +126,9 @@ pub enum Error {
         /// The set.
         set: String,
         /// The first of the two members.
-        first: &'static str,
+        first: SetMember,
         /// The second.
-        second: &'static str,
+        second: SetMember,
         /// The link of the first.
         link: String,
     },
@@ -560,7 +560,7 @@ pub enum Warning {
         /// The other.
         second: String,
         /// What the central gear is.
-        member: &'static str,
+        member: CentralKind,
     },
 }
 

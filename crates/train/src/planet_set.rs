@@ -24,7 +24,7 @@
 //! mesh are neighbours. Meshes with the same gears behind them always carry power in the same direction; they are one
 //! *segment*. A set with two central gears has one equation and one segment.
 
-use crate::compound::{CentralKind, CompoundSpec};
+use crate::compound::{CentralKind, CompoundSpec, SetMember};
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use crate::tolerance::BASIC_RATIO;
 use crate::{Error, LinkId};
@@ -193,10 +193,10 @@ impl PlanetSet {
         self.members[self.centrals.len()]
     }
 
-    /// What a member is called: `sun`, `ring`, `carrier`.
+    /// What a member is: a central gear, or the carrier, which stands last.
     #[must_use]
-    pub fn member_name(&self, member: usize) -> &'static str {
-        self.centrals.get(member).map_or("carrier", |central| central.kind.name())
+    pub fn member(&self, member: usize) -> SetMember {
+        self.centrals.get(member).map_or(SetMember::Carrier, |central| SetMember::Central(central.kind))
     }
 
     /// The central gears and planet shafts.
@@ -233,13 +233,13 @@ impl PlanetSet {
             GearOf::Central(central) => {
                 let alike =
                     self.centrals.iter().filter(|one| one.kind == self.centrals[central].kind).count();
-                let kind = self.centrals[central].kind.name();
+                let kind = self.centrals[central].kind;
                 match &self.description {
                     Description::Compound(spec) if alike > 1 => {
                         format!("{kind} {}", spec.centrals[central].name)
                     }
                     _ if alike > 1 => format!("{kind} {}", central + 1),
-                    _ => kind.to_owned(),
+                    _ => kind.to_string(),
                 }
             }
             GearOf::Planet(planet, step) => {

@@ -5,7 +5,7 @@
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::compound::CompoundSpec;
+use epicyclic_train::compound::{CentralKind, CompoundSpec, SetMember};
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::tolerance::MOST_SETS;
 use epicyclic_train::{
@@ -63,8 +63,12 @@ fn an_unknown_shift_element_of_a_gear_is_named() {
 #[test]
 fn members_on_one_link_are_refused() {
     let on_one = fault(sound().set(SetSpec::simple("2", ["drive", "drive", "driven"], 2.0)));
-    let expected =
-        Error::CoincidentMembers { set: "2".into(), first: "sun", second: "ring", link: "drive".into() };
+    let expected = Error::CoincidentMembers {
+        set: "2".into(),
+        first: SetMember::Central(CentralKind::Sun),
+        second: SetMember::Central(CentralKind::Ring),
+        link: "drive".into(),
+    };
     assert_eq!(on_one, expected);
     // The same by a permanent connection, and by two permanent grounds.
     assert!(matches!(fault(sound().tie("drive", "ring")), Error::CoincidentMembers { .. }));

@@ -7,7 +7,7 @@ mod common;
 use common::machines::{ravigneaux_builder, ravigneaux_set};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::compound::CompoundSpec;
+use epicyclic_train::compound::{CentralKind, CompoundSpec};
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{Direction, Gearbox, GearboxBuilder, InputLoad, State, Warning};
 use uom::si::angular_velocity::radian_per_second;
@@ -80,7 +80,7 @@ fn a_shared_mesh_loses_on_its_net_force() {
     let apart = ravigneaux_builder(losses).build().unwrap();
     assert!(apart.analyze("2").unwrap().efficiency().unwrap() < efficiency);
     // The remark that says so needs the teeth of the ring.
-    assert!(matches!(apart.warnings(), [Warning::SharedPlanets { member: "ring", .. }]));
+    assert!(matches!(apart.warnings(), [Warning::SharedPlanets { member: CentralKind::Ring, .. }]));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Masses and inertias of the parts of a drive.
 
 use super::finite;
-use super::part::BoredGear;
+use super::part::{BoredGear, Computed};
 use super::result::{GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
 use super::spec::{Bore, CarrierSpec, GearSetSpec};
 use super::warning::Warning;
@@ -53,11 +53,11 @@ pub(super) fn masses(
                     warnings.push(Warning::PlanetPinOffCentre { hole_mm, centre_distance_mm });
                 }
             }
-            finite("mass of the carrier", kilograms(whole.mass))?;
+            finite(Computed::CarrierMass, kilograms(whole.mass))?;
             (Some(whole.mass), whole.polar_inertia)
         }
     };
-    finite("inertia of the carrier", kg_m2(carrier_inertia))?;
+    finite(Computed::CarrierInertia, kg_m2(carrier_inertia))?;
     Ok(Masses { sun, planet, carrier: mass, carrier_inertia })
 }
 
@@ -86,8 +86,8 @@ fn gear_mass(
         return Err(Error::BoreTooLarge { gear: name, bore_mm, root_mm });
     }
     let body = GearBody::external(gear, width, bore, density)?;
-    finite("mass of a gear", kilograms(body.total().mass))?;
-    finite("inertia of a gear", kg_m2(body.total().polar_inertia))?;
+    finite(Computed::GearMass, kilograms(body.total().mass))?;
+    finite(Computed::GearInertia, kg_m2(body.total().polar_inertia))?;
     Ok(GearMass { bore, body })
 }
 

@@ -2,6 +2,7 @@
 
 use super::finite;
 use super::loads::Meshes;
+use super::part::Computed;
 use super::result::{Forces, GearMass, GearSetGeometry, Torques};
 use crate::Error;
 use crate::units::{force, meters, n_m, newtons};
@@ -40,8 +41,8 @@ pub(super) fn forces(
         planet_bearing_tangential,
         planet_bearing_meshes + planet_bearing_centrifugal,
     );
-    finite("force on a planet bearing", newtons(resultant))?;
-    finite("force at a mesh", newtons(sun_mesh))?;
+    finite(Computed::BearingForce, newtons(resultant))?;
+    finite(Computed::MeshForce, newtons(sun_mesh))?;
     Ok(Forces {
         sun_mesh,
         ring_mesh,

@@ -1,5 +1,6 @@
 //! Efficiency, speeds, torques and powers of a drive at its power.
 
+use super::part::Computed;
 use super::result::{Efficiency, Powers, Speeds, TeethDesign, Torques};
 use super::{MODE, finite};
 use crate::planetary::GearSet;
@@ -35,12 +36,12 @@ pub(super) fn carried(
     let ratios = set.ratios();
     let (planet, carrier) = (speed * ratios.planet, speed * ratios.carrier);
     let speeds = Speeds { sun: speed, planet, planet_relative: planet - carrier, carrier };
-    finite("speed of the planet", rad_per_s(planet))?;
+    finite(Computed::PlanetSpeed, rad_per_s(planet))?;
 
     let sun = loads::shaft_torque(power, speed)?;
     let planet_to_sun = teeth.numbers.planet.as_f64() / teeth.numbers.sun.as_f64();
     let carrier = loads::carrier_torque(sun, teeth.ratio, overall);
-    finite("torque of the carrier", n_m(carrier))?;
+    finite(Computed::CarrierTorque, n_m(carrier))?;
     let planets = loads::planet_torque(sun, meshes.sun_planet, planet_to_sun);
     let torques = Torques { sun, planets, carrier, ring_reaction: carrier - sun };
 

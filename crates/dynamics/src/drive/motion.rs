@@ -3,6 +3,7 @@
 use super::bodies::Ends;
 use super::finite;
 use super::loads::Meshes;
+use super::part::Computed;
 use super::result::{EquivalentInertia, Masses, Motion, Start};
 use crate::Error;
 use crate::energy::kinetic_energy;
@@ -46,15 +47,15 @@ pub(super) fn equivalent_inertia(
         total: drive.equivalent_inertia()?,
         kinetic_energy: kinetic_energy(&drive.bodies(speed)?),
     };
-    finite("equivalent inertia", kg_m2(found.total))?;
-    finite("kinetic energy", joules(found.kinetic_energy))?;
+    finite(Computed::EquivalentInertia, kg_m2(found.total))?;
+    finite(Computed::KineticEnergy, joules(found.kinetic_energy))?;
     Ok(found)
 }
 
 pub(super) fn without_losses(drive: &PlanetaryDrive, start: Starting) -> Result<Motion, Error> {
     let Starting { speed, driving, load } = start;
     let accelerations = drive.motion(driving, load)?;
-    finite("acceleration", rad_per_s2(accelerations.sun))?;
+    finite(Computed::Acceleration, rad_per_s2(accelerations.sun))?;
     let force = drive.generalized_force(driving, load);
     let inertia = drive.equivalent_inertia()?;
     let held = drive.held_loads(driving, MeshEfficiency::IDEAL, MeshEfficiency::IDEAL);
@@ -72,7 +73,7 @@ pub(super) fn with_losses(drive: &PlanetaryDrive, start: Starting, meshes: Meshe
     let Meshes { sun_planet: eta_12, planet_ring: eta_23 } = meshes;
     let held = drive.held_loads(driving, eta_12, eta_23);
     let moving = |motion: LossyMotion, start| {
-        finite("acceleration", rad_per_s2(motion.accelerations.sun))?;
+        finite(Computed::Acceleration, rad_per_s2(motion.accelerations.sun))?;
         let LossyMotion { inertia, force: generalized_force, accelerations, .. } = motion;
         Ok(settled(Motion { inertia, generalized_force, accelerations, held, start }))
     };
@@ -105,6 +106,6 @@ fn settled(motion: Motion) -> Motion {
 
 fn time(speed: AngularVelocity, force: Torque, inertia: MomentOfInertia) -> Result<Time, Error> {
     let time = starting_time(speed, force, inertia)?;
-    finite("starting time", seconds(time))?;
+    finite(Computed::StartingTime, seconds(time))?;
     Ok(time)
 }

@@ -1,5 +1,6 @@
-//! Parts of a drive by name.
+//! Parts and results of a drive by name.
 
+use epicyclic_gears::words;
 use std::fmt;
 
 /// A shaft of the drive.
@@ -38,5 +39,26 @@ impl fmt::Display for BoredGear {
             Self::Sun => "sun",
             Self::Planet => "planet",
         })
+    }
+}
+
+words! {
+    /// A result that must be finite; displays as in messages, `starting time`.
+    Computed {
+        CarrierMass "mass of the carrier"
+        CarrierInertia "inertia of the carrier"
+        GearMass "mass of a gear"
+        GearInertia "inertia of a gear"
+        BearingForce "force on a planet bearing"
+        MeshForce "force at a mesh"
+        PlanetSpeed "speed of the planet"
+        CarrierTorque "torque of the carrier"
+        EquivalentInertia "equivalent inertia"
+        KineticEnergy "kinetic energy"
+        Acceleration "acceleration"
+        StartingTime "starting time"
+        ShaftStress "stress of a shaft"
+        RingRoot "root diameter of the ring"
+        RatioError "error of the ratio"
     }
 }

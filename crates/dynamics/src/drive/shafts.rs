@@ -1,7 +1,7 @@
 //! Shafts by a low allowable torsional stress, and their bearings.
 
 use super::finite;
-use super::part::Shaft;
+use super::part::{Computed, Shaft};
 use super::result::{Choice, ShaftDesign, Shafts, Torques};
 use super::spec::{ShaftSpec, ShaftsSpec};
 use super::warning::Warning;
@@ -42,7 +42,7 @@ fn of(
     let standard = Choice { diameter: standard, bearing: bearing::smallest_for_shaft(series, standard).ok() };
     let diameter = given.diameter.or(given.bearing.map(|bearing| bearing.bore)).unwrap_or(standard.diameter);
     let stress = shaft::torsional_stress(torque, diameter)?;
-    finite("stress of a shaft", pascals(stress))?;
+    finite(Computed::ShaftStress, pascals(stress))?;
     let bearing = given.bearing.or_else(|| bearing::smallest_for_shaft(series, diameter).ok());
 
     let diameter_mm = millimeters(diameter);

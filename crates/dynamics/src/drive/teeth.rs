@@ -1,6 +1,6 @@
 //! The tooth numbers of a drive and their conditions.
 
-use super::part::BoredGear;
+use super::part::{BoredGear, Computed};
 use super::result::{GearSetGeometry, TeethDesign};
 use super::spec::{GearSetSpec, TeethSpec};
 use super::warning::Warning;
@@ -112,7 +112,7 @@ fn geometry(wanted: &GearSetSpec, teeth: ToothNumbers) -> Result<GearSetGeometry
     let sun = ToothedGear::new(GearKind::External, module, teeth.sun, rack)?;
     let planet = ToothedGear::new(GearKind::External, module, teeth.planet, rack)?;
     let ring = ToothedGear::new(GearKind::Internal, module, teeth.ring, rack)?;
-    finite("root diameter of the ring", meters(ring.root_diameter()))?;
+    finite(Computed::RingRoot, meters(ring.root_diameter()))?;
     Ok(GearSetGeometry { sun, planet, ring, centre_distance: centre_distance(&sun, &planet)?, face_width })
 }
 
@@ -142,7 +142,7 @@ fn conditions(
         tip_gap: module * planet.gap_to_alike(spacing.half_gap_sine()),
         spacing,
     };
-    finite("error of the ratio", found.ratio_error)?;
+    finite(Computed::RatioError, found.ratio_error)?;
     let Wanted { ratio: wanted, tolerance } = wanted;
     if found.ratio_error.abs() > tolerance + 4.0 * f64::EPSILON {
         warnings.push(Warning::RatioDeparts { wanted, ratio, tolerance });

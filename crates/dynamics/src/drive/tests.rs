@@ -404,7 +404,7 @@ fn impossible_drives_are_refused() {
             s.teeth = TeethSpec::given(set(20, 40, 100, 4));
             s.ratio = 1e-308;
         },
-        Error::Overflow { what: "error of the ratio", .. }
+        Error::Overflow { what: Computed::RatioError, .. }
     );
     refused!(
         |s| s.driving_torque = Some(torque(0.0)),
@@ -452,7 +452,7 @@ fn impossible_drives_are_refused() {
     refused!(|s| s.motor_inertia = inertia(-1.0), Error::Impossible { what: Property::Inertia, .. });
     refused!(
         |s| s.carrier = CarrierSpec::Inertia(inertia(f64::NAN)),
-        Error::Overflow { what: "inertia of the carrier", .. }
+        Error::Overflow { what: Computed::CarrierInertia, .. }
     );
     refused!(|s| s.speed = rpm(1e-300), Error::Gear(_));
     refused!(

@@ -21,6 +21,7 @@ use super::{Part, Profile};
 use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate};
+use crate::roots::golden;
 use crate::satellites::Point;
 use crate::units::{angle, finite_angle};
 use std::f64::consts::PI;
@@ -190,26 +191,6 @@ impl Pose {
 fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [x * cos - y * sin, x * sin + y * cos]
-}
-
-/// The least value of a function between two arguments by golden section, and its argument.
-fn golden(low: f64, high: f64, steps: u32, f: impl Fn(f64) -> f64) -> (f64, f64) {
-    const PART: f64 = 0.381_966_011_250_105;
-    let (mut low, mut high) = (low, high);
-    let (mut a, mut b) = (low + PART * (high - low), high - PART * (high - low));
-    let (mut f_a, mut f_b) = (f(a), f(b));
-    for _ in 0..steps {
-        if f_a < f_b {
-            (high, b, f_b) = (b, a, f_a);
-            a = low + PART * (high - low);
-            f_a = f(a);
-        } else {
-            (low, a, f_a) = (a, b, f_b);
-            b = high - PART * (high - low);
-            f_b = f(b);
-        }
-    }
-    if f_a < f_b { (a, f_a) } else { (b, f_b) }
 }
 
 impl Profile {

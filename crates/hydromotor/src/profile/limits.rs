@@ -7,7 +7,7 @@
 //! | undercut | stator, rotor | path of contact with the cutter where the flank begins | at most `sin α/\|κ\|`, where the flank would have a cusp |
 //! | undercut | satellite | the same path with its rack | at most `r·sin α`, the base circle |
 //! | cusp at the tip | stator, rotor | path of contact at the tip, where the centrode is hollow | at most `sin α/κ` |
-//! | foreign root | stator, rotor | path of contact at the wheel's tip | at most that at which the satellite's involute begins |
+//! | foreign root | stator, rotor | path of contact at the wheel's tip, or reach into the fillet | at most that at which the satellite's involute begins |
 //! | own root | stator, rotor | path of contact at the satellite's tip | at most that at which the wheel's flank begins |
 //! | tip | all | thickness of the thinnest tip | at least 0.2 modules |
 //! | contact | stator, rotor | shortest path of contact | at least a base pitch, `p·cos α` |
@@ -15,6 +15,10 @@
 //! | tip curve | stator, rotor | the wheel's addendum | at most the radius of its sharpest hollow |
 //! | neighbours | satellite | least distance of satellites' centres | at least the tip circle's diameter |
 //! | wheels | rotor | stator's least radius less rotor's greatest | at least both addenda |
+//!
+//! A wheel's tip that keeps the *foreign root* may still run into the satellite's fillet: its corner goes on from the involute's
+//! beginning on a path of its own, and where that is bent less than the fillet it leaves less than the `½·j·cos α` between flanks. The value of
+//! *foreign root* is then the bound and what is missing of that distance.
 //!
 //! Of a flank that ends in a cusp below the tip, the value of *cusp at the tip* is the cusp's path and what is missing to the tip.
 //!
@@ -28,6 +32,7 @@ use super::track::{Frame, Side, Track};
 use super::{Part, Profile};
 use crate::centrode::Wheel;
 use crate::contact::{By, Conjugate};
+use crate::roots::golden;
 use crate::units::modules;
 use std::f64::consts::PI;
 
@@ -38,7 +43,7 @@ pub enum LimitKind {
     Undercut,
     /// The flank has a cusp before the tip.
     TipCusp,
-    /// The wheel's tip reaches below the satellite's involute.
+    /// The wheel's tip reaches below the satellite's involute, or into its fillet.
     SatelliteRoot,
     /// The satellite's tip reaches below the wheel's flank.
     WheelRoot,
@@ -219,7 +224,10 @@ impl Profile {
             if flank.missing > 0.0 {
                 Worst::keep(&mut cusp, Bound::AtMost, wheel_tip + flank.missing, wheel_tip, at);
             }
-            Worst::keep(&mut foreign, Bound::AtMost, wheel_tip, satellite_path, at);
+            // The flanks on the other side of the spaces are mirror images.
+            let intrusion = if flank.sign > 0.0 { self.intrusion(&track, flank) } else { 0.0 };
+            let reach = if intrusion > 0.0 { wheel_tip.max(satellite_path + intrusion) } else { wheel_tip };
+            Worst::keep(&mut foreign, Bound::AtMost, reach, satellite_path, at);
             let satellite_tip = -teeth.tip_roll() * teeth.cos;
             let begins = -flank.roll(flank.end) * teeth.cos;
             Worst::keep(&mut own, Bound::AtMost, satellite_tip, begins, at);
@@ -254,6 +262,38 @@ impl Profile {
                 limits.push(self.limit(kind, side.wheel(), value, sense, bound, Some(at)));
             }
         }
+    }
+}
+
+impl Profile {
+    /// How much nearer than the flanks the corner of a wheel's tip comes to the satellite's fillet, as contact goes on from the tip to
+    /// the corner's foot; 0 if it does not.
+    fn intrusion(&self, track: &Track<'_>, flank: &Flank) -> f64 {
+        let teeth = &self.teeth;
+        let corner = track.at(flank.foot).point(0.0, teeth.wheel_addendum);
+        let middle = flank.pitch - flank.sign * teeth.half_space;
+        let distance = |s: f64| {
+            let Frame { at: [x, y], along: [tx, ty], .. } = track.at(s);
+            let (x, y) = (corner[0] - x, corner[1] - y);
+            let (along, towards) = (x * tx + y * ty, x * ty - y * tx);
+            // About the middle of the satellite's tooth that comes into this space.
+            let (out, turned) = (teeth.r + towards, (s - middle) / teeth.r);
+            let (radius, angle) = (out.hypot(along), flank.sign * (along.atan2(out) + turned));
+            match self.satellite.fillet_distance([radius * angle.cos(), radius * angle.sin()]) {
+                (distance, true) => distance,
+                _ => f64::INFINITY,
+            }
+        };
+        // Ever denser towards the tip: the corner comes nearest soon after the involute.
+        let place = |i: u32| {
+            let part = f64::from(i.min(PLACES)) / f64::from(PLACES);
+            flank.tip + (flank.foot - flank.tip) * part * part
+        };
+        let (least, i) = (0..=PLACES)
+            .map(|i| (distance(place(i)), i))
+            .fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
+        let (_, refined) = golden(place(i.saturating_sub(1)), place(i + 1), 32, distance);
+        (0.5 * teeth.backlash * teeth.cos - least.min(refined)).max(0.0)
     }
 }
 

@@ -22,9 +22,9 @@
 //! # Why these defaults
 //! A satellite of 10 teeth is the smaller wheel of every mesh, and decides. In the standard form of 20° and full depth its rack
 //! undercuts it (`h_f − ρ·(1 − sin α) = 1.151` modules where `r·sin² α = 0.585` are allowed) and the wheels' tips reach below its base circle.
-//! Of the forms on a grid of 20° to 30°, `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0 to 0.4 and `ρ*` from 0.1 to 0.25,
-//! 327 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of their families. The lower the teeth, the wider the
-//! margins, but the shorter the path of contact, down to one base pitch: the default trades them, with a path of 1.12 base
+//! Of the forms on a grid of 20° to 30° in steps of 1°, and in steps of 0.05 `h_a*` from 0.7 to 1, `c*` from 0.15 to 0.25, `x` from 0
+//! to 0.4 and `ρ*` from 0.1 to 0.25, 453 keep every limit for 5×3 and 6×4 at `l = 40` modules, 5×3 at 30 and both in the middle of their
+//! families. The lower the teeth, the wider the margins, but the shorter the path of contact, down to one base pitch: the default trades them, with a path of 1.12 base
 //! pitches, tips of half a module, and 0.12 modules left to undercut and roots. Towards the ends of a family the centrodes bend more
 //! sharply and the default is undercut, at first by the cutter's clearance alone; a satellite of 9 teeth needs `ρ* ≤ 0.0698`, a smaller one lower
 //! teeth.

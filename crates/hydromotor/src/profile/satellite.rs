@@ -11,7 +11,8 @@
 //! The involute begins at the roll angle `t = tan α − (h_F + ρ·sin α)/(r·sin α·cos α)`; below 0 the rack undercuts the tooth, and the
 //! involute begins where the rack's rounding leaves it.
 //!
-//! Distances from the outline are exact to the involute and the circles; the fillet counts as a chain of chords.
+//! Distances from the outline are exact. Of the fillet a chain of chords tells the nearest place, and the foot near there follows from
+//! its normal: with the rack at `v` it passes through the pitch point, so that `P − C` and `F − C` have one direction.
 
 use super::Part;
 use super::form::{Teeth, involute};
@@ -20,7 +21,7 @@ use crate::quantity::WheelKind;
 use crate::roots::bracketed;
 use std::f64::consts::PI;
 
-/// Chords of a fillet for distances.
+/// Chords of a fillet among which its nearest place is sought.
 const CHORDS: u32 = 64;
 
 /// A satellite's tooth in modules.
@@ -181,18 +182,47 @@ impl SatelliteTooth {
             nearest = nearer(nearest, radius - self.teeth.root);
         }
         if radius - self.foot < nearest.abs() {
-            for (i, ends) in self.chain.windows(2).enumerate() {
-                let [[ax, ay], [bx, by]] = [ends[0], ends[1]];
-                let (ux, uy, vx, vy) = (bx - ax, by - ay, folded[0] - ax, folded[1] - ay);
-                let share = ((ux * vx + uy * vy) / (ux * ux + uy * uy)).clamp(0.0, 1.0);
-                let distance = (vx - share * ux).hypot(vy - share * uy);
+            nearest = nearer(nearest, self.fillet_distance(folded).0);
+        }
+        nearest
+    }
+
+    /// Distance of a point, about the middle of the tooth, from the fillet, negative within the tooth, and whether its foot lies between
+    /// the fillet's ends.
+    pub(super) fn fillet_distance(&self, point: [f64; 2]) -> (f64, bool) {
+        let (mut nearest, mut chord) = (f64::INFINITY, 0);
+        for (i, ends) in self.chain.windows(2).enumerate() {
+            let [[ax, ay], [bx, by]] = [ends[0], ends[1]];
+            let (ux, uy, vx, vy) = (bx - ax, by - ay, point[0] - ax, point[1] - ay);
+            let share = ((ux * vx + uy * vy) / (ux * ux + uy * uy)).clamp(0.0, 1.0);
+            let distance = (vx - share * ux).hypot(vy - share * uy);
+            if distance < nearest.abs() {
                 // From the involute to the root the space lies to the right; an undercut tooth's edge is convex.
                 let edge = self.undercut && i == 0 && share == 0.0;
                 let outside = edge || ux * vy - uy * vx <= 0.0;
-                nearest = nearer(nearest, if outside { distance } else { -distance });
+                (nearest, chord) = (if outside { distance } else { -distance }, i);
             }
         }
-        nearest
+        let Teeth { r, rack_half, rack_depth, fillet, .. } = self.teeth;
+        let (radius, angle) = (radius(point), point[1].atan2(point[0]));
+        // From the pitch point with the rack at `v`, outwards and along the rack.
+        let from_contact = |v: f64| {
+            let (sin, cos) = (self.half_pitch - v / r - angle).sin_cos();
+            [radius * cos - r, radius * sin]
+        };
+        let aside = |v: f64| {
+            let [out, along] = from_contact(v);
+            out * (rack_half - v) + along * rack_depth
+        };
+        let node = |i: usize| self.fillet + (rack_half - self.fillet) * i as f64 / f64::from(CHORDS);
+        let (low, high) = (node(chord.saturating_sub(1)), node((chord + 2).min(CHORDS as usize)));
+        if !(aside(low) < 0.0 && aside(high) >= 0.0) {
+            return (nearest, false);
+        }
+        let v = bracketed(low, high, aside);
+        let [out, along] = from_contact(v);
+        let to_centre = (rack_half - v).hypot(rack_depth);
+        (to_centre + fillet - (along * (rack_half - v) - out * rack_depth) / to_centre, true)
     }
 
     /// Distance along the normal from the involute, however far that goes on, and the roll angle of the foot.

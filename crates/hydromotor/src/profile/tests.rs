@@ -385,6 +385,46 @@ fn the_satellites_distance_is_that_of_its_outline() {
 }
 
 #[test]
+fn the_satellites_outline_is_at_no_distance_from_itself() {
+    for form in [ToothForm::default(), ToothForm::full_depth(), mild(24.0, Crest::Tooth)] {
+        let profile = Profile::new(&motor((5, 3, 55, 10), 40.0), form).unwrap();
+        for point in profile.outline(Wheel::Satellite, 7000).unwrap().points {
+            let distance = profile.satellite.distance(xy(point));
+            assert!(distance.abs() < 1e-12, "{distance:e}");
+        }
+    }
+}
+
+#[test]
+fn a_tip_that_keeps_the_involute_may_run_into_the_fillet() {
+    let motor = motor((4, 2, 48, 11), 48.565);
+    let form = ToothForm {
+        pressure_angle: Angle::new::<degree>(25.16),
+        addendum: 0.8183,
+        clearance: 0.2077,
+        shift: 0.0857,
+        backlash: 0.0931,
+        satellite_share: 0.7,
+        fillet: 0.1009,
+        crest: Crest::Tooth,
+    };
+    let profile = Profile::new(&motor, form).unwrap();
+    assert_eq!(failing(&profile), [(LimitKind::SatelliteRoot, Wheel::Stator)]);
+    // The path keeps the involute; the corner of the tip, as measured along its way, does not keep the distance of the flanks.
+    let limits = profile.limits();
+    let limit = limits.iter().find(|limit| !limit.holds()).unwrap();
+    let flank = profile.cut(Side::Stator).flanks[0][1];
+    assert!(flank.roll(flank.tip) * profile.teeth.cos < limit.bound.get::<meter>() - 0.01);
+    let nearest = profile.clearances(600).unwrap().stator;
+    let excess = nearest.clearance.get::<meter>() - 0.5 * profile.teeth.backlash * profile.teeth.cos;
+    assert!((limit.margin().get::<meter>() - excess).abs() < 1e-8, "{:?} {excess:e}", limit.margin());
+    assert!(excess < -4e-5, "{excess:e}");
+    // Lower tips stay clear.
+    let lower = Profile::new(&motor, ToothForm { addendum: 0.78, ..form }).unwrap();
+    assert_eq!(failing(&lower), []);
+}
+
+#[test]
 fn what_leaves_no_teeth_is_refused() {
     let motor = motor((5, 3, 55, 10), 40.0);
     let refuse = |form: ToothForm| Profile::new(&motor, form).unwrap_err();

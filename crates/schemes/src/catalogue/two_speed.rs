@@ -127,7 +127,7 @@ impl FromStr for TwoSpeed {
 
     fn from_str(name: &str) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|scheme| scheme.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
-            Error::UnknownScheme { name: name.into(), known: Self::ALL.map(Self::name).join(", ") }
+            Error::UnknownScheme { name: name.into(), known: Self::ALL.map(Self::name).to_vec() }
         })
     }
 }
