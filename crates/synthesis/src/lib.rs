@@ -1,0 +1,11 @@
+//! Synthesis of planetary gearboxes from a list of ratios.
+
+pub mod class;
+pub mod count;
+pub mod enumerate;
+mod error;
+pub mod structure;
+
+pub use class::{Class, Kind};
+pub use error::Error;
+pub use structure::Structure;
