@@ -6,6 +6,12 @@ pub mod enumerate;
 mod error;
 pub mod structure;
 
+pub mod exterior;
+pub mod gearbox;
+pub mod motion;
+pub mod ratio;
+pub mod ternary;
+
 pub use class::{Class, Kind};
 pub use error::Error;
 pub use structure::Structure;
