@@ -9,7 +9,10 @@ pub mod structure;
 pub mod exterior;
 pub mod gearbox;
 pub mod motion;
+pub mod parts;
 pub mod ratio;
+pub mod search;
+pub mod solve;
 pub mod ternary;
 
 pub use class::{Class, Kind};

@@ -118,6 +118,16 @@ impl<W: Word> Motion<W> {
         }));
     }
 
+    /// Whether two elements lock the same: where one is engaged, the other turns without slip, whatever the `k`.
+    ///
+    /// Then the rows of the sets, of these two and of any others have determinant 0: their product is 0.
+    #[must_use]
+    pub fn lock_the_same(&self, one: usize, other: usize) -> bool {
+        let (one, other) = (&self.differences[one], &self.differences[other]);
+        let mut pairs = self.space.pairs().iter();
+        pairs.all(|&(_, first, second, _)| Space::minor(one, other, first, second).is_zero())
+    }
+
     /// Calls `visit` with each choice of `F − 1` elements, as their places but the last in rising order, and the speeds that
     /// each last element after them gives.
     pub fn for_each_gear(&mut self, visit: &mut impl FnMut(&[usize], &[Speeds<W>])) {
