@@ -32,6 +32,27 @@ impl Parts {
         Self(std::array::from_fn(|word| self.0[word] | other.0[word]))
     }
 
+    /// The parts of one of both alone.
+    #[inline]
+    #[must_use]
+    pub fn xor(self, other: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] ^ other.0[word]))
+    }
+
+    /// The parts that the other has not.
+    #[inline]
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] & !other.0[word]))
+    }
+
+    /// Whether a part is among them.
+    #[inline]
+    #[must_use]
+    pub fn contains(self, part: usize) -> bool {
+        self.0[part / 64] >> (part % 64) & 1 == 1
+    }
+
     /// Whether there is none.
     #[inline]
     #[must_use]
@@ -47,7 +68,7 @@ impl Parts {
 
     /// The numbers of the parts.
     pub fn iter(self) -> impl Iterator<Item = usize> {
-        (0..256).filter(move |part| self.0[part / 64] >> (part % 64) & 1 == 1)
+        (0..256).filter(move |part| self.contains(*part))
     }
 
     fn insert(&mut self, part: usize) {
@@ -57,8 +78,14 @@ impl Parts {
     /// The first so many.
     #[must_use]
     pub fn first(count: usize) -> Self {
+        (0..count).collect()
+    }
+}
+
+impl FromIterator<usize> for Parts {
+    fn from_iter<I: IntoIterator<Item = usize>>(numbers: I) -> Self {
         let mut parts = Self::default();
-        (0..count).for_each(|part| parts.insert(part));
+        numbers.into_iter().for_each(|part| parts.insert(part));
         parts
     }
 }
@@ -78,6 +105,14 @@ impl Bounds {
         Self { least: self.least - WIDENING * self.least.abs(), most: self.most + WIDENING * self.most.abs() }
     }
 
+    /// On which side of both bounds a ratio `above/below` lies: bit 0 if `above` is larger than `below` times either bound, bit 1 if
+    /// smaller; 0 between the bounds.
+    #[inline]
+    pub(crate) fn side(self, above: f64, below: f64) -> u8 {
+        let (least, most) = (above - self.least * below, above - self.most * below);
+        u8::from(least > 0.0 && most > 0.0) | u8::from(least < 0.0 && most < 0.0) << 1
+    }
+
     /// Whether a ratio is within.
     #[must_use]
     pub fn contain(self, ratio: f64) -> bool {
@@ -93,6 +128,8 @@ pub type Cuboid = Vec<[f64; 2]>;
 pub struct Grid {
     /// The bounds of the parts of each `k`.
     edges: Vec<Vec<f64>>,
+    /// For each part the place of its lowest corner among all corners.
+    lowest: Vec<usize>,
 }
 
 impl Grid {
@@ -109,7 +146,19 @@ impl Grid {
                     .collect()
             })
             .collect();
-        Self { edges }
+        let mut grid = Self { edges, lowest: Vec::new() };
+        grid.lowest = (0..grid.count()).map(|part| grid.lowest_corner(part)).collect();
+        grid
+    }
+
+    fn lowest_corner(&self, mut part: usize) -> usize {
+        let (mut place, mut stride) = (0, 1);
+        for edges in &self.edges {
+            place += part % (edges.len() - 1) * stride;
+            part /= edges.len() - 1;
+            stride *= edges.len();
+        }
+        place
     }
 
     /// How many parts.
@@ -165,54 +214,41 @@ impl Grid {
     /// For each gear the parts in which the ratio may be within its bounds.
     #[must_use]
     pub fn reach(&self, ratio: Ratio, gears: &[Bounds]) -> Vec<Parts> {
-        let (above, below) = (self.corners(ratio.numerator), self.corners(ratio.denominator));
-        gears.iter().map(|gear| self.within(&above, &below, gear.widened())).collect()
+        let sets = self.edges.len();
+        let whole = self.whole();
+        let mut ends = [Vec::new(), Vec::new()];
+        for (values, polynomial) in ends.iter_mut().zip([ratio.numerator, ratio.denominator]) {
+            corner_values(&coefficients(polynomial, sets), &whole, values);
+        }
+        let mut corners = None;
+        let mut signs = Vec::new();
+        let reach = gears.iter().map(|gear| {
+            let gear = gear.widened();
+            let outside = ends[0].iter().zip(&ends[1]).fold(3, |all, (above, below)| all & gear.side(*above, *below));
+            if outside != 0 {
+                return Parts::default();
+            }
+            let [above, below] =
+                corners.get_or_insert_with(|| [ratio.numerator, ratio.denominator].map(|part| self.corners(part)));
+            // A corner keeps what all corners of the part share.
+            signs.clear();
+            signs.extend(above.iter().zip(below.iter()).map(|(above, below)| gear.side(*above, *below)));
+            self.share(&mut signs);
+            let within = self.lowest.iter().enumerate().filter(|(_, corner)| signs[**corner] == 0);
+            within.map(|(part, _)| part).collect()
+        });
+        reach.collect()
     }
 
-    fn within(&self, above: &[f64], below: &[f64], gear: Bounds) -> Parts {
-        // Bit 0: larger than both bounds ask, bit 1: smaller. A corner keeps what all corners of the part share.
-        let mut signs: Vec<u8> = above
-            .iter()
-            .zip(below)
-            .map(|(above, below)| {
-                let (least, most) = (above - gear.least * below, above - gear.most * below);
-                u8::from(least > 0.0 && most > 0.0) | u8::from(least < 0.0 && most < 0.0) << 1
-            })
-            .collect();
-        // The corners' places: the last `k` changes slowest. Neighbours along each `k` are joined in place.
+    /// Leaves at the lowest corner of each part the bits that all its corners have.
+    fn share(&self, signs: &mut [u8]) {
         let mut stride = 1;
         for edges in &self.edges {
-            let length = signs.len();
-            for place in 0..length.saturating_sub(stride) {
+            for place in 0..signs.len().saturating_sub(stride) {
                 signs[place] &= signs[place + stride];
             }
             stride *= edges.len();
         }
-        let mut parts = Parts::default();
-        let mut number = 0;
-        self.for_each_corner(&mut |corner| {
-            if signs[corner] == 0 {
-                parts.insert(number);
-            }
-            number += 1;
-        });
-        parts
-    }
-
-    /// Calls `visit` with the place of the lowest corner of each part.
-    fn for_each_corner(&self, visit: &mut impl FnMut(usize)) {
-        fn go(edges: &[Vec<f64>], place: usize, stride: usize, visit: &mut impl FnMut(usize)) {
-            match edges.split_last() {
-                None => visit(place),
-                Some((last, rest)) => {
-                    let stride = stride / last.len();
-                    for cut in 0..last.len() - 1 {
-                        go(rest, place + cut * stride, stride, visit);
-                    }
-                }
-            }
-        }
-        go(&self.edges, 0, self.edges.iter().map(Vec::len).product(), visit);
     }
 }
 

@@ -1,12 +1,25 @@
 //! All sets of elements of a structure that have the wanted gears.
+//!
+//! # Steps
+//! 1. Elements that lock the same are one. Each choice of `e` elements has a function, from the [library](crate::library).
+//! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, in all parts of the range of `k` at
+//!    once, up to as many elements as may be.
+//! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its own.
+//! 4. In each such part a point is sought, or proved not to be there ([`solve`](crate::solve)).
+//!
+//! # Why nothing is lost
+//! Steps 2 and 3 leave out what a part does not allow by the signs at its corners, which hold everywhere in it. Step 2 splits by
+//! parts: in a part where the chosen elements do not reach a gear, a solution must have a further choice that does; where they
+//! reach all gears, any further element is tried.
 
-use crate::motion::{Element, Motion, Speeds, elements};
+use crate::library::{Library, Number, USELESS};
+use crate::motion::{Element, Motion, elements};
 use crate::parts::{Bounds, Grid, Parts};
-use crate::ratio::{Polynomial, Ratio};
+use crate::ratio::Ratio;
 use crate::solve::{Function, Outcome, Solver};
 use crate::structure::Structure;
-use crate::ternary::{Ternary, Word};
-use rustc_hash::{FxHashMap, FxHashSet};
+use crate::ternary::Word;
+use rustc_hash::FxHashMap;
 use std::ops::RangeInclusive;
 
 /// What is wanted of a gearbox.
@@ -16,19 +29,28 @@ pub struct Wish {
     pub gears: Vec<Bounds>,
     /// How many elements.
     pub elements: usize,
-    /// The range of the ring-to-sun ratios.
-    pub k: RangeInclusive<f64>,
+    /// The range of each set's ring-to-sun ratio.
+    pub k: Vec<RangeInclusive<f64>>,
 }
 
 /// A set of elements with all gears.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The elements, each the first of those that lock the same.
-    pub elements: Vec<Element>,
+    /// For each element the pairs of links that it may join, all of which lock the same.
+    pub elements: Vec<Vec<Element>>,
     /// Ring-to-sun ratios with which all gears are within their bounds.
     pub k: Vec<f64>,
-    /// For each gear the elements that it engages, by their places.
-    pub gears: Vec<Vec<usize>>,
+    /// The gears in the order of the wish.
+    pub gears: Vec<Gear>,
+}
+
+/// A gear of a solution.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gear {
+    /// Its ratio as a formula.
+    pub ratio: Ratio,
+    /// The elements that it engages, by their places: each choice that gives this ratio.
+    pub engaged: Vec<Vec<usize>>,
 }
 
 /// Counts of what a search came to.
@@ -36,81 +58,105 @@ pub struct Solution {
 pub struct Tally {
     /// Structures searched.
     pub structures: u64,
-    /// Structures in which each gear is within reach of some elements.
-    pub within_reach: u64,
-    /// Sets of elements that have parts with all gears.
+    /// Structures in which each gear is in reach of some elements.
+    pub in_reach: u64,
+    /// Sets of elements for which some part of the range of `k` was searched.
     pub candidates: u64,
-    /// Parts of these in which a point was sought.
-    pub parts: u64,
-    /// Sets with all gears only if some `k` moves none of them, or some element is spare.
+    /// Sets that have all gears, but some `k` moves none of them: a simpler structure does the same.
     pub reducible: u64,
-    /// Sets for which some part is undecided.
+    /// Sets for which neither a point was found nor its absence proved.
     pub undecided: u64,
 }
 
-/// A function in reach of a gear somewhere.
-struct Record {
-    function: Function,
-    /// Gears within reach, as bits.
-    gears: u32,
-    /// The parts within reach of each gear.
-    reach: Vec<Parts>,
+impl std::ops::AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.structures += other.structures;
+        self.in_reach += other.in_reach;
+        self.candidates += other.candidates;
+        self.reducible += other.reducible;
+        self.undecided += other.undecided;
+    }
 }
 
-/// What a function is that no gear can have.
-const DEAD: u32 = u32::MAX;
-
-/// A search through structures of one class; functions that it has met are kept.
+/// A search through structures of one class. What it learns of functions is kept from one structure to the next.
 pub struct Search<W> {
     wish: Wish,
-    sets: usize,
     engaged: usize,
-    grid: Grid,
     motion: Motion<W>,
-    all: Vec<Element>,
-    known: FxHashMap<Speeds<W>, u32>,
-    ratios: FxHashMap<Ratio, u32>,
-    records: Vec<Record>,
+    /// All pairs of links.
+    pairs: Vec<Element>,
+    library: Library<W>,
     tally: Tally,
-    /// How many choices of `j + 1` of the places below `place`: `choices[j][place]`.
-    choices: Vec<Vec<usize>>,
+    choices: Choices,
+    /// The pairs that each element of the structure may join.
+    elements: Vec<Vec<Element>>,
     /// For each choice of elements its function.
-    gears: Vec<u32>,
+    functions: Vec<Number>,
+    /// For each gear the choices that reach it, as bits, and the parts in which they do.
     lists: Vec<Vec<(u64, Parts)>>,
-    seen: FxHashSet<u64>,
+    /// Gears by the length of their lists.
+    order: Vec<usize>,
+    /// Chosen elements, and the parts in which they were gone on from.
+    visited: FxHashMap<u64, Parts>,
+    /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
+    /// Lists of numbers, used again.
+    room: Vec<Vec<Number>>,
 }
 
-fn wide<W: Word>(speeds: Speeds<W>) -> [Polynomial; 2] {
-    [speeds.input, speeds.output].map(|speed| Ternary { plus: speed.plus.into(), minus: speed.minus.into() })
+/// Numbers of choices of elements: `Σ C(place_j, j + 1)` over the places of a choice in rising order.
+struct Choices {
+    terms: Vec<Vec<usize>>,
+}
+
+impl Choices {
+    fn new(of: usize, elements: usize) -> Self {
+        Self { terms: (1..=of).map(|of| (0..=elements).map(|count| choose(count, of)).collect()).collect() }
+    }
+
+    /// Calls `visit` with the number of each choice of some elements, and the choice.
+    #[inline]
+    fn for_each(&self, elements: u64, visit: &mut impl FnMut(usize, u64)) {
+        fn go(terms: &[Vec<usize>], left: u64, number: usize, chosen: u64, visit: &mut impl FnMut(usize, u64)) {
+            let Some((term, rest)) = terms.split_first() else { return visit(number, chosen) };
+            let mut candidates = left;
+            while candidates != 0 {
+                let element = candidates.trailing_zeros() as usize;
+                candidates &= candidates - 1;
+                go(rest, candidates, number + term[element], chosen | 1 << element, visit);
+            }
+        }
+        go(&self.terms, elements, 0, 0, visit);
+    }
+}
+
+/// How many choices of so many things there are.
+fn choose(count: usize, of: usize) -> usize {
+    (0..of).fold(1, |all, place| all * count.saturating_sub(place) / (place + 1))
 }
 
 impl<W: Word> Search<W> {
-    /// For structures of so many sets and links.
+    /// For structures of so many sets, with `wish.k` for each, and links.
     #[must_use]
-    pub fn new(wish: Wish, sets: usize, links: usize) -> Self {
+    pub fn new(wish: Wish, links: usize) -> Self {
+        let sets = wish.k.len();
         let engaged = links - sets - 1;
-        let all = elements(links);
-        let choices = (0..engaged)
-            .map(|j| (0..=all.len()).map(|place| (0..=j).fold(1, |all, i| all * place.saturating_sub(i) / (i + 1))).collect())
-            .collect();
-        let lists = vec![Vec::new(); wish.gears.len()];
+        let pairs = elements(links);
         Self {
-            grid: Grid::new(&vec![wish.k.clone(); sets]),
-            wish,
-            sets,
             engaged,
             motion: Motion::new(links - sets),
-            all,
-            known: FxHashMap::default(),
-            ratios: FxHashMap::default(),
-            records: Vec::new(),
+            choices: Choices::new(engaged, pairs.len()),
+            pairs,
+            library: Library::new(sets, wish.gears.clone(), Grid::new(&wish.k)),
             tally: Tally::default(),
-            choices,
-            gears: Vec::new(),
-            lists,
-            seen: FxHashSet::default(),
+            elements: Vec::new(),
+            functions: Vec::new(),
+            lists: vec![Vec::new(); wish.gears.len()],
+            order: Vec::new(),
+            visited: FxHashMap::default(),
             candidates: Vec::new(),
+            room: Vec::new(),
+            wish,
         }
     }
 
@@ -120,232 +166,360 @@ impl<W: Word> Search<W> {
         self.tally
     }
 
-    /// How many functions are known: speeds met, and ratios that a gear can have.
+    /// How many functions were met, and how many of them a gear can have.
     #[must_use]
-    pub fn functions(&self) -> (usize, usize) {
-        (self.known.len(), self.records.len())
+    pub fn functions(&self) -> [usize; 2] {
+        self.library.counts()
     }
 
-    /// All solutions of a structure.
+    /// All solutions of a structure; of those that an automorphism makes equal, one.
     pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
         self.tally.structures += 1;
-        let representatives = self.representatives(structure);
-        if !self.functions_of(structure, &representatives) {
+        self.take(structure);
+        if self.lists.iter().any(Vec::is_empty) {
             return Vec::new();
         }
-        self.tally.within_reach += 1;
-        self.seen.clear();
+        self.tally.in_reach += 1;
+        self.order = (0..self.lists.len()).collect();
+        self.order.sort_by_key(|gear| self.lists[*gear].len());
+        self.visited.clear();
         self.candidates.clear();
-        let mut order: Vec<usize> = (0..self.wish.gears.len()).collect();
-        order.sort_by_key(|gear| self.lists[*gear].len());
-        let parts = Parts::first(self.grid.count());
-        self.grow(&order, 0, parts);
+        self.grow(0, Parts::first(self.library.grid().count()));
         let candidates = std::mem::take(&mut self.candidates);
-        self.tally.candidates += candidates.len() as u64;
-        let found = candidates.iter().filter_map(|(chosen, parts)| self.decide(*chosen, *parts, &representatives)).collect();
+        let symmetries = self.symmetries(structure);
+        let mut found = Vec::new();
+        for (chosen, parts) in &candidates {
+            let least = symmetries.iter().all(|places| image(*chosen, places) >= *chosen);
+            if least {
+                found.extend(self.decide(*chosen, *parts));
+            }
+        }
         self.candidates = candidates;
         found
     }
 
-    /// The elements of a structure, one of those that lock the same.
-    fn representatives(&mut self, structure: &Structure) -> Vec<Element> {
-        self.motion.take(structure, &self.all);
-        let mut kept: Vec<usize> = Vec::new();
-        for element in 0..self.all.len() {
-            if !kept.iter().any(|other| self.motion.lock_the_same(element, *other)) {
-                kept.push(element);
-            }
-        }
-        kept.into_iter().map(|element| self.all[element]).collect()
+    /// How the structure's automorphisms, but the identity, permute its elements.
+    fn symmetries(&self, structure: &Structure) -> Vec<Vec<usize>> {
+        let automorphisms = structure.automorphisms();
+        // The ranges of k move with the sets.
+        let keeps_ranges = |order: &&Vec<usize>| order.iter().enumerate().all(|(place, set)| self.wish.k[place] == self.wish.k[*set]);
+        let of = |order: &Vec<usize>| {
+            let names = structure.renaming(order);
+            let image = |element: &Vec<Element>| {
+                let mut pair = element[0].map(|link| names[usize::from(link)]);
+                pair.sort_unstable();
+                self.elements.iter().position(|pairs| pairs.contains(&pair))
+            };
+            self.elements.iter().filter_map(image).collect::<Vec<_>>()
+        };
+        automorphisms.iter().skip(1).filter(keeps_ranges).map(of).collect()
     }
 
-    /// Finds the function of each choice of elements, and lists for each gear those within reach. Whether each gear has one.
-    fn functions_of(&mut self, structure: &Structure, elements: &[Element]) -> bool {
-        self.motion.take(structure, elements);
-        let Self { motion, known, ratios, records, grid, wish, sets, gears, lists, choices, .. } = self;
-        gears.clear();
-        gears.resize(choose(elements.len(), self.engaged), DEAD);
-        lists.iter_mut().for_each(Vec::clear);
+    /// Takes up a structure: its elements, the function of each choice of them, and the lists of the gears.
+    fn take(&mut self, structure: &Structure) {
+        self.motion.take(structure, &self.pairs);
+        let mut kept: Vec<usize> = Vec::new();
+        self.elements.clear();
+        for (place, pair) in self.pairs.iter().enumerate() {
+            match kept.iter().position(|other| self.motion.lock_the_same(place, *other)) {
+                Some(element) => self.elements[element].push(*pair),
+                None => {
+                    kept.push(place);
+                    self.elements.push(vec![*pair]);
+                }
+            }
+        }
+        let kept: Vec<Element> = kept.into_iter().map(|place| self.pairs[place]).collect();
+        self.motion.take(structure, &kept);
+        self.functions.clear();
+        self.functions.resize(choose(kept.len(), self.engaged), USELESS);
+        self.lists.iter_mut().for_each(Vec::clear);
+        let Self { motion, library, functions, lists, choices, .. } = self;
         motion.for_each_gear(&mut |first, last| {
             let from = first.last().map_or(0, |element| element + 1);
-            let base: usize = first.iter().zip(choices.iter()).map(|(element, choices)| choices[*element]).sum();
-            let mask = first.iter().fold(0u64, |mask, element| mask | 1 << element);
-            let top = &choices[first.len()];
-            for (offset, speeds) in last.iter().enumerate() {
+            let number: usize = first.iter().zip(&choices.terms).map(|(element, terms)| terms[*element]).sum();
+            let chosen = first.iter().fold(0u64, |chosen, element| chosen | 1 << element);
+            let terms = &choices.terms[first.len()];
+            for (element, speeds) in (from..).zip(last) {
                 if speeds.input.is_zero() || speeds.output.is_zero() {
                     continue;
                 }
-                let number = *known.entry(*speeds).or_insert_with(|| {
-                    let [input, output] = wide(*speeds);
-                    let Some(ratio) = Ratio::new(input, output) else { return DEAD };
-                    *ratios.entry(ratio).or_insert_with(|| {
-                        let reach = grid.reach(ratio, &wish.gears);
-                        let within = (0..reach.len()).filter(|gear| !reach[*gear].is_empty());
-                        let within = within.fold(0, |all, gear| all | 1 << gear);
-                        if within == 0 {
-                            return DEAD;
-                        }
-                        records.push(Record { function: Function::new(ratio, *sets), gears: within, reach });
-                        (records.len() - 1) as u32
-                    })
-                });
-                if number == DEAD {
+                let function = library.number(*speeds);
+                if function == USELESS {
                     continue;
                 }
-                let element = from + offset;
-                gears[base + top[element]] = number;
-                let record = &records[number as usize];
-                let mut left = record.gears;
-                while left != 0 {
-                    let gear = left.trailing_zeros() as usize;
-                    left &= left - 1;
-                    lists[gear].push((mask | 1 << element, record.reach[gear]));
+                functions[number + terms[element]] = function;
+                let record = library.record(function);
+                let mut gears = record.gears;
+                while gears != 0 {
+                    let gear = gears.trailing_zeros() as usize;
+                    gears &= gears - 1;
+                    lists[gear].push((chosen | 1 << element, record.reach[gear]));
                 }
             }
         });
-        lists.iter().all(|list| !list.is_empty())
     }
 
-    /// Adds what elements the next gear needs to those chosen.
-    fn grow(&mut self, order: &[usize], chosen: u64, parts: Parts) {
-        if chosen.count_ones() as usize == self.wish.elements || order.is_empty() {
-            return self.complete(chosen);
-        }
-        let gear = order[0];
-        let covered = self.covered(chosen, gear).and(parts);
-        if !covered.is_empty() {
-            self.grow(&order[1..], chosen, covered);
-        }
-        for place in 0..self.lists[gear].len() {
-            let (mask, reach) = self.lists[gear][place];
-            let with = chosen | mask;
-            if with == chosen || with.count_ones() as usize > self.wish.elements {
-                continue;
-            }
-            let parts = parts.and(reach);
-            if !parts.is_empty() {
-                self.grow(&order[1..], with, parts);
-            }
-        }
-    }
-
-    /// The parts in which chosen elements have a gear.
-    fn covered(&self, chosen: u64, gear: usize) -> Parts {
-        let mut covered = Parts::default();
-        self.for_each_function(chosen, &mut |_, number| {
-            let record = &self.records[number as usize];
-            if record.gears >> gear & 1 == 1 {
-                covered = covered.or(record.reach[gear]);
-            }
-        });
-        covered
-    }
-
-    /// Calls `visit` with each choice of chosen elements that has a function, as bits, and its number.
-    fn for_each_function(&self, chosen: u64, visit: &mut impl FnMut(u64, u32)) {
-        fn go(choices: &[Vec<usize>], left: u64, index: usize, mask: u64, visit: &mut impl FnMut(usize, u64)) {
-            let Some((first, rest)) = choices.split_first() else { return visit(index, mask) };
-            let mut candidates = left;
-            while candidates != 0 {
-                let element = candidates.trailing_zeros() as usize;
-                candidates &= candidates - 1;
-                go(rest, candidates, index + first[element], mask | 1 << element, visit);
-            }
-        }
-        go(&self.choices, chosen, 0, 0, &mut |index, mask| {
-            if self.gears[index] != DEAD {
-                visit(mask, self.gears[index]);
-            }
-        });
-    }
-
-    /// Notes chosen elements as a candidate, where some parts have all gears.
-    fn complete(&mut self, chosen: u64) {
-        if !self.seen.insert(chosen) {
+    /// Goes on from chosen elements, in those of some parts where this was not done before.
+    fn grow(&mut self, chosen: u64, parts: Parts) {
+        let done = self.visited.entry(chosen).or_default();
+        let mut parts = parts.without(*done);
+        if parts.is_empty() {
             return;
         }
-        let mut functions = [0u32; 512];
-        let mut count = 0;
-        let mut gears = 0;
-        self.for_each_function(chosen, &mut |_, number| {
-            if count < functions.len() {
-                functions[count] = number;
-                count += 1;
+        let first = done.is_empty();
+        *done = done.or(parts);
+        if chosen.count_ones() as usize == self.wish.elements {
+            if first {
+                self.complete(chosen);
             }
-            gears |= self.records[number as usize].gears;
-        });
-        let functions = &functions[..count];
-        if gears.count_ones() as usize != self.wish.gears.len() {
             return;
         }
-        let mut parts = Parts::first(self.grid.count());
-        for gear in 0..self.wish.gears.len() {
-            let mut covered = Parts::default();
-            for number in functions {
-                let record = &self.records[*number as usize];
-                if record.gears >> gear & 1 == 1 {
-                    covered = covered.or(record.reach[gear]);
+        let mut functions = self.room.pop().unwrap_or_default();
+        self.functions_of(chosen, &mut functions);
+        parts = parts.and(self.promising(chosen, &functions));
+        for place in 0..self.order.len() {
+            if parts.is_empty() {
+                break;
+            }
+            let gear = self.order[place];
+            let covered = self.covered(&functions, gear);
+            let open = parts.without(covered);
+            if !open.is_empty() {
+                for place in 0..self.lists[gear].len() {
+                    let (choice, reach) = self.lists[gear][place];
+                    let with = chosen | choice;
+                    if with.count_ones() as usize > self.wish.elements {
+                        continue;
+                    }
+                    let open = open.and(reach);
+                    if !open.is_empty() {
+                        self.grow(with, open);
+                    }
                 }
             }
             parts = parts.and(covered);
-            if parts.is_empty() {
-                return;
-            }
         }
-        self.candidates.push((chosen, parts));
-    }
-
-    /// Whether chosen elements have all gears at one point.
-    fn decide(&mut self, chosen: u64, parts: Parts, representatives: &[Element]) -> Option<Solution> {
-        let mut numbers: Vec<u32> = Vec::new();
-        let mut masks: Vec<Vec<u64>> = Vec::new();
-        self.for_each_function(chosen, &mut |mask, number| match numbers.iter().position(|known| *known == number) {
-            Some(place) => masks[place].push(mask),
-            None => {
-                numbers.push(number);
-                masks.push(vec![mask]);
-            }
-        });
-        let functions: Vec<&Function> = numbers.iter().map(|number| &self.records[*number as usize].function).collect();
-        let whole = (1usize << self.sets) - 1;
-        let mut reducible = false;
-        let mut accept = |assigned: &[usize]| {
-            let used = assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables());
-            let engaged = assigned.iter().flat_map(|function| &masks[*function]).fold(0, |all, mask| all | mask);
-            let irreducible = used == whole && engaged == chosen;
-            reducible |= !irreducible;
-            irreducible
-        };
-        let mut undecided = false;
-        let mut found = None;
-        {
-            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept);
-            for part in parts.iter() {
-                self.tally.parts += 1;
-                match solver.search(self.grid.part(part)) {
-                    Outcome::Found { k, functions } => {
-                        found = Some((k, functions));
-                        break;
-                    }
-                    Outcome::None => {}
-                    Outcome::Undecided => undecided = true,
+        functions.clear();
+        self.room.push(functions);
+        if !parts.is_empty() {
+            for element in 0..self.elements.len() {
+                if chosen >> element & 1 == 0 {
+                    self.grow(chosen | 1 << element, parts);
                 }
             }
         }
-        if found.is_none() {
-            self.tally.undecided += u64::from(undecided);
-            self.tally.reducible += u64::from(!undecided && reducible);
+    }
+
+    /// The functions of all choices of some elements, each once.
+    fn functions_of(&self, chosen: u64, functions: &mut Vec<Number>) {
+        self.choices.for_each(chosen, &mut |number, _| {
+            let function = self.functions[number];
+            if function != USELESS && !functions.contains(&function) {
+                functions.push(function);
+            }
+        });
+    }
+
+    /// The parts in which one of some functions reaches a gear.
+    fn covered(&self, functions: &[Number], gear: usize) -> Parts {
+        let records = functions.iter().map(|function| self.library.record(*function));
+        let reaching = records.filter(|record| record.gears >> gear & 1 == 1);
+        reaching.fold(Parts::default(), |covered, record| covered.or(record.reach[gear]))
+    }
+
+    /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of which each choice
+    /// with an element that is not chosen yet can give one.
+    fn promising(&self, chosen: u64, functions: &[Number]) -> Parts {
+        let known = choose(chosen.count_ones() as usize, self.engaged);
+        let more = choose(self.wish.elements, self.engaged) - known;
+        let least = self.wish.gears.len().saturating_sub(more);
+        at_least(functions.iter().map(|function| self.library.record(*function).useful), least)
+    }
+
+    /// Notes a full set of elements as a candidate, where some parts have all gears.
+    fn complete(&mut self, chosen: u64) {
+        let mut functions = self.room.pop().unwrap_or_default();
+        self.functions_of(chosen, &mut functions);
+        let parts = self.parts_with_all(&functions);
+        functions.clear();
+        self.room.push(functions);
+        if !parts.is_empty() {
+            self.candidates.push((chosen, parts));
         }
+    }
+
+    /// The parts in which each gear is in reach of a function of its own.
+    fn parts_with_all(&self, functions: &[Number]) -> Parts {
+        let gears = self.wish.gears.len();
+        let record = |function: &Number| self.library.record(*function);
+        let reached = functions.iter().fold(0, |all, function| all | record(function).gears);
+        if functions.len() < gears || reached.count_ones() as usize != gears {
+            return Parts::default();
+        }
+        // As many functions that reach some gear as there are gears: of the simple conditions the strongest.
+        let mut parts = at_least(functions.iter().map(|function| record(function).useful), gears);
+        for gear in &self.order {
+            if parts.is_empty() {
+                return parts;
+            }
+            parts = parts.and(self.covered(functions, *gear));
+        }
+        let matched = |part: &usize| {
+            let reaches = functions.iter().map(|function| {
+                let record = record(function);
+                (0..gears).filter(|gear| record.reach[*gear].contains(*part)).fold(0, |all, gear| all | 1 << gear)
+            });
+            can_match(&reaches.collect::<Vec<u32>>(), gears)
+        };
+        parts.iter().filter(matched).collect()
+    }
+
+    /// The solution of a candidate, if it has all gears at one point.
+    fn decide(&mut self, chosen: u64, parts: Parts) -> Option<Solution> {
+        self.tally.candidates += 1;
+        let mut numbers: Vec<Number> = Vec::new();
+        let mut choices: Vec<Vec<u64>> = Vec::new();
+        self.choices.for_each(chosen, &mut |number, choice| {
+            let function = self.functions[number];
+            if function == USELESS {
+                return;
+            }
+            match numbers.iter().position(|known| *known == function) {
+                Some(place) => choices[place].push(choice),
+                None => {
+                    numbers.push(function);
+                    choices.push(vec![choice]);
+                }
+            }
+        });
+        let functions: Vec<&Function> = numbers.iter().map(|number| &self.library.record(*number).function).collect();
+        let every = (1usize << self.wish.k.len()) - 1;
+        let moves_all = |assigned: &[usize]| {
+            assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every
+        };
+        let engages_all = |assigned: &[usize]| {
+            assigned.iter().flat_map(|function| &choices[*function]).fold(0, |all, choice| all | choice) == chosen
+        };
+        let (mut reducible, mut undecided) = (false, false);
+        let mut seek = |accept: &mut dyn FnMut(&[usize]) -> bool| {
+            let mut solver = Solver::new(&functions, &self.wish.gears, accept);
+            parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
+                Outcome::Found { k, functions } => Some((k, functions)),
+                Outcome::None => None,
+                Outcome::Undecided => {
+                    undecided = true;
+                    None
+                }
+            })
+        };
+        let found = seek(&mut |assigned| {
+            let engages_all = engages_all(assigned);
+            reducible |= engages_all && !moves_all(assigned);
+            engages_all && moves_all(assigned)
+        });
+        // Functions that left some `k` without effect were passed over: have they a point?
+        let reducible = found.is_none() && reducible && seek(&mut |assigned| engages_all(assigned)).is_some();
+        self.tally.undecided += u64::from(found.is_none() && !reducible && undecided);
+        self.tally.reducible += u64::from(reducible);
         let (k, assigned) = found?;
         let places: Vec<usize> = (0..64).filter(|element| chosen >> element & 1 == 1).collect();
-        let gears = assigned
-            .iter()
-            .map(|function| (0..places.len()).filter(|place| masks[*function][0] >> places[*place] & 1 == 1).collect())
-            .collect();
-        Some(Solution { elements: places.iter().map(|place| representatives[*place]).collect(), k, gears })
+        let by_places = |choice: &u64| (0..places.len()).filter(|place| choice >> places[*place] & 1 == 1).collect();
+        let gear = |function: &usize| Gear {
+            ratio: functions[*function].ratio,
+            engaged: choices[*function].iter().map(by_places).collect(),
+        };
+        let gears = assigned.iter().map(gear).collect();
+        Some(Solution { elements: places.iter().map(|place| self.elements[*place].clone()).collect(), k, gears })
     }
 }
 
-fn choose(count: usize, of: usize) -> usize {
-    (0..of).fold(1, |all, i| all * count.saturating_sub(i) / (i + 1))
+/// Elements after a permutation of them.
+fn image(chosen: u64, places: &[usize]) -> u64 {
+    places.iter().enumerate().filter(|(element, _)| chosen >> element & 1 == 1).fold(0, |all, (_, place)| all | 1 << place)
+}
+
+/// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all parts at
+/// once.
+fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
+    let mut planes = [Parts::default(); 10];
+    let mut used = 0;
+    for mut carry in sets {
+        for (place, plane) in planes.iter_mut().enumerate() {
+            if carry.is_empty() {
+                break;
+            }
+            used = used.max(place + 1);
+            let both = plane.and(carry);
+            *plane = plane.xor(carry);
+            carry = both;
+        }
+    }
+    if least >> used != 0 {
+        return Parts::default();
+    }
+    // Compares from the highest bit down: larger so far, or equal so far.
+    let (mut larger, mut equal) = (Parts::default(), Parts::first(256));
+    for place in (0..used).rev() {
+        if least >> place & 1 == 1 {
+            equal = equal.and(planes[place]);
+        } else {
+            larger = larger.or(equal.and(planes[place]));
+            equal = equal.without(planes[place]);
+        }
+    }
+    larger.or(equal)
+}
+
+/// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting paths).
+fn can_match(reaches: &[u32], gears: usize) -> bool {
+    fn augment(gear: usize, reaches: &[u32], owner: &mut [Option<usize>], visited: &mut [bool]) -> bool {
+        (0..reaches.len()).any(|function| {
+            if reaches[function] >> gear & 1 == 0 || visited[function] {
+                return false;
+            }
+            visited[function] = true;
+            let free = owner[function].is_none_or(|other| augment(other, reaches, owner, visited));
+            if free {
+                owner[function] = Some(gear);
+            }
+            free
+        })
+    }
+    let reaches: Vec<u32> = reaches.iter().copied().filter(|gears| *gears != 0).collect();
+    let mut owner = vec![None; reaches.len()];
+    (0..gears).all(|gear| augment(gear, &reaches, &mut owner, &mut vec![false; reaches.len()]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_of_parts_are_those_of_plain_counting() {
+        let sets: Vec<Parts> = (0..11).map(|step| (0..256).filter(|part| (part * 7 + step * 13) % 5 < 2).collect()).collect();
+        for least in 0..13 {
+            let plain: Parts = (0..256).filter(|part| sets.iter().filter(|set| set.contains(*part)).count() >= least).collect();
+            assert_eq!(at_least(sets.iter().copied(), least), plain, "at least {least}");
+        }
+    }
+
+    #[test]
+    fn gears_match_functions_only_if_enough_reach_them() {
+        assert!(can_match(&[0b011, 0b001, 0b100], 3));
+        assert!(!can_match(&[0b011, 0b011, 0b011], 3));
+        assert!(!can_match(&[0b001, 0b001, 0b110], 3), "two functions for the first gear, one for the others");
+    }
+
+    #[test]
+    fn choices_are_numbered_without_gaps() {
+        let choices = Choices::new(3, 6);
+        let mut numbers = Vec::new();
+        choices.for_each(0b11_1111, &mut |number, choice| {
+            assert_eq!(choice.count_ones(), 3);
+            numbers.push(number);
+        });
+        numbers.sort_unstable();
+        assert_eq!(numbers, (0..20).collect::<Vec<_>>());
+    }
 }

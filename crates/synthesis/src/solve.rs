@@ -18,6 +18,11 @@ use crate::ratio::Ratio;
 /// The relative width below which a box is not halved any more.
 pub const SMALLEST: f64 = 1e-7;
 
+/// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
+/// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
+/// bound, with 0.005 thirty times as long as with 0.1.
+const NARROW: f64 = 0.1;
+
 /// A function that some of the elements engage.
 #[derive(Debug, Clone)]
 pub struct Function {
@@ -92,7 +97,9 @@ impl<'a> Solver<'a> {
             if after < 0.8 * before {
                 continue;
             }
-            if let Some((gear, functions)) = open {
+            let (widest, width) = widest(&cuboid)?;
+            let settled = open.is_none();
+            if let Some((gear, functions)) = open.filter(|_| width < NARROW) {
                 for function in functions {
                     let mut assigned = assigned.clone();
                     assigned[gear] = Some(function);
@@ -102,21 +109,18 @@ impl<'a> Solver<'a> {
                 }
                 return None;
             }
-            let functions: Vec<usize> = assigned.iter().flatten().copied().collect();
-            if !(self.accept)(&functions) {
-                return None;
-            }
-            if let Some(k) = self.point(&cuboid, &functions) {
-                return Some((k, functions));
-            }
-            let (widest, width) = cuboid
-                .iter()
-                .map(|[least, most]| most / least - 1.0)
-                .enumerate()
-                .max_by(|one, other| one.1.total_cmp(&other.1))?;
-            if width < SMALLEST {
-                self.undecided = true;
-                return None;
+            if settled {
+                let functions: Vec<usize> = assigned.iter().flatten().copied().collect();
+                if !(self.accept)(&functions) {
+                    return None;
+                }
+                if let Some(k) = self.point(&cuboid, &functions) {
+                    return Some((k, functions));
+                }
+                if width < SMALLEST {
+                    self.undecided = true;
+                    return None;
+                }
             }
             let [least, most] = cuboid[widest];
             let middle = (least * most).sqrt();
@@ -171,15 +175,9 @@ impl<'a> Solver<'a> {
 
     /// Whether the box may hold a point where the function is within the gear's bounds.
     fn reaches(&self, function: usize, gear: usize) -> bool {
-        let Bounds { least, most } = self.gears[gear].widened();
+        let gear = self.gears[gear].widened();
         let [above, below] = &self.values[function];
-        let (mut larger, mut smaller) = (true, true);
-        for (above, below) in above.iter().zip(below) {
-            let (one, other) = (above - least * below, above - most * below);
-            larger &= one > 0.0 && other > 0.0;
-            smaller &= one < 0.0 && other < 0.0;
-        }
-        !larger && !smaller
+        above.iter().zip(below).fold(3, |all, (above, below)| all & gear.side(*above, *below)) == 0
     }
 
     /// Shrinks the box to the hull of the points that a function may have within the bounds; nothing where there are none.
@@ -275,6 +273,12 @@ impl<'a> Solver<'a> {
         let (up, down) = (ratio.numerator.value(&next) - above, ratio.denominator.value(&next) - below);
         (up * below - above * down) / (below * below)
     }
+}
+
+/// The `k` whose bounds differ most, and by which part of the lower.
+fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
+    let widths = cuboid.iter().map(|[least, most]| most / least - 1.0).enumerate();
+    widths.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
 /// Solves rows of coefficients and right side by elimination with pivots.
