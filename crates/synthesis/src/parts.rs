@@ -5,7 +5,8 @@
 //! # Why nothing is lost
 //! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Where `P − g·Q` has the same
 //! sign at all corners for the lower and the upper bound `g` of a gear, the ratio `P/Q` is outside these bounds in
-//! the whole part, also where `Q` changes its sign: `(P − g₁·Q)·(P − g₂·Q) > 0`.
+//! the whole part, also where `Q` changes its sign: `(P − g₁·Q)·(P − g₂·Q) > 0`. Where `Q` keeps its sign, this says that
+//! the extremes of `P/Q` are at corners.
 
 use crate::ratio::{Polynomial, Ratio};
 use std::ops::RangeInclusive;
@@ -105,12 +106,16 @@ impl Bounds {
         Self { least: self.least - WIDENING * self.least.abs(), most: self.most + WIDENING * self.most.abs() }
     }
 
-    /// On which side of both bounds a ratio `above/below` lies: bit 0 if `above` is larger than `below` times either bound, bit 1 if
-    /// smaller; 0 between the bounds.
+    /// Whether a box may hold a point with a ratio within the bounds, by the values of its `P` and `Q` at the corners.
     #[inline]
-    pub(crate) fn side(self, above: f64, below: f64) -> u8 {
-        let (least, most) = (above - self.least * below, above - self.most * below);
-        u8::from(least > 0.0 && most > 0.0) | u8::from(least < 0.0 && most < 0.0) << 1
+    pub(crate) fn is_reached(self, above: &[f64], below: &[f64]) -> bool {
+        let (mut larger, mut smaller) = (true, true);
+        for (above, below) in above.iter().zip(below) {
+            let (least, most) = (above - self.least * below, above - self.most * below);
+            larger &= least > 0.0 && most > 0.0;
+            smaller &= least < 0.0 && most < 0.0;
+        }
+        !larger && !smaller
     }
 
     /// Whether a ratio is within.
@@ -215,37 +220,52 @@ impl Grid {
     #[must_use]
     pub fn reach(&self, ratio: Ratio, gears: &[Bounds]) -> Vec<Parts> {
         let sets = self.edges.len();
-        let whole = self.whole();
+        let polynomials = [ratio.numerator, ratio.denominator];
         let mut ends = [Vec::new(), Vec::new()];
-        for (values, polynomial) in ends.iter_mut().zip([ratio.numerator, ratio.denominator]) {
-            corner_values(&coefficients(polynomial, sets), &whole, values);
+        for (values, polynomial) in ends.iter_mut().zip(polynomials) {
+            corner_values(&coefficients(polynomial, sets), &self.whole(), values);
         }
-        let mut corners = None;
-        let mut signs = Vec::new();
-        let reach = gears.iter().map(|gear| {
-            let gear = gear.widened();
-            let outside = ends[0].iter().zip(&ends[1]).fold(3, |all, (above, below)| all & gear.side(*above, *below));
-            if outside != 0 {
-                return Parts::default();
+        let gears: Vec<Bounds> = gears.iter().map(|gear| gear.widened()).collect();
+        if !gears.iter().any(|gear| gear.is_reached(&ends[0], &ends[1])) {
+            return vec![Parts::default(); gears.len()];
+        }
+        let [above, below] = polynomials.map(|polynomial| self.corners(polynomial));
+        let mut least: Vec<f64> = above.iter().zip(&below).map(|(above, below)| above / below).collect();
+        let mut most = least.clone();
+        let mut signs: Vec<u8> = below.iter().map(|below| u8::from(*below > 0.0) | u8::from(*below < 0.0) << 1).collect();
+        self.join(&mut least, |one, other| if one < other { one } else { other });
+        self.join(&mut most, |one, other| if one > other { one } else { other });
+        self.join(&mut signs, |one, other| one & other);
+        let mut reach = vec![Parts::default(); gears.len()];
+        for (part, corner) in self.lowest.iter().enumerate() {
+            if signs[*corner] == 0 {
+                // The output stands still somewhere in the part, so the ratio has no extremes at the corners.
+                for (values, polynomial) in ends.iter_mut().zip(polynomials) {
+                    corner_values(&coefficients(polynomial, sets), &self.part(part), values);
+                }
+                for (reach, gear) in reach.iter_mut().zip(&gears) {
+                    if gear.is_reached(&ends[0], &ends[1]) {
+                        reach.insert(part);
+                    }
+                }
+            } else {
+                let (least, most) = (least[*corner], most[*corner]);
+                for (reach, gear) in reach.iter_mut().zip(&gears) {
+                    if least <= gear.most && gear.least <= most {
+                        reach.insert(part);
+                    }
+                }
             }
-            let [above, below] =
-                corners.get_or_insert_with(|| [ratio.numerator, ratio.denominator].map(|part| self.corners(part)));
-            // A corner keeps what all corners of the part share.
-            signs.clear();
-            signs.extend(above.iter().zip(below.iter()).map(|(above, below)| gear.side(*above, *below)));
-            self.share(&mut signs);
-            let within = self.lowest.iter().enumerate().filter(|(_, corner)| signs[**corner] == 0);
-            within.map(|(part, _)| part).collect()
-        });
-        reach.collect()
+        }
+        reach
     }
 
-    /// Leaves at the lowest corner of each part the bits that all its corners have.
-    fn share(&self, signs: &mut [u8]) {
+    /// Joins the values of all corners of a part at its lowest.
+    fn join<T: Copy>(&self, values: &mut [T], join: impl Fn(T, T) -> T) {
         let mut stride = 1;
         for edges in &self.edges {
-            for place in 0..signs.len().saturating_sub(stride) {
-                signs[place] &= signs[place + stride];
+            for place in 0..values.len().saturating_sub(stride) {
+                values[place] = join(values[place], values[place + stride]);
             }
             stride *= edges.len();
         }

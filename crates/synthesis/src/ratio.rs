@@ -194,7 +194,7 @@ impl fmt::Display for Polynomial {
             return f.write_str("0");
         }
         let mut products: Vec<usize> = self.products().collect();
-        products.sort_by_key(|product| (product.count_ones(), product.reverse_bits()));
+        products.sort_by_key(|product| (product.count_ones(), *product));
         // A negative first term reads badly where a positive one is there.
         let first = products.iter().position(|product| self.coefficient(*product) > 0).unwrap_or(0);
         let first = products.remove(first);

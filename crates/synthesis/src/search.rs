@@ -16,7 +16,7 @@ use crate::library::{Library, Number, USELESS};
 use crate::motion::{Element, Motion, elements};
 use crate::parts::{Bounds, Grid, Parts};
 use crate::ratio::Ratio;
-use crate::solve::{Function, Outcome, Solver};
+use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
 use crate::ternary::Word;
 use rustc_hash::FxHashMap;
@@ -471,26 +471,6 @@ fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
     larger.or(equal)
 }
 
-/// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting paths).
-fn can_match(reaches: &[u32], gears: usize) -> bool {
-    fn augment(gear: usize, reaches: &[u32], owner: &mut [Option<usize>], visited: &mut [bool]) -> bool {
-        (0..reaches.len()).any(|function| {
-            if reaches[function] >> gear & 1 == 0 || visited[function] {
-                return false;
-            }
-            visited[function] = true;
-            let free = owner[function].is_none_or(|other| augment(other, reaches, owner, visited));
-            if free {
-                owner[function] = Some(gear);
-            }
-            free
-        })
-    }
-    let reaches: Vec<u32> = reaches.iter().copied().filter(|gears| *gears != 0).collect();
-    let mut owner = vec![None; reaches.len()];
-    (0..gears).all(|gear| augment(gear, &reaches, &mut owner, &mut vec![false; reaches.len()]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -502,13 +482,6 @@ mod tests {
             let plain: Parts = (0..256).filter(|part| sets.iter().filter(|set| set.contains(*part)).count() >= least).collect();
             assert_eq!(at_least(sets.iter().copied(), least), plain, "at least {least}");
         }
-    }
-
-    #[test]
-    fn gears_match_functions_only_if_enough_reach_them() {
-        assert!(can_match(&[0b011, 0b001, 0b100], 3));
-        assert!(!can_match(&[0b011, 0b011, 0b011], 3));
-        assert!(!can_match(&[0b001, 0b001, 0b110], 3), "two functions for the first gear, one for the others");
     }
 
     #[test]

@@ -59,58 +59,70 @@ pub enum Outcome {
 /// A search over boxes for functions and gears.
 pub struct Solver<'a> {
     functions: &'a [&'a Function],
-    gears: &'a [Bounds],
+    gears: Vec<Bounds>,
+    /// The bounds widened by rounding.
+    widened: Vec<Bounds>,
     /// Which functions together are an answer.
     accept: &'a mut dyn FnMut(&[usize]) -> bool,
-    values: Vec<[Vec<f64>; 2]>,
+    values: [Vec<f64>; 2],
     undecided: bool,
 }
 
+/// Functions that a box leaves, each with the gears that it may have, as bits.
+type Left = Vec<(usize, u32)>;
+
 impl<'a> Solver<'a> {
     /// A search for a point where each gear is within its bounds by a function of its own, and `accept` takes the functions.
-    pub fn new(functions: &'a [&'a Function], gears: &'a [Bounds], accept: &'a mut dyn FnMut(&[usize]) -> bool) -> Self {
-        let values = vec![[Vec::new(), Vec::new()]; functions.len()];
-        Self { functions, gears, accept, values, undecided: false }
+    pub fn new(functions: &'a [&'a Function], gears: &[Bounds], accept: &'a mut dyn FnMut(&[usize]) -> bool) -> Self {
+        let widened = gears.iter().map(|gear| gear.widened()).collect();
+        Self { functions, gears: gears.to_vec(), widened, accept, values: [Vec::new(), Vec::new()], undecided: false }
     }
 
     /// Searches a box.
     pub fn search(&mut self, cuboid: Cuboid) -> Outcome {
         self.undecided = false;
-        let unknown = vec![None; self.gears.len()];
-        match self.go(cuboid, unknown) {
+        let every = (1u32 << self.gears.len()) - 1;
+        let left = (0..self.functions.len()).map(|function| (function, every)).collect();
+        match self.go(cuboid, left) {
             Some((k, functions)) => Outcome::Found { k, functions },
             None if self.undecided => Outcome::Undecided,
             None => Outcome::None,
         }
     }
 
-    fn go(&mut self, mut cuboid: Cuboid, mut assigned: Vec<Option<usize>>) -> Option<(Vec<f64>, Vec<usize>)> {
+    fn go(&mut self, mut cuboid: Cuboid, mut left: Left) -> Option<(Vec<f64>, Vec<usize>)> {
         loop {
-            let open = self.candidates(&cuboid, &mut assigned)?;
-            let before: f64 = cuboid.iter().map(|[least, most]| (most / least).ln()).sum();
-            for (gear, function) in assigned.iter().enumerate() {
-                if let Some(function) = function {
-                    self.shrink(&mut cuboid, *function, self.gears[gear].widened())?;
+            self.reduce(&cuboid, &mut left)?;
+            let before = size(&cuboid);
+            for (function, gears) in &left {
+                if gears.count_ones() == 1 && left.iter().filter(|(_, other)| other & gears != 0).count() == 1 {
+                    self.shrink(&mut cuboid, *function, gears.trailing_zeros() as usize)?;
                 }
             }
-            let after: f64 = cuboid.iter().map(|[least, most]| (most / least).ln()).sum();
-            if after < 0.8 * before {
+            if size(&cuboid) < 0.8 * before {
                 continue;
             }
             let (widest, width) = widest(&cuboid)?;
-            let settled = open.is_none();
-            if let Some((gear, functions)) = open.filter(|_| width < NARROW) {
-                for function in functions {
-                    let mut assigned = assigned.clone();
-                    assigned[gear] = Some(function);
-                    if let Some(found) = self.go(cuboid.clone(), assigned) {
+            let open = self.most_settled(&left);
+            if let Some(gear) = open.filter(|_| width < NARROW) {
+                for (function, gears) in &left {
+                    if gears >> gear & 1 == 0 {
+                        continue;
+                    }
+                    let chosen = left.iter().map(|(other, gears)| {
+                        (*other, if other == function { 1 << gear } else { gears & !(1 << gear) })
+                    });
+                    if let Some(found) = self.go(cuboid.clone(), chosen.collect()) {
                         return Some(found);
                     }
                 }
                 return None;
             }
-            if settled {
-                let functions: Vec<usize> = assigned.iter().flatten().copied().collect();
+            if open.is_none() {
+                let functions: Vec<usize> = (0..self.gears.len())
+                    .filter_map(|gear| left.iter().find(|(_, gears)| gears >> gear & 1 == 1))
+                    .map(|(function, _)| *function)
+                    .collect();
                 if !(self.accept)(&functions) {
                     return None;
                 }
@@ -126,65 +138,88 @@ impl<'a> Solver<'a> {
             let middle = (least * most).sqrt();
             let mut lower = cuboid.clone();
             lower[widest] = [least, middle];
-            if let Some(found) = self.go(lower, assigned.clone()) {
+            if let Some(found) = self.go(lower, left.clone()) {
                 return Some(found);
             }
             cuboid[widest] = [middle, most];
         }
     }
 
-    /// Gives gears with one function left this function; nothing where a gear has none. Of gears with several, the one with the
-    /// fewest and these.
-    fn candidates(&mut self, cuboid: &[[f64; 2]], assigned: &mut [Option<usize>]) -> Option<Option<(usize, Vec<usize>)>> {
-        for (function, [above, below]) in self.functions.iter().zip(&mut self.values) {
-            corner_values(&function.coefficients[0], cuboid, above);
-            corner_values(&function.coefficients[1], cuboid, below);
+    /// Of the gears with several functions the one with the fewest.
+    fn most_settled(&self, left: &Left) -> Option<usize> {
+        let counts = (0..self.gears.len()).map(|gear| left.iter().filter(|(_, gears)| gears >> gear & 1 == 1).count());
+        counts.enumerate().filter(|(_, count)| *count > 1).min_by_key(|(_, count)| *count).map(|(gear, _)| gear)
+    }
+
+    /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each have their own.
+    fn reduce(&mut self, cuboid: &[[f64; 2]], left: &mut Left) -> Option<()> {
+        let gears = self.gears.len();
+        let mut reached = 0;
+        for (function, mask) in left.iter_mut() {
+            *mask = self.reached(cuboid, *function, *mask);
+            reached |= *mask;
         }
-        for (gear, function) in assigned.iter().enumerate() {
-            if function.is_some_and(|function| !self.reaches(function, gear)) {
-                return None;
-            }
+        left.retain(|(_, mask)| *mask != 0);
+        if reached.count_ones() as usize != gears || left.len() < gears {
+            return None;
         }
+        // A gear with one function takes it from the others.
         loop {
-            let mut fewest: Option<(usize, Vec<usize>)> = None;
-            let mut settled = false;
-            for gear in 0..self.gears.len() {
-                if assigned[gear].is_some() {
-                    continue;
-                }
-                let left: Vec<usize> = (0..self.functions.len())
-                    .filter(|function| !assigned.contains(&Some(*function)) && self.reaches(*function, gear))
-                    .collect();
-                match left.as_slice() {
-                    [] => return None,
-                    [function] => {
-                        assigned[gear] = Some(*function);
-                        settled = true;
-                    }
-                    _ if fewest.as_ref().is_none_or(|(_, functions)| left.len() < functions.len()) => {
-                        fewest = Some((gear, left));
+            let mut changed = false;
+            for gear in 0..gears {
+                let mut having = (0..left.len()).filter(|place| left[*place].1 >> gear & 1 == 1);
+                match (having.next(), having.next()) {
+                    (None, _) => return None,
+                    (Some(only), None) if left[only].1 != 1 << gear => {
+                        left[only].1 = 1 << gear;
+                        changed = true;
                     }
                     _ => {}
                 }
             }
-            if !settled {
-                return Some(fewest);
+            if !changed {
+                break;
             }
         }
+        let masks: Vec<u32> = left.iter().map(|(_, mask)| *mask).collect();
+        can_match(&masks, gears).then_some(())
     }
 
-    /// Whether the box may hold a point where the function is within the gear's bounds.
-    fn reaches(&self, function: usize, gear: usize) -> bool {
-        let gear = self.gears[gear].widened();
-        let [above, below] = &self.values[function];
-        above.iter().zip(below).fold(3, |all, (above, below)| all & gear.side(*above, *below)) == 0
+    /// Those of some gears whose bounds a function may reach in a box.
+    fn reached(&mut self, cuboid: &[[f64; 2]], function: usize, gears: u32) -> u32 {
+        self.evaluate(cuboid, function);
+        let [above, below] = &self.values;
+        let (mut positive, mut negative) = (true, true);
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (above, below) in above.iter().zip(below) {
+            positive &= *below > 0.0;
+            negative &= *below < 0.0;
+            let ratio = above / below;
+            least = if ratio < least { ratio } else { least };
+            most = if ratio > most { ratio } else { most };
+        }
+        let bounds = self.widened.iter().enumerate().filter(|(gear, _)| gears >> gear & 1 == 1);
+        let reached = bounds.filter(|(_, bounds)| {
+            if positive || negative {
+                least <= bounds.most && bounds.least <= most
+            } else {
+                bounds.is_reached(above, below)
+            }
+        });
+        reached.fold(0, |all, (gear, _)| all | 1 << gear)
     }
 
-    /// Shrinks the box to the hull of the points that a function may have within the bounds; nothing where there are none.
-    fn shrink(&mut self, cuboid: &mut [[f64; 2]], function: usize, gear: Bounds) -> Option<()> {
-        let [above, below] = &mut self.values[function];
+    fn evaluate(&mut self, cuboid: &[[f64; 2]], function: usize) {
+        let [above, below] = &mut self.values;
         corner_values(&self.functions[function].coefficients[0], cuboid, above);
         corner_values(&self.functions[function].coefficients[1], cuboid, below);
+    }
+
+    /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; nothing where there are none.
+    fn shrink(&mut self, cuboid: &mut [[f64; 2]], function: usize, gear: usize) -> Option<()> {
+        let gear = self.widened[gear];
+        self.evaluate(cuboid, function);
+        let below = &self.values[1];
         let sign = if below.iter().all(|value| *value > 0.0) {
             1.0
         } else if below.iter().all(|value| *value < 0.0) {
@@ -194,6 +229,7 @@ impl<'a> Solver<'a> {
         };
         for set in 0..cuboid.len() {
             for (bound, side) in [(gear.least, sign), (gear.most, -sign)] {
+                let [above, below] = &self.values;
                 let value = |corner: usize| side * (above[corner] - bound * below[corner]);
                 // Where along the edges, from 0 to 1, the inequality holds.
                 let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -210,15 +246,12 @@ impl<'a> Solver<'a> {
                     return None;
                 }
                 let [least, most] = cuboid[set];
-                let (lower, upper) = (
-                    (least + first * (most - least)) * (1.0 - WIDENING),
-                    (least + last * (most - least)) * (1.0 + WIDENING),
-                );
-                // The values at the corners belong to the box before: a later set may only be shrunk with new ones.
+                let lower = (least + first * (most - least)) * (1.0 - WIDENING);
+                let upper = (least + last * (most - least)) * (1.0 + WIDENING);
                 if lower > least + 0.01 * (most - least) || upper < most - 0.01 * (most - least) {
                     cuboid[set] = [lower.max(least), upper.min(most)];
-                    corner_values(&self.functions[function].coefficients[0], cuboid, above);
-                    corner_values(&self.functions[function].coefficients[1], cuboid, below);
+                    // The values at the corners were those of the box before.
+                    self.evaluate(cuboid, function);
                 }
             }
         }
@@ -230,7 +263,7 @@ impl<'a> Solver<'a> {
         let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
         for _ in 0..6 {
             let ratios: Vec<f64> = functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
-            if ratios.iter().zip(self.gears).all(|(ratio, gear)| gear.contain(*ratio)) {
+            if ratios.iter().zip(&self.gears).all(|(ratio, gear)| gear.contain(*ratio)) {
                 return Some(k);
             }
             let step = self.step(&k, functions, &ratios)?;
@@ -245,7 +278,7 @@ impl<'a> Solver<'a> {
     fn step(&self, k: &[f64], functions: &[usize], ratios: &[f64]) -> Option<Vec<f64>> {
         let sets = k.len();
         let mut normal = vec![vec![0.0; sets + 1]; sets];
-        for ((function, ratio), gear) in functions.iter().zip(ratios).zip(self.gears) {
+        for ((function, ratio), gear) in functions.iter().zip(ratios).zip(&self.gears) {
             let half = 0.5 * (gear.most - gear.least);
             let deviation = (ratio - 0.5 * (gear.most + gear.least)) / half;
             let slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
@@ -275,10 +308,34 @@ impl<'a> Solver<'a> {
     }
 }
 
+/// The sum of the logarithmic widths of a box.
+fn size(cuboid: &[[f64; 2]]) -> f64 {
+    cuboid.iter().map(|[least, most]| (most / least).ln()).sum()
+}
+
 /// The `k` whose bounds differ most, and by which part of the lower.
 fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
     let widths = cuboid.iter().map(|[least, most]| most / least - 1.0).enumerate();
     widths.max_by(|one, other| one.1.total_cmp(&other.1))
+}
+
+/// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting paths).
+pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
+    fn augment(gear: usize, reaches: &[u32], owner: &mut [Option<usize>], visited: &mut [bool]) -> bool {
+        (0..reaches.len()).any(|function| {
+            if reaches[function] >> gear & 1 == 0 || visited[function] {
+                return false;
+            }
+            visited[function] = true;
+            let free = owner[function].is_none_or(|other| augment(other, reaches, owner, visited));
+            if free {
+                owner[function] = Some(gear);
+            }
+            free
+        })
+    }
+    let mut owner = vec![None; reaches.len()];
+    (0..gears).all(|gear| augment(gear, reaches, &mut owner, &mut vec![false; reaches.len()]))
 }
 
 /// Solves rows of coefficients and right side by elimination with pivots.
@@ -305,4 +362,16 @@ fn solve_linear(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
         solution[row] = (rows[row][size] - known) / rows[row][row];
     }
     solution.iter().all(|value| value.is_finite()).then_some(solution)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gears_match_functions_only_if_enough_reach_them() {
+        assert!(can_match(&[0b011, 0b001, 0b100], 3));
+        assert!(!can_match(&[0b011, 0b011, 0b011], 3));
+        assert!(!can_match(&[0b001, 0b001, 0b110], 3), "two functions for the first gear, one for the others");
+    }
 }
