@@ -14,14 +14,12 @@ pub(crate) type Number = u32;
 pub(crate) const USELESS: Number = Number::MAX;
 
 /// A function that reaches a gear somewhere.
-pub(crate) struct Record {
-    pub(crate) function: Function,
+struct Record {
+    function: Function,
     /// Gears within reach, as bits.
-    pub(crate) gears: u32,
-    /// The parts within reach of each gear.
-    pub(crate) reach: Vec<Parts>,
+    gears: u32,
     /// The parts within reach of some gear.
-    pub(crate) useful: Parts,
+    useful: Parts,
 }
 
 /// The functions met so far.
@@ -32,12 +30,14 @@ pub(crate) struct Library<W> {
     by_speeds: FxHashMap<Speeds<W>, Number>,
     by_ratio: FxHashMap<Ratio, Number>,
     records: Vec<Record>,
+    /// For each record, for each gear, the parts within reach.
+    reach: Vec<Parts>,
 }
 
 impl<W: Word> Library<W> {
     pub(crate) fn new(sets: usize, gears: Vec<Bounds>, grid: Grid) -> Self {
         let (by_speeds, by_ratio) = (FxHashMap::default(), FxHashMap::default());
-        Self { sets, gears, grid, by_speeds, by_ratio, records: Vec::new() }
+        Self { sets, gears, grid, by_speeds, by_ratio, records: Vec::new(), reach: Vec::new() }
     }
 
     /// The parts of the range.
@@ -47,7 +47,7 @@ impl<W: Word> Library<W> {
 
     /// The number of the function with these speeds, or [`USELESS`].
     pub(crate) fn number(&mut self, speeds: Speeds<W>) -> Number {
-        let Self { sets, gears, grid, by_speeds, by_ratio, records } = self;
+        let Self { sets, gears, grid, by_speeds, by_ratio, records, reach: all } = self;
         *by_speeds.entry(speeds).or_insert_with(|| {
             let Some(ratio) = Ratio::new(wide(speeds.input), wide(speeds.output)) else { return USELESS };
             *by_ratio.entry(ratio).or_insert_with(|| {
@@ -58,16 +58,34 @@ impl<W: Word> Library<W> {
                     return USELESS;
                 }
                 let useful = reach.iter().fold(Parts::default(), |all, reach| all.or(*reach));
-                records.push(Record { function: Function::new(ratio, *sets), gears: within, reach, useful });
+                records.push(Record { function: Function::new(ratio, *sets), gears: within, useful });
+                all.extend(reach);
                 Number::try_from(records.len() - 1).unwrap_or(USELESS)
             })
         })
     }
 
     /// The function of this number.
+    pub(crate) fn function(&self, number: Number) -> &Function {
+        &self.records[number as usize].function
+    }
+
+    /// The gears that a function reaches, as bits.
     #[inline]
-    pub(crate) fn record(&self, number: Number) -> &Record {
-        &self.records[number as usize]
+    pub(crate) fn gears(&self, number: Number) -> u32 {
+        self.records[number as usize].gears
+    }
+
+    /// The parts in which a function reaches some gear.
+    #[inline]
+    pub(crate) fn useful(&self, number: Number) -> Parts {
+        self.records[number as usize].useful
+    }
+
+    /// The parts in which a function reaches a gear.
+    #[inline]
+    pub(crate) fn reach(&self, number: Number, gear: usize) -> Parts {
+        self.reach[number as usize * self.gears.len() + gear]
     }
 
     /// How many functions were met, and how many of them a gear can have.

@@ -19,6 +19,9 @@ pub(crate) const WIDENING: f64 = 1e-9;
 pub struct Parts([u64; 4]);
 
 impl Parts {
+    /// Every part there may be.
+    pub(crate) const ALL: Self = Self([u64::MAX; 4]);
+
     /// The parts of both.
     #[inline]
     #[must_use]

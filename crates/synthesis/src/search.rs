@@ -19,7 +19,7 @@ use crate::ratio::Ratio;
 use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
 use crate::ternary::Word;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::RangeInclusive;
 
 /// What is wanted of a gearbox.
@@ -92,12 +92,16 @@ pub struct Search<W> {
     elements: Vec<Vec<Element>>,
     /// For each choice of elements its function.
     functions: Vec<Number>,
+    /// For each choice of elements the gears that it reaches, as bits.
+    reached: Vec<u32>,
     /// For each gear the choices that reach it, as bits, and the parts in which they do.
     lists: Vec<Vec<(u64, Parts)>>,
     /// Gears by the length of their lists.
     order: Vec<usize>,
     /// Chosen elements, and the parts in which they were gone on from.
     visited: FxHashMap<u64, Parts>,
+    /// Full sets of elements that reach all gears and were looked at.
+    seen: FxHashSet<u64>,
     /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
     /// Lists of numbers, used again.
@@ -115,7 +119,6 @@ impl Choices {
     }
 
     /// Calls `visit` with the number of each choice of some elements, and the choice.
-    #[inline]
     fn for_each(&self, elements: u64, visit: &mut impl FnMut(usize, u64)) {
         fn go(terms: &[Vec<usize>], left: u64, number: usize, chosen: u64, visit: &mut impl FnMut(usize, u64)) {
             let Some((term, rest)) = terms.split_first() else { return visit(number, chosen) };
@@ -127,6 +130,31 @@ impl Choices {
             }
         }
         go(&self.terms, elements, 0, 0, visit);
+    }
+
+    /// Calls `visit` with the number of each choice of some elements: without a call a choice where three are engaged, as
+    /// in most gearboxes.
+    #[inline]
+    fn for_each_number(&self, elements: u64, mut visit: impl FnMut(usize)) {
+        let [first, second, third] = self.terms.as_slice() else {
+            return self.for_each(elements, &mut |number, _| visit(number));
+        };
+        let mut places = [0; 64];
+        let mut count = 0;
+        let mut left = elements;
+        while left != 0 {
+            places[count] = left.trailing_zeros() as usize;
+            count += 1;
+            left &= left - 1;
+        }
+        for (top, highest) in places[..count].iter().enumerate() {
+            for (middle, next) in places[..top].iter().enumerate() {
+                let number = third[*highest] + second[*next];
+                for lowest in &places[..middle] {
+                    visit(number + first[*lowest]);
+                }
+            }
+        }
     }
 }
 
@@ -151,9 +179,11 @@ impl<W: Word> Search<W> {
             tally: Tally::default(),
             elements: Vec::new(),
             functions: Vec::new(),
+            reached: Vec::new(),
             lists: vec![Vec::new(); wish.gears.len()],
             order: Vec::new(),
             visited: FxHashMap::default(),
+            seen: FxHashSet::default(),
             candidates: Vec::new(),
             room: Vec::new(),
             wish,
@@ -183,6 +213,7 @@ impl<W: Word> Search<W> {
         self.order = (0..self.lists.len()).collect();
         self.order.sort_by_key(|gear| self.lists[*gear].len());
         self.visited.clear();
+        self.seen.clear();
         self.candidates.clear();
         self.grow(0, Parts::first(self.library.grid().count()));
         let candidates = std::mem::take(&mut self.candidates);
@@ -233,8 +264,10 @@ impl<W: Word> Search<W> {
         self.motion.take(structure, &kept);
         self.functions.clear();
         self.functions.resize(choose(kept.len(), self.engaged), USELESS);
+        self.reached.clear();
+        self.reached.resize(self.functions.len(), 0);
         self.lists.iter_mut().for_each(Vec::clear);
-        let Self { motion, library, functions, lists, choices, .. } = self;
+        let Self { motion, library, functions, reached, lists, choices, .. } = self;
         motion.for_each_gear(&mut |first, last| {
             let from = first.last().map_or(0, |element| element + 1);
             let number: usize = first.iter().zip(&choices.terms).map(|(element, terms)| terms[*element]).sum();
@@ -248,13 +281,14 @@ impl<W: Word> Search<W> {
                 if function == USELESS {
                     continue;
                 }
-                functions[number + terms[element]] = function;
-                let record = library.record(function);
-                let mut gears = record.gears;
+                let number = number + terms[element];
+                let mut gears = library.gears(function);
+                functions[number] = function;
+                reached[number] = gears;
                 while gears != 0 {
                     let gear = gears.trailing_zeros() as usize;
                     gears &= gears - 1;
-                    lists[gear].push((chosen | 1 << element, record.reach[gear]));
+                    lists[gear].push((chosen | 1 << element, library.reach(function, gear)));
                 }
             }
         });
@@ -262,6 +296,10 @@ impl<W: Word> Search<W> {
 
     /// Goes on from chosen elements, in those of some parts where this was not done before.
     fn grow(&mut self, chosen: u64, parts: Parts) {
+        let missing = self.wish.elements - chosen.count_ones() as usize;
+        if missing == 0 {
+            return self.complete(chosen);
+        }
         let done = self.visited.entry(chosen).or_default();
         let mut parts = parts.without(*done);
         if parts.is_empty() {
@@ -269,9 +307,10 @@ impl<W: Word> Search<W> {
         }
         let first = done.is_empty();
         *done = done.or(parts);
-        if chosen.count_ones() as usize == self.wish.elements {
+        if missing == 1 {
+            // Trying every last element is quicker than asking which the parts allow, and is done once.
             if first {
-                self.complete(chosen);
+                self.add_any(chosen, parts);
             }
             return;
         }
@@ -303,29 +342,42 @@ impl<W: Word> Search<W> {
         functions.clear();
         self.room.push(functions);
         if !parts.is_empty() {
-            for element in 0..self.elements.len() {
-                if chosen >> element & 1 == 0 {
-                    self.grow(chosen | 1 << element, parts);
-                }
+            self.add_any(chosen, parts);
+        }
+    }
+
+    /// Adds each further element.
+    fn add_any(&mut self, chosen: u64, parts: Parts) {
+        for element in 0..self.elements.len() {
+            if chosen >> element & 1 == 0 {
+                self.grow(chosen | 1 << element, parts);
             }
         }
     }
 
+    /// Whether choices of some elements reach all gears, each somewhere.
+    fn reaches_all(&self, chosen: u64) -> bool {
+        let mut reached = 0;
+        self.choices.for_each_number(chosen, |number| reached |= self.reached[number]);
+        reached.count_ones() as usize == self.wish.gears.len()
+    }
+
     /// The functions of all choices of some elements, each once.
     fn functions_of(&self, chosen: u64, functions: &mut Vec<Number>) {
-        self.choices.for_each(chosen, &mut |number, _| {
+        self.choices.for_each_number(chosen, |number| {
             let function = self.functions[number];
-            if function != USELESS && !functions.contains(&function) {
+            if function != USELESS {
                 functions.push(function);
             }
         });
+        functions.sort_unstable();
+        functions.dedup();
     }
 
     /// The parts in which one of some functions reaches a gear.
     fn covered(&self, functions: &[Number], gear: usize) -> Parts {
-        let records = functions.iter().map(|function| self.library.record(*function));
-        let reaching = records.filter(|record| record.gears >> gear & 1 == 1);
-        reaching.fold(Parts::default(), |covered, record| covered.or(record.reach[gear]))
+        let reaching = functions.iter().filter(|function| self.library.gears(**function) >> gear & 1 == 1);
+        reaching.fold(Parts::default(), |covered, function| covered.or(self.library.reach(*function, gear)))
     }
 
     /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of which each choice
@@ -334,11 +386,14 @@ impl<W: Word> Search<W> {
         let known = choose(chosen.count_ones() as usize, self.engaged);
         let more = choose(self.wish.elements, self.engaged) - known;
         let least = self.wish.gears.len().saturating_sub(more);
-        at_least(functions.iter().map(|function| self.library.record(*function).useful), least)
+        at_least(functions.iter().map(|function| self.library.useful(*function)), least)
     }
 
     /// Notes a full set of elements as a candidate, where some parts have all gears.
     fn complete(&mut self, chosen: u64) {
+        if !self.reaches_all(chosen) || !self.seen.insert(chosen) {
+            return;
+        }
         let mut functions = self.room.pop().unwrap_or_default();
         self.functions_of(chosen, &mut functions);
         let parts = self.parts_with_all(&functions);
@@ -352,13 +407,11 @@ impl<W: Word> Search<W> {
     /// The parts in which each gear is in reach of a function of its own.
     fn parts_with_all(&self, functions: &[Number]) -> Parts {
         let gears = self.wish.gears.len();
-        let record = |function: &Number| self.library.record(*function);
-        let reached = functions.iter().fold(0, |all, function| all | record(function).gears);
-        if functions.len() < gears || reached.count_ones() as usize != gears {
+        if functions.len() < gears {
             return Parts::default();
         }
         // As many functions that reach some gear as there are gears: of the simple conditions the strongest.
-        let mut parts = at_least(functions.iter().map(|function| record(function).useful), gears);
+        let mut parts = at_least(functions.iter().map(|function| self.library.useful(*function)), gears);
         for gear in &self.order {
             if parts.is_empty() {
                 return parts;
@@ -367,8 +420,8 @@ impl<W: Word> Search<W> {
         }
         let matched = |part: &usize| {
             let reaches = functions.iter().map(|function| {
-                let record = record(function);
-                (0..gears).filter(|gear| record.reach[*gear].contains(*part)).fold(0, |all, gear| all | 1 << gear)
+                let reached = (0..gears).filter(|gear| self.library.reach(*function, *gear).contains(*part));
+                reached.fold(0, |all, gear| all | 1 << gear)
             });
             can_match(&reaches.collect::<Vec<u32>>(), gears)
         };
@@ -393,7 +446,7 @@ impl<W: Word> Search<W> {
                 }
             }
         });
-        let functions: Vec<&Function> = numbers.iter().map(|number| &self.library.record(*number).function).collect();
+        let functions: Vec<&Function> = numbers.iter().map(|number| self.library.function(*number)).collect();
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
             assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every
@@ -442,6 +495,9 @@ fn image(chosen: u64, places: &[usize]) -> u64 {
 /// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all parts at
 /// once.
 fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
+    if least == 0 {
+        return Parts::ALL;
+    }
     let mut planes = [Parts::default(); 10];
     let mut used = 0;
     for mut carry in sets {
@@ -459,7 +515,7 @@ fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
         return Parts::default();
     }
     // Compares from the highest bit down: larger so far, or equal so far.
-    let (mut larger, mut equal) = (Parts::default(), Parts::first(256));
+    let (mut larger, mut equal) = (Parts::default(), Parts::ALL);
     for place in (0..used).rev() {
         if least >> place & 1 == 1 {
             equal = equal.and(planes[place]);
