@@ -1,7 +1,10 @@
 //! Probe.
 use epicyclic_synthesis::parts::Bounds;
-use epicyclic_synthesis::search::{Search, Wish};
+use epicyclic_synthesis::refine::refine;
+use epicyclic_synthesis::run::{Share, search};
+use epicyclic_synthesis::search::Wish;
 use epicyclic_synthesis::*;
+use std::ops::ControlFlow;
 use std::time::Instant;
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
@@ -11,25 +14,18 @@ fn main() {
     let l: usize = arguments[4].parse().unwrap();
     let m: usize = arguments[5].parse().unwrap();
     let stride: usize = arguments.get(6).map_or(1, |x| x.parse().unwrap());
-    let gears = ratios.iter().map(|r: &f64| Bounds { least: r - 0.01 * r.abs(), most: r + 0.01 * r.abs() }).collect();
-    let wish = Wish { gears, elements: m, k: vec![1.4..=4.5; n] };
+    let threads: usize = arguments.get(7).map_or(2, |x| x.parse().unwrap());
+    let gears: Vec<Bounds> = ratios.iter().map(|r: &f64| Bounds { least: r - 0.01 * r.abs(), most: r + 0.01 * r.abs() }).collect();
+    let wish = Wish { gears: gears.clone(), elements: m, k: vec![1.4..=4.5; n] };
     let t = Instant::now();
-    let all = enumerate::all(Class::new(kind, n, l).unwrap());
-    println!("{} structures {:?}", all.len(), t.elapsed());
+    let a = search(Class::new(kind, n, l).unwrap(), &wish, Share { number: 0, of: stride }, threads, &|_| ControlFlow::Continue(())).unwrap();
+    println!("{} found in {:?} {:?} complete {}", a.found.len(), t.elapsed(), a.tally, a.complete);
     let t = Instant::now();
-    let mut found = 0;
-    macro_rules! run { ($w:ty) => {{
-        let mut s = Search::<$w>::new(wish.clone(), l);
-        let mut structures = 0;
-        for x in all.iter().step_by(stride) {
-            let f = s.structure(x);
-            structures += usize::from(!f.is_empty());
-            for y in f {
-                found += 1;
-                if found < 60 { println!("{x}  {}  k {:.3?} {:?}", y.elements.iter().map(|e| gearbox::element_name(e[0])).collect::<Vec<_>>().join(" "), y.k, y.gears.iter().map(|g| g.ratio.to_string()).collect::<Vec<_>>()); }
-            }
-        }
-        println!("{found} in {structures} structures {:?} {:?} {:?}", s.tally(), s.functions(), t.elapsed());
-    }} }
-    if n <= 3 { run!(u8) } else { run!(u16) }
+    for f in a.found.iter().take(400) {
+        let y = &f.solution;
+        let ratios: Vec<_> = y.gears.iter().map(|g| g.ratio).collect();
+        let r = refine(&ratios, &gears, &vec![[1.4, 4.5]; n], &y.k);
+        println!("{}  {}  k {:.3?} dev {:.3} {:.3?}", f.structure, y.elements.iter().map(|e| gearbox::element_name(e[0])).collect::<Vec<_>>().join(" "), r.k, r.deviation, r.ranges);
+    }
+    println!("refined in {:?}", t.elapsed());
 }

@@ -36,4 +36,10 @@ pub enum Error {
         /// What is wrong.
         why: &'static str,
     },
+    /// A wish that no gearbox of the class can have.
+    #[error("{why}")]
+    Wish {
+        /// What is wrong with it.
+        why: String,
+    },
 }

@@ -12,6 +12,8 @@ mod library;
 pub mod motion;
 pub mod parts;
 pub mod ratio;
+pub mod refine;
+pub mod run;
 pub mod search;
 pub mod solve;
 pub mod ternary;

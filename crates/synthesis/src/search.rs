@@ -159,7 +159,7 @@ impl Choices {
 }
 
 /// How many choices of so many things there are.
-fn choose(count: usize, of: usize) -> usize {
+pub(crate) fn choose(count: usize, of: usize) -> usize {
     (0..of).fold(1, |all, place| all * count.saturating_sub(place) / (place + 1))
 }
 
