@@ -86,6 +86,8 @@ struct Worked<'g> {
     input: Input,
     /// `None` where no load is given, or where the gear cannot take it.
     operation: Option<Operation>,
+    /// Places of the one-way clutches that let go at the load, which the gear then cannot take.
+    released: Vec<usize>,
 }
 
 impl<'g> Worked<'g> {
@@ -104,7 +106,9 @@ impl<'g> Worked<'g> {
             }
             Some(operation) => Some(operation?),
         };
-        Ok(Self { analysis, input, operation })
+        let released = operation.as_ref().map_or_else(Vec::new, |operation| analysis.released(operation));
+        let operation = operation.filter(|_| released.is_empty());
+        Ok(Self { analysis, input, operation, released })
     }
 
     /// A speed of the gear at the input's speed.
@@ -119,7 +123,7 @@ fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
 }
 
 /// An efficiency of a gear that moves; none of one that its losses hold.
-fn moving(efficiency: Option<f64>) -> Option<f64> {
+pub(crate) fn moving(efficiency: Option<f64>) -> Option<f64> {
     efficiency.filter(|efficiency| *efficiency > 0.0)
 }
 
@@ -174,6 +178,33 @@ mod tests {
         assert_eq!(of_entering.leaving, braked.gear.back_driving_efficiency);
         let load = backward.at_load.unwrap();
         assert!((load.entering_w - load.leaving_w - load.loss_w).abs() < 1e-9 * load.entering_w);
+    }
+
+    /// With the carrier let go nothing carries the torque; the brake beside the one-way clutch does.
+    #[test]
+    fn a_one_way_clutch_takes_no_reversed_torque() {
+        let document = document("ravigneaux.yaml");
+        let subject = one(&document, &Choice::default()).unwrap();
+        let braked = Input {
+            speed: Some(AngularVelocity::new::<revolution_per_minute>(2000.0)),
+            load: Some(InputLoad::Torque(Torque::new::<newton_meter>(-100.0))),
+        };
+        let first = gear::answer(&subject, "1", braked).unwrap();
+        assert!(first.torques.unwrap().at_load.is_none() && first.powers.unwrap().at_load.is_none());
+        assert!(first.shift_elements.iter().all(|element| element.torque_n_m.is_none()));
+        assert_eq!(first.gear.back_driving_efficiency, None);
+        let clutch = &first.one_way_clutches[0];
+        assert_eq!((clutch.engine_braking, &clutch.beside[..]), (Some(false), &["LR".to_owned()][..]));
+        let told: Vec<&str> = first.warnings.iter().map(|warning| warning.name).collect();
+        assert_eq!(told, ["one-way-clutch"]);
+        let low = gear::answer(&subject, "1 low", braked).unwrap();
+        assert!(low.warnings.is_empty() && low.torques.unwrap().at_load.is_some());
+        let all = overview::answer(&subject, braked).unwrap();
+        let taken: Vec<bool> = all.gears.iter().map(|gear| gear.output_torque_n_m.is_some()).collect();
+        assert_eq!(taken, [false, true, true, true, true, true]);
+        assert_eq!(all.warnings.len(), 1);
+        let power = Input { load: Some(InputLoad::Torque(Torque::new::<newton_meter>(100.0))), ..braked };
+        assert!(gear::answer(&subject, "1", power).unwrap().warnings.is_empty());
     }
 
     #[test]

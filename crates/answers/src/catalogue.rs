@@ -1,7 +1,7 @@
 //! Records of the catalogue's gearboxes, which several answers share: links, gears, shift elements, speeds.
 
-use crate::shared::zero;
-use epicyclic_schemes::catalogue::SchemeGear;
+use crate::number::plain;
+use epicyclic_schemes::catalogue::{SchemeElement, SchemeGear};
 use epicyclic_schemes::structures::Role;
 use epicyclic_train::speeds::PlanetMotion;
 use schemars::JsonSchema;
@@ -39,15 +39,19 @@ impl Link {
         [Self::D, Self::B, Self::T1, Self::T2].into_iter().find(|link| link.name() == name)
     }
 
+    const fn role(self) -> Role {
+        match self {
+            Self::D => Role::D,
+            Self::B => Role::B,
+            Self::T1 => Role::T1,
+            Self::T2 => Role::T2,
+        }
+    }
+
     /// Its name in the sources and in gearbox files.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::D => "D",
-            Self::B => "B",
-            Self::T1 => "T1",
-            Self::T2 => "T2",
-        }
+        self.role().symbol()
     }
 }
 
@@ -88,24 +92,24 @@ impl GearName {
         [Self::First, Self::Second, Self::Direct].into_iter().find(|gear| gear.name() == name)
     }
 
+    const fn of_scheme(self) -> SchemeGear {
+        match self {
+            Self::First => SchemeGear::First,
+            Self::Second => SchemeGear::Second,
+            Self::Direct => SchemeGear::Direct,
+        }
+    }
+
     /// Its name in the sources and in the gearbox.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::First => "1",
-            Self::Second => "2",
-            Self::Direct => "direct",
-        }
+        self.of_scheme().name()
     }
 
     /// The one shift element engaged in it.
     #[must_use]
     pub const fn engaged(self) -> ShiftElement {
-        match self {
-            Self::First => ShiftElement::K1,
-            Self::Second => ShiftElement::K2,
-            Self::Direct => ShiftElement::L,
-        }
+        ShiftElement::of(self.of_scheme().engaged())
     }
 }
 
@@ -127,14 +131,26 @@ pub enum ShiftElement {
 }
 
 impl ShiftElement {
+    const fn of(element: SchemeElement) -> Self {
+        match element {
+            SchemeElement::FirstBrake => Self::K1,
+            SchemeElement::SecondBrake => Self::K2,
+            SchemeElement::DirectClutch => Self::L,
+        }
+    }
+
+    const fn of_scheme(self) -> SchemeElement {
+        match self {
+            Self::K1 => SchemeElement::FirstBrake,
+            Self::K2 => SchemeElement::SecondBrake,
+            Self::L => SchemeElement::DirectClutch,
+        }
+    }
+
     /// Its name in the sources and in the gearbox.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::K1 => "K1",
-            Self::K2 => "K2",
-            Self::L => "L",
-        }
+        self.of_scheme().name()
     }
 }
 
@@ -187,11 +203,11 @@ impl SetSpeeds {
         planet: Option<PlanetMotion>,
     ) -> Self {
         Self {
-            sun_of_input: sun_of_input.map(zero),
-            ring_of_input: ring_of_input.map(zero),
-            carrier_of_input: carrier_of_input.map(zero),
-            planet_of_input: planet.and_then(|planet| planet.speed).map(zero),
-            relative_planet_of_input: planet.map(|planet| zero(planet.relative)),
+            sun_of_input: sun_of_input.map(plain),
+            ring_of_input: ring_of_input.map(plain),
+            carrier_of_input: carrier_of_input.map(plain),
+            planet_of_input: planet.and_then(|planet| planet.speed).map(plain),
+            relative_planet_of_input: planet.map(|planet| plain(planet.relative)),
         }
     }
 }

@@ -120,7 +120,7 @@ pub enum Error {
         /// The gear.
         gear: String,
         /// Why.
-        why: &'static str,
+        why: epicyclic_train::OperatingFault,
     },
     /// A link that the gearbox does not have.
     #[error("no link is called `{name}`: there are {}", links.join(", "))]

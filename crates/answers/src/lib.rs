@@ -17,6 +17,9 @@
 //! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
 //! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
 //! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
+//! | [`draw`] | a drawing: what it shows, its size, its files, and why there is none |
+//! | [`drawability`] | parts of a gearbox that cannot be drawn together |
+//! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -43,6 +46,8 @@
 pub mod analyze;
 pub mod answer;
 pub mod catalogue;
+pub mod draw;
+pub mod drawability;
 pub mod drive;
 pub mod error;
 pub mod finite;
@@ -52,6 +57,7 @@ pub mod motor;
 pub mod motor_search;
 pub mod number;
 pub mod refusal;
+pub mod report;
 pub mod schemes;
 pub mod select;
 pub mod shared;

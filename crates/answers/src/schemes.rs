@@ -2,19 +2,19 @@
 
 mod formulas;
 
+use crate::analyze::warnings::fast_planet;
 use crate::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds, ShiftElement};
+use crate::number::plain;
 pub use crate::refusal::{SizeName, SizeProblem};
-use crate::shared::{Motion, zero};
+use crate::shared::Motion;
 use crate::{Answer, Error, Warning};
+use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme as CatalogueScheme};
 use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Planets that turn faster than this relative to their carriers, in multiples of the input's speed, are warned of.
-const USUAL_PLANET_SPEED: f64 = 2.0;
 
 /// What says how large the sets of a scheme are.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -302,13 +302,13 @@ fn gears(gearbox: &Gearbox) -> Result<Vec<Gear>, Error> {
             ratio: analysis.ratio(),
             efficiency: analysis.efficiency(),
             back_driving_efficiency: analysis.back_driving_efficiency(),
-            output_torque_of_input: driving.map(|case| zero(case.output)),
+            output_torque_of_input: driving.map(|case| plain(case.output)),
             engaged,
             engaged_torque_of_input: driving
                 .zip(place)
                 .and_then(|(case, place)| case.shift_elements[place])
-                .map(zero),
-            circulating_of_input: driving.map(|case| zero(case.power.circulating)),
+                .map(plain),
+            circulating_of_input: driving.map(|case| plain(case.power.circulating)),
             sets: set_speeds(&analysis),
         });
     }
@@ -326,26 +326,18 @@ fn set_speeds(analysis: &Analysis<'_>) -> Vec<SetSpeeds> {
 /// What section 3.1 of the source would object to.
 fn warnings(k: &[RingToSunRatio], gears: &[Gear]) -> Vec<Warning> {
     let mut all = vec![];
-    let mut warn = |name, message: String| all.push(Warning { name, message });
     let recommended = RingToSunRange::RECOMMENDED;
     for (set, k) in (1..).zip(k).filter(|(_, k)| !recommended.contains(**k)) {
         let (low, high) = (recommended.low(), recommended.high());
-        warn("ring-to-sun-ratio", format!("k{set} = {} is outside {low} to {high}", digits(k.get(), 5)));
+        let message = format!("k{set} = {} is outside {low} to {high}", trimmed(k.get(), 5));
+        all.push(Warning { name: "ring-to-sun-ratio", message });
     }
-    for gear in gears {
-        for (set, speeds) in (1..).zip(&gear.sets) {
-            let speed = speeds.relative_planet_of_input.unwrap_or_default().abs();
-            if speed > USUAL_PLANET_SPEED {
-                let message = format!(
-                    "in gear {} planet {set} turns at {} times the input's speed relative to its carrier; \
-                     {USUAL_PLANET_SPEED} is the usual limit",
-                    gear.gear,
-                    digits(speed, 4)
-                );
-                warn("planet-speed", message);
-            }
-        }
-    }
+    let of_gear = |gear: &Gear| -> Vec<Warning> {
+        let sets = (1..).zip(&gear.sets);
+        let speeds = sets.filter_map(|(set, speeds)| Some((set, speeds.relative_planet_of_input?)));
+        speeds.filter_map(|(set, speed)| fast_planet(gear.gear.name(), &set.to_string(), speed)).collect()
+    };
+    all.extend(gears.iter().flat_map(of_gear));
     let reversed: Vec<&str> = gears
         .iter()
         .filter(|gear| gear.ratio.is_some_and(|ratio| ratio < 0.0))
@@ -355,13 +347,9 @@ fn warnings(k: &[RingToSunRatio], gears: &[Gear]) -> Vec<Warning> {
         let plural = if reversed.len() > 1 { "s" } else { "" };
         let message =
             format!("the output reverses between direct drive and gear{plural} {}", reversed.join(" and "));
-        warn("mixed-directions", message);
+        all.push(Warning { name: "mixed-directions", message });
     }
     all
-}
-
-fn digits(value: f64, digits: usize) -> String {
-    epicyclic_formats::quantity::format::trimmed(value, digits)
 }
 
 #[cfg(test)]

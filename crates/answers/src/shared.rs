@@ -97,9 +97,3 @@ impl std::fmt::Display for Motion {
         write!(f, "{}{}^{}", self.input.letter(), self.output.letter(), self.fixed.letter())
     }
 }
-
-/// The number itself; 0 where it is −0.
-#[must_use]
-pub fn zero(value: f64) -> f64 {
-    value + 0.0
-}

@@ -6,3 +6,7 @@ use uom::si::length::millimeter;
 pub(crate) fn millimetres(length: Length) -> f64 {
     length.get::<millimeter>()
 }
+
+pub(crate) fn of_millimetres(millimetres: f64) -> Length {
+    Length::new::<millimeter>(millimetres)
+}

@@ -13,7 +13,6 @@ use epicyclic_answers::transmissions;
 use epicyclic_formats::{Document, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
-use epicyclic_views::{AsReport as _, Report};
 use std::path::{Path, PathBuf};
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
@@ -146,7 +145,7 @@ impl Load {
         torque.or(self.power.map(|_| "--power")).or(self.speed.map(|_| "--speed"))
     }
 
-    fn input(&self) -> Input {
+    pub(crate) fn input(&self) -> Input {
         let torque = self.torque.map(|torque| InputLoad::Torque(torque.0));
         let load = torque.or(self.power.map(|power| InputLoad::Power(power.0)));
         Input { speed: self.speed.map(|speed| speed.0), load }
@@ -246,37 +245,9 @@ pub(crate) fn refuse(error: Error) -> Failure {
     Failure::Option { option, message }
 }
 
-/// Everything about one gearbox, gear by gear.
-pub(crate) struct Everything<'d> {
-    pub(crate) subject: Subject<'d>,
-    pub(crate) overview: Report,
-    /// One a gear, in their order.
-    pub(crate) gears: Vec<Report>,
-}
-
-/// The gearbox of a file, of which only one may be meant, and its place there.
-pub(crate) fn gearbox(
-    choice: &Choice,
-    document: &Document,
-) -> Result<(Gearbox, epicyclic_formats::Path), Failure> {
-    let subject = gearbox::one(document, &choice.question()?).map_err(refuse)?;
-    Ok((subject.gearbox, subject.base))
-}
-
-/// Everything about the gearbox of a file, of which only one may be meant.
-pub(crate) fn everything<'d>(
-    choice: &Choice,
-    document: &'d Document,
-    load: &Load,
-) -> Result<Everything<'d>, Failure> {
-    let subject = gearbox::one(document, &choice.question()?).map_err(refuse)?;
-    let overview = answers::overview::answer(&subject, load.input()).map_err(refuse)?.report();
-    let of_gear = |gear: &epicyclic_train::Gear| {
-        let answer = answers::gear::answer(&subject, gear.name(), load.input()).map_err(refuse)?;
-        Ok(answer.report())
-    };
-    let gears = subject.gearbox.gears().iter().map(of_gear).collect::<Result<_, Failure>>()?;
-    Ok(Everything { gears, overview, subject })
+/// The gearbox of a file, of which only one may be meant.
+pub(crate) fn subject<'d>(choice: &Choice, document: &'d Document) -> Result<Subject<'d>, Failure> {
+    gearbox::one(document, &choice.question()?).map_err(refuse)
 }
 
 /// The analysis of a gear that `--gear` names.

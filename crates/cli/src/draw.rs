@@ -1,6 +1,5 @@
 //! The command `draw`: pictures of gearboxes as SVG and DXF.
 
-mod crossing;
 mod subject;
 
 use crate::analyze::analysis;
@@ -9,14 +8,18 @@ use crate::input;
 use crate::motor;
 use crate::output::say;
 use crate::writing::write_files;
+use epicyclic_answers::answer::to_json;
+use epicyclic_answers::draw as answers;
+use epicyclic_answers::draw::{Drawing, FileFormat, Sheet};
+use epicyclic_answers::drawability::Conflict;
+use epicyclic_answers::motor::of_file;
 use epicyclic_drawing::{Scene, dxf, svg};
-use epicyclic_formats::quantity::format::trimmed;
-use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_views::draw;
 use std::path::{Path, PathBuf};
 use subject::Subject;
 use uom::si::f64::Ratio;
@@ -100,6 +103,19 @@ pub(crate) struct Args {
     /// File for the drawing as DXF, for CAD.
     #[arg(long, value_name = "FILE")]
     dxf: Option<PathBuf>,
+
+    /// What goes to standard output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// What goes to standard output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// A line for each file; without a file the drawing as SVG.
+    Text,
+    /// JSON: what is drawn and how, its size in SI units, its files, or what cannot be drawn together.
+    Json,
 }
 
 /// What is drawn of a gearbox.
@@ -134,25 +150,47 @@ impl View {
             Self::Chambers => Some(motor::View::Chambers),
         }
     }
+
+    fn record(self) -> answers::View {
+        match self {
+            Self::Scheme => answers::View::Scheme,
+            Self::Speeds => answers::View::Speeds,
+            Self::Levers => answers::View::Levers,
+            Self::Ladder => answers::View::Ladder,
+            Self::Centrodes => answers::View::Centrodes,
+            Self::Teeth => answers::View::Teeth,
+            Self::Motor => answers::View::Motor,
+            Self::Chambers => answers::View::Chambers,
+        }
+    }
+}
+
+/// What is drawn, and its picture or why there is none.
+struct Picture {
+    drawing: Drawing,
+    scene: Result<Scene, Failure>,
+    /// Place of the gearbox in its file.
+    base: formats::Path,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let file = Path::new(&args.gearbox);
     let document = file.exists().then(|| input::document(file)).transpose()?;
-    let (scene, base) = match &document {
-        Some(document) if is_motor(document) => (of_motor(args, document), formats::Path::root()),
-        _ => {
-            consistent(args)?;
-            let subject = subject::read(args, document.as_ref())?;
-            (scene(args, &subject), subject.base)
-        }
+    let Picture { mut drawing, scene, base } = match &document {
+        Some(document) if is_motor(document) => of_motor(args, document)?,
+        _ => of_gearbox(args, document.as_ref())?,
     };
     let placed = |failure: Failure| match &document {
         Some(document) => failure.in_file(document, &base),
         None => failure,
     };
-    let scene = scene.map_err(placed)?;
+    let scene = scene.map_err(placed);
+    if let (Err(Failure::SelfCrossing { conflict, .. }), Format::Json) = (&scene, args.format) {
+        drawing.conflict = Some((**conflict).clone());
+        say(&to_json(&drawing)?)?;
+    }
+    let scene = scene?;
     let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
     let ending =
         args.output.as_deref().and_then(Path::extension).map(|end| end.to_string_lossy().to_lowercase());
@@ -160,33 +198,53 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let message = format!("a drawing ends in .svg or .dxf, not .{end}");
         return Err(Failure::Option { option: "--output", message });
     }
-    let mut files: Vec<(&Path, bool)> = vec![];
-    files.extend(args.output.as_deref().map(|file| (file, is_dxf(file))));
-    files.extend(args.svg.as_deref().map(|file| (file, false)));
-    files.extend(args.dxf.as_deref().map(|file| (file, true)));
-    if files.is_empty() {
+    let of_output = |file| (file, if is_dxf(file) { FileFormat::Dxf } else { FileFormat::Svg });
+    let mut files: Vec<(&Path, FileFormat)> = vec![];
+    files.extend(args.output.as_deref().map(of_output));
+    files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
+    files.extend(args.dxf.as_deref().map(|file| (file, FileFormat::Dxf)));
+    if files.is_empty() && args.format == Format::Text {
         return say(&(svg::write(&scene).map_err(|error| placed(error.into()))? + "\n"));
     }
-    let mut said = String::new();
     let mut written = vec![];
-    let size = scene.bounds().grown(svg::MARGIN_MM);
-    for (file, as_dxf) in files {
-        let text = if as_dxf { dxf::write(&scene) } else { svg::write(&scene) };
+    for (file, format) in files {
+        let text = match format {
+            FileFormat::Svg => svg::write(&scene),
+            FileFormat::Dxf => dxf::write(&scene),
+        };
         written.push((file.to_owned(), text.map_err(|error| placed(error.into()))?.into_bytes()));
-        let [width, height] = [size.width(), size.height()].map(|mm| trimmed(mm.round(), 4));
-        let line = format!("{}: {}, {width} x {height} mm", file.display(), scene.title());
-        said += &one_line(&line);
-        said.push('\n');
+        drawing.files.push(answers::File { path: file.display().to_string(), format });
     }
+    let size = scene.bounds().grown(svg::MARGIN_MM);
+    drawing.sheet = Some(Sheet::of(scene.title(), [size.width(), size.height()]));
+    let told = match args.format {
+        Format::Text => draw::lines(&drawing),
+        Format::Json => to_json(&drawing)?,
+    };
     write_files(&written)?;
-    say(&said)
+    say(&told)
+}
+
+/// The drawing that the options describe, before it is made.
+fn drawing(args: &Args, subject: answers::Subject, view: View, gear: Option<&str>) -> Drawing {
+    Drawing {
+        subject,
+        view: view.record(),
+        gear: gear.map(str::to_owned),
+        power: args.power,
+        whole: args.whole,
+        same_side: args.same_side,
+        sheet: None,
+        conflict: None,
+        files: vec![],
+    }
 }
 
 fn is_motor(document: &Document) -> bool {
     ["stator", "rotor"].iter().any(|key| document.value().get(key).is_some())
 }
 
-fn of_motor(args: &Args, document: &Document) -> Result<Scene, Failure> {
+fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
     let of_gearboxes = [
         ("--transmission", args.transmission.is_some()),
         ("--gear", args.gear.is_some()),
@@ -202,13 +260,25 @@ fn of_motor(args: &Args, document: &Document) -> Result<Scene, Failure> {
     if let Some((option, _)) = of_gearboxes.into_iter().find(|(_, is_given)| *is_given) {
         return Err(Failure::Option { option, message: "it is for gearboxes; this is a motor".to_owned() });
     }
-    match args.view.unwrap_or(View::Motor).of_motor() {
-        Some(view) => motor::picture(document, view),
-        None => {
-            let message = "a motor has the views centrodes, teeth, motor, chambers".to_owned();
-            Err(Failure::Option { option: "--view", message })
-        }
-    }
+    let view = args.view.unwrap_or(View::Motor);
+    let Some(of_motor) = view.of_motor() else {
+        let message = "a motor has the views centrodes, teeth, motor, chambers".to_owned();
+        return Err(Failure::Option { option: "--view", message });
+    };
+    let base = formats::Path::root();
+    let (title, designed) =
+        of_file(document).map_err(|error| Failure::from(error).in_file(document, &base))?;
+    let subject = answers::Subject::of_motor(title, &designed.motor);
+    let drawing = drawing(args, subject, view, None);
+    Ok(Picture { drawing, scene: motor::scene(of_motor, &designed), base })
+}
+
+fn of_gearbox(args: &Args, document: Option<&Document>) -> Result<Picture, Failure> {
+    consistent(args)?;
+    let subject = subject::read(args, document)?;
+    let gear = args.gear.as_deref().map(|gear| subject.gear_name(gear));
+    let drawing = drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), gear);
+    Ok(Picture { drawing, scene: scene(args, &subject), base: subject.base })
 }
 
 /// Refuses options that say nothing for the view.
@@ -254,8 +324,7 @@ fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<
         Verdict::SelfCrossing(witness) => {
             return Err(Failure::SelfCrossing {
                 gearbox: gearbox.name().to_owned(),
-                why: crossing::words(gearbox, &witness),
-                witness: witness.describe(gearbox),
+                conflict: Box::new(Conflict::of(gearbox, &witness)),
             });
         }
     };

@@ -7,9 +7,11 @@
 //! | 2 | wrong usage, or an input that cannot be |
 //! | 3 | a file or stream that cannot be read or written |
 
+use epicyclic_answers::drawability::Conflict;
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Document, Path, Problem, motor};
+use epicyclic_views::drawability;
 use std::io;
 use std::path::PathBuf;
 
@@ -75,15 +77,15 @@ pub(crate) enum Failure {
     Selection(epicyclic_selection::Error),
     /// A gearbox that no drawing in the half-plane exists of.
     #[error(
-        "{gearbox} crosses itself: {why}\n{witness}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder"
+        "{gearbox} crosses itself: {}\n{}\nwithout any one of these the rest can be drawn; views without a scheme: speeds, levers, ladder",
+        drawability::shut_in(conflict),
+        drawability::together(conflict)
     )]
     SelfCrossing {
         /// The gearbox.
         gearbox: String,
-        /// What is shut in.
-        why: String,
         /// What stands in each other's way.
-        witness: String,
+        conflict: Box<Conflict>,
     },
     /// A picture that cannot be made.
     #[error(transparent)]
@@ -197,7 +199,6 @@ impl From<epicyclic_views::Error> for Failure {
     fn from(error: epicyclic_views::Error) -> Self {
         match error {
             epicyclic_views::Error::Picture(error) => Self::Picture(error),
-            epicyclic_views::Error::Gearbox(error) => Self::Gearbox(error),
             error => Self::View(error),
         }
     }

@@ -7,8 +7,9 @@ mod search;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use epicyclic_answers as answers;
+use epicyclic_answers::motor::Designed;
 use epicyclic_drawing::Scene;
-use epicyclic_formats::{Document, Number, Quantity};
+use epicyclic_formats::{Number, Quantity};
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
@@ -201,8 +202,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     args.design.output.deliver_with(files, &answer)
 }
 
-/// The motor of a file as a drawing.
-pub(crate) fn picture(document: &Document, view: View) -> Result<Scene, Failure> {
-    let (_, designed) = answers::motor::of_file(document)?;
-    files::scene(view, &designed)
+/// A motor as a drawing.
+pub(crate) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
+    files::scene(view, designed)
 }

@@ -58,27 +58,22 @@ impl OutputArgs {
         files: Vec<Content>,
         answer: &A,
     ) -> Result<(), Failure> {
-        let report = answer.report();
-        let text = match self.format {
-            Format::Json => to_json(answer)?,
+        // A view is made where it is shown, or where its warnings go to people beside a file.
+        let (text, report) = match self.format {
+            Format::Json => (to_json(answer)?, self.is_file().then(|| answer.report())),
             Format::Table | Format::Csv => {
                 finite::check(answer)?;
+                let report = answer.report();
                 // In the units of drawings a number can be too large that is not in SI units.
                 report.refuse_infinite()?;
-                if self.format == Format::Csv { report.csv()? } else { report.table() }
+                (if self.format == Format::Csv { report.csv()? } else { report.table() }, Some(report))
             }
         };
         self.write_with(files, &text)?;
-        self.tell(&report);
-        Ok(())
-    }
-
-    fn tell(&self, report: &Report) {
-        if self.is_file() {
-            for warning in report.warnings.iter().flatten() {
-                complain(&format!("warning: {}", visible::one_line(&warning.1)));
-            }
+        if let Some(report) = report.filter(|_| self.is_file()) {
+            tell(&report);
         }
+        Ok(())
     }
 
     /// Writes the answer and other files of the same call, all of them or none.
@@ -89,6 +84,13 @@ impl OutputArgs {
             Format::Json | Format::Csv => answer.into(),
         };
         self.target.write_with(files, answer.as_bytes())
+    }
+}
+
+/// Tells what a report warns of.
+fn tell(report: &Report) {
+    for (_, warning) in report.warnings.iter().flatten() {
+        complain(&format!("warning: {}", visible::one_line(warning)));
     }
 }
 

@@ -1,12 +1,14 @@
 //! The command `report`: a page about a gearbox, a drive or a motor.
 
-use crate::analyze::{Choice, Load, everything};
+use crate::analyze::{Choice, Load, refuse, subject};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::Target;
 use epicyclic_answers as answers;
+use epicyclic_answers::answer::to_json;
+use epicyclic_answers::report::drive::DriveReport;
+use epicyclic_answers::report::{About, Report, gearbox, motor};
 use epicyclic_formats::{Document, Path, Problem, visible};
-use epicyclic_views::page::gearbox::Pages;
 use epicyclic_views::page::{self, Sheet};
 
 /// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
@@ -26,8 +28,21 @@ pub(crate) struct Args {
     #[command(flatten)]
     load: Load,
 
+    /// How the page is written.
+    #[arg(long, value_enum, default_value_t = Format::Html)]
+    format: Format,
+
     #[command(flatten)]
     target: Target,
+}
+
+/// How a page is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// HTML to be read in a browser and printed.
+    Html,
+    /// JSON in SI units: the answers that the page is made from, without its pictures.
+    Json,
 }
 
 /// Runs the command.
@@ -42,41 +57,56 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         }
         None => Ok(()),
     };
-    let placed = |failure: Failure| failure.in_file(&document, &Path::root());
-    let sheet = if has("gearbox") || has("transmissions") {
-        gearbox(args, &document, text)?
+    let text = if has("gearbox") || has("transmissions") {
+        of_gearbox(args, &document, text)?
     } else if has("power") {
         for_gearboxes("drive")?;
-        page::drive::sheet(&answers::drive::of_file(&document)?, text)
-            .map_err(|error| placed(error.into()))?
+        of_drive(args, &document, text)?
     } else if has("stator") || has("rotor") {
         for_gearboxes("motor")?;
-        motor(&document, text).map_err(placed)?
+        of_motor(args, &document, text).map_err(|failure| failure.in_file(&document, &Path::root()))?
     } else {
         let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \
                        which has stator and rotor";
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     };
-    // What HTML does not allow in a name, or turns its reading around, is written out.
-    args.target.write(visible::lines(&sheet.html().map_err(|error| placed(error.into()))?).as_bytes())
+    args.target.write(text.as_bytes())
 }
 
-fn gearbox(args: &Args, document: &Document, text: String) -> Result<Sheet, Failure> {
-    let everything = everything(&args.choice, document, &args.load)?;
-    let subject = everything.subject;
-    let pages = Pages {
-        gearbox: &subject.gearbox,
-        source: subject.source.clone(),
-        overview: everything.overview,
-        gears: everything.gears,
-    };
-    page::gearbox::sheet(pages, text).map_err(|error| Failure::from(error).in_file(document, &subject.base))
+fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+    let subject = subject(&args.choice, document)?;
+    let (report, shown) = gearbox::answer(&subject, args.load.input()).map_err(refuse)?;
+    match args.format {
+        Format::Json => json(file, About::Gearbox(Box::new(report))),
+        Format::Html => html(page::gearbox::sheet(&report, &shown, file)),
+    }
+    .map_err(|failure| failure.in_file(document, &subject.base))
 }
 
-fn motor(document: &Document, text: String) -> Result<Sheet, Failure> {
+fn of_drive(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
+    let report = DriveReport::of(answers::drive::of_file(document)?);
+    match args.format {
+        Format::Json => json(file, About::Drive(Box::new(report))),
+        Format::Html => html(page::drive::sheet(&report, file)),
+    }
+    .map_err(|failure| failure.in_file(document, &Path::root()))
+}
+
+fn of_motor(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let (title, designed) = answers::motor::of_file(document)?;
-    let answer = answers::motor::answer(&designed)?;
-    let over_angle = answers::motor::over_angle(&designed.motor)?;
-    Ok(page::motor::sheet(title, &designed, &answer, &over_angle, text)?)
+    let report = motor::answer(title, &designed)?;
+    match args.format {
+        Format::Json => json(file, About::Motor(Box::new(report))),
+        Format::Html => html(page::motor::sheet(&report, &designed, file)),
+    }
+}
+
+fn json(file: String, about: About) -> Result<String, Failure> {
+    Ok(to_json(&Report { file, about })?)
+}
+
+/// What HTML does not allow in a name, or turns its reading around, is written out.
+fn html(sheet: Result<Sheet, epicyclic_views::Error>) -> Result<String, Failure> {
+    Ok(visible::lines(&sheet?.html()?).into_owned())
 }

@@ -7,10 +7,12 @@ use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::motor::Motor;
 use epicyclic_answers::motor_search::MotorSearch;
+use epicyclic_answers::report::Report;
 use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
@@ -87,6 +89,10 @@ enum Of {
     AnswerMachineDrum,
     /// The answer of `epicyclic machine rotor`.
     AnswerMachineRotor,
+    /// The answer of `epicyclic draw`.
+    AnswerDraw,
+    /// The answer of `epicyclic report`.
+    AnswerReport,
 }
 
 /// Runs the command.
@@ -115,6 +121,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerMachineChainCutter => schema::<ChainCutter>(),
         Of::AnswerMachineDrum => schema::<Drum>(),
         Of::AnswerMachineRotor => schema::<Rotor>(),
+        Of::AnswerDraw => schema::<Drawing>(),
+        Of::AnswerReport => schema::<Report>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

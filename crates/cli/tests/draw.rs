@@ -161,6 +161,34 @@ fn a_motor_is_drawn_from_its_file() {
 }
 
 #[test]
+fn what_is_drawn_and_what_cannot_be_are_told_as_data() {
+    let folder = here();
+    let told = |args: &[&str]| {
+        let done = output(folder.path(), &[&["draw"], args, &["--format", "json"]].concat());
+        let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        (done.status.code(), told)
+    };
+    let (code, drawn) = told(&["II-3", "-o", "ii-3.svg", "--dxf", "ii-3.dxf"]);
+    assert_eq!((code, &drawn["view"]), (Some(0), &"scheme".into()));
+    assert_eq!(drawn["files"][1]["format"], "dxf");
+    assert!(folder.path().join("ii-3.svg").exists() && folder.path().join("ii-3.dxf").exists());
+    // The size of the image itself.
+    let image = fs::read_to_string(folder.path().join("ii-3.svg")).unwrap();
+    let width = image.split("width=\"").nth(1).and_then(|rest| rest.split("mm").next()).unwrap();
+    let width: f64 = width.parse().unwrap();
+    assert!((drawn["sheet"]["width_m"].as_f64().unwrap() * 1000.0 - width).abs() < 0.01, "{width}");
+    // T1 and T2 changed places, and with them the gears.
+    let (_, drawn) = told(&["T2.B.T1+D.T1.B", "--k1", "2.5", "--k2", "1.618", "--gear", "1"]);
+    assert_eq!(drawn["subject"]["exchanged"], serde_json::json!({ "sets": true, "gears": false }));
+    let crossing = examples().join("self-crossing.yaml");
+    let (code, none) = told(&[crossing.to_str().unwrap(), "-o", "none.svg"]);
+    assert_eq!((code, &none["sheet"]), (Some(1), &serde_json::Value::Null));
+    assert_eq!(none["conflict"]["shut_in"], serde_json::json!(["T1"]));
+    assert_eq!(none["conflict"]["cannot_reach"], "housing");
+    assert!(!folder.path().join("none.svg").exists());
+}
+
+#[test]
 fn pictures_of_the_documents_are_current() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
     let power = "draw examples/real-transmissions.yaml --transmission 8HP --gear 3 --power --efficiency 0.97";

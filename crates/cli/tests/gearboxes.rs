@@ -38,6 +38,30 @@ fn a_gear_in_full() {
 }
 
 #[test]
+fn a_load_that_turns_a_one_way_clutch_free_is_told() {
+    let told = |gear: &[&str], load: &[&str]| {
+        let done = output(&examples(), &[&["analyze", "ravigneaux.yaml"], gear, load].concat());
+        assert!(done.status.success());
+        text(&done.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let first = ["--gear", "1"];
+    let reversed = "F1 would be reversed, so it overruns; engage LR besides";
+    for load in [
+        &["--torque", "-100 N·m"][..],
+        &["--power", "-20 kW", "--speed", "2000 rpm"],
+        &["--torque", "-100 N·m", "--speed", "-2000 rpm"],
+    ] {
+        assert!(told(&first, load).contains(reversed) && told(&[], load).contains(reversed), "{load:?}");
+        assert!(told(&["--gear", "1 low"], load).ends_with("No warnings."), "{load:?}");
+    }
+    for load in [&["--torque", "100 N·m"][..], &["--torque", "100 N·m", "--speed", "-2000 rpm"]] {
+        assert!(told(&first, load).ends_with("No warnings."), "{load:?}");
+    }
+    let several = told(&first, &["--speeds", "turbine=1000rpm", "--torques", "turbine=-100 N·m"]);
+    assert!(several.contains("F1 would overrun at these torques"), "{several}");
+}
+
+#[test]
 fn forces_on_the_bearings_of_planets() {
     let folder = examples();
     let forces = |args: &[&str]| {

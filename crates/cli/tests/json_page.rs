@@ -6,6 +6,7 @@ mod common;
 
 use common::{output, text};
 use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -52,14 +53,23 @@ fn words(schema: &Value, part: &Value) -> Vec<String> {
     choices(schema, part).into_iter().flat_map(of).collect()
 }
 
+/// The keys of an object but for those that every answer has.
+fn keys(part: &Value) -> BTreeSet<String> {
+    let own = part.get("properties").and_then(Value::as_object).into_iter().flatten();
+    own.map(|(key, _)| key.clone()).filter(|key| key != "schema_version" && key != "answer").collect()
+}
+
+/// Answers by their keys: where one is part of another, the page names it instead of telling its keys again.
+type Answers = BTreeMap<BTreeSet<String>, String>;
+
 /// A line for each key below a part of a schema: `[]` stands for each entry of a list, `*` for each name of a map.
-fn lines(schema: &Value, part: &Value, path: &str, page: &mut String) {
+fn lines(schema: &Value, part: &Value, path: &str, answers: &Answers, page: &mut String) {
     for choice in choices(schema, part) {
         if let Some(entries) = choice.get("items") {
-            lines(schema, entries, &format!("{path}[]"), page);
+            lines(schema, entries, &format!("{path}[]"), answers, page);
         }
         if let Some(entries) = choice.get("additionalProperties").filter(|entries| entries.is_object()) {
-            lines(schema, entries, &format!("{path}.*"), page);
+            lines(schema, entries, &format!("{path}.*"), answers, page);
         }
         for (key, inner) in choice.get("properties").and_then(Value::as_object).into_iter().flatten() {
             let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
@@ -69,18 +79,28 @@ fn lines(schema: &Value, part: &Value, path: &str, page: &mut String) {
             let words = words(schema, inner);
             let one_of =
                 if words.len() < 2 { String::new() } else { format!(" One of {}.", words.join(", ")) };
-            writeln!(page, "| `{path}` | {told}{one_of} |").unwrap();
-            lines(schema, inner, &path, page);
+            let entries = inner.get("items").unwrap_or(inner);
+            let whole = answers.get(&keys(resolved(schema, entries)));
+            let as_answer = whole.map_or_else(String::new, |name| format!(" Keys as of [{name}](#{name})."));
+            writeln!(page, "| `{path}` | {told}{one_of}{as_answer} |").unwrap();
+            if whole.is_none() {
+                lines(schema, inner, &path, answers, page);
+            }
         }
     }
 }
 
 fn made() -> String {
     let mut page = MARK.to_owned();
-    for name in answers() {
-        let schema: Value = serde_json::from_str(&printed(&["schema", &format!("answer-{name}")])).unwrap();
+    let schema = |name: String| {
+        let schema = serde_json::from_str(&printed(&["schema", &format!("answer-{name}")])).unwrap();
+        (name, schema)
+    };
+    let schemas: Vec<(String, Value)> = answers().into_iter().map(schema).collect();
+    let by_keys = schemas.iter().map(|(name, schema)| (keys(schema), name.clone())).collect();
+    for (name, schema) in &schemas {
         write!(page, "\n## {name}\n\n| key | is |\n|---|---|\n").unwrap();
-        lines(&schema, &schema, "", &mut page);
+        lines(schema, schema, "", &by_keys, &mut page);
     }
     page
 }

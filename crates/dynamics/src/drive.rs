@@ -8,7 +8,8 @@
 //!       → forces → J_pr, T → accelerations → starting time
 //! ```
 //!
-//! Each arrow is a value that the next stage takes; the solver of gearboxes is asked once, for the speeds.
+//! Each arrow is a value that the next stage takes, beside the part of the specification that concerns it; the solver of
+//! gearboxes is asked once, for the speeds.
 //!
 //! What stops the calculation is an [`Error`]; what deserves a second look is a [`Warning`].
 //!
@@ -66,11 +67,12 @@ pub use warning::Warning;
 
 use crate::Error;
 use crate::units::{kilowatts, n_m, rpm};
-use epicyclic_gears::simple_set::{Member, Mode};
+use bodies::Ends;
+use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::check_tolerance;
-use loads::Carried;
-use motion::Moving;
-use teeth::Geared;
+use loads::{Carried, Meshes};
+use motion::Starting;
+use teeth::{Geared, Wanted};
 
 /// Usual range of the ratio of a single stage.
 ///
@@ -87,14 +89,28 @@ pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
 /// [`Error::NoInertia`], [`Error::SelfLocking`], and [`Error::Overflow`] where a result is beyond numbers.
 pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
     check(spec)?;
+    let wanted = Wanted { ratio: spec.ratio, tolerance: spec.ratio_tolerance };
+    let meshes = Meshes { sun_planet: spec.sun_planet_efficiency, planet_ring: spec.planet_ring_efficiency };
+    let ends = Ends { motor: spec.motor_inertia, machine: spec.machine_inertia };
     let mut warnings = Vec::new();
-    let Geared { set, teeth, geometry } = teeth::geared(spec, &mut warnings)?;
-    let Carried { efficiency, speeds, torques, powers } = loads::carried(spec, &set, &teeth)?;
-    let shafts = shafts::shafts(spec, &torques, &mut warnings)?;
-    let masses = bodies::masses(spec, teeth.numbers, &geometry, &shafts, &mut warnings)?;
-    let forces = forces::forces(spec, teeth.numbers, &geometry, &torques, &speeds, &masses)?;
-    let Moving { equivalent_inertia, driving_torque, load, without_losses, with_losses } =
-        motion::moving(spec, set, &geometry, &torques, &masses)?;
+
+    let Geared { set, teeth, geometry } = teeth::geared(wanted, &spec.teeth, &spec.gear_set, &mut warnings)?;
+    let planets = teeth.numbers.planets;
+    let Carried { efficiency, speeds, torques, powers } =
+        loads::carried(spec.power, spec.speed, meshes, &set, &teeth)?;
+    let shafts = shafts::shafts(&spec.shafts, &torques, &mut warnings)?;
+    let series = spec.shafts.bearing_series;
+    let masses =
+        bodies::masses(&spec.gear_set, &spec.carrier, series, planets, &geometry, &shafts, &mut warnings)?;
+    let forces = forces::forces(meshes, planets, &geometry, &torques, speeds.carrier, &masses.planet)?;
+
+    let drive = bodies::planetary_drive(set, geometry.centre_distance, &masses, ends);
+    let equivalent_inertia = motion::equivalent_inertia(&drive, &masses, ends, spec.speed)?;
+    let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
+    let load = spec.load.unwrap_or(torques.carrier);
+    let start = Starting { speed: spec.speed, driving: driving_torque, load };
+    let without_losses = motion::without_losses(&drive, start)?;
+    let with_losses = motion::with_losses(&drive, start, meshes)?;
     Ok(DriveDesign {
         without_losses,
         with_losses,
@@ -115,9 +131,7 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
 }
 
 /// Sun drives, carrier is driven, ring at rest.
-fn mode() -> Result<Mode, Error> {
-    Ok(Mode::new(Member::Sun, Member::Carrier)?)
-}
+const MODE: Mode = Mode::SUN_TO_CARRIER;
 
 fn check(spec: &DriveSpec) -> Result<(), Error> {
     let positive = |quantity, value: f64, unit| {

@@ -1,6 +1,6 @@
 //! Conversions between `uom` quantities and the SI numbers of the kernels: all of this crate's.
 
-use uom::si::angle::{degree, radian};
+use uom::si::angle::degree;
 use uom::si::angular_acceleration::radian_per_second_squared;
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::energy::joule;
@@ -45,10 +45,6 @@ conversions! {
     Time, second: seconds, time;
     Torque, newton_meter: n_m, torque;
     Velocity, meter_per_second: m_per_s, velocity;
-}
-
-pub(crate) fn radians(angle: Angle) -> f64 {
-    angle.get::<radian>()
 }
 
 pub(crate) fn degrees(angle: Angle) -> f64 {

@@ -1,8 +1,8 @@
 //! What this crate refuses.
 
-use crate::geometry::GearKind;
+use crate::gear_kind::GearKind;
+use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
-use crate::simple_set::{Member, Mode};
 use crate::tolerance;
 
 /// An input that describes no gear, or a requirement that no gear meets.

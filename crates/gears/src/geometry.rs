@@ -3,32 +3,14 @@
 //! Uncorrected gears (no profile shift). Left out: interference, tip relief, and whether the tip of an
 //! internal gear stays outside its base circle.
 
-use std::fmt;
-
 use uom::si::f64::Length;
 
+pub use crate::gear_kind::GearKind;
+use crate::mesh::{Gear, Mesh};
 pub use crate::rack::BasicRack;
 use crate::tolerance::SAME;
 use crate::units::{degrees, millimetres, positive, positive_length, radians};
 use crate::{Error, Quantity, ToothCount};
-
-/// On which side of the pitch circle the teeth stand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum GearKind {
-    /// Teeth point away from the axis: sun, planet.
-    External,
-    /// Teeth point to the axis: ring.
-    Internal,
-}
-
-impl fmt::Display for GearKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::External => "external",
-            Self::Internal => "internal",
-        })
-    }
-}
 
 /// A spur gear without profile shift, whose circles all exist.
 ///
@@ -141,7 +123,7 @@ impl ToothedGear {
     /// Pitch diameter `d = m·z`.
     #[must_use]
     pub fn pitch_diameter(&self) -> Length {
-        self.module * f64::from(self.teeth.get())
+        self.module * (2.0 * self.circles().pitch_radius())
     }
 
     /// Tip diameter `d_a`: the largest of an external gear, the smallest of an internal one.
@@ -162,20 +144,18 @@ impl ToothedGear {
         self.pitch_diameter() * radians(self.rack.pressure_angle).cos()
     }
 
-    /// `+1` outwards for external, `−1` for internal teeth.
-    fn outward(&self) -> f64 {
-        match self.kind {
-            GearKind::External => 1.0,
-            GearKind::Internal => -1.0,
-        }
+    /// Its circles, in modules.
+    #[must_use]
+    pub fn circles(&self) -> Gear {
+        Gear::new(self.kind, self.teeth.as_f64())
     }
 
     fn tip_in_modules(&self) -> f64 {
-        f64::from(self.teeth.get()) + self.outward() * 2.0 * self.rack.addendum
+        2.0 * self.circles().tip_radius(&self.rack)
     }
 
     fn root_in_modules(&self) -> f64 {
-        f64::from(self.teeth.get()) - self.outward() * 2.0 * (self.rack.addendum + self.rack.clearance)
+        2.0 * self.circles().root_radius(&self.rack)
     }
 }
 
@@ -217,18 +197,22 @@ pub fn centre_distance(first: &ToothedGear, second: &ToothedGear) -> Result<Leng
     if !same(first_deg, second_deg) {
         return Err(Error::PressureAnglesDiffer { first_deg, second_deg });
     }
-    let half_module = first.module / 2.0;
-    let (z1, z2) = (first.teeth.get(), second.teeth.get());
-    let internal_pair = |internal: u32, external: u32| match internal.checked_sub(external) {
-        Some(difference) if difference > 0 => Ok(half_module * f64::from(difference)),
-        _ => Err(Error::InternalNotLarger { internal, external }),
+    let (z1, z2) = (first.teeth, second.teeth);
+    let internal_pair = |internal: ToothCount, external: ToothCount| {
+        if internal > external {
+            return Ok(Mesh::internal(internal.as_f64(), external.as_f64()));
+        }
+        Err(Error::InternalNotLarger { internal: internal.get(), external: external.get() })
     };
-    match (first.kind, second.kind) {
-        (GearKind::External, GearKind::External) => Ok(half_module * (f64::from(z1) + f64::from(z2))),
-        (GearKind::Internal, GearKind::External) => internal_pair(z1, z2),
-        (GearKind::External, GearKind::Internal) => internal_pair(z2, z1),
-        (GearKind::Internal, GearKind::Internal) => Err(Error::BothInternal { first: z1, second: z2 }),
-    }
+    let mesh = match (first.kind, second.kind) {
+        (GearKind::External, GearKind::External) => Mesh::external(z1.as_f64(), z2.as_f64()),
+        (GearKind::Internal, GearKind::External) => internal_pair(z1, z2)?,
+        (GearKind::External, GearKind::Internal) => internal_pair(z2, z1)?,
+        (GearKind::Internal, GearKind::Internal) => {
+            return Err(Error::BothInternal { first: z1.get(), second: z2.get() });
+        }
+    };
+    Ok(first.module * mesh.centre_distance())
 }
 
 fn same(first: f64, second: f64) -> bool {

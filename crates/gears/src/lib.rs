@@ -11,6 +11,7 @@
 //! | [`synthesis`] | *every* set of tooth numbers of a simple set within bounds |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
 //! | [`rack`] | the basic rack that all checks take, and undercut |
+//! | [`mesh`] | circles of gears and centre distance from teeth alone, clearance between planets |
 //! | [`geometry`] | diameters of a gear, centre distance of a pair |
 //! | [`mass`] | volume, mass and polar inertia of rings and gears |
 //! | [`carrier`] | the same of a planet carrier |
@@ -46,9 +47,12 @@ pub mod bearing;
 pub mod carrier;
 pub mod efficiency;
 pub mod error;
+mod gear_kind;
 pub mod geometry;
 pub mod life;
 pub mod mass;
+pub mod mesh;
+mod mode;
 pub mod planet_bearing;
 pub mod quantity;
 pub mod rack;
@@ -60,6 +64,7 @@ pub mod teeth;
 mod tolerance;
 mod units;
 pub mod willis;
+mod words;
 
 pub use error::Error;
 pub use quantity::Quantity;

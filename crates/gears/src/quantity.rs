@@ -1,72 +1,56 @@
 //! What a value is of that an error refuses.
 
+use crate::words;
 use std::fmt;
 
-macro_rules! quantities {
-    ($($name:ident $text:literal)*) => {
-        /// A quantity of a gear, a gear set or what carries it; displays as in messages, `face width`.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        #[non_exhaustive]
-        pub enum Quantity {$(
-            #[doc = $text]
-            $name,
-        )*}
-
-        impl fmt::Display for Quantity {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.pad(match self {
-                    $(Self::$name => $text,)*
-                })
-            }
-        }
-    };
-}
-
-quantities! {
-    AddendumCoefficient "addendum coefficient"
-    ClearanceCoefficient "clearance coefficient"
-    PressureAngle "pressure angle"
-    TipGap "tip gap"
-    Module "module"
-    CentreDistance "centre distance"
-    PitchRadius "pitch radius"
-    OutsideDiameter "outside diameter"
-    TipDiameter "tip diameter"
-    RootDiameter "root diameter"
-    RimDiameter "rim diameter"
-    BoreDiameter "bore diameter"
-    FaceWidth "face width"
-    Width "width"
-    Mass "mass"
-    Density "density"
-    ArmLength "arm length"
-    ArmWidth "arm width"
-    ArmThickness "arm thickness"
-    HoleRadius "hole radius"
-    HoleDistance "distance of the hole from the outer end"
-    HubOutsideRadius "hub outside radius"
-    HubInsideRadius "hub inside radius"
-    Torque "torque"
-    AllowableStress "allowable stress"
-    BoreRatio "bore ratio"
-    ShaftDiameter "shaft diameter"
-    ShaftBore "shaft bore"
-    NeededShaftDiameter "needed shaft diameter"
-    Bore "bore"
-    LoadRating "basic dynamic load rating of the bearing"
-    BearingLoad "load of the bearing"
-    BearingSpeed "speed of the bearing"
-    CarrierRadius "radius of the planets' centres"
-    CarrierSpeed "speed of the carrier"
-    CarrierTorque "torque on the carrier"
-    CentralGearTorque "torque on a central gear"
-    MeshTorque "torque of a mesh"
-    PlanetMass "mass of a planet"
-    PlanetBore "bore of a planet"
-    SizedPlanets "number of planets with a size"
-    SizedMeshes "number of meshes with a size"
-    SizedFaceWidths "number of face widths of a planet"
-    MemberTorques "number of torques on the members"
+words! {
+    /// A quantity of a gear, a gear set or what carries it; displays as in messages, `face width`.
+    Quantity {
+        AddendumCoefficient "addendum coefficient"
+        ClearanceCoefficient "clearance coefficient"
+        PressureAngle "pressure angle"
+        TipGap "tip gap"
+        Module "module"
+        CentreDistance "centre distance"
+        PitchRadius "pitch radius"
+        OutsideDiameter "outside diameter"
+        TipDiameter "tip diameter"
+        RootDiameter "root diameter"
+        RimDiameter "rim diameter"
+        BoreDiameter "bore diameter"
+        FaceWidth "face width"
+        Width "width"
+        Mass "mass"
+        Density "density"
+        ArmLength "arm length"
+        ArmWidth "arm width"
+        ArmThickness "arm thickness"
+        HoleRadius "hole radius"
+        HoleDistance "distance of the hole from the outer end"
+        HubOutsideRadius "hub outside radius"
+        HubInsideRadius "hub inside radius"
+        Torque "torque"
+        AllowableStress "allowable stress"
+        BoreRatio "bore ratio"
+        ShaftDiameter "shaft diameter"
+        ShaftBore "shaft bore"
+        NeededShaftDiameter "needed shaft diameter"
+        Bore "bore"
+        LoadRating "basic dynamic load rating of the bearing"
+        BearingLoad "load of the bearing"
+        BearingSpeed "speed of the bearing"
+        CarrierRadius "radius of the planets' centres"
+        CarrierSpeed "speed of the carrier"
+        CarrierTorque "torque on the carrier"
+        CentralGearTorque "torque on a central gear"
+        MeshTorque "torque of a mesh"
+        PlanetMass "mass of a planet"
+        PlanetBore "bore of a planet"
+        SizedPlanets "number of planets with a size"
+        SizedMeshes "number of meshes with a size"
+        SizedFaceWidths "number of face widths of a planet"
+        MemberTorques "number of torques on the members"
+    }
 }
 
 /// A gear of a simple set.

@@ -1,6 +1,7 @@
 //! A gear set of two central gears and a carrier, joined by planets of any kind; the simple set first of all.
 
 use crate::Error;
+pub use crate::mode::{Member, Mode};
 use crate::teeth::ToothCount;
 use num_rational::Ratio;
 use std::fmt;
@@ -8,106 +9,13 @@ use std::fmt;
 /// A ratio of tooth counts, exactly.
 pub type Fraction = Ratio<i128>;
 
-/// A basic member of a gear set: the three that turn about its axis.
-///
-/// In a set of two suns or two rings (stepped planets, meshing suns) and in a bevel set, `Sun` is
-/// the first central gear and `Ring` the second.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Member {
-    /// Central gear `a`, the sun.
-    Sun,
-    /// Central gear `b`, the ring.
-    Ring,
-    /// Carrier `H`.
-    Carrier,
-}
-
-impl Member {
-    /// The three members, in the order of the set's equation.
-    pub const ALL: [Self; 3] = [Self::Sun, Self::Ring, Self::Carrier];
-
-    /// The source's letter: `a`, `b` or `H`.
-    #[must_use]
-    pub fn symbol(self) -> char {
-        match self {
-            Self::Sun => 'a',
-            Self::Ring => 'b',
-            Self::Carrier => 'H',
-        }
-    }
-}
-
-impl fmt::Display for Member {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Sun => "sun",
-            Self::Ring => "ring",
-            Self::Carrier => "carrier",
-        })
-    }
-}
-
-/// One of the six ways to use a gear set with one member at rest: who drives and who is driven.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Mode {
-    input: Member,
-    output: Member,
-}
-
 impl Mode {
-    /// The six modes in the order of multispeed-gearboxes, table 2.2:
-    /// `ab^H`, `aH^b`, `bH^a`, `ba^H`, `Ha^b`, `Hb^a`.
-    pub const ALL: [Self; 6] = {
-        use Member::{Carrier, Ring, Sun};
-        [
-            Self { input: Sun, output: Ring },
-            Self { input: Sun, output: Carrier },
-            Self { input: Ring, output: Carrier },
-            Self { input: Ring, output: Sun },
-            Self { input: Carrier, output: Sun },
-            Self { input: Carrier, output: Ring },
-        ]
-    };
-
     /// The mode in which `input` drives `output` and the third member rests.
     ///
     /// # Errors
     /// [`Error::SameMember`] where input and output coincide.
     pub fn new(input: Member, output: Member) -> Result<Self, Error> {
-        if input == output {
-            return Err(Error::SameMember(input));
-        }
-        Ok(Self { input, output })
-    }
-
-    /// The driving member.
-    #[must_use]
-    pub fn input(self) -> Member {
-        self.input
-    }
-
-    /// The driven member.
-    #[must_use]
-    pub fn output(self) -> Member {
-        self.output
-    }
-
-    /// The member at rest.
-    #[must_use]
-    pub fn fixed(self) -> Member {
-        match (self.input, self.output) {
-            (Member::Sun, Member::Ring) | (Member::Ring, Member::Sun) => Member::Carrier,
-            (Member::Sun, _) | (_, Member::Sun) => Member::Ring,
-            _ => Member::Sun,
-        }
-    }
-}
-
-impl fmt::Display for Mode {
-    /// The field's notation: `aH^b` reads "from the sun to the carrier, ring at rest".
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { input, output } = self;
-        write!(f, "{}{}^{}", input.symbol(), output.symbol(), self.fixed().symbol())
+        Self::between(input, output).ok_or(Error::SameMember(input))
     }
 }
 
@@ -208,7 +116,7 @@ impl BasicRatio {
     /// [`Error::Ratio`] where no set has this ratio: for 0, what is not finite, and 1 with the
     /// carrier driving or driven.
     pub fn with_ratio(ratio: f64, mode: Mode) -> Result<Self, Error> {
-        let i0 = match (mode.input, mode.output) {
+        let i0 = match (mode.input(), mode.output()) {
             (Member::Sun, Member::Ring) => ratio,
             (Member::Ring, Member::Sun) => 1.0 / ratio,
             (Member::Sun, _) => 1.0 - ratio,
@@ -283,7 +191,7 @@ impl BasicRatio {
     /// multispeed-gearboxes, table 2.2.
     pub fn ratio(self, mode: Mode) -> Result<f64, Error> {
         let factor = |member: Member| self.coefficients()[member as usize];
-        let (of_input, of_output) = (factor(mode.input), factor(mode.output));
+        let (of_input, of_output) = (factor(mode.input()), factor(mode.output()));
         // With one member at rest the equation is c_in·ω_in + c_out·ω_out = 0.
         if of_input == 0.0 || of_output == 0.0 {
             return Err(Error::CarrierUndetermined);
@@ -308,7 +216,7 @@ pub fn exact_ratio(sun: ToothCount, ring: ToothCount, mode: Mode) -> Fraction {
     let (a, b) = (i128::from(sun.get()), i128::from(ring.get()));
     // The set's equation times z_a: z_a·ω_a + z_b·ω_b − (z_a + z_b)·ω_H = 0.
     let factors = [a, b, -(a + b)];
-    -Fraction::new(factors[mode.output as usize], factors[mode.input as usize])
+    -Fraction::new(factors[mode.output() as usize], factors[mode.input() as usize])
 }
 
 #[cfg(test)]
@@ -328,12 +236,6 @@ mod tests {
             let ratio = set.ratio(mode).unwrap();
             assert!((ratio - expected).abs() < 1e-15, "{mode}: {ratio} is not {expected}");
         }
-    }
-
-    #[test]
-    fn the_fixed_member_is_the_third() {
-        let named: Vec<String> = Mode::ALL.iter().map(ToString::to_string).collect();
-        assert_eq!(named, ["ab^H", "aH^b", "bH^a", "ba^H", "Ha^b", "Hb^a"]);
     }
 
     #[test]

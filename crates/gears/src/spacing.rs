@@ -9,7 +9,7 @@
 //! excavator-dynamics, condition of assembly.
 
 use crate::teeth::ToothCount;
-use crate::units::angle;
+use crate::units::{angle, radians};
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
@@ -70,6 +70,12 @@ impl PlanetSpacing {
     pub fn smallest_gap(&self) -> Angle {
         let gap = self.slots / self.count();
         angle(TAU * gap as f64 / self.slots as f64)
+    }
+
+    /// Sine of half the smallest angle between adjacent planets.
+    #[must_use]
+    pub fn half_gap_sine(&self) -> f64 {
+        (radians(self.smallest_gap()) / 2.0).sin()
     }
 
     /// The greatest deviation of a planet from equal spacing, the equally spaced pattern turned to

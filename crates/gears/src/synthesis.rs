@@ -20,6 +20,7 @@
 //! `z_1·U/N·(1 + N·n)` an integer for some whole `n`, is the one above, since `z_1·U = z_a + z_b`
 //! and the factor is an integer that shares no divisor with `N`.
 
+use crate::mesh::{TipCircle, coaxial_ring};
 use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
 use crate::simple_set::{BasicRatio, Fraction, Mode, exact_ratio};
@@ -56,6 +57,12 @@ impl ToothNumbers {
     #[must_use]
     pub fn ring_to_sun_ratio(&self) -> f64 {
         self.ring.as_f64() / self.sun.as_f64()
+    }
+
+    /// A planet as its neighbours see it, in modules.
+    #[must_use]
+    pub fn planet_circle(&self, rack: &BasicRack) -> TipCircle {
+        TipCircle::of_planet(self.sun, self.planet, rack)
     }
 
     /// Basic ratio `−z_b/z_a`.
@@ -152,11 +159,6 @@ impl Bounds {
         Ok(())
     }
 
-    /// What `planet` and the tip circle's allowance need of `(z_a + z_g)·sin(γ/2)`.
-    fn needed(&self, planet: u32) -> f64 {
-        f64::from(planet) + 2.0 * self.rack.addendum + self.tip_gap
-    }
-
     /// Every set of tooth numbers within the bounds, ascending by sun, planet and number of planets.
     ///
     /// ```
@@ -225,29 +227,26 @@ impl Bounds {
             let from = (*self.planet.start()).max(from_k).max(from_ring);
             let to = most_planet.min(to_k).min(to_ring);
             for planet in from..=to {
-                let ring = sun + 2 * planet;
+                let ring = coaxial_ring(sun, planet);
                 if !self.ring_to_sun_ratio.contains(&(f64::from(ring) / z_a)) {
                     continue;
                 }
-                let (centres, needed) = (z_a + f64::from(planet), self.needed(planet));
-                let slots = sun + ring;
-                let even = divisors[slots as usize];
+                let even = divisors[(sun + ring) as usize];
                 let (Ok(sun), Ok(planet), Ok(ring)) =
                     (ToothCount::new(sun), ToothCount::new(planet), ToothCount::new(ring))
                 else {
                     continue;
                 };
+                let circle = TipCircle::of_planet(sun, planet, &self.rack);
                 for &(planets, sine) in &half_gap_sines {
                     // More planets stand closer: none of the following fits either.
-                    if centres * sine <= needed {
+                    if !circle.clears_alike(sine, self.tip_gap) {
                         break;
                     }
-                    let assembles = match self.placement {
-                        Placement::Equal => even >> planets & 1 == 1,
-                        Placement::LeastUnequal => {
-                            even >> planets & 1 == 1 || centres * half_gap_sine(slots, planets) > needed
-                        }
-                    };
+                    let placed = || PlanetSpacing::least_unequal(sun, ring, planets).half_gap_sine();
+                    let assembles = even >> planets & 1 == 1
+                        || self.placement == Placement::LeastUnequal
+                            && circle.clears_alike(placed(), self.tip_gap);
                     if assembles {
                         each(ToothNumbers { sun, planet, ring, planets })?;
                     }
@@ -358,31 +357,12 @@ impl Bounds {
             ratio,
             exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode),
             ratio_error,
-            most_planets: self.most_planets(teeth.sun, teeth.planet),
+            most_planets: teeth.planet_circle(&self.rack).most(self.tip_gap),
             undercut_sun: self.rack.undercuts(teeth.sun),
             undercut_planet: self.rack.undercuts(teeth.planet),
             spacing: PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets),
             teeth,
         }
-    }
-
-    /// The largest number of equally spaced planets whose tips clear each other by the bounds' gap,
-    /// whether or not they assemble; 1 where not even two do.
-    ///
-    /// ```text
-    /// N < π / arcsin((z_g + 2·h_a* + s)/(z_a + z_g))
-    /// ```
-    #[must_use]
-    pub fn most_planets(&self, sun: ToothCount, planet: ToothCount) -> u32 {
-        let limit = planet_number_limit(self.needed(planet.get()) / (sun.as_f64() + planet.as_f64()));
-        limit.map_or(1, |limit| {
-            let below = limit.ceil() as u32 - 1;
-            // The inequality itself decides where rounding made the limit a whole number.
-            let clears = |n: u32| {
-                (sun.as_f64() + planet.as_f64()) * (PI / f64::from(n)).sin() > self.needed(planet.get())
-            };
-            if clears(below + 1) { below + 1 } else { below.max(1) }
-        })
     }
 }
 
@@ -392,25 +372,6 @@ impl Bounds {
 /// [`Error::Tolerance`].
 pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
-}
-
-/// Limit of the number of planets by the clearance between them, `180°/arcsin((z_g + 2·h_a*)/(z_a + z_g))`: fewer
-/// planets than this clear each other. `None` where two already touch.
-///
-/// # Source
-/// excavator-dynamics, where it is called the condition of neighbourhood.
-#[must_use]
-pub fn clearance_limit(sun: ToothCount, planet: ToothCount, rack: &BasicRack) -> Option<f64> {
-    planet_number_limit((planet.as_f64() + 2.0 * rack.addendum) / (sun.as_f64() + planet.as_f64()))
-}
-
-fn planet_number_limit(sine: f64) -> Option<f64> {
-    (sine > 0.0 && sine < 1.0).then(|| PI / sine.asin())
-}
-
-/// Sine of half the smallest angle between planets placed as evenly as they assemble.
-fn half_gap_sine(slots: u32, planets: u32) -> f64 {
-    (PI * f64::from(slots / planets) / f64::from(slots)).sin()
 }
 
 /// A set of tooth numbers whose ratio is near a wanted one.
@@ -532,8 +493,6 @@ mod tests {
         assert_eq!(only.exact_ratio, Fraction::from_integer(6));
         assert_eq!(only.most_planets, 4);
         assert!(!only.undercut_sun && !only.undercut_planet);
-        let limit = clearance_limit(teeth(20), teeth(40), &BasicRack::default()).unwrap();
-        assert!((limit - 180.0 / 44.427_004).abs() < 1e-6);
     }
 
     #[test]
@@ -614,14 +573,6 @@ mod tests {
         assert_eq!(wide(10_001).tooth_numbers(), Err(refused));
     }
 
-    #[test]
-    fn planets_that_just_touch_do_not_clear_each_other() {
-        // Six planets: (z_a + z_g)/2 = z_g + 2 leaves no gap at all.
-        let (sun, planet) = (teeth(24), teeth(20));
-        assert_eq!(Bounds::default().most_planets(sun, planet), 5);
-        assert_eq!(Bounds::default().most_planets(teeth(25), planet), 6);
-    }
-
     /// The pressure angle decides on undercut alone, the addendum on undercut and on the gap between planets.
     #[test]
     fn undercut_follows_the_rack() {
@@ -662,16 +613,6 @@ mod tests {
                 ..Bounds::default()
             };
             prop_assert_eq!(bounds.tooth_numbers().unwrap(), tooth_numbers_by_trial(&bounds).unwrap());
-        }
-
-        #[test]
-        fn most_planets_is_the_last_that_clears(sun in 5..120_u32, planet in 5..120_u32) {
-            let (sun, planet) = (teeth(sun), teeth(planet));
-            let clears = |n: u32| {
-                (sun.as_f64() + planet.as_f64()) * (PI / f64::from(n)).sin() > planet.as_f64() + 2.0
-            };
-            let last = (2..200).take_while(|&n| clears(n)).last().unwrap_or(1);
-            prop_assert_eq!(Bounds::default().most_planets(sun, planet), last);
         }
     }
 }

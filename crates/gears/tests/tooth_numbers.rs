@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 use epicyclic_gears::mass::{FormulaEight, MassProperties, published_gear_inertia};
+use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Member, Mode};
-use epicyclic_gears::synthesis::{Bounds, Placement, clearance_limit};
+use epicyclic_gears::synthesis::{Bounds, Placement};
 use epicyclic_gears::{Error, ToothCount};
 use std::f64::consts::PI;
 use uom::si::angle::radian;
@@ -19,6 +20,10 @@ fn teeth(count: u32) -> ToothCount {
     ToothCount::new(count).unwrap()
 }
 
+fn circle(sun: u32, planet: u32) -> TipCircle {
+    TipCircle::of_planet(teeth(sun), teeth(planet), &BasicRack::default())
+}
+
 /// Distance of the centres of two neighbours, in modules, where they stand at an angle.
 fn apart(sun: u32, planet: u32, angle_rad: f64) -> f64 {
     f64::from(sun + planet) * (angle_rad / 2.0).sin()
@@ -26,27 +31,25 @@ fn apart(sun: u32, planet: u32, angle_rad: f64) -> f64 {
 
 #[test]
 fn planets_clear_each_other_by_the_distance_of_their_centres() {
-    let bounds = Bounds { tip_gap: 0.4, ..Bounds::default() };
     for sun in 1..60 {
         for planet in 1..60 {
             // Tip diameter and gap, in modules.
             let needed = f64::from(planet) + 2.0 + 0.4;
             let clears = |planets: u32| apart(sun, planet, 2.0 * PI / f64::from(planets)) > needed;
             let most = (1..400).rev().find(|planets| *planets == 1 || clears(*planets)).unwrap();
-            assert_eq!(bounds.most_planets(teeth(sun), teeth(planet)), most, "{sun} {planet}");
+            assert_eq!(circle(sun, planet).most(0.4), most, "{sun} {planet}");
         }
     }
 }
 
 #[test]
 fn the_limit_of_clearance_is_where_neighbours_touch() {
-    let rack = BasicRack::default();
-    let limit = clearance_limit(teeth(18), teeth(36), &rack).unwrap();
+    let limit = circle(18, 36).number_limit(0.0).unwrap();
     assert!((apart(18, 36, 2.0 * PI / limit) - 38.0).abs() < 1e-12, "{limit}");
     // Around a sun of two teeth even two planets touch, around one tooth they overlap.
-    assert_eq!(clearance_limit(teeth(2), teeth(36), &rack), None);
-    assert_eq!(clearance_limit(teeth(1), teeth(36), &rack), None);
-    let tight = clearance_limit(teeth(3), teeth(36), &rack).unwrap();
+    assert_eq!(circle(2, 36).number_limit(0.0), None);
+    assert_eq!(circle(1, 36).number_limit(0.0), None);
+    let tight = circle(3, 36).number_limit(0.0).unwrap();
     assert!(tight > 2.0 && (apart(3, 36, 2.0 * PI / tight) - 38.0).abs() < 1e-12, "{tight}");
 }
 

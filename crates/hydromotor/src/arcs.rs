@@ -256,12 +256,6 @@ impl StatorArcs {
     pub fn least_radius(&self) -> Length {
         length(self.arcs.least, self.module)
     }
-
-    /// The stator's greatest radius, `a + R₂`.
-    #[must_use]
-    pub fn greatest_radius(&self) -> Length {
-        length(self.arcs.a + self.arcs.r2, self.module)
-    }
 }
 
 /// Half a lobe of the stator in modules, `S = L/(2N)` with `L = π·m·Z₃`.

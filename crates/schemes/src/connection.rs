@@ -41,7 +41,7 @@ use crate::catalogue::simple_set::{fraction, ring_to_sun_ratio};
 use crate::catalogue::{Reach, RingToSunRange, Role, ThreeSpeed, TwoSpeed, with_role};
 use crate::pair::{self, coefficients};
 use crate::quantity::ConnectionPart;
-use crate::structures::{Structure, gearbox};
+use crate::structures::{Structure, three_speed_gearbox};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{Member, Mode, RingToSunRatio};
 use epicyclic_train::Gearbox;
@@ -284,9 +284,7 @@ impl Connection {
         k2: RingToSunRatio,
         eta0: MeshEfficiency,
     ) -> Result<Gearbox, Error> {
-        let [first, second] = self.sets();
-        let sets = [(first, k1.get()), (second, k2.get())];
-        gearbox(&self.to_string(), &sets, eta0, Some([Role::D, Role::B]))
+        three_speed_gearbox(&self.to_string(), self.sets(), [k1, k2], eta0)
     }
 }
 

@@ -405,9 +405,18 @@ impl ThreeSpeed {
         k2: RingToSunRatio,
         eta0: MeshEfficiency,
     ) -> Result<Gearbox, Error> {
-        let [first, second] = self.sets();
-        gearbox(self.name(), &[(first, k1.get()), (second, k2.get())], eta0, Some([Role::D, Role::B]))
+        three_speed_gearbox(self.name(), self.sets(), [k1, k2], eta0)
     }
+}
+
+/// The gearbox of three speeds with these sets: gears `1`, `2` and `direct`, the direct-drive clutch between the shafts.
+pub(crate) fn three_speed_gearbox(
+    name: &str,
+    [first, second]: [SetRoles; 2],
+    [k1, k2]: [RingToSunRatio; 2],
+    eta0: MeshEfficiency,
+) -> Result<Gearbox, Error> {
+    gearbox(name, &[(first, k1.get()), (second, k2.get())], eta0, Some([Role::D, Role::B]))
 }
 
 #[cfg(test)]

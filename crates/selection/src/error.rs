@@ -1,6 +1,6 @@
 //! What selection and search refuse.
 
-use super::objectives::Objective;
+use crate::objective::Objective;
 use crate::quantity::{KRange, Limited, Rated};
 
 /// Invalid requirements, or a search too large.

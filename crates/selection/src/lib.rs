@@ -38,6 +38,7 @@ pub mod drawing;
 mod error;
 pub mod front;
 pub mod mechanism;
+mod objective;
 pub mod objectives;
 pub mod quantity;
 pub mod requirements;

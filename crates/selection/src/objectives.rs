@@ -10,52 +10,19 @@
 //!
 //! Nothing is weighed against anything. One design dominates another if it is nowhere worse and
 //! somewhere better; the front holds what nothing dominates. Designs whose objectives are all equal are
-//! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹² (of the size: its cube), so that rounding
-//! neither parts what is alike nor makes the answer depend on the way it was computed.
+//! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹²: of the size that of its cube, relative; of the distance that of
+//! the ratio whose logarithm it is.
+//!
+//! A grid alone does not tell what is alike: where a value lies half-way between two points, the last bit decides, and it
+//! depends on the way the value was computed. So the search over teeth places each value as its exact value would be
+//! placed ([`search`](super::search)).
+
+pub use super::objective::Objective;
 
 use super::Error;
-use super::tolerance::{GRID_END, GRID_SHIFT};
+use super::tolerance::{GRID_END, GRID_SHIFT, RELATIVE_GRID};
 use epicyclic_pareto::dominates;
-use std::fmt;
 use std::str::FromStr;
-
-/// One objective.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Objective {
-    /// The least efficiency over the braked gears.
-    Efficiency,
-    /// The largest speed of links, and of planets relative to their carriers.
-    Speed,
-    /// Σ distance of ln k from the preferred range.
-    RingToSun,
-    /// The largest relative error of a ratio.
-    RatioError,
-    /// The largest ring.
-    Size,
-}
-
-impl Objective {
-    /// All of them, in the order of [`Order::default`].
-    pub const ALL: [Self; 5] = [Self::Efficiency, Self::Speed, Self::RingToSun, Self::RatioError, Self::Size];
-
-    /// Its name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Efficiency => "efficiency",
-            Self::Speed => "speed",
-            Self::RingToSun => "k",
-            Self::RatioError => "error",
-            Self::Size => "size",
-        }
-    }
-}
-
-impl fmt::Display for Objective {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
 
 impl FromStr for Objective {
     type Err = Error;
@@ -123,7 +90,8 @@ pub struct Objectives {
     pub size: f64,
 }
 
-/// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`].
+/// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`]. For the distance stands
+/// `e` to its power, for the size its cube.
 pub(crate) type Costs = [f64; 5];
 
 /// Rounds to a multiple of 2⁻⁴⁰; of more than 2¹¹ nothing is lost that could matter.
@@ -132,13 +100,23 @@ pub(crate) fn on_grid(value: f64) -> f64 {
     if value.abs() < GRID_END { (value + GRID_SHIFT) - GRID_SHIFT } else { value }
 }
 
+/// Rounds to 40 bits.
+#[inline]
+pub(crate) fn on_relative_grid(value: f64) -> f64 {
+    let shifted = RELATIVE_GRID * value;
+    shifted - (shifted - value)
+}
+
 impl Objectives {
     pub(crate) fn costs(&self) -> Costs {
         let cube = self.size * self.size * self.size;
-        [-self.efficiency, self.speed, self.ring_to_sun, self.ratio_error, cube].map(on_grid)
+        let [efficiency, speed, distance, error] =
+            [-self.efficiency, self.speed, self.ring_to_sun.exp(), self.ratio_error].map(on_grid);
+        [efficiency, speed, distance, error, on_relative_grid(cube)]
     }
 
-    pub(crate) fn of_costs([efficiency, speed, ring_to_sun, ratio_error, cube]: Costs) -> Self {
+    pub(crate) fn of_costs([efficiency, speed, distance, ratio_error, cube]: Costs) -> Self {
+        let ring_to_sun = distance.ln();
         Self { efficiency: -efficiency, speed, ring_to_sun, ratio_error, size: cube.cbrt() }
     }
 
@@ -183,5 +161,10 @@ mod tests {
         }
         assert_eq!(on_grid(5000.1), 5000.1);
         assert_eq!(on_grid(0.1 + 0.2), on_grid(0.3));
+        for value in [1.0, 18.123_456_789, 4_321.098_765] {
+            let found = on_relative_grid(value);
+            assert!((found / value - 1.0).abs() <= 2f64.powi(-40), "{value}");
+            assert_eq!(found.to_bits() % (1 << 13), 0);
+        }
     }
 }

@@ -1,26 +1,6 @@
 //! What an error of the requirements speaks of.
 
-use std::fmt;
-
-macro_rules! words {
-    ($(#[$doc:meta])* $type:ident { $($name:ident $text:literal)* }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        #[non_exhaustive]
-        pub enum $type {$(
-            #[doc = $text]
-            $name,
-        )*}
-
-        impl fmt::Display for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.pad(match self {
-                    $(Self::$name => $text,)*
-                })
-            }
-        }
-    };
-}
+use epicyclic_gears::words;
 
 words! {
     /// A range of ring-to-sun ratios of the requirements.

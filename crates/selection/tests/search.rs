@@ -252,3 +252,25 @@ fn invalid_requirements_are_refused() {
     none.requirements.tolerance = 1e-3;
     assert!(none.front().unwrap().entries().is_empty());
 }
+
+/// In both gears the efficiency and in gear 1 all else comes from set 1 alone; that of k = 20/9 lies half-way between two
+/// points of the grid of objectives, where the last bit of a double decides.
+#[test]
+fn what_set_2_does_not_change_is_equal_beside_every_set_2() {
+    let mut requirements = Requirements::new(
+        RatioSeries::of_braked_gears(&[2.236_511_666_619_74, 2.929_021_708_935_084]).unwrap(),
+    );
+    requirements.tolerance = 0.134;
+    (requirements.limits.link_speed, requirements.limits.clutch_slip) = (1.0, 0.8);
+    (requirements.limits.planet_speed, requirements.limits.drawable) = (5.43, false);
+    let mut search = ToothSearch::new(requirements);
+    search.structures.retain(|structure| structure.to_string() == "D.T1.B+D.T2.T1");
+    search.bounds =
+        Bounds { sun: 9..=18, planet: 10..=25, ring: 24..=60, planets: 2..=5, ..Bounds::default() };
+    equals_brute_force(&search).unwrap();
+    let found = search.front().unwrap();
+    let at = |k: f64| found.entries().iter().flat_map(|e| found.designs(e)).filter(move |d| d.k[0] == k);
+    let beside: Vec<f64> = at(40.0 / 18.0).map(|design| design.k[1]).collect();
+    assert!(beside.len() > 5 && beside.contains(&3.0), "{beside:?}");
+    assert_eq!(found.entries().iter().filter(|e| found.designs(e)[0].k[0] == 40.0 / 18.0).count(), 1);
+}

@@ -1,7 +1,7 @@
 //! Describing a gearbox by names, and checking that the description is one.
 
 use crate::compound::{CentralKind, CompoundSpec, GearName};
-use crate::error::{CompoundFault, Place, Terminal};
+use crate::error::{CompoundFault, MeshFault, Place, Terminal};
 use crate::gearbox::{Gear, ShiftElement, ascending};
 use crate::groups::Groups;
 use crate::names::nearest;
@@ -44,6 +44,12 @@ pub struct GearSpec {
 }
 
 impl Gearbox {
+    /// A gearbox to be described.
+    #[must_use]
+    pub fn builder(name: &str) -> GearboxBuilder {
+        GearboxBuilder::new(name)
+    }
+
     /// Its description, to be changed and built again; unchanged it builds an equal gearbox.
     #[must_use]
     pub fn to_builder(&self) -> GearboxBuilder {
@@ -439,10 +445,10 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
         let wrong = |why| fault(CompoundFault::Mesh { first: first.clone(), second: second.clone(), why });
         let kind = match pair {
             [GearOf::Central(_), GearOf::Central(_)] => {
-                return Err(wrong("both are central gears, and turn about one axis"));
+                return Err(wrong(MeshFault::TwoCentrals));
             }
             [GearOf::Planet(one, _), GearOf::Planet(other, _)] if one == other => {
-                return Err(wrong("they are gears of one planet, and turn as one piece"));
+                return Err(wrong(MeshFault::OnePlanet));
             }
             [GearOf::Planet(..), GearOf::Planet(..)] => MeshKind::External,
             [GearOf::Central(central), GearOf::Planet(planet, step)]
@@ -452,12 +458,12 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
                     if planets[planet].gears[step]
                         .is_some_and(|teeth| centrals[central].teeth <= Some(teeth)) =>
                 {
-                    return Err(wrong("a ring has more teeth than the planet in it"));
+                    return Err(wrong(MeshFault::SmallRing));
                 }
                 CentralKind::Ring => MeshKind::Internal,
                 CentralKind::BevelLeft => MeshKind::BevelLeft,
                 CentralKind::BevelRight => MeshKind::BevelRight,
-                CentralKind::PlanetShaft => return Err(wrong("a planet shaft has no teeth")),
+                CentralKind::PlanetShaft => return Err(wrong(MeshFault::PlanetShaft)),
             },
         };
         meshes.push(Mesh { gears: pair, kind, efficiency: mesh.efficiency });

@@ -6,6 +6,7 @@
 //! `network`.
 
 use crate::elimination::Scalar;
+use crate::error::SetValue;
 use crate::kernel::{MOST_EQUATIONS, MOST_SEGMENTS, Problem, narrow};
 use crate::network::Network;
 use crate::solution::{Direction, RESTING, Run, Solution};
@@ -161,8 +162,8 @@ impl CompiledGear {
     pub fn solve(&self, values: &Values, direction: Direction, solution: &mut Solution) -> Result<(), Error> {
         let Values { ratios, efficiencies } = values;
         for (what, given, expected) in [
-            ("basic ratios", ratios.len(), self.equation_count),
-            ("efficiencies", efficiencies.len(), self.segment_count),
+            (SetValue::BasicRatio, ratios.len(), self.equation_count),
+            (SetValue::Efficiency, efficiencies.len(), self.segment_count),
         ] {
             if given != expected {
                 return Err(Error::ValueCount { what, given, expected });

@@ -3,26 +3,11 @@
 //! A set with two central gears is drawn as it is. One with more is drawn as several, from its gear of reference to
 //! each other central gear: they share that gear's link, the carrier's, and planets.
 
-use crate::compound::CentralKind;
-use crate::planet_set::GearOf;
-use crate::set::SetKind;
-use crate::{Analysis, Gearbox, LinkId, LoadCase};
-use epicyclic_gears::teeth::ToothCount;
+pub use crate::drawn_set::DrawnSet;
 
-/// Three members of a set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct DrawnSet {
-    /// Place of the set in [`Gearbox::sets`].
-    pub set: usize,
-    /// How the planets join the two central gears.
-    pub kind: SetKind,
-    /// Places among the set's members: sun or first central gear, ring or second, carrier.
-    pub members: [usize; 3],
-    /// Their links.
-    pub links: [LinkId; 3],
-    /// Whether the gear of reference is the second of them.
-    is_turned: bool,
-}
+use crate::planet_set::GearOf;
+use crate::{Analysis, Gearbox, LoadCase};
+use epicyclic_gears::teeth::ToothCount;
 
 /// Powers of a drawn set, as multiples of what enters the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,53 +16,6 @@ pub struct DrawnPower {
     pub members: [f64; 3],
     /// The part of it that circulates.
     pub circulating: [f64; 3],
-}
-
-impl DrawnSet {
-    /// That of an equation.
-    pub(crate) fn of(gearbox: &Gearbox, equation: usize) -> Self {
-        let one = &gearbox.equations[equation];
-        let set = &gearbox.sets[one.set];
-        let carrier = set.centrals().len();
-        if let Some(kind) = set.kind() {
-            return Self {
-                set: one.set,
-                kind,
-                members: [0, 1, carrier],
-                links: [set.members()[0], set.members()[1], set.carrier()],
-                is_turned: false,
-            };
-        }
-        let root = set.tree.root;
-        let ends = [root, one.central].map(|central| set.centrals()[central].kind);
-        let path = set.path(root, one.central);
-        let gears = path.iter().flat_map(|&mesh| set.meshes()[mesh].gears);
-        let mut planets: Vec<usize> = vec![];
-        let mut steps: Vec<(usize, usize)> = vec![];
-        for gear in gears {
-            if let GearOf::Planet(planet, step) = gear {
-                if !planets.contains(&planet) {
-                    planets.push(planet);
-                }
-                if !steps.contains(&(planet, step)) {
-                    steps.push((planet, step));
-                }
-            }
-        }
-        let is_ring = |kind| kind == CentralKind::Ring;
-        let kind = match (ends.map(is_ring), planets.len(), steps.len()) {
-            _ if matches!(ends[0], CentralKind::BevelLeft | CentralKind::BevelRight) => SetKind::Bevel,
-            ([true, true], ..) => SetKind::SteppedRings,
-            ([false, false], 1, _) => SetKind::SteppedSuns,
-            ([false, false], ..) => SetKind::MeshingSuns,
-            (_, 1, 1) => SetKind::Simple,
-            (_, 1, _) => SetKind::SteppedSunRing,
-            _ => SetKind::DoublePlanet,
-        };
-        let is_turned = is_ring(ends[0]) && !is_ring(ends[1]);
-        let members = if is_turned { [one.central, root, carrier] } else { [root, one.central, carrier] };
-        Self { set: one.set, kind, members, links: members.map(|member| set.members()[member]), is_turned }
-    }
 }
 
 impl DrawnSet {
@@ -109,14 +47,6 @@ impl DrawnSet {
                 path.iter().map(|&mesh| set.meshes()[mesh].gears).find(|gears| gears.contains(&central))?;
             mesh.into_iter().find(|gear| *gear != central).and_then(|gear| set.teeth(gear))
         })
-    }
-}
-
-impl Gearbox {
-    /// Its sets as drawings take them.
-    #[must_use]
-    pub fn drawn_sets(&self) -> &[DrawnSet] {
-        &self.drawn
     }
 }
 

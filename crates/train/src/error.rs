@@ -1,7 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
 use crate::compound::GearName;
-use crate::set::SetKind;
+use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
 
@@ -249,13 +249,13 @@ pub enum Error {
     #[error("operating point: {why}")]
     OperatingPoint {
         /// What is wrong with it.
-        why: &'static str,
+        why: OperatingFault,
     },
     /// Basic ratios or efficiencies that do not fit the compiled gear.
     #[error("{given} {what} are given to a gear compiled with {expected}")]
     ValueCount {
-        /// `basic ratios` or `efficiencies`.
-        what: &'static str,
+        /// Which.
+        what: SetValue,
         /// How many were given.
         given: usize,
         /// How many there are.
@@ -290,6 +290,72 @@ impl Error {
             Self::ValueCount { .. } => "value-count",
         }
     }
+}
+
+/// Why a gear does not run at an operating point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OperatingFault {
+    /// Power into an input without speed.
+    #[error("an input at rest takes no power")]
+    PowerAtRest,
+    /// A speed or load that is no number, or too large.
+    #[error("speed and load are numbers up to 1e50 in size")]
+    NoNumber,
+    /// One of several speeds and torques that is no number, or too large.
+    #[error("speeds and torques are numbers up to 1e50 in size")]
+    NoNumbers,
+    /// Power out of the input of a gear that is self-locking in this direction.
+    #[error("power cannot leave at the input: the gear is self-locking when driven from its output")]
+    SelfLocking,
+}
+
+/// What a compiled gear is solved for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SetValue {
+    /// Basic ratios.
+    BasicRatio,
+    /// Efficiencies.
+    Efficiency,
+}
+
+impl fmt::Display for SetValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::BasicRatio => "basic ratios",
+            Self::Efficiency => "efficiencies",
+        })
+    }
+}
+
+/// Why two gears do not mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshFault {
+    /// Two central gears.
+    #[error("both are central gears, and turn about one axis")]
+    TwoCentrals,
+    /// Two gears of one planet.
+    #[error("they are gears of one planet, and turn as one piece")]
+    OnePlanet,
+    /// A ring with no more teeth than the planet.
+    #[error("a ring has more teeth than the planet in it")]
+    SmallRing,
+    /// A planet shaft.
+    #[error("a planet shaft has no teeth")]
+    PlanetShaft,
+}
+
+/// Why no speed or torque is given to a link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LinkFault {
+    /// It is at rest.
+    #[error("is held to the housing in this gear")]
+    Held,
+    /// Its speed is given already, as that of another link.
+    #[error("turns as one piece with another link whose speed is given")]
+    OnePiece,
 }
 
 /// What is wrong with the description of a compound set.
@@ -350,7 +416,7 @@ pub enum CompoundFault {
         /// The other.
         second: String,
         /// Why not.
-        why: &'static str,
+        why: MeshFault,
     },
     /// A mesh that closes a loop.
     #[error(
@@ -396,7 +462,7 @@ pub enum InputsFault {
         /// The link.
         link: String,
         /// What is wrong with it.
-        why: &'static str,
+        why: LinkFault,
     },
     /// Too few or too many torques.
     #[error("{}: {given} are given", of_the_torques(*needed, candidates))]

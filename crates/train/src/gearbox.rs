@@ -1,31 +1,12 @@
 //! A gearbox: planet sets, the links that tie them, the shift elements that join links, and its gears.
 
-use crate::drawn::DrawnSet;
+use crate::drawn_set::DrawnSet;
 use crate::error::{Place, Terminal};
 use crate::names::nearest;
-use crate::{Error, GearboxBuilder, Named, PlanetSet, Warning};
+use crate::{Error, LinkId, Named, PlanetSet, Warning};
 use epicyclic_gears::simple_set::Fraction;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Name of the housing wherever a link is named.
-pub const GROUND: &str = "ground";
-
-/// A link of one gearbox: members that turn as one piece.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct LinkId(pub(crate) usize);
-
-impl LinkId {
-    /// The housing, at rest.
-    pub const GROUND: Self = Self(0);
-
-    /// Place of the link in tables of results: 0 is the housing, the others follow in the order in
-    /// which they were named.
-    #[must_use]
-    pub fn index(self) -> usize {
-        self.0
-    }
-}
 
 /// A shift element: a brake, a clutch, or a one-way clutch.
 ///
@@ -163,12 +144,6 @@ pub struct Gearbox {
 }
 
 impl Gearbox {
-    /// A gearbox to be described.
-    #[must_use]
-    pub fn builder(name: &str) -> GearboxBuilder {
-        GearboxBuilder::new(name)
-    }
-
     /// Name of the gearbox.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -217,6 +192,12 @@ impl Gearbox {
     #[must_use]
     pub fn permanent(&self) -> &[[LinkId; 2]] {
         &self.permanent
+    }
+
+    /// Its sets as drawings take them.
+    #[must_use]
+    pub fn drawn_sets(&self) -> &[DrawnSet] {
+        &self.drawn
     }
 
     /// The gears.
@@ -328,7 +309,8 @@ impl Gearbox {
         }
         self.sets.push(set);
         for equation in from..self.equations.len() {
-            self.drawn.push(DrawnSet::of(self, equation));
+            let central = self.equations[equation].central;
+            self.drawn.push(DrawnSet::of(&self.sets[place], place, central));
         }
     }
 
@@ -337,12 +319,6 @@ impl Gearbox {
         let fits = gear.engaged.iter().all(|&shift_element| shift_element < self.shift_elements.len())
             && [gear.input, gear.output].iter().all(|link| link.0 < self.links.len());
         if fits { Ok(()) } else { Err(Error::ForeignGear { gear: gear.name().to_owned() }) }
-    }
-
-    /// Whether any set is an ordinary pair, whose gears need not share the axis of the others.
-    #[must_use]
-    pub fn has_pairs(&self) -> bool {
-        self.sets.iter().any(PlanetSet::is_pair)
     }
 }
 

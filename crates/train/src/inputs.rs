@@ -14,7 +14,7 @@
 //! Losses take the signs continuous with `η → 1`, as in a gear with one input.
 
 use crate::elimination::{Echelon, Scalar};
-use crate::error::InputsFault;
+use crate::error::{InputsFault, LinkFault, OperatingFault};
 use crate::network::{Loads, Network};
 use crate::power_flow::{Flowing, MeshPower, PowerFlow, mesh_powers, power_flow};
 use crate::solution::Run;
@@ -205,7 +205,7 @@ impl Gearbox {
             .chain(torques.iter().map(|(_, torque)| n_m(*torque)))
             .all(|value| value.abs() <= LARGEST_LOAD)
         {
-            return Err(Error::OperatingPoint { why: "speeds and torques are numbers up to 1e50 in size" });
+            return Err(Error::OperatingPoint { why: OperatingFault::NoNumbers });
         }
         let topology = Topology::new(self, gear);
         let given = self.given_nodes(&topology, speeds.iter().map(|(link, _)| *link), true)?;
@@ -282,10 +282,10 @@ impl Gearbox {
                 return Err(Error::ForeignGear { gear: format!("link {}", link.0) });
             }
             let Some(node) = topology.node[link.0] else {
-                return Err(refuse("is held to the housing in this gear"));
+                return Err(refuse(LinkFault::Held));
             };
             if must_differ && found.iter().any(|(_, other)| *other == node) {
-                return Err(refuse("turns as one piece with another link whose speed is given"));
+                return Err(refuse(LinkFault::OnePiece));
             }
             found.push((link, node));
         }

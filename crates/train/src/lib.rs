@@ -66,6 +66,7 @@ pub mod combinations;
 pub mod compiled;
 pub mod compound;
 pub mod drawn;
+mod drawn_set;
 pub mod efficiency;
 mod elimination;
 pub mod error;
@@ -74,6 +75,7 @@ pub mod groups;
 pub mod inputs;
 mod kernel;
 pub mod kreines;
+mod link;
 pub mod mobility;
 pub mod names;
 mod network;
@@ -84,6 +86,7 @@ mod planet_places;
 pub mod planet_set;
 pub mod power_flow;
 pub mod set;
+mod set_kind;
 pub mod solution;
 pub mod speeds;
 pub mod state;
@@ -96,8 +99,12 @@ mod units;
 pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Values};
-pub use error::{CompoundFault, Error, InputsFault, Named, Place, Terminal, Warning};
-pub use gearbox::{GROUND, Gear, Gearbox, LinkId, ShiftElement};
+pub use error::{
+    CompoundFault, Error, InputsFault, LinkFault, MeshFault, Named, OperatingFault, Place, SetValue,
+    Terminal, Warning,
+};
+pub use gearbox::{Gear, Gearbox, ShiftElement};
+pub use link::{GROUND, LinkId};
 pub use operating::{InputLoad, Operation};
 pub use planet_set::PlanetSet;
 pub use solution::{Direction, Solution};

@@ -13,10 +13,11 @@
 //! | | slip = 0 | idles; what stands beside it takes the torque |
 //! | | slip < 0 | would hold: the gear contradicts itself |
 //!
-//! Speeds are those of an input that turns forwards.
+//! Speeds are those of an input that turns forwards. At an [operating point](Operation) the torques and speeds are what they are:
+//! [`Analysis::released`] tells which clutches let go there.
 
 use crate::tolerance::{POWER, SPEED};
-use crate::{Analysis, LoadCase};
+use crate::{Analysis, Direction, LoadCase, Operation};
 
 /// What a one-way clutch does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,6 +91,21 @@ impl Analysis<'_> {
             return None;
         }
         Some(!relied.contains(&Duty::Overruns))
+    }
+
+    /// One-way clutches that the gear relies on and that let go at this operating point, since it asks of them a torque below 0 on
+    /// their first links: no such operation exists. Places in [`Gearbox::shift_elements`](crate::Gearbox::shift_elements).
+    #[must_use]
+    pub fn released(&self, operation: &Operation) -> Vec<usize> {
+        let case = match operation.direction {
+            Direction::Drive => self.driving(),
+            Direction::BackDrive => self.back_driving(),
+        };
+        // An input that turns backwards reverses all torques of the case.
+        let is_mirrored = case.is_some_and(|case| case.input * operation.input.value < 0.0);
+        let lets_go = if is_mirrored { Duty::Holds } else { Duty::WouldOverrun };
+        let relied = self.one_way_clutches().into_iter().filter(|one| one.is_relied_on);
+        relied.map(|one| one.shift_element).filter(|place| relied_on(*place, case) == lets_go).collect()
     }
 
     fn free(&self, shift_element: usize) -> Duty {

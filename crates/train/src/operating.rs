@@ -1,5 +1,6 @@
 //! A gear at work: its speeds, torques and powers as quantities.
 
+use crate::error::OperatingFault;
 use crate::solution::Direction;
 use crate::tolerance::LARGEST_LOAD;
 use crate::units::{angular_velocity, n_m, power, rad_per_s, torque, watts};
@@ -83,12 +84,12 @@ impl Analysis<'_> {
         let torque_n_m = match load {
             InputLoad::Torque(torque) => n_m(torque),
             InputLoad::Power(_) if speed_rad_s == 0.0 => {
-                return Err(refuse("an input at rest takes no power"));
+                return Err(refuse(OperatingFault::PowerAtRest));
             }
             InputLoad::Power(power) => watts(power) / speed_rad_s,
         };
         if ![speed_rad_s, torque_n_m].iter().all(|value| value.abs() <= LARGEST_LOAD) {
-            return Err(refuse("speed and load are numbers up to 1e50 in size"));
+            return Err(refuse(OperatingFault::NoNumber));
         }
         if self.ideal().is_none()
             || matches!(self.state(), State::SelfLocking { .. }) && torque_n_m * speed_rad_s >= 0.0
@@ -100,9 +101,7 @@ impl Analysis<'_> {
             Direction::Drive => (self.driving(), torque_n_m),
             Direction::BackDrive => {
                 let case = self.back_driving().filter(|case| case.efficiency > 0.0);
-                let locked = refuse(
-                    "power cannot leave at the input: the gear is self-locking when driven from its output",
-                );
+                let locked = refuse(OperatingFault::SelfLocking);
                 let case = case.ok_or(locked)?;
                 (Some(case), torque_n_m / case.input)
             }

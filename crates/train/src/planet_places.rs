@@ -20,6 +20,7 @@ use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;
 use crate::tolerance::FLAT;
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::mesh::{Mesh, coaxial_planet};
 
 /// What is given of the places.
 pub(crate) struct Given {
@@ -51,6 +52,8 @@ impl Given {
 pub(crate) struct Pair {
     /// Distance of their centres.
     pub(crate) distance: f64,
+    /// Pitch radii of their gears, in the order of [`PlanetSet::planets`].
+    pub(crate) pitch_radii: [f64; 2],
     /// Angle from the planet described earlier to the other, about the main axis.
     pub(crate) angle_rad: f64,
 }
@@ -83,8 +86,8 @@ pub(crate) fn teeth_of(set: &PlanetSet, gear: GearOf) -> Option<f64> {
     let known = set.teeth(gear).map(ToothCount::as_f64);
     known.or_else(|| {
         let [sun, ring] = [set.centrals().first()?, set.centrals().get(1)?].map(|central| central.teeth);
-        let (sun, ring) = (sun?.as_f64(), ring?.as_f64());
-        (set.kind() == Some(SetKind::Simple) && gear == GearOf::Planet(0, 0)).then_some((ring - sun) / 2.0)
+        (set.kind() == Some(SetKind::Simple) && gear == GearOf::Planet(0, 0))
+            .then_some(coaxial_planet(sun?, ring?))
     })
 }
 
@@ -114,15 +117,25 @@ pub(crate) fn planet_mesh(set: &PlanetSet, mesh: usize) -> Option<[GearOf; 2]> {
     Some(if first < second { [one, other] } else { [other, one] })
 }
 
-/// `2·R/m` of a mesh between a central gear and a planet: `z_c ± z_p`.
-pub(crate) fn apart(set: &PlanetSet, mesh: usize) -> Option<f64> {
+/// The teeth of a mesh between a central gear and a planet, the central gear first; none that leave no centre distance.
+fn teeth_in_mesh(set: &PlanetSet, mesh: usize) -> Option<Mesh> {
     let (central, gear) = central_mesh(set, mesh)?;
     let (central, planet) = (teeth_of(set, GearOf::Central(central))?, teeth_of(set, gear)?);
-    let apart = match set.meshes()[mesh].kind {
-        MeshKind::Internal => central - planet,
-        _ => central + planet,
+    let mesh = match set.meshes()[mesh].kind {
+        MeshKind::Internal => Mesh::internal(central, planet),
+        _ => Mesh::external(central, planet),
     };
-    (apart > 0.0).then_some(apart)
+    (mesh.centre_distance() > 0.0).then_some(mesh)
+}
+
+/// `R/m` of a mesh between a central gear and a planet: `(z_c ± z_p)/2`.
+pub(crate) fn centre_distance(set: &PlanetSet, mesh: usize) -> Option<f64> {
+    teeth_in_mesh(set, mesh).map(Mesh::centre_distance)
+}
+
+/// `r_c/R` of a mesh between a central gear and a planet.
+pub(crate) fn pitch_over_centre_distance(set: &PlanetSet, mesh: usize) -> Option<f64> {
+    teeth_in_mesh(set, mesh).map(|mesh| mesh.pitch_radii()[0] / mesh.centre_distance())
 }
 
 /// Whether two meshes share a gear, and so their module.
@@ -149,7 +162,7 @@ fn find_radii(set: &PlanetSet, modules: &[Option<f64>], radii: &mut [Option<f64>
         if let (Some(module), Some((_, GearOf::Planet(planet, _)))) = (module, central_mesh(set, mesh))
             && radii[planet].is_none()
         {
-            radii[planet] = apart(set, mesh).map(|apart| module * (apart / 2.0));
+            radii[planet] = centre_distance(set, mesh).map(|distance| module * distance);
         }
     }
 }
@@ -158,7 +171,8 @@ fn find_radii(set: &PlanetSet, modules: &[Option<f64>], radii: &mut [Option<f64>
 fn find_modules(set: &PlanetSet, radii: &[Option<f64>], modules: &mut [Option<f64>]) {
     for (mesh, module) in modules.iter_mut().enumerate() {
         if let (None, Some((_, GearOf::Planet(planet, _)))) = (&module, central_mesh(set, mesh)) {
-            *module = radii[planet].zip(apart(set, mesh)).map(|(radius, apart)| radius / (apart / 2.0));
+            *module =
+                radii[planet].zip(centre_distance(set, mesh)).map(|(radius, distance)| radius / distance);
         }
     }
 }
@@ -178,7 +192,9 @@ pub(crate) fn places(set: &PlanetSet, given: &Given) -> Places {
         find_modules(set, &radii, &mut modules);
         spread(set, &mut modules);
     }
-    let pairs = (0..modules.len()).map(|mesh| pair(set, mesh, modules[mesh], &radii, given)).collect();
+    let pairs = (0..modules.len())
+        .map(|mesh| pair(set, mesh, modules[mesh], &radii, given.is_behind[mesh]))
+        .collect();
     Places { modules, radii, pairs }
 }
 
@@ -187,21 +203,26 @@ fn pair(
     mesh: usize,
     module: Option<f64>,
     radii: &[Option<f64>],
-    given: &Given,
+    is_behind: bool,
 ) -> Result<Pair, NoPair> {
     let gears = planet_mesh(set, mesh).ok_or(NoPair::OtherMesh)?;
     let [first, second] = gears.map(|gear| planet_of(gear).unwrap_or_default());
     let r1 = radii[first].ok_or(NoPair::Radius(first))?;
     let r2 = radii[second].ok_or(NoPair::Radius(second))?;
     let [z1, z2] = gears.map(|gear| teeth_of(set, gear));
-    let distance =
-        module.zip(z1.zip(z2)).map(|(module, (z1, z2))| module * (z1 + z2) / 2.0).ok_or(NoPair::Distance)?;
+    let (module, (z1, z2)) = module.zip(z1.zip(z2)).ok_or(NoPair::Distance)?;
+    let mesh = Mesh::external(z1, z2);
+    let distance = module * mesh.centre_distance();
     let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
     if cosine.is_nan() || cosine.abs() > 1.0 + FLAT {
         return Err(NoPair::Triangle { radii: [r1, r2], distance });
     }
     let ahead_rad = cosine.clamp(-1.0, 1.0).acos();
-    Ok(Pair { distance, angle_rad: if given.is_behind[mesh] { -ahead_rad } else { ahead_rad } })
+    Ok(Pair {
+        distance,
+        pitch_radii: mesh.pitch_radii().map(|radius| module * radius),
+        angle_rad: if is_behind { -ahead_rad } else { ahead_rad },
+    })
 }
 
 impl Places {

@@ -175,12 +175,6 @@ impl PlanetSet {
         self.short().map(|spec| spec.kind)
     }
 
-    /// The kind as words.
-    #[must_use]
-    pub fn kind_name(&self) -> String {
-        self.kind().map_or_else(|| "compound".to_owned(), |kind| kind.to_string())
-    }
-
     /// Whether it is a pair of gears on fixed axes.
     #[must_use]
     pub fn is_pair(&self) -> bool {

@@ -5,91 +5,13 @@
 //! stands for, with every gear and mesh. What has more members, or shares planets, is described whole by
 //! [`CompoundSpec`](crate::compound::CompoundSpec).
 
+pub use crate::set_kind::SetKind;
+
 use crate::Error;
 use crate::tolerance::BASIC_RATIO;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
-use std::fmt;
-
-/// How the planets of a set join its two central gears.
-///
-/// | kind | central gears `1`, `2` | `i₀` |
-/// |---|---|---|
-/// | [`Simple`](Self::Simple) | sun, ring | `−z_2/z_1` |
-/// | [`DoublePlanet`](Self::DoublePlanet) | sun, ring | `+z_2/z_1` |
-/// | [`SteppedSunRing`](Self::SteppedSunRing) | sun, ring | `−(z_g/z_1)·(z_2/z_f)` |
-/// | [`SteppedSuns`](Self::SteppedSuns) | two suns | `+(z_g/z_1)·(z_2/z_f)` |
-/// | [`SteppedRings`](Self::SteppedRings) | two rings | `+(z_g/z_1)·(z_2/z_f)` |
-/// | [`MeshingSuns`](Self::MeshingSuns) | two suns of planets in mesh | `−z_2/z_1` |
-/// | [`Bevel`](Self::Bevel) | two bevel gears | `−z_2/z_1` |
-/// | [`ExternalPair`](Self::ExternalPair) | two gears on fixed axes | `−z_2/z_1` |
-/// | [`InternalPair`](Self::InternalPair) | pinion, ring on fixed axes | `+z_2/z_1` |
-///
-/// The first central gear is called the sun and the second the ring throughout. The carrier of a
-/// pair is the housing. Of the steps of a planet `g` meshes with central gear 1 and `f` with central gear 2.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum SetKind {
-    /// Sun, ring, one planet in mesh with both.
-    Simple,
-    /// Sun, ring, two planets in mesh between them.
-    DoublePlanet,
-    /// Stepped planet between a sun and a ring.
-    SteppedSunRing,
-    /// Stepped planet between two suns.
-    SteppedSuns,
-    /// Stepped planet between two rings.
-    SteppedRings,
-    /// Two suns, each with its planet, the planets in mesh (Ravigneaux without its ring).
-    MeshingSuns,
-    /// Bevel set.
-    Bevel,
-    /// Two gears outside each other on fixed axes.
-    ExternalPair,
-    /// A pinion in a ring on fixed axes.
-    InternalPair,
-}
-
-impl SetKind {
-    /// Sign of the basic ratio.
-    #[must_use]
-    pub fn sign(self) -> f64 {
-        match self {
-            Self::Simple | Self::SteppedSunRing | Self::MeshingSuns | Self::Bevel | Self::ExternalPair => {
-                -1.0
-            }
-            Self::DoublePlanet | Self::SteppedSuns | Self::SteppedRings | Self::InternalPair => 1.0,
-        }
-    }
-
-    /// Whether the planet has two steps `g`, `f` on one shaft.
-    #[must_use]
-    pub fn is_stepped(self) -> bool {
-        matches!(self, Self::SteppedSunRing | Self::SteppedSuns | Self::SteppedRings)
-    }
-
-    /// Whether the carrier is the housing.
-    #[must_use]
-    pub fn is_pair(self) -> bool {
-        matches!(self, Self::ExternalPair | Self::InternalPair)
-    }
-}
-
-impl fmt::Display for SetKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Simple => "simple",
-            Self::DoublePlanet => "double planet",
-            Self::SteppedSunRing => "stepped, sun and ring",
-            Self::SteppedSuns => "stepped, two suns",
-            Self::SteppedRings => "stepped, two rings",
-            Self::MeshingSuns => "meshing suns",
-            Self::Bevel => "bevel",
-            Self::ExternalPair => "external pair",
-            Self::InternalPair => "internal pair",
-        })
-    }
-}
 
 /// What is known of a set's ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]

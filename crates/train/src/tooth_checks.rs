@@ -37,214 +37,23 @@
 //! `(z_a·z_f + z_b·z_g)/gcd(z_g, z_f)`: planets are identical, also in the phase of their steps. Exact, in integers.
 //! Of sets with a planet shaft it says nothing: how many pins the shaft has is not known.
 
+mod assembly;
+mod warning;
+
+pub use warning::{NamedGear, ToothWarning};
+
 use crate::Gearbox;
 use crate::compound::CentralKind;
 use crate::planet_places::{
-    Given, NoPair, Places, apart, central_mesh, places, planet_mesh, planet_of, teeth_of,
+    Given, NoPair, Places, central_mesh, centre_distance, places, planet_mesh, planet_of, teeth_of,
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::tolerance::{MOST_ALIKE, TOUCH};
+use assembly::slots;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
 use std::f64::consts::{PI, TAU};
-use std::fmt;
-
-/// A gear with its teeth, by name.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NamedGear {
-    /// What it is called: `sun`, `planet long.2`.
-    pub name: String,
-    /// Its teeth.
-    pub teeth: u32,
-}
-
-/// Something about the teeth of a set that does not fit without profile shift, or needs a choice.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum ToothWarning {
-    /// A simple set without planet teeth, whose sun and ring leave its planets none that are whole.
-    HalfTooth {
-        /// The set.
-        set: String,
-        /// Teeth of the sun, `z_a`.
-        sun: u32,
-        /// Teeth of the ring, `z_b`.
-        ring: u32,
-    },
-    /// A ring with no more teeth than the planet in it.
-    RingTooSmall {
-        /// The set.
-        set: String,
-        /// The ring.
-        ring: NamedGear,
-        /// The planet's gear.
-        planet: NamedGear,
-    },
-    /// Two central gears that ask one gear of a planet for different radii.
-    UnequalCentreDistances {
-        /// The set.
-        set: String,
-        /// The planet's gear.
-        planet: NamedGear,
-        /// The central gears.
-        centrals: [NamedGear; 2],
-        /// Centre distance to each, `R/m`, in modules.
-        distances: [f64; 2],
-    },
-    /// Two planets in mesh that cannot stand at their radii.
-    NoTriangle {
-        /// The set.
-        set: String,
-        /// The planets.
-        planets: [String; 2],
-        /// Radii of their centres, in modules of their mesh.
-        radii: [f64; 2],
-        /// Distance of their centres, in modules.
-        distance: f64,
-    },
-    /// Planets that overlap their neighbours.
-    PlanetsOverlap {
-        /// The set.
-        set: String,
-        /// The gears that overlap: of one kind of planet, or of two.
-        gears: [String; 2],
-        /// How many of each there are.
-        planets: u32,
-        /// By how much the tip circles overlap, in modules; 0 where they touch.
-        overlap: f64,
-        /// The largest number of each that clears; `None` where not even two do.
-        most: Option<u32>,
-    },
-    /// Planets at equal angles that cannot be assembled.
-    Assembly {
-        /// The set.
-        set: String,
-        /// How many of each there are.
-        planets: u32,
-        /// What their number must divide, `G`.
-        slots: u64,
-        /// The next smaller number that assembles, from 2 on.
-        fewer: Option<u32>,
-        /// The next larger number that assembles and clears.
-        more: Option<u32>,
-    },
-    /// External gears with so few teeth that a rack undercuts them.
-    Undercut {
-        /// The set.
-        set: String,
-        /// The gears.
-        gears: Vec<NamedGear>,
-        /// The fewest teeth that are not undercut.
-        least: u32,
-    },
-    /// Two gears not in mesh whose tip circles overlap: they cannot lie in one plane.
-    DifferentPlanes {
-        /// The set.
-        set: String,
-        /// The gears.
-        gears: [String; 2],
-    },
-}
-
-impl ToothWarning {
-    /// The set it is about.
-    #[must_use]
-    pub fn set(&self) -> &str {
-        match self {
-            Self::HalfTooth { set, .. }
-            | Self::RingTooSmall { set, .. }
-            | Self::UnequalCentreDistances { set, .. }
-            | Self::NoTriangle { set, .. }
-            | Self::PlanetsOverlap { set, .. }
-            | Self::Assembly { set, .. }
-            | Self::Undercut { set, .. }
-            | Self::DifferentPlanes { set, .. } => set,
-        }
-    }
-
-    /// Whether it only tells how the gears must be arranged: usual in some sets, and no fault.
-    #[must_use]
-    pub fn is_note(&self) -> bool {
-        matches!(self, Self::DifferentPlanes { .. })
-    }
-}
-
-impl fmt::Display for NamedGear {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({})", self.name, teeth(self.teeth))
-    }
-}
-
-fn teeth(count: u32) -> String {
-    if count == 1 { "1 tooth".to_owned() } else { format!("{count} teeth") }
-}
-
-impl fmt::Display for ToothWarning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "set `{}`: ", self.set())?;
-        match self {
-            Self::HalfTooth { sun, ring, .. } => write!(
-                f,
-                "{sun} and {ring} teeth of sun and ring leave the planets (z_b − z_a)/2 = {} teeth: a whole number \
-                 needs shifted profiles",
-                (f64::from(*ring) - f64::from(*sun)) / 2.0
-            ),
-            Self::RingTooSmall { ring, planet, .. } => {
-                write!(f, "{ring} is not larger than the {planet} in it")
-            }
-            Self::UnequalCentreDistances { planet, centrals: [one, other], distances, .. } => write!(
-                f,
-                "{planet} is {} modules from the axis by the {one} and {} by the {other}: equal centre distances need \
-                 shifted profiles",
-                distances[0], distances[1]
-            ),
-            Self::NoTriangle { planets: [one, other], radii, distance, .. } => write!(
-                f,
-                "{one} and {other} cannot mesh: their centres, {:.4} and {:.4} modules from the axis, cannot stand \
-                 {:.4} modules apart",
-                radii[0], radii[1], distance
-            ),
-            Self::PlanetsOverlap { gears: [one, other], planets, overlap, most, .. } => {
-                match one == other {
-                    true => write!(
-                        f,
-                        "{planets} planets do not clear each other: tip circles of neighbours ({one})"
-                    )?,
-                    false => write!(
-                        f,
-                        "{planets} planets of each kind do not clear: tip circles of {one} and the next {other}"
-                    )?,
-                }
-                if *overlap > 0.0 {
-                    write!(f, " overlap by {overlap:.3} modules; ")?;
-                } else {
-                    f.write_str(" touch; ")?;
-                }
-                match most {
-                    Some(most) => write!(f, "at most {most} clear"),
-                    None => f.write_str("not even 2 clear"),
-                }
-            }
-            Self::Assembly { planets, slots, fewer, more, .. } => {
-                write!(
-                    f,
-                    "{planets} planets cannot be assembled at equal angles: their number must divide {slots}"
-                )?;
-                match (fewer, more) {
-                    (Some(fewer), Some(more)) => write!(f, "; {fewer} or {more} would do"),
-                    (Some(one), None) | (None, Some(one)) => write!(f, "; {one} would do"),
-                    (None, None) => Ok(()),
-                }
-            }
-            Self::Undercut { gears, least, .. } => {
-                let gears: Vec<String> = gears.iter().map(NamedGear::to_string).collect();
-                write!(f, "undercut without profile shift, below {}: {}", teeth(*least), gears.join(", "))
-            }
-            Self::DifferentPlanes { gears: [one, other], .. } => {
-                write!(f, "{one} and {other} must lie in different planes: their tip circles overlap")
-            }
-        }
-    }
-}
 
 impl Gearbox {
     /// What does not fit in the teeth of its sets, set by set.
@@ -350,7 +159,8 @@ impl<'a> Checks<'a> {
         let mut first: Vec<(GearOf, NamedGear, f64)> = vec![];
         let mut found = vec![];
         for mesh in 0..self.set.meshes().len() {
-            let Some(((central, gear), apart)) = central_mesh(self.set, mesh).zip(apart(self.set, mesh))
+            let Some(((central, gear), distance)) =
+                central_mesh(self.set, mesh).zip(centre_distance(self.set, mesh))
             else {
                 continue;
             };
@@ -359,13 +169,13 @@ impl<'a> Checks<'a> {
                 continue;
             };
             match first.iter().find(|(one, ..)| *one == gear) {
-                None => first.push((gear, central, apart)),
-                Some((_, one, of_one)) if *of_one != apart => {
+                None => first.push((gear, central, distance)),
+                Some((_, one, of_one)) if *of_one != distance => {
                     found.push(ToothWarning::UnequalCentreDistances {
                         set: self.name(),
                         planet,
                         centrals: [one.clone(), central],
-                        distances: [of_one / 2.0, apart / 2.0],
+                        distances: [*of_one, distance],
                     });
                 }
                 Some(_) => {}
@@ -397,15 +207,15 @@ impl<'a> Checks<'a> {
 
     /// Tip radius: of an external gear the largest, of a ring the smallest.
     fn tip(&self, gear: GearOf) -> Option<f64> {
-        let outward = match gear {
+        let kind = match gear {
             GearOf::Central(central) => match self.set.centrals()[central].kind {
-                CentralKind::Sun => 1.0,
-                CentralKind::Ring => -1.0,
+                CentralKind::Sun => GearKind::External,
+                CentralKind::Ring => GearKind::Internal,
                 _ => return None,
             },
-            GearOf::Planet(..) => 1.0,
+            GearOf::Planet(..) => GearKind::External,
         };
-        Some(self.module(gear)? * (teeth_of(self.set, gear)? / 2.0 + outward * self.rack.addendum))
+        Some(self.module(gear)? * Gear::new(kind, teeth_of(self.set, gear)?).tip_radius(&self.rack))
     }
 
     fn gears_of(&self, planet: usize) -> impl Iterator<Item = GearOf> + use<> {
@@ -431,15 +241,14 @@ impl<'a> Checks<'a> {
 
     /// Least gap of the tip circles of two gears over all but the one pair that is one gear or meshes.
     fn gap(&self, one: &Neighbours, planets: u32) -> Option<f64> {
-        let [first, second] = one.gears;
-        let tips = self.tip(first)? + self.tip(second)?;
-        let [r1, r2] = [first, second].map(|gear| self.places.radii[planet_of(gear).unwrap_or_default()]);
-        let (r1, r2) = (r1?, r2?);
-        let distance = |place: u32| {
-            let angle_rad = one.angle_rad + TAU * f64::from(place) / f64::from(planets);
-            (r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * angle_rad.cos()).max(0.0).sqrt()
+        let circle = |gear: GearOf| {
+            let centre_radius = self.places.radii[planet_of(gear).unwrap_or_default()]?;
+            Some(TipCircle { centre_radius, tip_radius: self.tip(gear)? })
         };
-        (1..planets).map(distance).reduce(f64::min).map(|least| least - tips)
+        let [first, second] = one.gears.map(circle);
+        let (first, second) = (first?, second?);
+        let gap = |place: u32| first.gap(second, one.angle_rad + TAU * f64::from(place) / f64::from(planets));
+        (1..planets).map(gap).reduce(f64::min)
     }
 
     /// Whether this many planets of each kind clear each other, as far as is known.
@@ -572,200 +381,5 @@ impl<'a> Checks<'a> {
     }
 }
 
-/// `G`, which the number of planets at equal angles must divide; 0 where any number does, `None` where it is not
-/// known.
-fn slots(set: &PlanetSet) -> Option<u128> {
-    if set.centrals().iter().any(|central| central.kind == CentralKind::PlanetShaft) {
-        return None;
-    }
-    // A planet with one gear may be turned to any of its teeth: `z_p·x_p` is as free as `x_p`.
-    let coefficient = |gear: GearOf| match gear {
-        GearOf::Planet(planet, _) if set.planets()[planet].gears.len() == 1 => Some(1),
-        gear => set.teeth(gear).map(|teeth| i128::from(teeth.get())),
-    };
-    // One line of each mesh: coefficients of the planets, and what stands on the right, times N.
-    let mut lines: Vec<(Vec<i128>, i128)> = vec![];
-    for mesh in set.meshes() {
-        let mut line = (vec![0; set.planets().len()], 0);
-        for (gear, sign) in mesh.gears.into_iter().zip([1, -mesh.kind.sign()]) {
-            match gear {
-                GearOf::Central(_) => line.1 += sign * coefficient(gear)?,
-                GearOf::Planet(planet, _) => line.0[planet] += sign * coefficient(gear)?,
-            }
-        }
-        lines.push(line);
-    }
-    // Euclid's algorithm on the lines, planet by planet; each settles one line.
-    for planet in 0..set.planets().len() {
-        loop {
-            lines.sort_by_key(
-                |line| if line.0[planet] == 0 { u128::MAX } else { line.0[planet].unsigned_abs() },
-            );
-            let ([pivot], rest) = lines.split_first_chunk_mut()?;
-            if pivot.0[planet] == 0 {
-                break;
-            }
-            let mut done = true;
-            for line in rest.iter_mut().filter(|line| line.0[planet] != 0) {
-                let times = line.0[planet] / pivot.0[planet];
-                let less = |from: i128, what: i128| from.checked_sub(times.checked_mul(what)?);
-                for (of_line, of_pivot) in line.0.iter_mut().zip(&pivot.0) {
-                    *of_line = less(*of_line, *of_pivot)?;
-                }
-                line.1 = less(line.1, pivot.1)?;
-                done &= line.0[planet] == 0;
-            }
-            if done {
-                lines.remove(0);
-                break;
-            }
-        }
-    }
-    Some(lines.iter().fold(0, |slots, line| gcd(slots, line.1.unsigned_abs())))
-}
-
-fn gcd(a: u128, b: u128) -> u128 {
-    if b == 0 { a } else { gcd(b, a % b) }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::compound::CompoundSpec;
-    use crate::set::{SetKind, SetSpec};
-    use crate::units::degrees;
-    use crate::{Gearbox, GearboxBuilder};
-    use epicyclic_gears::ToothCount;
-    use epicyclic_gears::efficiency::MeshEfficiency;
-
-    fn start() -> GearboxBuilder {
-        Gearbox::builder("one set").links(["a", "b", "c", "H"]).input("a").output("H")
-    }
-
-    fn short(kind: SetKind, sun: u32, ring: u32, planets: &[u32]) -> SetSpec {
-        let set = SetSpec::teeth("P", kind, ["a", "b", "H"], sun, ring).unwrap();
-        let teeth = |place: usize| planets.get(place).map(|&count| ToothCount::new(count).unwrap());
-        match teeth(0) {
-            Some(first) => set.planet_teeth(first, teeth(1)),
-            None => set,
-        }
-    }
-
-    fn found(set: SetSpec) -> Vec<String> {
-        let gearbox = start().set(set).build().unwrap();
-        gearbox.tooth_checks(&BasicRack::default()).iter().map(ToothWarning::to_string).collect()
-    }
-
-    fn of(kind: SetKind, sun: u32, ring: u32, planets: &[u32]) -> u128 {
-        slots(&start().set(short(kind, sun, ring, planets)).build().unwrap().sets[0]).unwrap()
-    }
-
-    #[test]
-    fn the_slots_of_the_usual_sets_are_the_known_ones() {
-        assert_eq!(of(SetKind::Simple, 20, 61, &[]), 81);
-        assert_eq!(of(SetKind::DoublePlanet, 30, 72, &[]), 42);
-        assert_eq!(of(SetKind::MeshingSuns, 30, 36, &[18, 20]), 66);
-        assert_eq!(of(SetKind::Bevel, 20, 30, &[]), 50);
-        // (20·24 + 80·36)/12, (20·24 − 30·36)/12 in size, and likewise of two rings.
-        assert_eq!(of(SetKind::SteppedSunRing, 20, 80, &[36, 24]), 280);
-        assert_eq!(of(SetKind::SteppedSuns, 20, 30, &[36, 24]), 50);
-        assert_eq!(of(SetKind::SteppedRings, 100, 90, &[36, 24]), 70);
-    }
-
-    /// Two conditions at once: z_s + z_l of the suns through both planets, z_l + z_r of the long planet.
-    #[test]
-    fn a_ravigneaux_set_has_the_slots_of_all_its_central_gears() {
-        let eta = MeshEfficiency::IDEAL;
-        let set = |ring: u32| {
-            CompoundSpec::new("R", "H")
-                .sun("a", 30)
-                .sun("b", 36)
-                .ring("c", ring)
-                .planet("short", &[18])
-                .planet("long", &[18])
-                .mesh("a", "short", eta)
-                .mesh("short", "long", eta)
-                .mesh("b", "long", eta)
-                .mesh("long", "c", eta)
-                .planet_count(5)
-        };
-        let gearbox = start().compound_set(set(72)).build().unwrap();
-        // 66, 108, 42: gcd 6.
-        assert_eq!(slots(&gearbox.sets[0]), Some(6));
-        let all = gearbox.tooth_checks(&BasicRack::default());
-        let words: Vec<String> = all.iter().map(ToothWarning::to_string).collect();
-        assert_eq!(
-            words,
-            [
-                "set `R`: 5 planets of each kind do not clear: tip circles of short and the next long \
-                 overlap by 5.986 modules; at most 4 clear",
-                "set `R`: 5 planets cannot be assembled at equal angles: their number must divide 6; 3 would do",
-                "set `R`: short and sun b must lie in different planes: their tip circles overlap",
-            ]
-        );
-        assert_eq!(all.iter().map(ToothWarning::is_note).collect::<Vec<_>>(), [false, false, true]);
-        let gearbox = start().compound_set(set(73)).build().unwrap();
-        assert_eq!(
-            gearbox.tooth_checks(&BasicRack::default())[0].to_string(),
-            "set `R`: long (18 teeth) is 27 modules from the axis by the sun b (36 teeth) and 27.5 by the ring \
-             (73 teeth): equal centre distances need shifted profiles"
-        );
-    }
-
-    #[test]
-    fn every_fault_of_a_simple_set_is_told() {
-        assert_eq!(
-            found(short(SetKind::Simple, 30, 67, &[])),
-            [
-                "set `P`: 30 and 67 teeth of sun and ring leave the planets (z_b − z_a)/2 = 18.5 teeth: a whole number \
-              needs shifted profiles"
-            ]
-        );
-        assert_eq!(
-            found(short(SetKind::Simple, 12, 72, &[]).planet_count(8)),
-            [
-                "set `P`: 8 planets do not clear each other: tip circles of neighbours (planet) overlap by 15.927 \
-                 modules; at most 3 clear",
-                "set `P`: 8 planets cannot be assembled at equal angles: their number must divide 84; 3 would do",
-                "set `P`: undercut without profile shift, below 17 teeth: sun (12 teeth)",
-            ]
-        );
-        assert_eq!(
-            found(short(SetKind::Simple, 1, 3, &[1]).planet_count(50)),
-            [
-                "set `P`: 50 planets do not clear each other: tip circles of neighbours (planet) overlap by 2.874 \
-                 modules; not even 2 clear",
-                "set `P`: 50 planets cannot be assembled at equal angles: their number must divide 4",
-                "set `P`: undercut without profile shift, below 17 teeth: sun (1 tooth), planet (1 tooth)",
-            ]
-        );
-        assert_eq!(found(short(SetKind::Simple, 24, 72, &[24]).planet_count(4)), [""; 0]);
-        assert_eq!(
-            found(short(SetKind::SteppedSunRing, 20, 40, &[36, 41])),
-            ["set `P`: ring (40 teeth) is not larger than the planet 2 (41 teeth) in it"]
-        );
-        // A double planet whose ring is too far out for planets so small.
-        assert_eq!(
-            found(short(SetKind::DoublePlanet, 20, 120, &[20, 20])),
-            [
-                "set `P`: planet 1 and planet 2 cannot mesh: their centres, 20.0000 and 50.0000 modules from the axis, \
-              cannot stand 20.0000 modules apart"
-            ]
-        );
-    }
-
-    #[test]
-    fn a_pair_is_only_held_against_undercut() {
-        let pair = SetSpec::teeth("F", SetKind::InternalPair, ["a", "b", "ground"], 14, 15).unwrap();
-        let gearbox = start().set(pair).set(short(SetKind::Simple, 24, 72, &[])).build().unwrap();
-        let form = BasicRack::default();
-        let words: Vec<String> = gearbox.tooth_checks(&form).iter().map(ToothWarning::to_string).collect();
-        assert_eq!(words, ["set `F`: undercut without profile shift, below 17 teeth: sun (14 teeth)"]);
-        // 2/sin²25° = 11.2.
-        let steep = BasicRack { pressure_angle: degrees(25.0), ..BasicRack::default() };
-        assert_eq!(gearbox.tooth_checks(&steep), []);
-    }
-
-    #[test]
-    fn invalid_forms_are_refused() {}
-}
+mod tests;

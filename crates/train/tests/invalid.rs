@@ -332,7 +332,10 @@ fn a_compiled_gear_takes_one_entry_a_set() {
     let compiled = CompiledGear::new(&gearbox, gearbox.gear("1").unwrap()).unwrap();
     let none = Values { ratios: vec![], ..gearbox.values() };
     let found = compiled.solve(&none, Direction::Drive, &mut Solution::default());
-    assert_eq!(found, Err(Error::ValueCount { what: "basic ratios", given: 0, expected: 1 }));
+    assert_eq!(
+        found,
+        Err(Error::ValueCount { what: epicyclic_train::SetValue::BasicRatio, given: 0, expected: 1 })
+    );
     let open = CompiledGear::new(&gearbox, gearbox.gear("0").unwrap()).unwrap_err();
     assert_eq!(open.to_string(), "the gear is not driven: underdetermined (ring, driven)");
 }

@@ -5,7 +5,10 @@
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::one_way::{Duty, OneWay};
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
-use epicyclic_train::{Gearbox, GearboxBuilder, State};
+use epicyclic_train::{Gearbox, GearboxBuilder, InputLoad, State};
+use uom::si::angular_velocity::revolution_per_minute;
+use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::torque::newton_meter;
 
 /// A Simpson set: the sprag keeps the second carrier from turning backwards, beside the brake for low and reverse.
 fn simpson() -> GearboxBuilder {
@@ -100,4 +103,29 @@ fn contradictions_are_told() {
     // Neutral settles nothing.
     let own = duty(&gearbox, "N");
     assert_eq!((own.drive, own.coast), (Duty::Unknown, Duty::Unknown));
+}
+
+/// A one-way clutch carries no torque below 0: at a braking input it lets go, and so it does where the input is turned backwards.
+#[test]
+fn an_operating_point_that_reverses_its_torque_releases_it() {
+    let gearbox = simpson().build().unwrap();
+    let at = |gear: &str, rpm: f64, torque: f64| {
+        let found = gearbox.analyze(gear).unwrap();
+        let speed = AngularVelocity::new::<revolution_per_minute>(rpm);
+        let operation = found.at(speed, InputLoad::Torque(Torque::new::<newton_meter>(torque))).unwrap();
+        let released = found.released(&operation);
+        let sprag = gearbox.shift_elements().iter().position(|one| one.id() == "SPRAG").unwrap();
+        assert!(released.iter().all(|place| *place == sprag));
+        let is_negative = operation.shift_elements[sprag].is_some_and(|torque| torque.value < -1e-9);
+        assert_eq!(!released.is_empty(), is_negative, "{gear} {rpm} {torque}");
+        !released.is_empty()
+    };
+    // Forwards it holds on drive alone; backwards it holds where the output drives.
+    assert_eq!([at("D1", 1000.0, 100.0), at("D1", 1000.0, -100.0)], [false, true]);
+    assert_eq!([at("D1", -1000.0, -100.0), at("D1", -1000.0, 100.0)], [true, false]);
+    assert!(!at("D1", 1000.0, 0.0));
+    // Beside the brake nothing relies on it.
+    assert!(!at("L1", 1000.0, -100.0));
+    // The gear that contradicts itself on drive holds on coast.
+    assert_eq!([at("R on the sprag", 1000.0, 100.0), at("R on the sprag", 1000.0, -100.0)], [true, false]);
 }

@@ -290,10 +290,10 @@ fn motions(drive: &Drive) -> Vec<Row> {
     let of =
         |dimension, figure: fn(&Motion) -> f64| motions.map(|motion| quantity(dimension, figure(motion)));
     let outcome = |motion: &Motion| match motion.outcome {
-        Outcome::Starts => Figure::Answer("starts", "starts forward"),
-        Outcome::InBalance => Figure::Answer("in_balance", "in balance: does not start"),
-        Outcome::Held => Figure::Answer("held", "held by mesh friction"),
-        Outcome::RunsBackward => Figure::Answer("runs_backward", "runs backward"),
+        Outcome::Starts => Figure::answer("starts", "starts forward"),
+        Outcome::InBalance => Figure::answer("in_balance", "in balance: does not start"),
+        Outcome::Held => Figure::answer("held", "held by mesh friction"),
+        Outcome::RunsBackward => Figure::answer("runs_backward", "runs backward"),
     };
     let acceleration = |name, label, symbol, figure: fn(&Motion) -> f64| {
         Row::new(name, label, symbol, of(AngularAcceleration, figure))

@@ -3,6 +3,9 @@
 use crate::tolerance::NOTHING;
 use epicyclic_formats::quantity::format::{in_unit, sensible_unit, significant, trimmed};
 use epicyclic_formats::{Dimension, Physical};
+use serde::Serialize;
+use std::borrow::Cow;
+use std::fmt;
 
 /// Significant digits in a table.
 const DIGITS: usize = 5;
@@ -59,7 +62,7 @@ pub enum Figure {
     /// Several names.
     Texts(Vec<String>),
     /// One of a few answers: its name, and in words.
-    Answer(&'static str, &'static str),
+    Answer(Cow<'static, str>, &'static str),
     /// A question answered.
     YesNo(bool),
     /// The same in a table of marks.
@@ -91,7 +94,28 @@ pub fn text(text: impl Into<String>) -> Figure {
     Figure::Text(text.into())
 }
 
+/// The word that stands for a choice in JSON.
+fn word(choice: impl Serialize) -> String {
+    struct Word<C>(C);
+    impl<C: Serialize> fmt::Display for Word<C> {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            self.0.serialize(f)
+        }
+    }
+    Word(choice).to_string()
+}
+
 impl Figure {
+    /// One of a few answers: its name, and in words.
+    pub fn answer(name: impl Into<Cow<'static, str>>, words: &'static str) -> Self {
+        Self::Answer(name.into(), words)
+    }
+
+    /// One of the choices of a record: its name is the word of JSON.
+    pub(crate) fn choice(choice: impl Serialize, words: &'static str) -> Self {
+        Self::answer(word(choice), words)
+    }
+
     /// As a table shows it.
     #[must_use]
     pub fn table(&self) -> String {
@@ -157,7 +181,7 @@ impl Figure {
             Self::Numbers(values) => plain(joined(values)),
             Self::Text(text) => plain(text.clone()),
             Self::Texts(texts) => plain(texts.join(" ")),
-            Self::Answer(name, _) => plain((*name).to_owned()),
+            Self::Answer(name, _) => plain(name.clone().into_owned()),
             Self::YesNo(yes) | Self::Mark(yes) => plain(yes.to_string()),
         }
     }

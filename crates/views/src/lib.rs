@@ -7,12 +7,14 @@
 //! | [`text`] | tables of plain text, CSV |
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
-//! | [`analyze`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`teeth`], [`transmissions`] | the views of these answers |
+//! | [`drawability`] | why a gearbox cannot be drawn, in words |
+//! | [`analyze`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
-//! Nothing is calculated here: a figure that an answer lacks cannot be shown. One place is an exception: the page of a
-//! gearbox analyses it at other ring-to-sun ratios for its curves.
+//! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod analyze;
+pub mod draw;
+pub mod drawability;
 pub mod drive;
 pub mod figure;
 pub mod machine;

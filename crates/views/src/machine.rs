@@ -55,7 +55,7 @@ fn machine(machine: &Machine) -> Vec<Figure> {
         text(machine.kind),
         text(machine.table),
         Figure::Printed(machine.range, 2),
-        machine.speeds.map_or_else(|| Figure::Answer("stepless", "stepless"), Figure::Count),
+        machine.speeds.map_or_else(|| Figure::answer("stepless", "stepless"), Figure::Count),
         Figure::Count(machine.recommended),
         machine.as_recommended.map_or(Figure::None, Figure::YesNo),
         Figure::YesNo(machine.recommendation_is_printed),
@@ -124,13 +124,13 @@ impl AsReport for MachineSpeeds {
 
 fn series(series: &Series) -> Vec<Figure> {
     let regime = match series.regime {
-        Regime::Reduction => Figure::Answer("reduction", "reduction"),
-        Regime::Overdrive => Figure::Answer("overdrive", "overdrive"),
-        Regime::Combined => Figure::Answer("combined", "combined"),
+        Regime::Reduction => Figure::answer("reduction", "reduction"),
+        Regime::Overdrive => Figure::answer("overdrive", "overdrive"),
+        Regime::Combined => Figure::answer("combined", "combined"),
     };
     let printed = match &series.printed {
         None => text(""),
-        Some(printed) if printed.serves => Figure::Answer("the same", "the same"),
+        Some(printed) if printed.serves => Figure::answer("the same", "the same"),
         Some(printed) => Figure::Numbers(printed.ratios.clone()),
     };
     let numbered = series.printed.as_ref();

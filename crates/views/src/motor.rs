@@ -314,7 +314,7 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
         View::Chambers => pictures::chambers(motor, *angle),
         View::Teeth => match &designed.profile {
             Ok(profile) => pictures::teeth(profile, *angle),
-            Err(why) => return Err(Error::NoTeeth(why.clone())),
+            Err(why) => return Err(Error::NoTeeth(Box::new(why.clone().into()))),
         },
     };
     Ok(scene?)

@@ -187,9 +187,9 @@ fn row(design: &Design) -> Vec<Figure> {
         Figure::Share(design.ripple),
         Figure::Multiple(design.least_radius_in_modules),
         match design.teeth_limits {
-            TeethLimits::Hold => Figure::Answer("hold", "hold"),
-            TeethLimits::Fail => Figure::Answer("fail", "fail"),
-            TeethLimits::None => Figure::Answer("none", "none"),
+            TeethLimits::Hold => Figure::answer("hold", "hold"),
+            TeethLimits::Fail => Figure::answer("fail", "fail"),
+            TeethLimits::None => Figure::answer("none", "none"),
         },
         Figure::Text(subject(design.nearest_check).to_owned()),
         Figure::Text(short(design.nearest_check).to_owned()),

@@ -15,12 +15,9 @@ pub enum Error {
     /// A picture that cannot be made.
     #[error(transparent)]
     Picture(#[from] epicyclic_pictures::Error),
-    /// A gearbox that cannot be analysed.
-    #[error(transparent)]
-    Gearbox(#[from] epicyclic_train::Error),
     /// The teeth of a hydromotor that are drawn and are not there.
     #[error("the motor has no teeth of this form: {0}")]
-    NoTeeth(epicyclic_hydromotor::Error),
+    NoTeeth(Box<epicyclic_answers::Error>),
     /// A figure of an answer that no double holds.
     #[error("not a finite number: {figure}; a given number is too small or too large for it")]
     NotFinite {

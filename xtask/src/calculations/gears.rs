@@ -7,10 +7,11 @@ use epicyclic_gears::carrier::{Arm, Carrier, Hole, Hub};
 use epicyclic_gears::efficiency::{MeshEfficiency, efficiency};
 use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
 use epicyclic_gears::mass::{FormulaEight, GearBody, published_gear_inertia};
+use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{BasicRatio, Member, Mode, RingToSunRatio};
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::{Bounds, Placement, clearance_limit};
+use epicyclic_gears::synthesis::{Bounds, Placement};
 use epicyclic_gears::{ToothCount, shaft, willis};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -181,22 +182,21 @@ struct ToothConditionsGiven {
 fn tooth_conditions(given: &ToothConditionsGiven) -> Result<Results, Refusal> {
     let [sun, planet, ring] = [given.sun, given.planet, given.ring].map(ToothCount::new);
     let (sun, planet, ring) = (sun?, planet?, ring?);
-    let rack = rack(given.addendum, None);
-    let bounds = Bounds { rack, ..Bounds::default() };
+    let neighbours = TipCircle::of_planet(sun, planet, &rack(given.addendum, None));
     let row = BasicRatio::simple(sun, ring);
     let spacing = PlanetSpacing::least_unequal(sun, ring, given.planets);
     let coaxiality = i64::from(sun.get()) + 2 * i64::from(planet.get()) - i64::from(ring.get());
     let mut results = Results::default();
     results
         .number("basic_ratio", row.get())
-        .number("ratio", row.ratio(Mode::new(Member::Sun, Member::Carrier)?)?)
+        .number("ratio", row.ratio(Mode::SUN_TO_CARRIER)?)
         .count("coaxiality_difference", coaxiality)
-        .count("most_planets", bounds.most_planets(sun, planet))
+        .count("most_planets", neighbours.most(0.0))
         .number("slots_per_planet", spacing.slots() as f64 / f64::from(given.planets.max(1)))
         .answer("assembles_equally_spaced", spacing.is_equal())
         .quantity("planet_angle", Angle::new::<radian>(TAU / f64::from(given.planets.max(1))))
         .quantity("smallest_planet_angle", spacing.smallest_gap());
-    if let Some(limit) = clearance_limit(sun, planet, &rack) {
+    if let Some(limit) = neighbours.number_limit(0.0) {
         results.number("neighbour_limit", limit);
     }
     Ok(results)
@@ -240,7 +240,7 @@ fn tooth_synthesis(given: &ToothSynthesisGiven) -> Result<Results, Refusal> {
         placement: if given.unequal_spacing { Placement::LeastUnequal } else { Placement::Equal },
         ..Bounds::default()
     };
-    let mode = Mode::new(Member::Sun, Member::Carrier)?;
+    let mode = Mode::SUN_TO_CARRIER;
     let found = bounds.for_ratio(given.ratio.get(), mode, given.tolerance.map_or(0.0, Number::get))?;
     let best = &found[0];
     let mut results = Results::default();

@@ -16,8 +16,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("drawing", &[]),
     ("pictures", &["drawing", "layout", "train", "schemes", "gears", "hydromotor"]),
     ("answers", &["formats", "selection", "dynamics", "layout", "schemes", "train", "gears", "hydromotor"]),
-    // The page of a gearbox tries other ring-to-sun ratios, and draws; `hydromotor` for the error of a motor without teeth.
-    ("views", &["answers", "pictures", "drawing", "formats", "layout", "train", "hydromotor"]),
+    ("views", &["answers", "pictures", "drawing", "formats"]),
     (
         "cli",
         &[

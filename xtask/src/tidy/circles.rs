@@ -7,37 +7,6 @@
 use super::{Breach, source::Source};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-/// Circles that are still there: a crate, and the files among which they run.
-const KNOWN: &[(&str, &[&str])] = &[
-    // The error names the kinds that a constructor refuses: they belong into files below it.
-    ("gears", &["error.rs", "geometry.rs", "rack.rs", "simple_set.rs", "teeth.rs", "units.rs"]),
-    ("selection", &["error.rs", "objectives.rs"]),
-    // The gearbox analyses itself, and the analysis holds the gearbox.
-    (
-        "train",
-        &[
-            "analysis.rs",
-            "builder.rs",
-            "compiled.rs",
-            "drawn.rs",
-            "efficiency.rs",
-            "error.rs",
-            "gearbox.rs",
-            "kernel.rs",
-            "kreines.rs",
-            "network.rs",
-            "planet_set.rs",
-            "planet_set/tree.rs",
-            "power_flow.rs",
-            "set.rs",
-            "speeds.rs",
-            "state.rs",
-            "topology.rs",
-            "torques.rs",
-        ],
-    ),
-];
-
 /// How often a name is passed on at most.
 const DEEPEST: usize = 8;
 
@@ -50,18 +19,7 @@ pub fn check(sources: &[Source]) -> Vec<Breach> {
             crates.entry(name).or_default().push(File::new(source, inner));
         }
     }
-    let mut breaches = Vec::new();
-    for (name, files) in &crates {
-        let known: Vec<Vec<&str>> =
-            KNOWN.iter().filter(|(of, _)| of == name).map(|(_, files)| files.to_vec()).collect();
-        let (found, gone) = of(files, &known);
-        breaches.extend(found);
-        breaches.extend(gone.iter().map(|circle| {
-            let message = format!("{} are no circle any more: remove it from KNOWN", circle.join(", "));
-            Breach::new("xtask/src/tidy/circles.rs", 1, message)
-        }));
-    }
-    breaches
+    crates.values().flat_map(|files| of(files)).collect()
 }
 
 /// A file as a module.
@@ -247,8 +205,8 @@ fn defined(files: &[File], target: &[&str], depth: usize) -> Option<usize> {
     }
 }
 
-/// The circles of a crate that are not known, and those of the known ones that are gone.
-fn of<'k>(files: &[File], known: &[Vec<&'k str>]) -> (Vec<Breach>, Vec<Vec<&'k str>>) {
+/// The circles of a crate.
+fn of(files: &[File]) -> Vec<Breach> {
     // Of each file: the files that it names, and the line.
     let arrows: Vec<BTreeMap<usize, usize>> = files
         .iter()
@@ -266,7 +224,6 @@ fn of<'k>(files: &[File], known: &[Vec<&'k str>]) -> (Vec<Breach>, Vec<Vec<&'k s
         .collect();
     let reach: Vec<BTreeSet<usize>> = (0..files.len()).map(|from| reached(&arrows, from)).collect();
     let mut breaches = Vec::new();
-    let mut seen: Vec<&Vec<&str>> = Vec::new();
     let mut done: BTreeSet<usize> = BTreeSet::new();
     for at in 0..files.len() {
         if !reach[at].contains(&at) || done.contains(&at) {
@@ -275,10 +232,6 @@ fn of<'k>(files: &[File], known: &[Vec<&'k str>]) -> (Vec<Breach>, Vec<Vec<&'k s
         let circle: Vec<usize> = reach[at].iter().copied().filter(|to| reach[*to].contains(&at)).collect();
         done.extend(&circle);
         let names: Vec<&str> = circle.iter().map(|at| files[*at].inner).collect();
-        if let Some(known) = known.iter().find(|known| names.iter().all(|name| known.contains(name))) {
-            seen.push(known);
-            continue;
-        }
         let way = shortest(&arrows, &circle);
         let steps: Vec<String> =
             way.iter().map(|(from, line)| format!("{}:{line}", files[*from].inner)).collect();
@@ -290,7 +243,7 @@ fn of<'k>(files: &[File], known: &[Vec<&'k str>]) -> (Vec<Breach>, Vec<Vec<&'k s
         );
         breaches.push(Breach::new(&files[first].source.path, line, message));
     }
-    (breaches, known.iter().filter(|circle| !seen.contains(circle)).cloned().collect())
+    breaches
 }
 
 /// The shortest way round within a circle: files, and the line at which each names the next.

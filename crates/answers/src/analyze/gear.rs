@@ -186,18 +186,6 @@ pub enum RollingPower {
     SecondToFirst,
 }
 
-impl RollingPower {
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::FirstToSecond => "first_to_second",
-            Self::SecondToFirst => "second_to_first",
-        }
-    }
-}
-
 /// A planet set. Basic ratio, efficiency and rolling power are told of sets with two central gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -593,7 +581,8 @@ impl Scene<'_> {
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });
         }
-        if self.worked.input.load.is_some() && self.operation().is_none() {
+        all.extend(warnings::released(self.gearbox, self.worked));
+        if self.worked.input.load.is_some() && self.operation().is_none() && self.worked.released.is_empty() {
             let message = "no torques follow from the load in this state".to_owned();
             all.push(Warning { name: "no-load", message });
         }

@@ -4,6 +4,7 @@ use super::records::{ShiftElementKind, links_of, member_name, meshes, planet_nam
 use super::{analysis, engaged, warnings};
 use crate::gearbox::Subject;
 pub use crate::refusal::Given;
+use crate::tolerance::ROUNDED;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::{Physical, Problem, Quantity};
@@ -541,20 +542,31 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// One-way clutches that would not let these speeds be.
+    /// One-way clutches that would not let these speeds or torques be.
     fn one_way(&self, state: &MultiState) -> Vec<Warning> {
+        let load = state.load.as_ref();
+        let torques =
+            load.into_iter().flat_map(|load| load.terminals.iter().map(|end| end.torque.si().abs()));
+        let nothing_n_m = ROUNDED * torques.fold(0.0, f64::max);
         let of = |(place, element): (usize, &train::ShiftElement)| {
             let is_engaged = self.gear.engaged().contains(&place);
-            let slip = state.slips[place].map(Physical::si)?;
-            (element.is_one_way() && !is_engaged && slip < 0.0).then(|| {
-                let message = format!(
-                    "the one-way clutch {} would hold at these speeds: its first link turns slower than its second",
-                    element.id()
-                );
-                Warning { name: "one-way-clutch", message }
-            })
+            let torque = load.and_then(|load| load.shift_elements[place]).map(Physical::si);
+            let clutch = element.id();
+            let message = if is_engaged {
+                (torque? < -nothing_n_m).then(|| {
+                    format!("the one-way clutch {clutch} would overrun at these torques: the one on its first link is reversed")
+                })
+            } else {
+                (state.slips[place]?.si() < 0.0).then(|| {
+                    format!(
+                        "the one-way clutch {clutch} would hold at these speeds: its first link turns slower than its second"
+                    )
+                })
+            };
+            message.map(|message| Warning { name: "one-way-clutch", message })
         };
-        self.gearbox.shift_elements().iter().enumerate().filter_map(of).collect()
+        let clutches = self.gearbox.shift_elements().iter().enumerate();
+        clutches.filter(|(_, element)| element.is_one_way()).filter_map(of).collect()
     }
 }
 

@@ -67,6 +67,18 @@ pub struct ShiftElement {
     pub links: [String; 2],
 }
 
+impl ShiftElement {
+    /// Those of a gearbox.
+    pub(crate) fn all(gearbox: &Gearbox) -> Vec<Self> {
+        let one = |element: &train::ShiftElement| Self {
+            shift_element: element.id().to_owned(),
+            kind: ShiftElementKind::of(element),
+            links: links_of(gearbox, element),
+        };
+        gearbox.shift_elements().iter().map(one).collect()
+    }
+}
+
 impl Answer for Overview {
     const NAME: &'static str = "analyze";
 }
@@ -86,18 +98,14 @@ pub fn answer(subject: &Subject<'_>, input: Input) -> Result<Overview, Error> {
     let mut all = warnings::of_gearbox(subject);
     all.extend(gears().flat_map(|gear| warnings::fast_planets(gearbox, gear)));
     all.extend(gears().flat_map(|gear| warnings::contradictions(gearbox, gear)));
-    let element = |element: &train::ShiftElement| ShiftElement {
-        shift_element: element.id().to_owned(),
-        kind: ShiftElementKind::of(element),
-        links: links_of(gearbox, element),
-    };
+    all.extend(worked.iter().flat_map(|worked| warnings::released(gearbox, worked)));
     Ok(Overview {
         gearbox: gearbox.name().to_owned(),
         source: subject.source.clone(),
         has_losses: subject.has_losses(),
         operating_point: OperatingPoint::of(input),
         gears: (0..worked.len()).map(|place| Gear::of(subject, &worked, place)).collect(),
-        shift_elements: gearbox.shift_elements().iter().map(element).collect(),
+        shift_elements: ShiftElement::all(gearbox),
         one_way_clutches: gears().flat_map(|gear| one_way_clutches(gearbox, gear)).collect(),
         planet_bearings: planet_bearings::of_gears(subject, &worked)?,
         warnings: all,

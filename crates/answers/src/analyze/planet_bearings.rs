@@ -154,7 +154,7 @@ fn one(
     worked: &Worked<'_>,
     bearing: &train::PlanetBearing,
 ) -> Result<PlanetBearing, Error> {
-    let Worked { analysis, input, operation } = worked;
+    let Worked { analysis, input, operation, .. } = worked;
     let set = &subject.gearbox.sets()[bearing.set];
     let is_back_driven = operation.as_ref().is_some_and(|at| at.direction == Direction::BackDrive);
     let case = if is_back_driven { analysis.back_driving() } else { analysis.driving() };

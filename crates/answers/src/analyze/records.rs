@@ -44,20 +44,6 @@ impl State {
             train::State::SelfLocking { .. } => Self::SelfLocking,
         }
     }
-
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Driven => "driven",
-            Self::InputBlocked => "input_blocked",
-            Self::OutputAtRest => "output_at_rest",
-            Self::OutputFree => "output_free",
-            Self::Underdetermined => "underdetermined",
-            Self::TorquesIndeterminate => "torques_indeterminate",
-            Self::SelfLocking => "self_locking",
-        }
-    }
 }
 
 /// Redundant parts of a gear, whose torques depend on how tightly they hold.
@@ -159,7 +145,7 @@ pub struct GearFacts {
     pub efficiency: Option<f64>,
     /// The same by Kreines' rule, from the ratio alone.
     pub kreines_efficiency: Option<f64>,
-    /// Efficiency driven from the output; none where the mesh losses hold the gear.
+    /// Efficiency driven from the output; none where the mesh losses hold the gear, or a one-way clutch overruns.
     pub back_driving_efficiency: Option<f64>,
     /// In which directions it is self-locking.
     pub self_locking: Option<SelfLocking>,
@@ -187,7 +173,8 @@ impl GearFacts {
             published: subject.published(gear.name()).map(|gear| Published::of(gear, analysis.ratio())),
             efficiency: moving(analysis.efficiency()),
             kreines_efficiency: moving(kreines),
-            back_driving_efficiency: moving(analysis.back_driving_efficiency()),
+            back_driving_efficiency: moving(analysis.back_driving_efficiency())
+                .filter(|_| analysis.has_engine_braking() != Some(false)),
             self_locking: SelfLocking::of(analysis),
         }
     }
@@ -269,18 +256,6 @@ impl Duty {
             one_way::Duty::Unknown => None,
         }
     }
-
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::Overruns => "overruns",
-            Self::Idles => "idles",
-            Self::WouldOverrun => "would_overrun",
-            Self::WouldHold => "would_hold",
-        }
-    }
 }
 
 /// A one-way clutch in a gear.
@@ -299,6 +274,20 @@ pub struct OneWayClutch {
     pub coast: Option<Duty>,
     /// Whether the output can drive the input in this gear, of gears that rely on a one-way clutch.
     pub engine_braking: Option<bool>,
+    /// Shift elements between the same links that hold in both directions: with one of them engaged besides, the gear holds on coast.
+    pub beside: Vec<String>,
+}
+
+/// Shift elements between the links of a one-way clutch that hold in both directions.
+pub(super) fn beside(gearbox: &Gearbox, clutch: usize) -> Vec<String> {
+    let links = |element: &train::ShiftElement| {
+        let [one, other] = element.links();
+        [one.min(other), one.max(other)]
+    };
+    let own = gearbox.shift_elements().get(clutch).map(links);
+    let all = gearbox.shift_elements().iter();
+    let others = all.filter(|element| !element.is_one_way() && Some(links(element)) == own);
+    others.map(|element| element.id().to_owned()).collect()
 }
 
 /// What the one-way clutches do in a gear.
@@ -310,6 +299,7 @@ pub(super) fn one_way_clutches(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Ve
         drive: Duty::of(one.drive),
         coast: Duty::of(one.coast),
         engine_braking: analysis.has_engine_braking(),
+        beside: beside(gearbox, one.shift_element),
     };
     analysis.one_way_clutches().into_iter().map(one).collect()
 }
@@ -341,7 +331,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub(super) fn of(set: &PlanetSet) -> Self {
+    pub(crate) fn of(set: &PlanetSet) -> Self {
         match set.kind() {
             Some(SetKind::Simple) => Self::Simple,
             Some(SetKind::DoublePlanet) => Self::DoublePlanet,
@@ -353,23 +343,6 @@ impl Kind {
             Some(SetKind::ExternalPair) => Self::ExternalPair,
             Some(SetKind::InternalPair) => Self::InternalPair,
             None => Self::Compound,
-        }
-    }
-
-    /// Its name in answers.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Simple => "simple",
-            Self::DoublePlanet => "double_planet",
-            Self::SteppedSunRing => "stepped_sun_ring",
-            Self::SteppedSuns => "stepped_suns",
-            Self::SteppedRings => "stepped_rings",
-            Self::MeshingSuns => "meshing_suns",
-            Self::Bevel => "bevel",
-            Self::ExternalPair => "external_pair",
-            Self::InternalPair => "internal_pair",
-            Self::Compound => "compound",
         }
     }
 }

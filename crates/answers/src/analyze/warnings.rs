@@ -1,31 +1,38 @@
 //! What the reader should know of a gearbox and of its gears.
 
-use super::records::{GearFacts, SelfLocking, State};
+use super::Worked;
+use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::Warning;
 use crate::gearbox::Subject;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_train::one_way::Duty;
+use epicyclic_train::speeds::SetMotion;
 use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
 
 /// Speed of a planet relative to its carrier, over the input's, that is usually not exceeded.
 const USUAL_PLANET_SPEED: f64 = 2.0;
 
-/// Planets of a gear that turn faster on their carriers than is usual: more than twice the input's speed.
+/// A planet of a set that turns faster on its carrier than is usual: more than twice the input's speed.
 #[must_use]
-pub fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<Warning> {
-    let fastest = gear.sets().iter().map(|set| {
-        let planets = set.planets.iter().flatten().map(|planet| planet.relative.abs());
-        planets.filter(|speed| *speed > USUAL_PLANET_SPEED).reduce(f64::max)
-    });
-    let of_set = |(set, fastest): (&PlanetSet, Option<f64>)| {
-        let (gear, set, speed) = (gear.gear().name(), set.id(), trimmed(fastest?, 4));
+pub fn fast_planet(gear: &str, set: &str, relative_speed_of_input: f64) -> Option<Warning> {
+    let speed = relative_speed_of_input.abs();
+    (speed > USUAL_PLANET_SPEED).then(|| {
         let message = format!(
-            "in gear {gear} a planet of set {set} turns at {speed} times the input's speed relative to its carrier; 2 is \
-             the usual limit"
+            "in gear {gear} a planet of set {set} turns at {} times the input's speed relative to its carrier; \
+             {USUAL_PLANET_SPEED} is the usual limit",
+            trimmed(speed, 4)
         );
-        Some(Warning { name: "planet-speed", message })
+        Warning { name: "planet-speed", message }
+    })
+}
+
+/// The fastest planet of each set, where it is faster than usual.
+pub(super) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<Warning> {
+    let of_set = |(set, motion): (&PlanetSet, &SetMotion)| {
+        let planets = motion.planets.iter().flatten().map(|planet| planet.relative.abs());
+        fast_planet(gear.gear().name(), set.id(), planets.reduce(f64::max)?)
     };
-    gearbox.sets().iter().zip(fastest).filter_map(of_set).collect()
+    gearbox.sets().iter().zip(gear.sets()).filter_map(of_set).collect()
 }
 
 /// One-way clutches that do not do what the gear's engaged elements say.
@@ -47,6 +54,24 @@ pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<Warn
         Some(Warning { name: "one-way-clutch", message })
     });
     all.collect()
+}
+
+/// One-way clutches that let go at the load, and what would have to be engaged besides.
+pub(super) fn released(gearbox: &Gearbox, worked: &Worked<'_>) -> Vec<Warning> {
+    let gear = worked.analysis.gear().name();
+    let one = |place: &usize| {
+        let clutch = gearbox.shift_elements()[*place].id();
+        let remedy = match &beside(gearbox, *place)[..] {
+            [] => "no other shift element joins its links".to_owned(),
+            elements => format!("engage {} besides", elements.join(" or ")),
+        };
+        let message = format!(
+            "gear {gear} does not take this load: the torque on the one-way clutch {clutch} would be reversed, so it \
+             overruns; {remedy}"
+        );
+        Warning { name: "one-way-clutch", message }
+    };
+    worked.released.iter().map(one).collect()
 }
 
 /// Remarks on the gearbox itself.

@@ -4,7 +4,7 @@ use super::duty::Duty;
 use super::required::{Objective, finite};
 use crate::Error;
 use crate::catalogue::{GearName, Link, SetLinks, SetSpeeds, ShiftElement};
-use crate::shared::zero;
+use crate::number::{plain, si};
 use crate::tolerance::ROUNDED;
 use epicyclic_formats::Physical;
 use epicyclic_schemes::catalogue::{Reach as RatioReach, Scheme};
@@ -15,7 +15,7 @@ use epicyclic_selection::{self as selection, Evidence, Mechanism, NotDrawable, R
 use epicyclic_train::{Gearbox, InputLoad, Operation};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::{AngularVelocity, Power, Torque};
+use uom::si::f64::{AngularVelocity, Torque};
 
 /// A mechanism measured and judged; speeds and torques without a unit are multiples of the input's.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -355,7 +355,7 @@ impl Reach {
             RatioReach::ThroughZero { least, greatest } => (ReachKind::ThroughZero, least, greatest),
             RatioReach::ThroughInfinity { below, above } => (ReachKind::ThroughInfinity, below, above),
         };
-        Self { kind, from: zero(from), to: zero(to) }
+        Self { kind, from: plain(from), to: plain(to) }
     }
 }
 
@@ -368,7 +368,7 @@ impl BrakedGear {
             wanted_ratio: gear.wanted,
             ratio: gear.ratio,
             efficiency: gear.efficiency,
-            brake_torque_of_input: gear.brake_torque.map(zero),
+            brake_torque_of_input: gear.brake_torque.map(plain),
             sets: sets
                 .map(|(set, roles)| SetSpeeds::of(roles.map(speed), gear.planets.get(set).copied()))
                 .collect(),
@@ -381,8 +381,8 @@ fn direct_drive_clutches(one: &selection::Candidate) -> Vec<DirectDriveClutch> {
     let clutch =
         |(place, clutch): (usize, &epicyclic_schemes::direct_drive::DirectClutch)| DirectDriveClutch {
             links: clutch.pair.map(Link::of),
-            torque_of_input: zero(clutch.torque),
-            slips_of_input: clutch.slip.iter().take(one.gears.len()).copied().map(zero).collect(),
+            torque_of_input: plain(clutch.torque),
+            slips_of_input: clutch.slip.iter().take(one.gears.len()).copied().map(plain).collect(),
             drawable: drawable.contains(&clutch.pair),
             chosen: place == one.direct_clutch,
         };
@@ -404,7 +404,7 @@ impl Verdict {
             criterion: Criterion::of(verdict.criterion),
             met: verdict.met,
             required: verdict.required,
-            value: finite(verdict.value).map(zero),
+            value: finite(verdict.value).map(plain),
             least: verdict.limits[0],
             greatest: finite(verdict.limits[1]),
             gear: place.gear,
@@ -500,21 +500,19 @@ fn operation(
         let at = at.as_ref();
         let powered = at.filter(|_| speed.is_some());
         let circulating = analysis.driving().map(|case| case.power.circulating);
-        let n_m = |torque: Torque| zero(torque.si());
-        let w = |power: Power| zero(power.si());
-        let element = |element| shift_element(&gearbox, at, element).map(n_m);
+        let element = |element| shift_element(&gearbox, at, element).map(si);
         found.push(GearOperation {
             gear,
             output_speed_rad_s: speed.map(|speed| (speed / line.ratio).si()),
-            input_torque_n_m: at.map(|at| n_m(at.input)),
-            output_torque_n_m: at.map(|at| n_m(at.output)),
+            input_torque_n_m: at.map(|at| si(at.input)),
+            output_torque_n_m: at.map(|at| si(at.output)),
             k1_torque_n_m: element(ShiftElement::K1),
             k2_torque_n_m: element(ShiftElement::K2),
             direct_drive_clutch_torque_n_m: element(ShiftElement::L),
-            entering_w: powered.map(|at| w(at.entering)),
-            leaving_w: powered.map(|at| w(at.entering - at.loss)),
-            loss_w: powered.map(|at| if at.loss.abs() < at.entering * ROUNDED { 0.0 } else { w(at.loss) }),
-            circulating_w: powered.zip(circulating).map(|(at, share)| w(at.entering * share)),
+            entering_w: powered.map(|at| si(at.entering)),
+            leaving_w: powered.map(|at| si(at.entering - at.loss)),
+            loss_w: powered.map(|at| if at.loss.abs() < at.entering * ROUNDED { 0.0 } else { si(at.loss) }),
+            circulating_w: powered.zip(circulating).map(|(at, share)| si(at.entering * share)),
             sets: at.map_or_else(Vec::new, |at| at.members.iter().map(SetTorques::of).collect()),
         });
     }
@@ -529,8 +527,9 @@ fn shift_element(gearbox: &Gearbox, at: Option<&Operation>, element: ShiftElemen
 
 impl SetTorques {
     fn of(torques: &Option<Vec<Torque>>) -> Self {
-        let on =
-            |member: usize| torques.as_ref().and_then(|torques| torques.get(member)).map(|t| zero(t.si()));
+        let on = |member: usize| {
+            torques.as_ref().and_then(|torques| torques.get(member)).map(|torque| si(*torque))
+        };
         Self { sun_torque_n_m: on(0), ring_torque_n_m: on(1), carrier_torque_n_m: on(2) }
     }
 }

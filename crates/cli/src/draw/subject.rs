@@ -5,6 +5,7 @@ use crate::analyze::{self, Choice};
 use crate::failure::Failure;
 use crate::input;
 use crate::schemes::{SizeOptions, sized};
+use epicyclic_answers::draw::{self as answers, Exchanged, Origin};
 use epicyclic_formats::{self as formats, Document, Number};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout as drawability;
@@ -21,22 +22,30 @@ pub(super) struct Subject {
     pub(super) gearing: bool,
     /// Its place in a file.
     pub(super) base: formats::Path,
-    /// Whether gears 1 and 2 are named the other way round than in the gearbox.
-    gears_exchanged: bool,
+    origin: Origin,
+    /// What is named the other way round than in the gearbox of a structure.
+    exchanged: Option<Exchanged>,
 }
 
 impl Subject {
     /// The gear of this name in the gearbox.
     pub(super) fn gear_name<'a>(&self, named: &'a str) -> &'a str {
+        let is_exchanged = self.exchanged.is_some_and(|exchanged| exchanged.gears);
         match named {
-            "1" if self.gears_exchanged => "2",
-            "2" if self.gears_exchanged => "1",
+            "1" if is_exchanged => "2",
+            "2" if is_exchanged => "1",
             named => named,
         }
     }
 
+    /// What an answer says of it.
+    pub(super) fn record(&self) -> answers::Subject {
+        answers::Subject::of_gearbox(&self.gearbox, self.origin, self.gearing, self.exchanged)
+    }
+
     fn of_catalogue(gearbox: Gearbox, gearing: bool) -> Self {
-        Self { gearbox, gearing, base: formats::Path::root(), gears_exchanged: false }
+        let (base, origin) = (formats::Path::root(), Origin::Catalogue);
+        Self { gearbox, gearing, base, origin, exchanged: None }
     }
 }
 
@@ -138,8 +147,9 @@ fn of_two_sets(args: &Args, structure: Structure, renaming: Renaming) -> Result<
     }
     match any {
         Some(gearbox) => {
-            let subject = Subject::of_catalogue(gearbox, k.is_some());
-            Ok(Subject { gears_exchanged: renaming.brakes, ..subject })
+            let exchanged = Some(Exchanged { sets: renaming.sets, gears: renaming.brakes });
+            let (base, origin) = (formats::Path::root(), Origin::Structure);
+            Ok(Subject { gearbox, gearing: k.is_some(), base, origin, exchanged })
         }
         None => unreachable!("four roles have six pairs"),
     }
@@ -152,6 +162,6 @@ fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, F
         return Err(Failure::Option { option, message });
     }
     let choice = Choice::new(file.to_owned(), args.transmission.clone(), args.efficiency);
-    let (gearbox, base) = analyze::gearbox(&choice, document)?;
-    Ok(Subject { gearbox, gearing: true, base, gears_exchanged: false })
+    let epicyclic_answers::gearbox::Subject { gearbox, base, .. } = analyze::subject(&choice, document)?;
+    Ok(Subject { gearbox, gearing: true, base, origin: Origin::GearboxFile, exchanged: None })
 }

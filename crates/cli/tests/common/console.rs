@@ -108,7 +108,7 @@ fn holds(shown: &str, printed: &str) -> bool {
 }
 
 /// A command as a shell parts it: at spaces that are not between single quotes.
-fn words(command: &str) -> Vec<String> {
+pub(crate) fn words(command: &str) -> Vec<String> {
     let mut words = vec![];
     for (place, part) in command.split('\'').enumerate() {
         if place % 2 == 1 {

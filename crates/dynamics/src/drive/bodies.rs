@@ -3,38 +3,49 @@
 use super::finite;
 use super::part::BoredGear;
 use super::result::{GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
-use super::spec::{Bore, CarrierSpec, DriveSpec};
+use super::spec::{Bore, CarrierSpec, GearSetSpec};
 use super::warning::Warning;
 use crate::Error;
 use crate::planetary::{GearSet, PlanetaryDrive};
 use crate::units::{inertia, kg_m2, kilograms, millimeters};
-use epicyclic_gears::bearing;
+use epicyclic_gears::bearing::{self, Series};
 use epicyclic_gears::carrier::Carrier;
 use epicyclic_gears::geometry;
 use epicyclic_gears::mass::GearBody;
-use epicyclic_gears::synthesis::ToothNumbers;
+use uom::si::f64::{Length, MassDensity, MomentOfInertia};
 
 /// Relative difference between the radius of the arms' holes and the centre distance that is worth a warning.
 const OFF_CENTRE: f64 = 1e-4;
 
+/// What turns on the shafts beside the gear set.
+#[derive(Clone, Copy)]
+pub(super) struct Ends {
+    pub(super) motor: MomentOfInertia,
+    pub(super) machine: MomentOfInertia,
+}
+
 pub(super) fn masses(
-    spec: &DriveSpec,
-    teeth: ToothNumbers,
+    wanted: &GearSetSpec,
+    carrier: &CarrierSpec,
+    series: Series,
+    planets: u32,
     gear_set: &GearSetGeometry,
     shafts: &Shafts,
     warnings: &mut Vec<Warning>,
 ) -> Result<Masses, Error> {
-    let sun = gear_mass(spec, BoredGear::Sun, &gear_set.sun, spec.gear_set.sun_bore, &shafts.sun)?;
-    let planet =
-        gear_mass(spec, BoredGear::Planet, &gear_set.planet, spec.gear_set.planet_bore, &shafts.planet)?;
-    let (mass, carrier_inertia) = match spec.carrier {
+    let (width, density) = (gear_set.face_width, wanted.density);
+    let sun_bore = bore(wanted.sun_bore, &shafts.sun, series)?;
+    let sun = gear_mass(BoredGear::Sun, &gear_set.sun, sun_bore, width, density)?;
+    let planet_bore = bore(wanted.planet_bore, &shafts.planet, series)?;
+    let planet = gear_mass(BoredGear::Planet, &gear_set.planet, planet_bore, width, density)?;
+    let (mass, carrier_inertia) = match *carrier {
         CarrierSpec::Neglected => {
             warnings.push(Warning::CarrierNeglected);
             (None, inertia(0.0))
         }
         CarrierSpec::Inertia(given) => (None, given),
         CarrierSpec::Shape { arm, hub } => {
-            let whole = Carrier::new(teeth.planets, arm, hub, spec.gear_set.density)?.total();
+            let whole = Carrier::new(planets, arm, hub, density)?.total();
             if let Some(hole) = arm.hole {
                 let hole_mm = millimeters(hub.outer_radius + arm.length - hole.from_outer_end);
                 let centre_distance_mm = millimeters(gear_set.centre_distance);
@@ -50,29 +61,31 @@ pub(super) fn masses(
     Ok(Masses { sun, planet, carrier: mass, carrier_inertia })
 }
 
-fn gear_mass(
-    spec: &DriveSpec,
-    name: BoredGear,
-    gear: &geometry::ToothedGear,
-    bore: Bore,
-    shaft: &ShaftDesign,
-) -> Result<GearMass, Error> {
-    let bore = match bore {
+/// Diameter of the hole in a gear.
+fn bore(wanted: Bore, shaft: &ShaftDesign, series: Series) -> Result<Length, Error> {
+    Ok(match wanted {
         Bore::Given(bore) => bore,
         Bore::Shaft => shaft.used.diameter,
         Bore::Bearing => match shaft.used.bearing {
             Some(bearing) => bearing.outside_diameter,
             // Refused again, now that the bearing is needed.
-            None => {
-                bearing::smallest_for_shaft(spec.shafts.bearing_series, shaft.used.diameter)?.outside_diameter
-            }
+            None => bearing::smallest_for_shaft(series, shaft.used.diameter)?.outside_diameter,
         },
-    };
+    })
+}
+
+fn gear_mass(
+    name: BoredGear,
+    gear: &geometry::ToothedGear,
+    bore: Length,
+    width: Length,
+    density: MassDensity,
+) -> Result<GearMass, Error> {
     if bore >= gear.root_diameter() {
         let (bore_mm, root_mm) = (millimeters(bore), millimeters(gear.root_diameter()));
         return Err(Error::BoreTooLarge { gear: name, bore_mm, root_mm });
     }
-    let body = GearBody::external(gear, spec.gear_set.face_width, bore, spec.gear_set.density)?;
+    let body = GearBody::external(gear, width, bore, density)?;
     finite("mass of a gear", kilograms(body.total().mass))?;
     finite("inertia of a gear", kg_m2(body.total().polar_inertia))?;
     Ok(GearMass { bore, body })
@@ -80,18 +93,18 @@ fn gear_mass(
 
 /// The drive with everything that turns on its shafts.
 pub(super) fn planetary_drive(
-    spec: &DriveSpec,
     set: GearSet,
-    gear_set: &GearSetGeometry,
+    centre_distance: Length,
     masses: &Masses,
+    ends: Ends,
 ) -> PlanetaryDrive {
     let planet = masses.planet.body.total();
     PlanetaryDrive {
         set,
-        sun_inertia: masses.sun.body.total().polar_inertia + spec.motor_inertia,
+        sun_inertia: masses.sun.body.total().polar_inertia + ends.motor,
         planet_inertia: planet.polar_inertia,
         planet_mass: planet.mass,
-        planet_radius: gear_set.centre_distance,
-        carrier_inertia: masses.carrier_inertia + spec.machine_inertia,
+        planet_radius: centre_distance,
+        carrier_inertia: masses.carrier_inertia + ends.machine,
     }
 }

@@ -1,12 +1,12 @@
 //! Efficiency, speeds, torques and powers of a drive at its power.
 
 use super::result::{Efficiency, Powers, Speeds, TeethDesign, Torques};
-use super::spec::DriveSpec;
-use super::{finite, mode};
+use super::{MODE, finite};
 use crate::planetary::GearSet;
 use crate::units::{n_m, rad_per_s};
 use crate::{Error, loads};
 use epicyclic_gears::efficiency::{self, MeshEfficiency};
+use uom::si::f64::{AngularVelocity, Power};
 
 /// What the gear set carries.
 pub(super) struct Carried {
@@ -16,24 +16,37 @@ pub(super) struct Carried {
     pub(super) powers: Powers,
 }
 
-pub(super) fn carried(spec: &DriveSpec, set: &GearSet, teeth: &TeethDesign) -> Result<Carried, Error> {
-    let eta0 = MeshEfficiency::of_meshes(&[spec.sun_planet_efficiency, spec.planet_ring_efficiency]);
-    let overall = efficiency::efficiency(teeth.numbers.basic_ratio(), eta0, mode()?)?;
+/// Efficiencies of the meshes.
+#[derive(Clone, Copy)]
+pub(super) struct Meshes {
+    pub(super) sun_planet: MeshEfficiency,
+    pub(super) planet_ring: MeshEfficiency,
+}
+
+pub(super) fn carried(
+    power: Power,
+    speed: AngularVelocity,
+    meshes: Meshes,
+    set: &GearSet,
+    teeth: &TeethDesign,
+) -> Result<Carried, Error> {
+    let eta0 = MeshEfficiency::of_meshes(&[meshes.sun_planet, meshes.planet_ring]);
+    let overall = efficiency::efficiency(teeth.numbers.basic_ratio(), eta0, MODE)?;
     let ratios = set.ratios();
-    let (planet, carrier) = (spec.speed * ratios.planet, spec.speed * ratios.carrier);
-    let speeds = Speeds { sun: spec.speed, planet, planet_relative: planet - carrier, carrier };
+    let (planet, carrier) = (speed * ratios.planet, speed * ratios.carrier);
+    let speeds = Speeds { sun: speed, planet, planet_relative: planet - carrier, carrier };
     finite("speed of the planet", rad_per_s(planet))?;
 
-    let sun = loads::shaft_torque(spec.power, spec.speed)?;
+    let sun = loads::shaft_torque(power, speed)?;
     let planet_to_sun = teeth.numbers.planet.as_f64() / teeth.numbers.sun.as_f64();
     let carrier = loads::carrier_torque(sun, teeth.ratio, overall);
     finite("torque of the carrier", n_m(carrier))?;
-    let planets = loads::planet_torque(sun, spec.sun_planet_efficiency, planet_to_sun);
+    let planets = loads::planet_torque(sun, meshes.sun_planet, planet_to_sun);
     let torques = Torques { sun, planets, carrier, ring_reaction: carrier - sun };
 
     let mesh = loads::shaft_power(sun, speeds.sun - speeds.carrier);
     let powers = Powers {
-        input: spec.power,
+        input: power,
         mesh,
         lost: mesh * (1.0 - eta0.get()),
         output: loads::shaft_power(carrier, speeds.carrier),

@@ -1,48 +1,33 @@
 //! Equivalent inertia and start of a drive.
 
-use super::result::{EquivalentInertia, GearSetGeometry, Masses, Motion, Start, Torques};
-use super::spec::DriveSpec;
-use super::{bodies, finite};
+use super::bodies::Ends;
+use super::finite;
+use super::loads::Meshes;
+use super::result::{EquivalentInertia, Masses, Motion, Start};
 use crate::Error;
 use crate::energy::kinetic_energy;
 use crate::equivalent_inertia::{Link, LinkName, Orbit};
 use crate::lagrange::starting_time;
-use crate::planetary::{Accelerations, FromRest, GearSet, LossyMotion, PlanetaryDrive, Turning};
+use crate::planetary::{Accelerations, FromRest, LossyMotion, PlanetaryDrive, Turning};
 use crate::tolerance::BALANCE;
 use crate::units::{angular_acceleration, inertia, joules, kg_m2, n_m, rad_per_s2, seconds, torque};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use uom::si::f64::{MomentOfInertia, Time, Torque};
+use uom::si::f64::{AngularVelocity, MomentOfInertia, Time, Torque};
 
-/// How the drive moves.
-pub(super) struct Moving {
-    pub(super) equivalent_inertia: EquivalentInertia,
-    pub(super) driving_torque: Torque,
+/// The start: to which speed of the sun, and the torques.
+#[derive(Clone, Copy)]
+pub(super) struct Starting {
+    pub(super) speed: AngularVelocity,
+    pub(super) driving: Torque,
     pub(super) load: Torque,
-    pub(super) without_losses: Motion,
-    pub(super) with_losses: Motion,
 }
 
-pub(super) fn moving(
-    spec: &DriveSpec,
-    set: GearSet,
-    geometry: &GearSetGeometry,
-    torques: &Torques,
-    masses: &Masses,
-) -> Result<Moving, Error> {
-    let drive = bodies::planetary_drive(spec, set, geometry, masses);
-    let equivalent_inertia = equivalent_inertia(spec, &drive, masses)?;
-    let driving_torque = spec.driving_torque.unwrap_or(torques.sun);
-    let load = spec.load.unwrap_or(torques.carrier);
-    let without_losses = without_losses(spec, &drive, driving_torque, load)?;
-    let with_losses = with_losses(spec, &drive, driving_torque, load)?;
-    Ok(Moving { equivalent_inertia, driving_torque, load, without_losses, with_losses })
-}
-
-/// Each part's share of the equivalent inertia, and the kinetic energy.
-fn equivalent_inertia(
-    spec: &DriveSpec,
+/// Each part's share of the equivalent inertia, and the kinetic energy at a speed of the sun.
+pub(super) fn equivalent_inertia(
     drive: &PlanetaryDrive,
     masses: &Masses,
+    ends: Ends,
+    speed: AngularVelocity,
 ) -> Result<EquivalentInertia, Error> {
     let ratios = drive.set.ratios();
     let central = |name, j: MomentOfInertia, ratio| Link::central(name, j, ratio).equivalent_inertia();
@@ -53,25 +38,21 @@ fn equivalent_inertia(
     };
     let found = EquivalentInertia {
         sun: central(LinkName::Sun, masses.sun.body.total().polar_inertia, 1.0)?,
-        motor: central(LinkName::Motor, spec.motor_inertia, 1.0)?,
+        motor: central(LinkName::Motor, ends.motor, 1.0)?,
         planets_orbiting: Link { orbit: Some(orbit), ..planets.clone() }.equivalent_inertia()?,
         planets_turning: Link { inertia: drive.planet_inertia, ..planets }.equivalent_inertia()?,
         carrier: central(LinkName::Carrier, masses.carrier_inertia, ratios.carrier)?,
-        machine: central(LinkName::Machine, spec.machine_inertia, ratios.carrier)?,
+        machine: central(LinkName::Machine, ends.machine, ratios.carrier)?,
         total: drive.equivalent_inertia()?,
-        kinetic_energy: kinetic_energy(&drive.bodies(spec.speed)?),
+        kinetic_energy: kinetic_energy(&drive.bodies(speed)?),
     };
     finite("equivalent inertia", kg_m2(found.total))?;
     finite("kinetic energy", joules(found.kinetic_energy))?;
     Ok(found)
 }
 
-fn without_losses(
-    spec: &DriveSpec,
-    drive: &PlanetaryDrive,
-    driving: Torque,
-    load: Torque,
-) -> Result<Motion, Error> {
+pub(super) fn without_losses(drive: &PlanetaryDrive, start: Starting) -> Result<Motion, Error> {
+    let Starting { speed, driving, load } = start;
     let accelerations = drive.motion(driving, load)?;
     finite("acceleration", rad_per_s2(accelerations.sun))?;
     let force = drive.generalized_force(driving, load);
@@ -81,18 +62,14 @@ fn without_losses(
     let start = match n_m(force) {
         surplus if surplus.abs() <= balance => Start::InBalance,
         surplus if surplus < 0.0 => Start::Backward(-force),
-        _ => Start::After(time(spec, force, inertia)?),
+        _ => Start::After(time(speed, force, inertia)?),
     };
     Ok(settled(Motion { inertia, generalized_force: force, accelerations, held, start }))
 }
 
-fn with_losses(
-    spec: &DriveSpec,
-    drive: &PlanetaryDrive,
-    driving: Torque,
-    load: Torque,
-) -> Result<Motion, Error> {
-    let (eta_12, eta_23) = (spec.sun_planet_efficiency, spec.planet_ring_efficiency);
+pub(super) fn with_losses(drive: &PlanetaryDrive, start: Starting, meshes: Meshes) -> Result<Motion, Error> {
+    let Starting { speed, driving, load } = start;
+    let Meshes { sun_planet: eta_12, planet_ring: eta_23 } = meshes;
     let held = drive.held_loads(driving, eta_12, eta_23);
     let moving = |motion: LossyMotion, start| {
         finite("acceleration", rad_per_s2(motion.accelerations.sun))?;
@@ -102,7 +79,7 @@ fn with_losses(
     let balance = BALANCE * n_m(driving);
     match drive.from_rest(driving, load, eta_12, eta_23)? {
         FromRest::Forward(motion) if n_m(motion.force) > balance => {
-            moving(motion, Start::After(time(spec, motion.force, motion.inertia)?))
+            moving(motion, Start::After(time(speed, motion.force, motion.inertia)?))
         }
         FromRest::Backward(motion) if n_m(motion.force) < -balance => {
             moving(motion, Start::Backward(-motion.force))
@@ -126,8 +103,8 @@ fn settled(motion: Motion) -> Motion {
     Motion { generalized_force: torque(0.0), accelerations, ..motion }
 }
 
-fn time(spec: &DriveSpec, force: Torque, inertia: MomentOfInertia) -> Result<Time, Error> {
-    let time = starting_time(spec.speed, force, inertia)?;
+fn time(speed: AngularVelocity, force: Torque, inertia: MomentOfInertia) -> Result<Time, Error> {
+    let time = starting_time(speed, force, inertia)?;
     finite("starting time", seconds(time))?;
     Ok(time)
 }

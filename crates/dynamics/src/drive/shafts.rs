@@ -3,7 +3,7 @@
 use super::finite;
 use super::part::Shaft;
 use super::result::{Choice, ShaftDesign, Shafts, Torques};
-use super::spec::{DriveSpec, ShaftSpec};
+use super::spec::{ShaftSpec, ShaftsSpec};
 use super::warning::Warning;
 use crate::Error;
 use crate::tolerance::DIAMETER;
@@ -13,15 +13,15 @@ use epicyclic_gears::shaft::{self, USUAL_ALLOWABLE_STRESS_MPA};
 use uom::si::f64::Torque;
 
 pub(super) fn shafts(
-    spec: &DriveSpec,
+    wanted: &ShaftsSpec,
     torques: &Torques,
     warnings: &mut Vec<Warning>,
 ) -> Result<Shafts, Error> {
-    let allowable_mpa = megapascals(spec.shafts.allowable_stress);
+    let allowable_mpa = megapascals(wanted.allowable_stress);
     let shafts = Shafts {
-        sun: of(spec, Shaft::Sun, &spec.shafts.sun, torques.sun, warnings)?,
-        planet: of(spec, Shaft::Planet, &spec.shafts.planet, torques.planets, warnings)?,
-        carrier: of(spec, Shaft::Carrier, &spec.shafts.carrier, torques.carrier, warnings)?,
+        sun: of(wanted, Shaft::Sun, &wanted.sun, torques.sun, warnings)?,
+        planet: of(wanted, Shaft::Planet, &wanted.planet, torques.planets, warnings)?,
+        carrier: of(wanted, Shaft::Carrier, &wanted.carrier, torques.carrier, warnings)?,
     };
     if !USUAL_ALLOWABLE_STRESS_MPA.contains(&allowable_mpa) {
         warnings.push(Warning::StressOutsideUsualRange { allowable_mpa });
@@ -30,13 +30,13 @@ pub(super) fn shafts(
 }
 
 fn of(
-    spec: &DriveSpec,
+    wanted: &ShaftsSpec,
     name: Shaft,
     given: &ShaftSpec,
     torque: Torque,
     warnings: &mut Vec<Warning>,
 ) -> Result<ShaftDesign, Error> {
-    let (allowable, series) = (spec.shafts.allowable_stress, spec.shafts.bearing_series);
+    let (allowable, series) = (wanted.allowable_stress, wanted.bearing_series);
     let needed = shaft::diameter(torque, allowable)?;
     let standard = shaft::standard_diameter(needed)?;
     let standard = Choice { diameter: standard, bearing: bearing::smallest_for_shaft(series, standard).ok() };

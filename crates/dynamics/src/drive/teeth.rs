@@ -2,21 +2,21 @@
 
 use super::part::BoredGear;
 use super::result::{GearSetGeometry, TeethDesign};
-use super::spec::{DriveSpec, GearSetSpec, TeethSpec};
+use super::spec::{GearSetSpec, TeethSpec};
 use super::warning::Warning;
-use super::{USUAL_RATIO, finite, mode};
+use super::{MODE, USUAL_RATIO, finite};
 use crate::Error;
 use crate::planetary::GearSet;
 use crate::tolerance::GAP;
-use crate::units::{degrees, length, meters, millimeters, radians};
+use crate::units::{degrees, meters, millimeters};
 use epicyclic_gears::Quantity;
 use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
+use epicyclic_gears::mesh::coaxial_ring;
 use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::{
-    Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers, clearance_limit,
-};
+use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers};
 use std::cmp::Reverse;
 
 /// The gear set: its speeds, its tooth numbers with their conditions, its geometry.
@@ -26,29 +26,42 @@ pub(super) struct Geared {
     pub(super) geometry: GearSetGeometry,
 }
 
-pub(super) fn geared(spec: &DriveSpec, warnings: &mut Vec<Warning>) -> Result<Geared, Error> {
-    let numbers = tooth_numbers(spec)?;
-    let geometry = geometry(spec, numbers)?;
-    let teeth = conditions(spec, numbers, &geometry, warnings)?;
+/// The ratio asked for.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted {
+    pub(super) ratio: f64,
+    /// How far it may be off, relative.
+    pub(super) tolerance: f64,
+}
+
+pub(super) fn geared(
+    wanted: Wanted,
+    teeth: &TeethSpec,
+    gear_set: &GearSetSpec,
+    warnings: &mut Vec<Warning>,
+) -> Result<Geared, Error> {
+    let numbers = tooth_numbers(wanted, teeth, gear_set.rack)?;
+    let geometry = geometry(gear_set, numbers)?;
+    let teeth = conditions(wanted, teeth, &geometry, numbers, warnings)?;
     Ok(Geared { set: GearSet::new(numbers)?, teeth, geometry })
 }
 
 /// The tooth numbers given, or the best within the bounds.
-fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
-    match &spec.teeth {
+fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<ToothNumbers, Error> {
+    match teeth {
         TeethSpec::Given { teeth, tip_gap, .. } => {
             check(*teeth, *tip_gap)?;
             Ok(*teeth)
         }
         TeethSpec::Within(bounds) => {
-            let bounds = Bounds { rack: spec.gear_set.rack, ..bounds.clone() };
+            let bounds = Bounds { rack, ..bounds.clone() };
             // By error, then most planets, smallest ring, smallest sun. One is held at a time.
             let key = |near: &Near| (Reverse(near.teeth.planets), near.teeth.ring, near.teeth.sun);
             let mut best: Option<Near> = None;
             bounds.each_for_ratio(
-                spec.ratio,
-                mode()?,
-                spec.ratio_tolerance,
+                wanted.ratio,
+                MODE,
+                wanted.tolerance,
                 |_| {},
                 |near| {
                     let nearer = |best: &Near| {
@@ -61,9 +74,9 @@ fn tooth_numbers(spec: &DriveSpec) -> Result<ToothNumbers, Error> {
                 },
             )?;
             let nothing = epicyclic_gears::Error::NoToothNumbers {
-                wanted: spec.ratio,
-                mode: mode()?,
-                tolerance: spec.ratio_tolerance,
+                wanted: wanted.ratio,
+                mode: MODE,
+                tolerance: wanted.tolerance,
                 nearest: None,
             };
             Ok(best.ok_or(nothing)?.teeth)
@@ -87,11 +100,15 @@ fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
         let (quantity, value, unit) = (Quantity::TipGap, tip_gap, "modules");
         return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
     }
-    if ring == sun + 2 * planet { Ok(()) } else { Err(Error::UnequalCentreDistances { sun, planet, ring }) }
+    if ring == coaxial_ring(sun, planet) {
+        Ok(())
+    } else {
+        Err(Error::UnequalCentreDistances { sun, planet, ring })
+    }
 }
 
-fn geometry(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Error> {
-    let GearSetSpec { module, rack, face_width, .. } = spec.gear_set;
+fn geometry(wanted: &GearSetSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Error> {
+    let GearSetSpec { module, rack, face_width, .. } = *wanted;
     let sun = ToothedGear::new(GearKind::External, module, teeth.sun, rack)?;
     let planet = ToothedGear::new(GearKind::External, module, teeth.planet, rack)?;
     let ring = ToothedGear::new(GearKind::Internal, module, teeth.ring, rack)?;
@@ -101,32 +118,34 @@ fn geometry(spec: &DriveSpec, teeth: ToothNumbers) -> Result<GearSetGeometry, Er
 
 /// How well the tooth numbers meet their conditions.
 fn conditions(
-    spec: &DriveSpec,
-    teeth: ToothNumbers,
+    wanted: Wanted,
+    spec: &TeethSpec,
     gear_set: &GearSetGeometry,
+    teeth: ToothNumbers,
     warnings: &mut Vec<Warning>,
 ) -> Result<TeethDesign, Error> {
-    let rack = spec.gear_set.rack;
-    let (placement, least_gap) = match &spec.teeth {
+    let (rack, module) = (gear_set.planet.rack(), gear_set.planet.module());
+    let (placement, least_gap) = match spec {
         TeethSpec::Given { placement, tip_gap, .. } => (*placement, *tip_gap),
         TeethSpec::Within(bounds) => (bounds.placement, bounds.tip_gap),
     };
-    let ratio = teeth.basic_ratio().ratio(mode()?)?;
+    let ratio = teeth.basic_ratio().ratio(MODE)?;
     let spacing = PlanetSpacing::least_unequal(teeth.sun, teeth.ring, teeth.planets);
-    let chord = 2.0 * meters(gear_set.centre_distance) * (radians(spacing.smallest_gap()) / 2.0).sin();
+    let planet = teeth.planet_circle(&rack);
     let found = TeethDesign {
         numbers: teeth,
         ratio,
-        exact_ratio: exact_ratio(teeth.sun, teeth.ring, mode()?),
-        ratio_error: ratio / spec.ratio - 1.0,
-        clearance_limit: clearance_limit(teeth.sun, teeth.planet, &rack),
-        most_planets: Bounds { rack, ..Bounds::default() }.most_planets(teeth.sun, teeth.planet),
-        tip_gap: length(chord - meters(gear_set.planet.tip_diameter())),
+        exact_ratio: exact_ratio(teeth.sun, teeth.ring, MODE),
+        ratio_error: ratio / wanted.ratio - 1.0,
+        clearance_limit: planet.number_limit(0.0),
+        most_planets: planet.most(0.0),
+        tip_gap: module * planet.gap_to_alike(spacing.half_gap_sine()),
         spacing,
     };
     finite("error of the ratio", found.ratio_error)?;
-    if found.ratio_error.abs() > spec.ratio_tolerance + 4.0 * f64::EPSILON {
-        warnings.push(Warning::RatioDeparts { wanted: spec.ratio, ratio, tolerance: spec.ratio_tolerance });
+    let Wanted { ratio: wanted, tolerance } = wanted;
+    if found.ratio_error.abs() > tolerance + 4.0 * f64::EPSILON {
+        warnings.push(Warning::RatioDeparts { wanted, ratio, tolerance });
     }
     if !USUAL_RATIO.contains(&ratio) {
         warnings.push(Warning::RatioOutsideUsualRange { ratio });
@@ -144,7 +163,7 @@ fn conditions(
             most_planets: found.most_planets,
         });
     }
-    let least_gap_mm = least_gap * millimeters(spec.gear_set.module);
+    let least_gap_mm = least_gap * millimeters(module);
     let gap_mm = millimeters(found.tip_gap);
     if gap_mm > 0.0 && gap_mm < least_gap_mm * (1.0 - GAP) {
         warnings.push(Warning::TipGapBelowWanted { gap_mm, wanted_mm: least_gap_mm });

@@ -274,10 +274,9 @@ impl Sheet<'_> {
         self.scene.add(layer, heading);
         let mut lines: Vec<String> =
             (0..self.gearbox.drawn_sets().len()).map(|place| words::set(self.gearbox, place, true)).collect();
-        lines.push(
-            "along a lever: distances between links; in its first set the carrier is at distance 1 from the second gear"
-                .into(),
-        );
+        // In two lines, so that the legend is no wider than most diagrams.
+        lines.push("along a lever: distances between links; 1 is the distance".into());
+        lines.push("from the carrier to the second central gear of its first set".into());
         if let Some(gear) = self.gear {
             lines.push("across it: speeds over the input's".into());
             let shift_elements =

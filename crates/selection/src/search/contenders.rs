@@ -4,7 +4,7 @@
 //! remains is compared in full afterwards. This only keeps the many neighbours with fewer planets, which
 //! something near by dominates, out of memory.
 
-use super::Point;
+use super::found::Point;
 use crate::objectives::{Costs, Order};
 use epicyclic_pareto::dominates;
 

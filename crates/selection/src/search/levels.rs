@@ -6,10 +6,10 @@
 //! make a design no better than those of the least. Of the 8016 combinations within the default bounds 2696 `k` are
 //! distinct.
 
-use crate::objectives::ring_to_sun_distance;
 use crate::requirements::Limits;
 use crate::size::{Rating, cube_of_ring_to_sun_ratio};
 use epicyclic_gears::synthesis::ToothNumbers;
+use std::ops::RangeInclusive;
 
 /// Tooth numbers of one ring-to-sun ratio.
 #[derive(Debug, Clone)]
@@ -17,14 +17,42 @@ pub(crate) struct Level {
     pub(crate) k: f64,
     /// First and end of its tooth numbers among all.
     pub(crate) tooth_sets: [u32; 2],
-    /// `2/(k − 1)`: speed of the planet over that of the sun, both relative to the carrier.
-    pub(crate) planet: f64,
-    /// Distance of `ln k` from the preferred range.
-    pub(crate) distance: f64,
+    /// Teeth of sun and ring of its first tooth numbers: `k` as a fraction.
+    pub(crate) teeth: [f64; 2],
+    /// How far `k` is from the preferred range: as a fraction, times a limit of that range or 1.
+    pub(crate) distance: Distance,
     /// `k³·(1 + 1/r)/min(1, r)`.
     pub(crate) cube: f64,
     /// The least `K_γ/N` of its tooth numbers.
     pub(crate) share: f64,
+}
+
+/// `k_low/k` below a range, `k/k_high` above, 1 within: `e` to the power of the distance of `ln k` from it. As a fraction of
+/// teeth and a factor: fractions of teeth multiply without rounding, so equal products of two levels are equal to the bit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Distance {
+    fraction: [f64; 2],
+    factor: f64,
+}
+
+impl Distance {
+    fn new([sun, ring]: [f64; 2], preferred: &RangeInclusive<f64>) -> Self {
+        let (k, low, high) = (ring / sun, *preferred.start(), *preferred.end());
+        if k < low {
+            Self { fraction: [sun, ring], factor: low }
+        } else if k > high {
+            Self { fraction: [ring, sun], factor: 1.0 / high }
+        } else {
+            Self { fraction: [1.0, 1.0], factor: 1.0 }
+        }
+    }
+
+    /// `e` to the power of the sum of two distances.
+    #[inline]
+    pub(crate) fn times(self, other: Self) -> f64 {
+        let [of, over] = [0, 1].map(|place| self.fraction[place] * other.fraction[place]);
+        of / over * (self.factor * other.factor)
+    }
 }
 
 /// All levels within the limits, ascending by `k`, and the tooth numbers by level.
@@ -44,12 +72,13 @@ pub(crate) fn levels(
     let mut from = 0_u32;
     for alike in tooth_sets.chunk_by(|one, other| cross(one, other).is_eq()) {
         let k = alike[0].ring_to_sun_ratio();
+        let teeth = [alike[0].sun, alike[0].ring].map(|teeth| f64::from(teeth.get()));
         let to = from + alike.len() as u32;
         found.push(Level {
             k,
             tooth_sets: [from, to],
-            planet: 2.0 / (k - 1.0),
-            distance: ring_to_sun_distance(k, *limits.preferred.start(), *limits.preferred.end()),
+            teeth,
+            distance: Distance::new(teeth, &limits.preferred),
             cube: cube_of_ring_to_sun_ratio(k),
             share: alike.iter().map(|teeth| rating.share(teeth.planets)).fold(f64::INFINITY, f64::min),
         });

@@ -22,11 +22,19 @@
 //! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
+//! # What is equal
+//! Objectives often do not depend on one of the sets, or do so through a product; so many designs have an objective in
+//! common, reached by different figures. They must not be parted by rounding, or one would dominate the other. Teeth are
+//! whole numbers, and what ratios and speeds have above and below the line is so too: the only rounding is that of the
+//! quotient, and equal ones are equal to the bit. Of efficiencies and sizes the rounding is bounded; where it could carry
+//! one over to the next point of the grid of [objectives](crate::objectives), it is computed with twice the digits. So the
+//! point is that of the exact value, whatever way led to it.
+//!
 //! # What it costs
 //! For three speeds 0.76, 1.33, 1.95, tolerance 10 %, default limits, six of 432 patches have anything to try
-//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 089 entries are on
-//! the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Trying takes some
-//! 45 ms on one core, the front of all the rest; the first of it ([`ToothSearch::best`]) needs a sort.
+//! and 1.5·10⁶ pairs of ring-to-sun ratios are tried; 1.2·10⁶ meet the criteria, and of these 215 087 entries are on
+//! the front: five objectives over two ring-to-sun ratios leave much that nothing dominates. Trying takes the
+//! lesser part of the time, the front of all the rest; the first of it ([`ToothSearch::best`]) needs a sort.
 //!
 //! # What it refuses
 //! More than [`MOST_TOOTH_SETS`] combinations of tooth numbers a set, [`MOST_WINDOWS`] windows or [`MOST_PAIRS`] pairs of ring-to-sun ratios, all
@@ -58,9 +66,13 @@
 //! ```
 
 mod contenders;
+mod double;
+mod found;
 mod levels;
 mod patch;
 mod window;
+
+pub use found::{Counts, Found, ToothDesign};
 
 use crate::Error;
 use crate::front::{Entry, front};
@@ -73,8 +85,9 @@ use contenders::Contenders;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::{non_dominated, nowhere_worse};
 use epicyclic_schemes::structures::Structure;
-use levels::{Level, levels};
-use patch::{Allowed, Measured, Patch, Side};
+use found::{Point, SizeLimits};
+use levels::levels;
+use patch::{Allowed, Patch, Side};
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use uom::si::f64::Length;
@@ -108,66 +121,6 @@ pub struct ToothSearch {
     pub ring_diameter: Option<Length>,
     /// The most designs held at a time, 52 bytes each, beside a batch of some 2·10⁶; 4·10⁶ by default.
     pub most_held: usize,
-}
-
-/// What a search found.
-#[derive(Debug, Clone)]
-pub struct Found {
-    entries: Vec<Entry>,
-    points: Vec<Point>,
-    patches: Vec<Patch>,
-    levels: Vec<Level>,
-    tooth_sets: Vec<ToothNumbers>,
-    counts: Counts,
-    size: SizeLimits,
-    allowed: Allowed,
-    rating: crate::Rating,
-}
-
-/// How many designs there were.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Counts {
-    /// Combinations of tooth numbers of a set.
-    pub tooth_sets: usize,
-    /// Distinct ring-to-sun ratios among them.
-    pub levels: usize,
-    /// Structures with an assignment of ratios.
-    pub patches: usize,
-    /// Those with anything to try.
-    pub patches_tried: usize,
-    /// Designs in all: pairs of combinations of tooth numbers, times `patches`.
-    pub designs: u128,
-    /// Pairs of ring-to-sun ratios tried in full.
-    pub tried: u64,
-    /// Of these, pairs that meet every required criterion.
-    pub feasible: u64,
-}
-
-/// Designs of one structure that share objectives: any of these tooth numbers in set 1 with any in set 2, except
-/// where [`pairs`](Self::pairs) says otherwise.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ToothDesign {
-    /// Which structure.
-    pub structure: Structure,
-    /// Ratios wanted of gears 1 and 2.
-    pub wanted: [f64; 2],
-    /// Ring-to-sun ratios.
-    pub k: [f64; 2],
-    /// Tooth numbers of both sets, each pair a design.
-    pub pairs: Vec<[ToothNumbers; 2]>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Point {
-    patch: u32,
-    levels: [u32; 2],
-}
-
-/// Limits of size over the relative size of 1.
-#[derive(Debug, Clone, Copy)]
-struct SizeLimits {
-    module: Option<[f64; 2]>,
-    ring: f64,
 }
 
 /// Strips of `k₂` in one piece of work, and pairs, unless a single strip has more.
@@ -479,89 +432,10 @@ impl ToothSearch {
                     }
                 }
                 feasible += 1;
-                into.gather(measured.costs(at, shares), Point { patch: place, levels: [one, two] });
+                into.gather(patch.costs(&measured, at, shares), Point { patch: place, levels: [one, two] });
             }
         }
         [tried, feasible]
-    }
-}
-
-impl SizeLimits {
-    fn fits(self, measured: &Measured, set: usize, level: &Level, teeth: &ToothNumbers, share: f64) -> bool {
-        let ring = measured.cube(set, level, share).cbrt();
-        let module = ring / teeth.ring.as_f64();
-        ring <= self.ring && self.module.is_none_or(|[least, greatest]| module >= least && module <= greatest)
-    }
-}
-
-impl Level {
-    fn of<'a>(&self, tooth_sets: &'a [ToothNumbers]) -> &'a [ToothNumbers] {
-        &tooth_sets[self.tooth_sets[0] as usize..self.tooth_sets[1] as usize]
-    }
-}
-
-impl Found {
-    /// Entries of the front, the best first by the search's order. Their members are for
-    /// [`designs`](Self::designs).
-    #[must_use]
-    pub fn entries(&self) -> &[Entry] {
-        &self.entries
-    }
-
-    /// How many designs there were.
-    #[must_use]
-    pub fn counts(&self) -> Counts {
-        self.counts
-    }
-
-    /// The designs of an entry: every pair of tooth numbers with its objectives.
-    #[must_use]
-    pub fn designs(&self, entry: &Entry) -> Vec<ToothDesign> {
-        entry.members.iter().filter_map(|&member| self.design(self.points.get(member)?, entry)).collect()
-    }
-
-    /// The first design of an entry, with its first pair of tooth numbers alone, and how many pairs the entry has in all;
-    /// never more than one design is held. `None` of an entry of another search.
-    #[must_use]
-    pub fn first_design(&self, entry: &Entry) -> Option<(ToothDesign, u64)> {
-        let mut first: Option<ToothDesign> = None;
-        let mut count = 0;
-        for &member in &entry.members {
-            let Some(mut design) = self.points.get(member).and_then(|point| self.design(point, entry)) else {
-                continue;
-            };
-            count += design.pairs.len() as u64;
-            if first.is_none() {
-                design.pairs.truncate(1);
-                design.pairs.shrink_to_fit();
-                first = Some(design);
-            }
-        }
-        first.map(|first| (first, count))
-    }
-
-    fn design(&self, point: &Point, entry: &Entry) -> Option<ToothDesign> {
-        let patch = &self.patches[point.patch as usize];
-        let pair = point.levels.map(|level| level as usize);
-        let levels = pair.map(|level| &self.levels[level]);
-        let sides = [0, 1].map(|set| patch.side(set, levels[set]));
-        let measured = patch.measure(&self.levels, pair, [&sides[0], &sides[1]], &self.allowed)?;
-        let costs = entry.objectives;
-        let share = |teeth: &ToothNumbers| self.rating.share(teeth.planets);
-        let mut pairs = vec![];
-        let fits = |set: usize, teeth: &ToothNumbers| {
-            self.size.fits(&measured, set, levels[set], teeth, share(teeth))
-        };
-        for first in levels[0].of(&self.tooth_sets).iter().filter(|teeth| fits(0, teeth)) {
-            for second in levels[1].of(&self.tooth_sets).iter().filter(|teeth| fits(1, teeth)) {
-                let theirs = measured.costs(levels, [share(first), share(second)]);
-                if Objectives::of_costs(theirs) == costs {
-                    pairs.push([*first, *second]);
-                }
-            }
-        }
-        let k = levels.map(|level| level.k);
-        Some(ToothDesign { structure: patch.structure, wanted: patch.wanted, k, pairs })
     }
 }
 

@@ -1,12 +1,13 @@
 //! One structure with one assignment of the ratios: all its pairs of ring-to-sun ratios, measured.
 
+use super::double::Double;
 use super::levels::Level;
 use super::window::{Wanted, window};
 use crate::Mechanism;
 use crate::drawing::drawable_direct_clutches;
-use crate::objectives::{Costs, on_grid};
+use crate::objectives::{Costs, on_grid, on_relative_grid};
 use crate::requirements::{Limits, Requirements};
-use crate::tolerance::SLACK;
+use crate::tolerance::{GRID_STEP, RELATIVE_STEP, ROUNDING, SLACK, TIE};
 use epicyclic_schemes::direct_drive::{DIRECT_CLUTCH_PAIRS, link_speeds};
 use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
 use epicyclic_schemes::structures::{Role, SetRoles, Structure};
@@ -26,7 +27,10 @@ pub(crate) struct Patch {
     pub(crate) strips: Vec<[u32; 3]>,
 }
 
-/// A set at one level: coefficients without losses, and with those of gears 1 and 2.
+/// A set at one level: coefficients without losses, times the teeth of its sun, and with those of gears 1 and 2.
+///
+/// The former are whole numbers, and so are their minors and all that speeds have above and below the line: nothing is
+/// rounded but the one quotient, and ratios and speeds that are equal are equal to the bit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Side {
     ideal: Coefficients,
@@ -41,6 +45,8 @@ pub(crate) struct Measured {
     pub(crate) ratio_error: f64,
     /// Largest torque on the suns over the gears.
     pub(crate) sun_torques: [f64; 2],
+    /// What rounding may have added to efficiency and torques, relative.
+    doubt: f64,
 }
 
 /// A limit as a trial takes it: a value at it is within.
@@ -122,7 +128,17 @@ impl Patch {
             let k = effective(level.k, self.eta0, self.exponents[gear][set]);
             coefficients(self.sets[set], k)
         };
-        Side { ideal: coefficients(self.sets[set], level.k), loaded: [0, 1].map(loaded) }
+        Side { ideal: self.ideal(set, level), loaded: [0, 1].map(loaded) }
+    }
+
+    /// Coefficients of a set without losses, times the teeth of its sun.
+    fn ideal(&self, set: usize, level: &Level) -> Coefficients {
+        let [sun, ring] = level.teeth;
+        let mut found = [0.0; 4];
+        for (role, value) in self.sets[set].into_iter().zip([sun, ring, -(sun + ring)]) {
+            found[role.index()] = value;
+        }
+        found
     }
 
     /// Set 1 at each level, and set 2. They take more memory than all else of a patch, so they are kept while it is
@@ -154,22 +170,26 @@ impl Patch {
         if ratio_error.is_nan() || ratio_error > allowed.ratio_error {
             return None;
         }
-        // Link speeds: D at 1, the braked link at rest, B and the free link.
+        // Link speeds times the numerator of the ratio: D, the braked link at rest, B and the free link.
         let d_b = minor(&one.ideal, &two.ideal, D, B);
-        let mut speeds = [[1.0, 0.0, 0.0, 0.0]; 2];
         let free = [Role::T2.index(), Role::T1.index()];
+        let (mut above, mut speeds) = ([[0.0; 4]; 2], [[1.0, 0.0, 0.0, 0.0]; 2]);
         let mut links = 1.0_f64;
         for gear in 0..2 {
-            let [n, d] = fractions[gear];
-            let over = 1.0 / n;
-            speeds[gear][B] = d * over;
-            speeds[gear][free[gear]] = -d_b * over;
-            links = links.max(speeds[gear][B].abs()).max(speeds[gear][free[gear]].abs());
+            let ([n, d], x) = (fractions[gear], free[gear]);
+            (above[gear][D], above[gear][B], above[gear][x]) = (n, d, -d_b);
+            (speeds[gear][B], speeds[gear][x]) = (d / n, -d_b / n);
+            links = links.max(speeds[gear][B].abs()).max(speeds[gear][x].abs());
         }
         let mut planets = 0.0_f64;
         for (set, [a, _, h]) in self.sets.iter().enumerate() {
-            let relative = |gear: usize| (speeds[gear][a.index()] - speeds[gear][h.index()]).abs();
-            planets = planets.max(relative(0).max(relative(1)) * levels[pair[set]].planet);
+            // The planet's speed over that of the sun, both relative to the carrier: `2/(k − 1)`.
+            let [sun, ring] = levels[pair[set]].teeth;
+            let relative = |gear: usize| {
+                let over = (ring - sun) * fractions[gear][0];
+                ((above[gear][a.index()] - above[gear][h.index()]) * (2.0 * sun) / over).abs()
+            };
+            planets = planets.max(relative(0)).max(relative(1));
         }
         if links > allowed.link_speed || planets > allowed.planet_speed {
             return None;
@@ -182,19 +202,106 @@ impl Patch {
         }
         let mut efficiency = f64::INFINITY;
         let mut sun_torques = [0.0_f64; 2];
+        let mut cancelled = 0.0_f64;
         for gear in 0..2 {
             let (one, two) = (&one.loaded[gear], &two.loaded[gear]);
+            let x = free[gear];
             let [n, d] = fraction(one, two, gear);
             let over = 1.0 / d;
             efficiency = efficiency.min(n * over / ratio[gear]);
-            let x = free[gear];
             sun_torques[0] = sun_torques[0].max((two[x] * over).abs());
             sun_torques[1] = sun_torques[1].max((one[x] * over).abs());
+            let terms = |y: usize| (one[y] * two[x]).abs() + (one[x] * two[y]).abs();
+            cancelled = cancelled.max(terms(B) / n.abs() + terms(D) * over.abs());
         }
         if efficiency < allowed.efficiency {
             return None;
         }
-        Some(Measured { efficiency, speed: links.max(planets), ratio_error, sun_torques })
+        // A loaded k is rounded twice, 1 + k once more; a product of two such and a difference of products make eight
+        // times the rounding of the terms, and five more operations follow.
+        let doubt = ROUNDING * (9.0 * cancelled + 6.0);
+        Some(Measured { efficiency, speed: links.max(planets), ratio_error, sun_torques, doubt })
+    }
+
+    /// Costs of a measured pair of levels with the shares `K_γ/N` of its sets.
+    ///
+    /// Each on the point of its grid where the exact value belongs: of ratios and speeds by construction; of efficiency
+    /// and size by the double, unless rounding may have carried that over half the way to the next point, and then by
+    /// twice the digits.
+    #[inline]
+    pub(crate) fn costs(&self, measured: &Measured, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
+        let cube = measured.cube(0, levels[0], shares[0]).max(measured.cube(1, levels[1], shares[1]));
+        let efficiency = on_grid(-measured.efficiency);
+        let size = on_relative_grid(cube);
+        let distance = on_grid(levels[0].distance.times(levels[1].distance));
+        let mut costs = [efficiency, on_grid(measured.speed), distance, on_grid(measured.ratio_error), size];
+        // Of `k³·(1 + 1/r)/min(1, r)`, `r = (k − 1)/2`: twice what `k − 1` loses of `k`, and the operations.
+        let of_k = |level: &Level| level.k / (level.k - 1.0);
+        let doubt = measured.doubt + ROUNDING * (16.0 + 3.0 * of_k(levels[0]).max(of_k(levels[1])));
+        let half = relative_step(cube) / 2.0;
+        if (efficiency + measured.efficiency).abs() + measured.doubt >= GRID_STEP / 2.0 {
+            costs[0] = nearest(-self.exact_efficiency(levels), efficiency, GRID_STEP);
+        }
+        if (size - cube).abs() + doubt * cube >= half {
+            costs[4] = nearest(self.exact_cube(levels, shares), size, 2.0 * half);
+        }
+        costs
+    }
+
+    /// Numerator and denominator of the ratio with losses in a gear, and the coefficients of both sets at its free link;
+    /// a set's coefficients times the teeth of its sun, and times `η₀` where it divides.
+    fn exact_parts(&self, levels: [&Level; 2], gear: usize) -> ([Double; 2], [Double; 2]) {
+        let eta0 = Double::from(self.eta0);
+        let x = [Role::T2.index(), Role::T1.index()][gear];
+        let loaded = [0, 1].map(|set| {
+            let [sun, ring] = levels[set].teeth.map(Double::from);
+            let [sun, ring] = match self.exponents[gear][set] {
+                1 => [sun, ring * eta0],
+                -1 => [sun * eta0, ring],
+                _ => [sun, ring],
+            };
+            let mut found = [Double::from(0.0); 4];
+            for (role, value) in self.sets[set].into_iter().zip([sun, ring, -(sun + ring)]) {
+                found[role.index()] = value;
+            }
+            found
+        });
+        let [one, two] = &loaded;
+        let minor = |y: usize| one[y] * two[x] - one[x] * two[y];
+        ([-minor(Role::B.index()), minor(Role::D.index())], [one[x], two[x]])
+    }
+
+    /// The least efficiency, to twice the digits.
+    #[cold]
+    fn exact_efficiency(&self, levels: [&Level; 2]) -> Double {
+        let [one, two] = [0, 1].map(|set| self.ideal(set, levels[set]));
+        let of = |gear: usize| {
+            let ([n, d], _) = self.exact_parts(levels, gear);
+            let [ideal_n, ideal_d] = fraction(&one, &two, gear).map(Double::from);
+            n * ideal_d / (d * ideal_n)
+        };
+        of(0).min(of(1))
+    }
+
+    /// The cube of the relative ring diameter, to twice the digits.
+    #[cold]
+    fn exact_cube(&self, levels: [&Level; 2], shares: [f64; 2]) -> Double {
+        let parts = [0, 1].map(|gear| self.exact_parts(levels, gear));
+        let cube = |set: usize| {
+            let [sun, ring] = levels[set].teeth.map(Double::from);
+            // On the sun: its coefficient, times the other set's at the free link.
+            let torque = |gear: usize| {
+                let ([_, d], free) = parts[gear];
+                let of_sun =
+                    if self.exponents[gear][set] == -1 { sun * Double::from(self.eta0) } else { sun };
+                (of_sun * free[1 - set] / d).abs()
+            };
+            let (one, k) = (Double::from(1.0), ring / sun);
+            let r = (k - one) / Double::from(2.0);
+            let of_k = k * k * k * (one + one / r) / r.min(one);
+            of_k * torque(0).max(torque(1)) * Double::from(shares[set])
+        };
+        cube(0).max(cube(1))
     }
 
     #[cold]
@@ -210,18 +317,29 @@ impl Patch {
 }
 
 impl Measured {
-    /// Costs of a pair of levels with the shares `K_γ/N` of its sets.
-    #[inline]
-    pub(crate) fn costs(&self, levels: [&Level; 2], shares: [f64; 2]) -> Costs {
-        let cube = |set: usize| levels[set].cube * self.sun_torques[set] * shares[set];
-        let distance = levels[0].distance + levels[1].distance;
-        [-self.efficiency, self.speed, distance, self.ratio_error, cube(0).max(cube(1))].map(on_grid)
-    }
-
     /// Cube of the relative ring diameter of a set.
     #[inline]
     pub(crate) fn cube(&self, set: usize, level: &Level, share: f64) -> f64 {
         level.cube * self.sun_torques[set] * share
+    }
+}
+
+/// Distance of two numbers of 40 bits near a value.
+#[inline]
+fn relative_step(value: f64) -> f64 {
+    f64::from_bits(value.to_bits() & f64::INFINITY.to_bits()) * RELATIVE_STEP
+}
+
+/// The point of a grid nearest to a value, from a point next to it; the upper of two equally near.
+fn nearest(value: Double, point: f64, step: f64) -> f64 {
+    let off = ((value - Double::from(point)) / Double::from(step)).high;
+    let half = 0.5 - TIE;
+    if off >= half {
+        point + step
+    } else if off < -0.5 - TIE {
+        point - step
+    } else {
+        point
     }
 }
 

@@ -255,7 +255,7 @@ fn sets(sets: &[Set]) -> Records {
     let row = |set: &Set| {
         vec![
             text(&set.set),
-            Figure::Answer(set.kind.name(), kind_in_words(set.kind)),
+            Figure::choice(set.kind, kind_in_words(set.kind)),
             multiple(set.basic_ratio),
             exact(set.exact_ratio),
             multiple(set.efficiency),
@@ -305,7 +305,7 @@ fn runs(direction: RollingPower) -> Figure {
         RollingPower::FirstToSecond => "first to second",
         RollingPower::SecondToFirst => "second to first",
     };
-    Figure::Answer(direction.name(), words)
+    Figure::choice(direction, words)
 }
 
 fn kind_in_words(kind: Kind) -> &'static str {

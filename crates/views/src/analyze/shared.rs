@@ -46,31 +46,34 @@ pub(super) fn state(state: State) -> Figure {
         State::TorquesIndeterminate => "torques indeterminate",
         State::SelfLocking => "self-locking",
     };
-    Figure::Answer(state.name(), words)
+    Figure::choice(state, words)
 }
 
 pub(super) fn self_locking(direction: Option<SelfLocking>) -> Figure {
-    match direction {
-        None => Figure::None,
-        Some(SelfLocking::No) => Figure::Answer("no", "no"),
-        Some(SelfLocking::FromOutput) => Figure::Answer("from_output", "from output"),
-        Some(SelfLocking::FromInput) => Figure::Answer("from_input", "from input"),
-        Some(SelfLocking::BothWays) => Figure::Answer("both_ways", "both ways"),
-    }
+    direction.map_or(Figure::None, |direction| {
+        let words = match direction {
+            SelfLocking::No => "no",
+            SelfLocking::FromOutput => "from output",
+            SelfLocking::FromInput => "from input",
+            SelfLocking::BothWays => "both ways",
+        };
+        Figure::choice(direction, words)
+    })
 }
 
 pub(super) fn kind(kind: ShiftElementKind) -> Figure {
-    match kind {
-        ShiftElementKind::Brake => Figure::Answer("brake", "brake"),
-        ShiftElementKind::Clutch => Figure::Answer("clutch", "clutch"),
-        ShiftElementKind::OneWayBrake => Figure::Answer("one_way_brake", "one-way brake"),
-        ShiftElementKind::OneWayClutch => Figure::Answer("one_way_clutch", "one-way clutch"),
-    }
+    let words = match kind {
+        ShiftElementKind::Brake => "brake",
+        ShiftElementKind::Clutch => "clutch",
+        ShiftElementKind::OneWayBrake => "one-way brake",
+        ShiftElementKind::OneWayClutch => "one-way clutch",
+    };
+    Figure::choice(kind, words)
 }
 
 /// Whether a shift element is engaged.
 pub(super) fn engaged(is_engaged: bool) -> Figure {
-    if is_engaged { Figure::Answer("true", "engaged") } else { Figure::Answer("false", "open") }
+    if is_engaged { Figure::answer("true", "engaged") } else { Figure::answer("false", "open") }
 }
 
 /// The links that a shift element joins.
@@ -79,15 +82,16 @@ pub(super) fn joins(links: &[String; 2]) -> Figure {
 }
 
 fn duty(duty: Option<Duty>) -> Figure {
-    let words = match duty {
-        None => return Figure::None,
-        Some(Duty::Holds) => "holds",
-        Some(Duty::Overruns) => "overruns",
-        Some(Duty::Idles) => "idles",
-        Some(Duty::WouldOverrun) => "would overrun",
-        Some(Duty::WouldHold) => "would hold",
-    };
-    Figure::Answer(duty.map_or("", Duty::name), words)
+    duty.map_or(Figure::None, |duty| {
+        let words = match duty {
+            Duty::Holds => "holds",
+            Duty::Overruns => "overruns",
+            Duty::Idles => "idles",
+            Duty::WouldOverrun => "would overrun",
+            Duty::WouldHold => "would hold",
+        };
+        Figure::choice(duty, words)
+    })
 }
 
 /// What the one-way clutches do, in all gears or in one.

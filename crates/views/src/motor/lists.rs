@@ -15,9 +15,9 @@ fn headed(name: &'static str, heading: &str, dimension: Dimension) -> Column {
 
 fn verdict(verdict: Verdict) -> Figure {
     match verdict {
-        Verdict::Holds => Figure::Answer("holds", "holds"),
-        Verdict::Near => Figure::Answer("near", "near"),
-        Verdict::Fails => Figure::Answer("fails", "FAILS"),
+        Verdict::Holds => Figure::answer("holds", "holds"),
+        Verdict::Near => Figure::answer("near", "near"),
+        Verdict::Fails => Figure::answer("fails", "FAILS"),
     }
 }
 
@@ -36,7 +36,7 @@ pub(crate) const fn subject(subject: Subject) -> &'static str {
 pub(super) fn checks(motor: &Motor) -> Records {
     let rows = motor.checks.iter().map(|check| {
         vec![
-            Figure::Answer(subject(check.check), check.check.words()),
+            Figure::answer(subject(check.check), check.check.words()),
             column(Length, Some(check.value_m)),
             column(Length, Some(check.limit_m)),
             verdict(check.verdict),
@@ -83,10 +83,10 @@ pub(super) fn limits(limits: &[ToothLimit]) -> Records {
     };
     let rows = limits.iter().map(|limit| {
         vec![
-            Figure::Answer(wheel(limit.wheel), limit.wheel.words()),
-            Figure::Answer(kind(limit.limit), limit.limit.words()),
+            Figure::answer(wheel(limit.wheel), limit.wheel.words()),
+            Figure::answer(kind(limit.limit), limit.limit.words()),
             column(Length, Some(limit.value_m)),
-            Figure::Answer(side(limit.side), limit.side.words()),
+            Figure::answer(side(limit.side), limit.side.words()),
             column(Length, Some(limit.bound_m)),
             verdict(limit.verdict),
             column(Length, limit.at_arc_m),
@@ -121,14 +121,14 @@ pub(super) fn clearances(clearances: &[Clearance]) -> Records {
     };
     let part = |part| match part {
         None => Figure::None,
-        Some(ToothPart::Tip) => Figure::Answer("tip", "tip"),
-        Some(ToothPart::Flank) => Figure::Answer("flank", "flank"),
-        Some(ToothPart::Fillet) => Figure::Answer("fillet", "fillet"),
-        Some(ToothPart::Root) => Figure::Answer("root", "root"),
+        Some(ToothPart::Tip) => Figure::answer("tip", "tip"),
+        Some(ToothPart::Flank) => Figure::answer("flank", "flank"),
+        Some(ToothPart::Fillet) => Figure::answer("fillet", "fillet"),
+        Some(ToothPart::Root) => Figure::answer("root", "root"),
     };
     let rows = clearances.iter().map(|clearance| {
         vec![
-            Figure::Answer(between(clearance.between), clearance.between.words()),
+            Figure::answer(between(clearance.between), clearance.between.words()),
             column(Length, Some(clearance.clearance_m)),
             Figure::Multiple(clearance.clearance_in_modules),
             part(clearance.part),
@@ -162,9 +162,9 @@ pub(super) fn clearances(clearances: &[Clearance]) -> Records {
 
 pub(super) fn chambers(motor: &Motor) -> Records {
     let state = |state| match state {
-        ChamberState::Filling => Figure::Answer("filling", "fills, high pressure"),
-        ChamberState::Emptying => Figure::Answer("emptying", "empties, low pressure"),
-        ChamberState::ChangingOver => Figure::Answer("changing_over", "changes over"),
+        ChamberState::Filling => Figure::answer("filling", "fills, high pressure"),
+        ChamberState::Emptying => Figure::answer("emptying", "empties, low pressure"),
+        ChamberState::ChangingOver => Figure::answer("changing_over", "changes over"),
     };
     let rows = motor.chambers.iter().map(|chamber| {
         vec![

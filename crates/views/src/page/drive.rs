@@ -4,16 +4,18 @@ use super::sheet::{Block, Section, Sheet};
 use crate::units::rpm;
 use crate::{AsReport as _, Error};
 use epicyclic_answers::drive::{Drive, Gear};
+use epicyclic_answers::report::drive::DriveReport;
 use epicyclic_formats::Physical as _;
 use epicyclic_pictures::gear_set::{Circles, GearSet};
 use epicyclic_pictures::plot::{Curve, Plot};
 use uom::si::f64::{Angle, Length};
 
-/// Input, drawing, results, plots of a drive; `text` is its file.
+/// Input, drawing, results, plots of a drive; `file` is its file as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a drive too large for a drawing.
-pub fn sheet(drive: &Drive, text: String) -> Result<Sheet, Error> {
+pub fn sheet(report: &DriveReport, file: String) -> Result<Sheet, Error> {
+    let drive = &report.drive;
     let picture =
         |scene: Result<_, epicyclic_drawing::Error>| scene.map_err(|error| Error::Picture(error.into()));
     let angles: Vec<Angle> =
@@ -33,7 +35,7 @@ pub fn sheet(drive: &Drive, text: String) -> Result<Sheet, Error> {
         angles: &angles,
     };
     let mut plots = vec![Block::picture(
-        picture(efficiency_over_ratio(drive).scene())?,
+        picture(efficiency_over_ratio(report).scene())?,
         "Efficiency of such a drive over its ratio, the meshes' efficiencies as given; the mark is this drive.",
     )];
     if let Some(start) = start(drive) {
@@ -50,7 +52,7 @@ pub fn sheet(drive: &Drive, text: String) -> Result<Sheet, Error> {
         title: drive.title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
         about,
         sections: vec![
-            Section::new("Input", vec![Block::File(text)]),
+            Section::new("Input", vec![Block::File(file)]),
             Section::new(
                 "Drawing",
                 vec![Block::picture(
@@ -87,14 +89,11 @@ pub fn sheet(drive: &Drive, text: String) -> Result<Sheet, Error> {
     })
 }
 
-/// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
-fn efficiency_over_ratio(drive: &Drive) -> Plot {
-    let basic = drive.efficiencies.basic;
-    let most = (1.5 * drive.tooth_numbers.ratio).max(10.0);
-    let points = (0..=100).map(|i| 2.2 + (most - 2.2) * f64::from(i) / 100.0);
-    let points = points.map(|ratio| [ratio, (1.0 + (ratio - 1.0) * basic) / ratio]).collect();
+fn efficiency_over_ratio(report: &DriveReport) -> Plot {
+    let (drive, over) = (&report.drive, &report.efficiency_over_ratio);
+    let points = over.ratios.iter().zip(&over.efficiencies).map(|(ratio, efficiency)| [*ratio, *efficiency]);
     Plot::new("Efficiency over ratio", "ratio U", "efficiency η")
-        .with(Curve::new(format!("η₀ = {basic:.4}"), points))
+        .with(Curve::new(format!("η₀ = {:.4}", drive.efficiencies.basic), points.collect()))
         .mark("this drive", drive.tooth_numbers.ratio)
 }
 

@@ -3,22 +3,18 @@
 use super::sheet::{Block, Section, Sheet};
 use crate::{AsReport as _, Error};
 use epicyclic_answers::motor::{Designed, Motor, OverAngle};
+use epicyclic_answers::report::motor::MotorReport;
 use epicyclic_drawing::Scene;
 use epicyclic_formats::Dimension;
 use epicyclic_pictures::motor;
 use epicyclic_pictures::plot::{Curve, Plot};
 
-/// Input, drawings, results, plots of a hydromotor; `text` is its file.
+/// Input, drawings, results, plots of a hydromotor; `file` is its file as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a motor too large for a drawing.
-pub fn sheet(
-    title: Option<String>,
-    designed: &Designed,
-    answer: &Motor,
-    over_angle: &OverAngle,
-    text: String,
-) -> Result<Sheet, Error> {
+pub fn sheet(report: &MotorReport, designed: &Designed, file: String) -> Result<Sheet, Error> {
+    let MotorReport { title, motor: answer, over_angle } = report;
     let Designed { motor, profile, angle, .. } = designed;
     let angle = *angle;
     let about = crate::motor::title(&answer.numbers);
@@ -54,10 +50,10 @@ pub fn sheet(
          closure, the exact rotor, working data, teeth.",
     ];
     Ok(Sheet {
-        title: title.unwrap_or_else(|| about.clone()),
+        title: title.clone().unwrap_or_else(|| about.clone()),
         about,
         sections: vec![
-            Section::new("Input", vec![Block::File(text)]),
+            Section::new("Input", vec![Block::File(file)]),
             Section::new("Drawings", drawings),
             Section::new("Results and checks", vec![Block::Answer(answer.report())]),
             Section::new("Plots", plots),

@@ -64,24 +64,32 @@ impl Block {
 }
 
 /// Rules of the page: black on white, tables and pictures whole on a printed page.
+///
+/// Pictures are drawn 1.4 times as large as on paper, so that the letters of all are of one size, but no wider than the page. On a
+/// narrow screen they would be too small to read that way: there they scroll sideways within the page, as wide tables do.
 const STYLE: &str = "\
 :root { font: 15px/1.45 Arial, Helvetica, 'Liberation Sans', sans-serif; color: #111; background: #fff; }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.7rem; margin: 0; } h2 { font-size: 1.25rem; border-bottom: 1px solid #999; margin-top: 2.2rem; }
 h3 { font-size: 1rem; margin: 1.2rem 0 .3rem; } .about, .fine, .note, figcaption, footer { color: #555; }
-nav ul { columns: 3; padding-left: 1.1rem; } a { color: #00508c; }
+nav ul { columns: 3 10rem; padding-left: 1.1rem; } a { color: #00508c; } h1, li { overflow-wrap: anywhere; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-section.table { overflow-x: auto; }
+.table { overflow-x: auto; }
 th, td { padding: .12rem .7rem .12rem 0; text-align: left; vertical-align: top; } thead th { border-bottom: 1px solid #999; }
 tbody tr:nth-child(even) { background: #f4f5f7; } .number { text-align: right; }
-figure { margin: 1rem 0; } figure svg { width: 100%; max-height: 34rem; } pre { overflow-x: auto; font-size: .85rem; }
+figure { margin: 1rem 0; } figure svg { width: min(100%, calc(1.4mm * var(--width))); max-height: 60rem; }
+pre { overflow-x: auto; font-size: .85rem; }
 pre.file { background: #f4f5f7; padding: .6rem; } ul.warnings li { color: #8a2c00; }
 .note { max-width: 45rem; margin: .3rem 0; font-size: .9rem; } footer { margin-top: 3rem; font-size: .85rem; }
+@media screen and (max-width: 45rem) {
+  figure { overflow-x: auto; } figcaption { position: sticky; left: 0; }
+  figure svg { width: max(100%, min(calc(1mm * var(--width)), 44rem)); max-height: none; }
+}
 @page { margin: 18mm 15mm; }
 @media print {
   :root { font-size: 10pt; } body { max-width: none; margin: 0; padding: 0; } nav { display: none; }
-  section.table, figure { break-inside: avoid; } h2, h3 { break-after: avoid; } a { color: inherit; text-decoration: none; }
-  figure svg { max-height: 10cm; } pre { white-space: pre-wrap; } pre:not(.file) { break-inside: avoid; }
+  .table, figure { break-inside: avoid; } h2, h3 { break-after: avoid; } a { color: inherit; text-decoration: none; }
+  figure svg { max-height: 15cm; } pre { white-space: pre-wrap; } pre:not(.file) { break-inside: avoid; }
 }";
 
 impl Sheet {
@@ -157,7 +165,8 @@ impl Block {
             Self::Answer(report) => report.html(),
             Self::Picture { scene, caption } => {
                 let image = svg::embed(scene).map_err(epicyclic_pictures::Error::from)?;
-                html! { figure { (PreEscaped(image)) figcaption { (caption) } } }
+                let width_mm = scene.bounds().grown(svg::MARGIN_MM).width().ceil();
+                html! { figure style=(format!("--width: {width_mm}")) { (PreEscaped(image)) figcaption { (caption) } } }
             }
             Self::Words(words) => html! { p { (words) } },
             Self::List(points) => html! { ul { @for point in points { li { (point) } } } },

@@ -41,10 +41,10 @@ impl Text {
             @for paragraph in &self.paragraphs { p { (paragraph) } }
             @if !self.points.is_empty() { ul { @for point in &self.points { li { (point) } } } }
             @if let Some((header, rows)) = table {
-                table {
+                div.table { table {
                     thead { tr { @for title in header { th { (title) } } } }
                     tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
-                }
+                } }
             }
         }
     }

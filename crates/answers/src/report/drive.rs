@@ -1,0 +1,54 @@
+//! The chapters of a planetary drive.
+
+use crate::drive::Drive;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Places of the curve over the ratio, less one.
+const STEPS: u32 = 100;
+/// Where that curve begins.
+const LEAST_RATIO: f64 = 2.2;
+/// Where it ends at the earliest, and over the drive's own ratio.
+const GREATEST_RATIO: [f64; 2] = [10.0, 1.5];
+
+/// A planetary drive, and what another ratio would change.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct DriveReport {
+    /// The drive.
+    pub drive: Drive,
+    /// Its efficiency if its ratio were another, the efficiencies of its meshes the same.
+    pub efficiency_over_ratio: EfficiencyOverRatio,
+}
+
+/// Efficiencies of drives over their ratios.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct EfficiencyOverRatio {
+    /// Ratios, sun to carrier with the ring fixed.
+    pub ratios: Vec<f64>,
+    /// The efficiency at each.
+    pub efficiencies: Vec<f64>,
+}
+
+impl DriveReport {
+    /// The chapters of a drive.
+    #[must_use]
+    pub fn of(drive: Drive) -> Self {
+        let efficiency_over_ratio = EfficiencyOverRatio::of(&drive);
+        Self { drive, efficiency_over_ratio }
+    }
+}
+
+impl EfficiencyOverRatio {
+    /// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
+    fn of(drive: &Drive) -> Self {
+        let basic = drive.efficiencies.basic;
+        let [greatest, over_own] = GREATEST_RATIO;
+        let greatest = (over_own * drive.tooth_numbers.ratio).max(greatest);
+        let ratio = |i| LEAST_RATIO + (greatest - LEAST_RATIO) * f64::from(i) / f64::from(STEPS);
+        let ratios: Vec<f64> = (0..=STEPS).map(ratio).collect();
+        let efficiencies = ratios.iter().map(|ratio| (1.0 + (ratio - 1.0) * basic) / ratio).collect();
+        Self { ratios, efficiencies }
+    }
+}

@@ -1,0 +1,166 @@
+//! The chapters of a gearbox: all gears, each gear in full, and what another `k` would change.
+
+use crate::Error;
+use crate::analyze::gear::OneGear;
+use crate::analyze::overview::Overview;
+use crate::analyze::{Input, analysis, gear, moving, overview};
+use crate::drawability::Conflict;
+use crate::gearbox::Subject;
+use crate::number::plain;
+use epicyclic_layout::{self as layout, Layout, Verdict};
+use epicyclic_train::set::{Gearing, SetKind, SetSpec};
+use epicyclic_train::{Analysis, Gearbox, PlanetSet};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Places in a range of `k`, at most and at least.
+const PLACES: [u32; 2] = [60, 12];
+/// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes seconds.
+const ANALYSES: usize = 6000;
+/// The `k` usual for a set with one sun, one ring and one kind of planet.
+const USUAL_K: [f64; 2] = [1.5, 4.5];
+/// The range of `k` of other sets over their own.
+const OVER_OWN_K: [f64; 2] = [0.6, 1.6];
+
+/// A gearbox: all gears, each gear in full, and what another `k` would change.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearboxReport {
+    /// Names of its planet sets.
+    pub sets: Vec<String>,
+    /// All gears.
+    pub overview: Overview,
+    /// Each gear in full, in their order.
+    pub gears: Vec<OneGear>,
+    /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
+    pub conflict: Option<Conflict>,
+    /// What changes with the `k` of one set while the others stay as they are. Sets with more than two central gears, which have no one
+    /// `k`, and pairs on fixed axes are left out.
+    pub over_k: Vec<OverK>,
+}
+
+/// The gears of a gearbox over the `k` of one set.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OverK {
+    /// The set.
+    pub set: String,
+    /// Its own `k`: the magnitude of its basic ratio.
+    pub own_k: f64,
+    /// Whether it loses power.
+    pub has_losses: bool,
+    /// Values of its `k`.
+    pub k: Vec<f64>,
+    /// What each gear does at each `k`.
+    pub gears: Vec<GearOverK>,
+}
+
+/// A gear over the `k` of one set; `null` where nothing follows.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearOverK {
+    /// The gear.
+    pub gear: String,
+    /// Ratio at each `k`, input speed over output speed.
+    pub ratios: Vec<Option<f64>>,
+    /// Efficiency at each `k`, driven from the input; `null` where the mesh losses hold the gear too.
+    pub efficiencies: Vec<Option<f64>>,
+    /// Speed of the set's fastest planet relative to its carrier at each `k`.
+    pub planet_speeds_of_input: Vec<Option<f64>>,
+}
+
+/// The results that a page draws.
+#[derive(Debug)]
+pub struct Shown<'g> {
+    /// The gearbox.
+    pub gearbox: &'g Gearbox,
+    /// Its gears.
+    pub gears: Vec<Analysis<'g>>,
+    /// Its layout, if it is drawable.
+    pub layout: Option<Box<Layout>>,
+}
+
+/// The chapters of a gearbox with the input as asked, and the results that their pictures show.
+///
+/// # Errors
+/// Those of [`overview::answer`] and [`gear::answer`].
+pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxReport, Shown<'g>), Error> {
+    let gearbox = &subject.gearbox;
+    let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
+    let (layout, conflict) = match layout::draw(gearbox, layout::Options::default()) {
+        Verdict::Drawable(layout) => (Some(layout), None),
+        Verdict::SelfCrossing(witness) => (None, Some(Conflict::of(gearbox, &witness))),
+    };
+    let report = GearboxReport {
+        sets: gearbox.sets().iter().map(|set| set.id().to_owned()).collect(),
+        overview: overview::answer(subject, input)?,
+        gears: names().map(|gear| gear::answer(subject, gear, input)).collect::<Result<_, Error>>()?,
+        conflict,
+        over_k: over_k(gearbox),
+    };
+    let gears = names().map(|gear| analysis(gearbox, gear)).collect::<Result<_, Error>>()?;
+    Ok((report, Shown { gearbox, gears, layout }))
+}
+
+fn over_k(gearbox: &Gearbox) -> Vec<OverK> {
+    let of_set = |(place, set): (usize, &PlanetSet)| {
+        let kind = set.kind().filter(|_| !set.is_pair())?;
+        let own_k = set.basic_ratio().get().abs();
+        let k = values(gearbox, range(kind, own_k));
+        let others: Vec<Option<Gearbox>> = k.iter().map(|k| with_k(gearbox, place, *k)).collect();
+        let gears = gearbox.gears().iter().map(|gear| GearOverK::of(&others, gear.name(), place)).collect();
+        Some(OverK { set: set.id().to_owned(), own_k, has_losses: set.has_losses(), k, gears })
+    };
+    gearbox.sets().iter().enumerate().filter_map(of_set).collect()
+}
+
+impl GearOverK {
+    fn of(gearboxes: &[Option<Gearbox>], gear: &str, set: usize) -> Self {
+        let mut over = Self {
+            gear: gear.to_owned(),
+            ratios: vec![],
+            efficiencies: vec![],
+            planet_speeds_of_input: vec![],
+        };
+        for gearbox in gearboxes {
+            let analysis = gearbox.as_ref().and_then(|gearbox| gearbox.analyze(gear).ok());
+            let analysis = analysis.as_ref();
+            over.ratios.push(analysis.and_then(Analysis::ratio).map(plain));
+            over.efficiencies.push(moving(analysis.and_then(Analysis::efficiency)));
+            let fastest = analysis.and_then(|analysis| {
+                let planets = analysis.sets().get(set)?.planets.iter().flatten();
+                planets.map(|planet| planet.relative.abs()).reduce(f64::max)
+            });
+            over.planet_speeds_of_input.push(fastest);
+        }
+        over
+    }
+}
+
+/// The `k` to look at: those usual for a set with sun and ring, and its own.
+fn range(kind: SetKind, k: f64) -> [f64; 2] {
+    match kind {
+        SetKind::Simple => [k.min(USUAL_K[0]), k.max(USUAL_K[1])],
+        _ => OVER_OWN_K.map(|part| part * k),
+    }
+}
+
+fn values(gearbox: &Gearbox, [low, high]: [f64; 2]) -> Vec<f64> {
+    let [most, fewest] = PLACES;
+    let each = ANALYSES / (gearbox.sets().len() * gearbox.gears().len()).max(1);
+    let places = u32::try_from(each).unwrap_or(most).clamp(fewest, most);
+    (0..=places).map(|i| low + (high - low) * f64::from(i) / f64::from(places)).collect()
+}
+
+/// The gearbox with another `k` of one set; `None` where that is no set.
+fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
+    let id = gearbox.sets()[set].id();
+    let change = |spec: SetSpec| {
+        if spec.id == id {
+            SetSpec { gearing: Gearing::BasicRatio(k), planet: None, second_planet: None, ..spec }
+        } else {
+            spec
+        }
+    };
+    gearbox.to_builder().map_sets(change).build().ok()
+}

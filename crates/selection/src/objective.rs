@@ -1,0 +1,41 @@
+//! The objectives by name.
+
+use std::fmt;
+
+/// One objective.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Objective {
+    /// The least efficiency over the braked gears.
+    Efficiency,
+    /// The largest speed of links, and of planets relative to their carriers.
+    Speed,
+    /// Σ distance of ln k from the preferred range.
+    RingToSun,
+    /// The largest relative error of a ratio.
+    RatioError,
+    /// The largest ring.
+    Size,
+}
+
+impl Objective {
+    /// All of them, in the order of [`Order::default`](crate::Order::default).
+    pub const ALL: [Self; 5] = [Self::Efficiency, Self::Speed, Self::RingToSun, Self::RatioError, Self::Size];
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Efficiency => "efficiency",
+            Self::Speed => "speed",
+            Self::RingToSun => "k",
+            Self::RatioError => "error",
+            Self::Size => "size",
+        }
+    }
+}
+
+impl fmt::Display for Objective {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}

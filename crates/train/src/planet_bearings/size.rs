@@ -1,0 +1,125 @@
+//! What is known of the size of a set, as far as its planet bearings ask for it.
+
+use crate::planet_set::PlanetSet;
+use crate::units::{degrees, in_metres, kg_per_m3, kilograms};
+use epicyclic_gears::life::{self, Rolling};
+use epicyclic_gears::planet_bearing;
+use epicyclic_gears::{Error, Quantity};
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity};
+
+/// What is known of the size of a set. What is said of all planets or meshes stands for each that says nothing
+/// itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SetSize {
+    /// Module `m` of the meshes.
+    pub module: Option<Length>,
+    /// Radius `R` of the planets' centres, of a set with one planet; goes before that of module and teeth. Where
+    /// planets differ, each has its own: [`PlanetSize::carrier_radius`].
+    pub carrier_radius: Option<Length>,
+    /// Face width of a planet with one gear.
+    pub face_width: Option<Length>,
+    /// Bore of a planet; a solid planet where it is left out.
+    pub planet_bore: Option<Length>,
+    /// Mass of a planet with what turns about its planet pin; goes before that of its shape.
+    pub planet_mass: Option<Mass>,
+    /// Basic dynamic load rating of the bearings of one planet together, and what rolls in them.
+    pub bearing: Option<(Force, Rolling)>,
+    /// Density of the planets.
+    pub density: MassDensity,
+    /// Working pressure angle `α`.
+    pub pressure_angle: Angle,
+    /// What single planets have of their own, in the order of [`PlanetSet::planets`]; those at the end may be left
+    /// out.
+    pub planets: Vec<PlanetSize>,
+    /// What single meshes have of their own, in the order of [`PlanetSet::meshes`]; those at the end may be left out.
+    pub meshes: Vec<MeshSize>,
+}
+
+/// What is known of one planet.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PlanetSize {
+    /// Radius `R` of its centre; goes before that of module and teeth.
+    pub carrier_radius: Option<Length>,
+    /// Face width of each of its gears, in the order of [`Planet::gears`](crate::planet_set::Planet::gears).
+    pub face_widths: Vec<Option<Length>>,
+    /// Its bore.
+    pub bore: Option<Length>,
+    /// Its mass with what turns about its planet pin.
+    pub mass: Option<Mass>,
+    /// Basic dynamic load rating of its bearings together, and what rolls in them.
+    pub bearing: Option<(Force, Rolling)>,
+}
+
+/// What is known of one mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MeshSize {
+    /// Its module, which the other meshes of its two gears have too.
+    pub module: Option<Length>,
+    /// Of a mesh of two planets: the one described later stands behind the other, not ahead in the positive direction
+    /// of rotation.
+    pub is_behind: bool,
+}
+
+impl Default for SetSize {
+    /// Nothing but steel of 7850 kg/m³ and 20°.
+    fn default() -> Self {
+        Self {
+            module: None,
+            carrier_radius: None,
+            face_width: None,
+            planet_bore: None,
+            planet_mass: None,
+            bearing: None,
+            density: kg_per_m3(7850.0),
+            pressure_angle: degrees(20.0),
+            planets: vec![],
+            meshes: vec![],
+        }
+    }
+}
+
+impl SetSize {
+    pub(super) fn check(&self, set: &PlanetSet) -> Result<(), Error> {
+        let most = |quantity, given: usize, most: usize| {
+            if given <= most {
+                return Ok(());
+            }
+            Err(Error::OutOfRange { quantity, value: given as f64, low: 0.0, high: most as f64, unit: "" })
+        };
+        most(Quantity::SizedPlanets, self.planets.len(), set.planets().len())?;
+        most(Quantity::SizedMeshes, self.meshes.len(), set.meshes().len())?;
+        let mut lengths = vec![
+            (Quantity::Module, self.module),
+            (Quantity::CarrierRadius, self.carrier_radius),
+            (Quantity::FaceWidth, self.face_width),
+            (Quantity::PlanetBore, self.planet_bore),
+        ];
+        lengths.extend(self.meshes.iter().map(|mesh| (Quantity::Module, mesh.module)));
+        for (own, planet) in self.planets.iter().zip(set.planets()) {
+            most(Quantity::SizedFaceWidths, own.face_widths.len(), planet.gears.len())?;
+            lengths.push((Quantity::CarrierRadius, own.carrier_radius));
+            lengths.push((Quantity::PlanetBore, own.bore));
+            lengths.extend(own.face_widths.iter().map(|width| (Quantity::FaceWidth, *width)));
+        }
+        for (quantity, length) in lengths {
+            if let Some(value_m) = length.map(in_metres)
+                && !(value_m > 0.0 && value_m.is_finite())
+            {
+                return Err(Error::NotPositive { quantity, value: value_m * 1e3, unit: "mm" });
+            }
+        }
+        for mass in self.planets.iter().map(|own| own.mass).chain([self.planet_mass]).flatten() {
+            let value = kilograms(mass);
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Error::NotPositive { quantity: Quantity::PlanetMass, value, unit: "kg" });
+            }
+        }
+        for (load_rating, _) in self.planets.iter().map(|own| own.bearing).chain([self.bearing]).flatten() {
+            // The load rating's own limits.
+            life::basic_rating_life(Rolling::Balls, load_rating, load_rating, AngularVelocity::default())?;
+        }
+        // The angle's own limits.
+        planet_bearing::radial_force(&[], 1, self.pressure_angle)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,201 @@
+//! What does not fit in the teeth of a set, and how it is said.
+
+use std::fmt;
+
+/// A gear with its teeth, by name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NamedGear {
+    /// What it is called: `sun`, `planet long.2`.
+    pub name: String,
+    /// Its teeth.
+    pub teeth: u32,
+}
+
+/// Something about the teeth of a set that does not fit without profile shift, or needs a choice.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum ToothWarning {
+    /// A simple set without planet teeth, whose sun and ring leave its planets none that are whole.
+    HalfTooth {
+        /// The set.
+        set: String,
+        /// Teeth of the sun, `z_a`.
+        sun: u32,
+        /// Teeth of the ring, `z_b`.
+        ring: u32,
+    },
+    /// A ring with no more teeth than the planet in it.
+    RingTooSmall {
+        /// The set.
+        set: String,
+        /// The ring.
+        ring: NamedGear,
+        /// The planet's gear.
+        planet: NamedGear,
+    },
+    /// Two central gears that ask one gear of a planet for different radii.
+    UnequalCentreDistances {
+        /// The set.
+        set: String,
+        /// The planet's gear.
+        planet: NamedGear,
+        /// The central gears.
+        centrals: [NamedGear; 2],
+        /// Centre distance to each, `R/m`, in modules.
+        distances: [f64; 2],
+    },
+    /// Two planets in mesh that cannot stand at their radii.
+    NoTriangle {
+        /// The set.
+        set: String,
+        /// The planets.
+        planets: [String; 2],
+        /// Radii of their centres, in modules of their mesh.
+        radii: [f64; 2],
+        /// Distance of their centres, in modules.
+        distance: f64,
+    },
+    /// Planets that overlap their neighbours.
+    PlanetsOverlap {
+        /// The set.
+        set: String,
+        /// The gears that overlap: of one kind of planet, or of two.
+        gears: [String; 2],
+        /// How many of each there are.
+        planets: u32,
+        /// By how much the tip circles overlap, in modules; 0 where they touch.
+        overlap: f64,
+        /// The largest number of each that clears; `None` where not even two do.
+        most: Option<u32>,
+    },
+    /// Planets at equal angles that cannot be assembled.
+    Assembly {
+        /// The set.
+        set: String,
+        /// How many of each there are.
+        planets: u32,
+        /// What their number must divide, `G`.
+        slots: u64,
+        /// The next smaller number that assembles, from 2 on.
+        fewer: Option<u32>,
+        /// The next larger number that assembles and clears.
+        more: Option<u32>,
+    },
+    /// External gears with so few teeth that a rack undercuts them.
+    Undercut {
+        /// The set.
+        set: String,
+        /// The gears.
+        gears: Vec<NamedGear>,
+        /// The fewest teeth that are not undercut.
+        least: u32,
+    },
+    /// Two gears not in mesh whose tip circles overlap: they cannot lie in one plane.
+    DifferentPlanes {
+        /// The set.
+        set: String,
+        /// The gears.
+        gears: [String; 2],
+    },
+}
+
+impl ToothWarning {
+    /// The set it is about.
+    #[must_use]
+    pub fn set(&self) -> &str {
+        match self {
+            Self::HalfTooth { set, .. }
+            | Self::RingTooSmall { set, .. }
+            | Self::UnequalCentreDistances { set, .. }
+            | Self::NoTriangle { set, .. }
+            | Self::PlanetsOverlap { set, .. }
+            | Self::Assembly { set, .. }
+            | Self::Undercut { set, .. }
+            | Self::DifferentPlanes { set, .. } => set,
+        }
+    }
+
+    /// Whether it only tells how the gears must be arranged: usual in some sets, and no fault.
+    #[must_use]
+    pub fn is_note(&self) -> bool {
+        matches!(self, Self::DifferentPlanes { .. })
+    }
+}
+
+impl fmt::Display for NamedGear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({})", self.name, teeth(self.teeth))
+    }
+}
+
+fn teeth(count: u32) -> String {
+    if count == 1 { "1 tooth".to_owned() } else { format!("{count} teeth") }
+}
+
+impl fmt::Display for ToothWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "set `{}`: ", self.set())?;
+        match self {
+            Self::HalfTooth { sun, ring, .. } => write!(
+                f,
+                "{sun} and {ring} teeth of sun and ring leave the planets (z_b − z_a)/2 = {} teeth: a whole number \
+                 needs shifted profiles",
+                (f64::from(*ring) - f64::from(*sun)) / 2.0
+            ),
+            Self::RingTooSmall { ring, planet, .. } => {
+                write!(f, "{ring} is not larger than the {planet} in it")
+            }
+            Self::UnequalCentreDistances { planet, centrals: [one, other], distances, .. } => write!(
+                f,
+                "{planet} is {} modules from the axis by the {one} and {} by the {other}: equal centre distances need \
+                 shifted profiles",
+                distances[0], distances[1]
+            ),
+            Self::NoTriangle { planets: [one, other], radii, distance, .. } => write!(
+                f,
+                "{one} and {other} cannot mesh: their centres, {:.4} and {:.4} modules from the axis, cannot stand \
+                 {:.4} modules apart",
+                radii[0], radii[1], distance
+            ),
+            Self::PlanetsOverlap { gears: [one, other], planets, overlap, most, .. } => {
+                match one == other {
+                    true => write!(
+                        f,
+                        "{planets} planets do not clear each other: tip circles of neighbours ({one})"
+                    )?,
+                    false => write!(
+                        f,
+                        "{planets} planets of each kind do not clear: tip circles of {one} and the next {other}"
+                    )?,
+                }
+                if *overlap > 0.0 {
+                    write!(f, " overlap by {overlap:.3} modules; ")?;
+                } else {
+                    f.write_str(" touch; ")?;
+                }
+                match most {
+                    Some(most) => write!(f, "at most {most} clear"),
+                    None => f.write_str("not even 2 clear"),
+                }
+            }
+            Self::Assembly { planets, slots, fewer, more, .. } => {
+                write!(
+                    f,
+                    "{planets} planets cannot be assembled at equal angles: their number must divide {slots}"
+                )?;
+                match (fewer, more) {
+                    (Some(fewer), Some(more)) => write!(f, "; {fewer} or {more} would do"),
+                    (Some(one), None) | (None, Some(one)) => write!(f, "; {one} would do"),
+                    (None, None) => Ok(()),
+                }
+            }
+            Self::Undercut { gears, least, .. } => {
+                let gears: Vec<String> = gears.iter().map(NamedGear::to_string).collect();
+                write!(f, "undercut without profile shift, below {}: {}", teeth(*least), gears.join(", "))
+            }
+            Self::DifferentPlanes { gears: [one, other], .. } => {
+                write!(f, "{one} and {other} must lie in different planes: their tip circles overlap")
+            }
+        }
+    }
+}
