@@ -301,11 +301,9 @@ impl Bounds {
         let mut held: Vec<Near> = Vec::new();
         let found = self.each_for_ratio(wanted, mode, tolerance, done, |near| {
             held.push(near);
-            if most > 0 && held.len() >= most.saturating_mul(2) {
+            if held.len() >= most.saturating_mul(2) {
                 held.select_nth_unstable_by(most, order);
                 held.truncate(most);
-            } else if most == 0 {
-                held.clear();
             }
         })?;
         held.sort_by(order);

@@ -2,18 +2,22 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::mass::{FormulaEight, MassProperties, published_gear_inertia};
 use epicyclic_gears::mesh::TipCircle;
+use epicyclic_gears::planet_bearing::{Push, two_mesh_forces};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Member, Mode};
-use epicyclic_gears::synthesis::{Bounds, Placement};
+use epicyclic_gears::synthesis::{Bounds, Placement, tooth_numbers_by_trial};
 use epicyclic_gears::{Error, ToothCount};
 use std::f64::consts::PI;
 use uom::si::angle::radian;
-use uom::si::f64::{Length, Mass, MomentOfInertia, Volume};
+use uom::si::f64::{Force, Length, Mass, MomentOfInertia, Torque, Volume};
+use uom::si::force::newton;
 use uom::si::length::millimeter;
 use uom::si::mass::kilogram;
 use uom::si::moment_of_inertia::kilogram_square_meter;
+use uom::si::torque::newton_meter;
 use uom::si::volume::cubic_meter;
 
 fn teeth(count: u32) -> ToothCount {
@@ -95,6 +99,49 @@ fn unequally_spaced_planets_clear_each_other_where_they_stand() {
     assert_eq!(found.len(), expected);
 }
 
+/// Limits of `k` at values that sets reach and between them.
+#[test]
+fn the_range_of_k_holds_exactly_the_sets_between_its_ends() {
+    let of = |low: f64, high: f64| Bounds {
+        sun: 12..=24,
+        planet: 6..=40,
+        ring: 24..=100,
+        planets: 2..=4,
+        ring_to_sun_ratio: low..=high,
+        ..Bounds::default()
+    };
+    let all = of(1.1, 8.0).tooth_numbers().unwrap();
+    for (low, high) in [(1.1, 1.5), (1.5, 2.0), (2.0, 2.0), (1.8, 3.3), (3.0, 4.0), (4.2, 8.0)] {
+        let found = of(low, high).tooth_numbers().unwrap();
+        let is_between = |set: &f64| (low..=high).contains(set);
+        let expected: Vec<_> =
+            all.iter().filter(|set| is_between(&set.ring_to_sun_ratio())).copied().collect();
+        assert_eq!(found, expected, "{low} {high}");
+        assert_eq!(found, tooth_numbers_by_trial(&of(low, high)).unwrap(), "{low} {high}");
+        assert!(!found.is_empty(), "{low} {high}");
+    }
+    // A ring as large as its sun leaves no planet.
+    assert!(matches!(of(1.0, 8.0).count(), Err(Error::RingToSunRange { from: 1.0, to: 8.0 })));
+}
+
+/// `(2 + z_g)·sin 90° = z_g + 2`: two planets about a sun of two teeth touch, and touching is not clear.
+#[test]
+fn planets_that_touch_do_not_clear() {
+    let bounds = Bounds {
+        sun: 1..=4,
+        planet: 8..=20,
+        ring: 17..=44,
+        planets: 2..=2,
+        ring_to_sun_ratio: 1.1..=50.0,
+        ..Bounds::default()
+    };
+    let found = bounds.tooth_numbers().unwrap();
+    assert_eq!(found, tooth_numbers_by_trial(&bounds).unwrap());
+    // Equal spacing of two: sun and ring together even, which they are.
+    let suns: Vec<u32> = found.iter().map(|set| set.sun.get()).collect();
+    assert_eq!(suns, [[3; 13], [4; 13]].concat());
+}
+
 #[test]
 fn the_first_of_many_are_the_first_of_all() {
     let bounds = Bounds { sun: 12..=60, planet: 12..=60, ..Bounds::default() };
@@ -156,4 +203,29 @@ fn both_readings_of_the_printed_inertia_by_hand() {
     // m·r²/2: 0.04, 0.01 and 0.0025.
     assert!((of(FormulaEight::Likely) - 0.0225).abs() < 1e-15);
     assert!((of(FormulaEight::Literal) - 0.018_75).abs() < 1e-15);
+}
+
+/// A planet that only one mesh drives hands nothing on: that mesh has its own torque, the other none.
+#[test]
+fn a_mesh_without_torque_has_no_force_and_adds_none() {
+    let mm = Length::new::<millimeter>;
+    let of = |sun: f64, ring: f64| {
+        let push = |kind, radius, torque| Push {
+            kind,
+            pitch_radius: mm(radius),
+            torque: Torque::new::<newton_meter>(torque),
+        };
+        let gears = [push(GearKind::External, 40.0, sun), push(GearKind::Internal, 200.0, ring)];
+        two_mesh_forces(&gears, 0.4, 4, mm(120.0)).unwrap().map(|force: Force| force.get::<newton>())
+    };
+    // 100 N·m over 4 planets at 0.12 m.
+    let own = 100.0 / 0.48;
+    for (found, expected) in
+        [(of(100.0, 0.0), [own, 0.0]), (of(0.0, 100.0), [0.0, own]), (of(0.0, 0.0), [0.0; 2])]
+    {
+        assert!(
+            found.iter().zip(expected).all(|(one, due)| (one - due).abs() < 1e-9),
+            "{found:?} {expected:?}"
+        );
+    }
 }

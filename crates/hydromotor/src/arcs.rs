@@ -453,6 +453,29 @@ mod tests {
         }
 
         #[test]
+        fn angles_and_distances_give_the_same_triangle(
+            lobes in 2..9_u32, per_lobe in 4..20_u32, gamma in 0.02..0.98, part in 0.05..0.95,
+        ) {
+            let theta = PI / f64::from(lobes);
+            let gamma = gamma * (PI - theta);
+            let s = half_length(MotorNumbers::new(lobes, lobes - 1, lobes * per_lobe, 1).unwrap());
+            let d = s / (theta + gamma) + part * (s / gamma - s / (theta + gamma));
+            let one = Arcs::of_triangle(theta, s, d, gamma);
+            let other = Arcs::of_distances(theta, s, one.l, one.a);
+            let of = |arcs: &Arcs| {
+                let Arcs { l, a, r1, r2, gamma, beta, tan_gamma, tan_beta, least, .. } = *arcs;
+                [l / d, a / d, r1 / d, r2 / d, gamma, beta, tan_gamma.atan(), tan_beta.atan(), least / d]
+            };
+            for (x, y) in of(&one).into_iter().zip(of(&other)) {
+                prop_assert!((x - y).abs() < 1e-10, "{:?} {:?}", of(&one), of(&other));
+            }
+            // What their names say.
+            prop_assert!((one.tan_beta.atan() - one.beta / 2.0).abs() < 1e-12);
+            prop_assert!((one.tan_gamma.atan() - one.gamma / 2.0).abs() < 1e-12);
+            prop_assert!((one.least - (one.l - one.r1)).abs() < 1e-9 * d);
+        }
+
+        #[test]
         fn any_finite_pair_is_solved_or_refused(
             first in 0..6_usize, second in 0..6_usize, x in any::<f64>(), y in any::<f64>(), m in any::<f64>(),
         ) {

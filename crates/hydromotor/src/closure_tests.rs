@@ -176,6 +176,24 @@ fn a_family_is_ordered_by_its_distance() {
     }
 }
 
+/// At the least place as closely as a parabola lets one see, or anywhere below 0.
+#[test]
+fn what_falls_and_then_rises_is_lowest_at_its_bottom() {
+    for (low, high) in [(0.0, 1.0), (-3.0, 5.0), (1e-9, 2e-3)] {
+        for share in [0.0, 0.02, 0.31, 0.5, 0.77, 0.99, 1.0] {
+            let bottom: f64 = low + share * (high - low);
+            let parabola = |x: f64| 1.0 + ((x - bottom) / (high - low)).powi(2);
+            let found = super::lowest(low, high, parabola);
+            assert!((found - bottom).abs() < 1e-7 * (high - low), "{bottom}: {found}");
+            let steep = |x: f64| if x < bottom { 9.0 * (bottom - x) } else { 0.1 * (x - bottom) };
+            let found = super::lowest(low, high, |x| 1.0 + steep(x));
+            assert!((found - bottom).abs() < 1e-7 * (high - low), "{bottom}: {found}");
+            let found = super::lowest(low, high, |x| parabola(x) - 1.001);
+            assert!(parabola(found) < 1.001, "{bottom}: {found}");
+        }
+    }
+}
+
 #[test]
 fn both_branches_of_the_integral_occur() {
     // K < |M| on arc 2 for 0 < R₂ − a < 2r, K > |M| beyond either end.

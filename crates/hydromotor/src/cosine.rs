@@ -228,6 +228,27 @@ mod tests {
         assert!(matches!(refused, Err(Error::NoCosineRotor { .. })));
     }
 
+    /// `ρ₁ = c·(1 ± ε)` at crest and trough, and `2·r·ε·n² = c·(1 − ε)²` at the cusp limit.
+    #[test]
+    fn the_law_of_a_motor_is_that_of_its_rotor() {
+        use crate::Motor;
+        use uom::si::f64::Length;
+        use uom::si::length::millimeter;
+        let (mm, numbers) = (Length::new::<millimeter>, MotorNumbers::new(8, 6, 88, 10).unwrap());
+        let motor = Motor::of_cosine_law(numbers, mm(1.5)).unwrap();
+        let law = motor.cosine_law().unwrap();
+        let c = law.mean_radius.get::<millimeter>();
+        let [crest, trough] =
+            [motor.shape.at(By::Phase, 0.0).rho1, motor.shape.trough().rho1].map(|modules| 1.5 * modules);
+        assert!((crest - c * (1.0 + law.amplitude)).abs() < 1e-11 * c, "{crest} {law:?}");
+        assert!((trough - c * (1.0 - law.amplitude)).abs() < 1e-11 * c, "{trough} {law:?}");
+        let (r, n, cusp) = (motor.satellite_radius().get::<millimeter>(), 6.0, law.cusp_amplitude);
+        assert!((2.0 * r * cusp * n * n - c * (1.0 - cusp).powi(2)).abs() < 1e-11 * c, "{law:?}");
+        // A motor of two arcs has none.
+        let arcs = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10).unwrap(), mm(1.0), mm(40.0)).unwrap();
+        assert!(arcs.cosine_law().is_none() && arcs.arcs().is_some() && motor.arcs().is_none());
+    }
+
     proptest! {
         #[test]
         fn the_motor_closes_and_its_stator_is_smooth(motor in any_motor()) {

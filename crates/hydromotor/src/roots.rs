@@ -98,6 +98,30 @@ mod tests {
         assert!((bracketed(0.0, 1.0, |x| if x < 0.7 { -1.0 } else { f64::NAN }) - 0.7).abs() < 1e-15);
     }
 
+    type Function = fn(f64) -> f64;
+
+    /// Halving alone takes more than fifty evaluations.
+    #[test]
+    fn a_smooth_function_takes_a_dozen_evaluations() {
+        let functions: [(f64, f64, Function); 6] = [
+            (0.0, 1.0, |x| x.cos() - x),
+            (0.0, 5.0, |x| x.exp() - 5.0),
+            (1.0, 2.0, |x| x * x * x - x - 2.0),
+            (0.1, 9.0, |x| x.ln() - 1.0),
+            (-1.0, 3.0, |x| x.atan() - 0.3),
+            (0.0, 1.0, |x| x.powi(5) - 0.1),
+        ];
+        for (low, high, f) in functions {
+            let count = std::cell::Cell::new(0);
+            let root = bracketed(low, high, |x| {
+                count.set(count.get() + 1);
+                f(x)
+            });
+            assert!(f(root).abs() < 4e-15, "{root}");
+            assert!(count.get() <= 15, "{root} after {}", count.get());
+        }
+    }
+
     #[test]
     fn eight_points_integrate_degree_fifteen() {
         let exact = (2.0_f64.powi(16) - 1.0) / 16.0;

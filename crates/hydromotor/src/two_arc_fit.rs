@@ -382,6 +382,30 @@ mod tests {
         assert!(deviations.iter().all(|&d| d > 0.0105 && d < 0.0225), "{deviations:?}");
     }
 
+    /// Chebyshev: of all `a·x + b·x² + c·x³` on positive `x` that is the best whose greatest deviation stands at four
+    /// points with signs in turn.
+    #[test]
+    fn the_best_step_levels_four_distances_of_alternate_signs() {
+        let functions: [fn(f64) -> f64; 3] = [f64::exp, |x| (3.0 * x).sin(), |x| 1.0 / (1.2 + x)];
+        for count in 4..40_u32 {
+            for f in functions {
+                let at = |i: u32| 0.2 + f64::from(i) / f64::from(count - 1);
+                let rows: Vec<[f64; 4]> = (0..count).map(at).map(|x| [x, x * x, x * x * x, -f(x)]).collect();
+                let [x, y, z] = linear_best(&rows).unwrap();
+                let left: Vec<f64> =
+                    rows.iter().map(|row| row[0] * x + row[1] * y + row[2] * z + row[3]).collect();
+                let most = left.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+                let mut turns: Vec<f64> = left
+                    .iter()
+                    .filter(|value| value.abs() > most * (1.0 - 1e-6))
+                    .map(|value| value.signum())
+                    .collect();
+                turns.dedup();
+                assert!(turns.len() >= 4, "{count} points: {left:?}");
+            }
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
 

@@ -161,3 +161,218 @@ fn after(around: &[usize], edge: usize) -> Vec<usize> {
     let place = around.iter().position(|&other| other == edge).unwrap_or(0);
     around.iter().cycle().skip(place + 1).take(around.len().saturating_sub(1)).copied().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::planar::{BORDER, INPUT, OUTPUT};
+    use super::*;
+    use epicyclic_train::groups::Groups;
+
+    /// The first vertex that is a link; input, output and carrier are the first three.
+    const FIRST: usize = BORDER.len();
+    const CARRIER: usize = FIRST + 2;
+
+    /// Sets `[sun, ring, carrier]` and clutches between links, which are numbered from [`FIRST`]; 2 is the housing.
+    fn graph(links: usize, sets: &[[usize; 3]], clutches: &[[usize; 2]]) -> Graph {
+        let mut graph = Graph {
+            vertices: FIRST + links,
+            ends: BORDER.to_vec(),
+            kinds: vec![Kind::Border; 4],
+            planets: vec![],
+        };
+        graph.join([INPUT, FIRST], Kind::Input);
+        graph.join([OUTPUT, FIRST + 1], Kind::Output);
+        for (set, &[sun, ring, carrier]) in sets.iter().enumerate() {
+            let sun = graph.join([carrier, sun], Kind::Sun(set));
+            let ring = graph.join([carrier, ring], Kind::Ring(set));
+            graph.planets.push(Planet { set, carrier, sun, ring });
+        }
+        for (clutch, &ends) in clutches.iter().enumerate() {
+            graph.join(ends, Kind::ShiftElement(clutch));
+        }
+        let mut parts = Groups::new(graph.vertices);
+        for &[a, b] in &graph.ends {
+            parts.join(a, b);
+        }
+        for link in FIRST..FIRST + links {
+            if parts.join(HOUSING, link) {
+                graph.join([HOUSING, link], Kind::Helper);
+            }
+        }
+        graph
+    }
+
+    /// Graphs of four links and the housing with three sets, two of them at least on one carrier, and
+    /// four clutches, as a small generator deals them.
+    fn many(count: usize) -> impl Iterator<Item = Graph> {
+        let mut state = 1_u64;
+        let mut below = move |n: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            usize::try_from(state >> 33).unwrap() % n
+        };
+        let links = [HOUSING, FIRST, FIRST + 1, CARRIER, FIRST + 3, FIRST + 4];
+        (0..count).map(move |_| {
+            let mut other = |not: &[usize]| loop {
+                let link = links[below(links.len())];
+                if !not.contains(&link) {
+                    break link;
+                }
+            };
+            let sets: Vec<[usize; 3]> = (0..3)
+                .map(|place| {
+                    let carrier = if place < 2 { CARRIER } else { other(&[]) };
+                    let sun = other(&[carrier]);
+                    [sun, other(&[carrier, sun]), carrier]
+                })
+                .collect();
+            let clutches: Vec<[usize; 2]> = (0..4)
+                .map(|_| {
+                    let link = other(&[]);
+                    [link, other(&[link])]
+                })
+                .collect();
+            graph(5, &sets, &clutches)
+        })
+    }
+
+    fn orders(rest: &[usize]) -> Vec<Vec<usize>> {
+        if rest.is_empty() {
+            return vec![vec![]];
+        }
+        let first = rest.iter().flat_map(|&first| {
+            let others: Vec<usize> = rest.iter().copied().filter(|&edge| edge != first).collect();
+            orders(&others).into_iter().map(move |order| [vec![first], order].concat())
+        });
+        first.collect()
+    }
+
+    #[test]
+    fn chords_cross_where_their_ends_alternate() {
+        let [sun, ring] = [FIRST, FIRST + 1];
+        let common = graph(3, &[[sun, ring, CARRIER], [sun, ring, CARRIER]], &[]);
+        let own = graph(4, &[[sun, ring, CARRIER], [sun, ring, CARRIER + 1]], &[]);
+        let meshes = common.planets.iter().flat_map(|planet| [planet.sun, planet.ring]);
+        for order in orders(&meshes.collect::<Vec<_>>()) {
+            let of: Vec<usize> =
+                order.iter().map(|edge| usize::from(common.planets[1].sun <= *edge)).collect();
+            let crossed = usize::from(of[0] == of[2]);
+            let mut rotation = vec![vec![]; own.vertices];
+            rotation[CARRIER] = order.clone();
+            assert_eq!(crossings(&common, &rotation), [crossed; 2], "{order:?}");
+            rotation[CARRIER + 1] = order;
+            assert_eq!(crossings(&own, &rotation), [0; 2]);
+        }
+    }
+
+    #[test]
+    fn units_are_all_that_is_at_the_carrier_but_the_planet_itself() {
+        for graph in many(200) {
+            for (place, planet) in graph.planets.iter().enumerate() {
+                let units = units(&graph, place);
+                let mut listed = units.concat();
+                listed.sort_unstable();
+                let at_carrier: Vec<usize> = (0..graph.ends.len())
+                    .filter(|&edge| graph.ends[edge].contains(&planet.carrier))
+                    .filter(|&edge| graph.kinds[edge] != Kind::Border)
+                    .filter(|edge| ![planet.sun, planet.ring].contains(edge))
+                    .collect();
+                // An edge between two carriers may be the mesh of one of them.
+                listed.dedup();
+                assert_eq!(listed, at_carrier, "{graph:?}");
+                for other in graph.planets.iter().filter(|other| other.carrier == planet.carrier) {
+                    let of_both =
+                        |unit: &&Vec<usize>| unit.contains(&other.sun) || unit.contains(&other.ring);
+                    let of_both: Vec<&Vec<usize>> = units.iter().filter(of_both).collect();
+                    let expected =
+                        if other.set == planet.set { vec![] } else { vec![vec![other.sun, other.ring]] };
+                    assert_eq!(of_both, expected.iter().collect::<Vec<_>>());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_split_planet_shrinks_back_to_the_same_graph() {
+        for graph in many(200) {
+            for (place, planet) in graph.planets.iter().enumerate() {
+                let units = units(&graph, place);
+                for taken in 0..=units.len() {
+                    let beyond = units[..taken].concat();
+                    let split = split(&graph, place, beyond.iter());
+                    let (hub, web) = (graph.vertices, graph.vertices + 1);
+                    let back =
+                        |vertex: usize| if vertex == hub || vertex == web { planet.carrier } else { vertex };
+                    let edges = graph.ends.len();
+                    let shrunk: Vec<[usize; 2]> =
+                        split.ends[..edges].iter().map(|ends| ends.map(back)).collect();
+                    assert_eq!(shrunk, graph.ends);
+                    assert_eq!(split.ends[edges..], [[planet.carrier, hub], [hub, web]]);
+                    // The planet has its own two meshes and the arms, its second web what was asked for.
+                    let at = |vertex: usize| -> Vec<usize> {
+                        (0..edges).filter(|&edge| split.ends[edge].contains(&vertex)).collect()
+                    };
+                    assert_eq!(at(hub), [planet.sun, planet.ring]);
+                    let mut asked = beyond;
+                    asked.sort_unstable();
+                    assert_eq!(at(web), asked);
+                    for other in &split.planets {
+                        let before = graph.planets.iter().find(|planet| planet.set == other.set).unwrap();
+                        assert_eq!(back(other.carrier), before.carrier);
+                        for mesh in [other.sun, other.ring] {
+                            assert!(split.ends[mesh].contains(&other.carrier), "{graph:?}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Every edge once around each of its ends, and as many faces as Euler's formula asks of a connected
+    /// graph: vertices − edges + faces = 2.
+    fn is_embedding(graph: &Graph, rotation: &[Vec<usize>]) -> bool {
+        let mut darts: Vec<[usize; 2]> = vec![];
+        for (vertex, around) in rotation.iter().enumerate() {
+            let mut listed = around.clone();
+            listed.sort_unstable();
+            let at = (0..graph.ends.len()).filter(|&edge| graph.ends[edge].contains(&vertex));
+            if listed != at.collect::<Vec<_>>() {
+                return false;
+            }
+            darts.extend(around.iter().map(|&edge| [edge, vertex]));
+        }
+        let mut faces = 0;
+        while let Some(&start) = darts.first() {
+            faces += 1;
+            let mut dart = start;
+            loop {
+                darts.retain(|other| *other != dart);
+                let [edge, from] = dart;
+                let to = far(&graph.ends, edge, from);
+                let after = after(&rotation[to], edge);
+                dart = [after.first().copied().unwrap_or(edge), to];
+                if dart == start {
+                    break;
+                }
+            }
+        }
+        graph.vertices + faces == graph.ends.len() + 2
+    }
+
+    #[test]
+    fn an_arrangement_is_an_embedding_without_crossing_chords() {
+        let (mut arranged, mut tried) = (0, 0);
+        for graph in many(1500) {
+            let mut first = planar::embed(graph.vertices, &graph.ends, 0);
+            if let Some(first) = &mut first {
+                exchange(&graph, first);
+            }
+            let Some(rotation) = arrange(&graph, 0) else { continue };
+            assert!(is_embedding(&graph, &rotation), "{graph:?}");
+            assert_eq!(most_crossed(&graph, &rotation), None, "{graph:?}");
+            arranged += 1;
+            tried += usize::from(first.is_some_and(|first| most_crossed(&graph, &first).is_some()));
+        }
+        // Enough of them, and enough for which exchanging meshes does not do.
+        assert!(arranged > 300 && tried > 20, "{arranged} {tried}");
+    }
+}

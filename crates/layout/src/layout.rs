@@ -343,3 +343,93 @@ fn shapes(mut pieces: Vec<(LinkId, Segment)>) -> Vec<LinkShape> {
     }
     shapes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Options;
+    use super::*;
+    use epicyclic_train::set::SetSpec;
+
+    fn two_sets(name: &str, sets: [[&str; 3]; 2]) -> Gearbox {
+        let mut builder = Gearbox::builder(name).links(["D", "B", "T1", "T2"]);
+        for (place, set) in sets.into_iter().enumerate() {
+            builder = builder.set(SetSpec::simple(&place.to_string(), set, 2.5));
+        }
+        let builder = builder.brake("K1", "T1").brake("K2", "T2").clutch("L", "D", "B");
+        builder.input("D").output("B").build().unwrap()
+    }
+
+    fn gearboxes() -> Vec<Gearbox> {
+        vec![
+            two_sets("III-1", [["D", "B", "T1"], ["D", "T1", "T2"]]),
+            two_sets("II-3", [["T1", "D", "B"], ["T1", "B", "T2"]]),
+            two_sets("two suns at the output", [["B", "T1", "D"], ["B", "D", "T2"]]),
+        ]
+    }
+
+    #[test]
+    fn the_cost_of_a_drawing_by_hand() {
+        let gearbox = Gearbox::builder("I")
+            .links(["D", "B", "T1"])
+            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
+            .brake("K1", "T1")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let scheme = Scheme::new(&gearbox, &[]);
+        let map = Map::new(&scheme.graph(&[]), 0).unwrap();
+        let Candidate { cost, layout } = candidate(&scheme, &gearbox, &map, 0, false);
+        // Input 2 long; output 2 along the axis, up 1, along 1; brake 2 to 3 less its gap.
+        let lengths = [2.0, 2.0, 1.0, 1.0, 1.0 - GAP];
+        assert_eq!(layout.links.iter().map(|shape| shape.segments.len()).sum::<usize>(), lengths.len());
+        // 5 wide, 3 high.
+        let expected = 5.0 + 0.5 * lengths.iter().sum::<f64>() + 0.2 * 15.0;
+        assert!((cost - expected).abs() < 1e-12, "{cost} {layout:?}");
+    }
+
+    #[test]
+    fn turns_are_suns_led_up_and_rings_led_down() {
+        let mut turned = 0;
+        for gearbox in gearboxes() {
+            let scheme = Scheme::new(&gearbox, &[]);
+            let map = Map::new(&scheme.graph(&[]), 0).unwrap();
+            for seed in 0..40 {
+                let ranks = order::ranks(&map, &mut Dice::new(seed));
+                let [below, above] = order::sides(&map, &ranks);
+                let upward = Upward::new(&map, &ranks, below, above);
+                let edges = (0..upward.ends.len()).filter(|&edge| !upward.mesh[edge]);
+                let turns = edges.filter(|&edge| {
+                    let [low, high] = upward.ends[edge].map(|end| upward.parts[end]);
+                    match upward.kinds[edge] {
+                        Kind::Sun(set) => low == Part::Sun(set),
+                        Kind::Ring(set) => high == Part::Ring(set),
+                        _ => false,
+                    }
+                });
+                assert_eq!(upward.turns, turns.count(), "{} {seed}", gearbox.name());
+                turned += upward.turns;
+            }
+        }
+        assert!(turned > 20, "{turned}");
+    }
+
+    #[test]
+    fn the_best_of_more_attempts_costs_no_more() {
+        for gearbox in gearboxes() {
+            let scheme = Scheme::new(&gearbox, &[]);
+            let graph = scheme.graph(&[]);
+            let maps: Vec<Map> = (0..VARIANTS).map(|variant| Map::new(&graph, variant).unwrap()).collect();
+            let cost =
+                |seed: u32| candidate(&scheme, &gearbox, &maps[seed as usize % VARIANTS], seed, false).cost;
+            for attempts in [1, 2, 9, 30] {
+                let least = (0..attempts).map(cost).fold(f64::INFINITY, f64::min);
+                let seed = (0..attempts).find(|&seed| cost(seed) == least).unwrap();
+                let expected =
+                    candidate(&scheme, &gearbox, &maps[seed as usize % VARIANTS], seed, false).layout;
+                let drawn = draw(&scheme, &gearbox, Options { attempts, same_side: false }).unwrap();
+                assert_eq!(drawn, expected, "{} {attempts}", gearbox.name());
+            }
+        }
+    }
+}

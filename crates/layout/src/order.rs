@@ -123,3 +123,73 @@ pub(super) fn sides(map: &Map, ranks: &[usize]) -> [Vec<Vec<usize>>; 2] {
     }
     [below, above]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::scheme::Scheme;
+    use super::*;
+    use epicyclic_train::Gearbox;
+    use epicyclic_train::set::SetSpec;
+
+    #[test]
+    fn dice_fall_evenly() {
+        for sides in 2..=7 {
+            let mut dice = Dice::new(0);
+            let mut fell = vec![0_u32; sides];
+            let throws = 7000;
+            for _ in 0..throws {
+                fell[dice.below(sides)] += 1;
+            }
+            // Five standard deviations of a binomial number.
+            let share = 1.0 / sides as f64;
+            let spread = (f64::from(throws) * share * (1.0 - share)).sqrt();
+            for count in fell {
+                let off = (f64::from(count) - f64::from(throws) * share).abs();
+                assert!(off < 5.0 * spread, "{sides} sides: {count} of {throws}");
+            }
+        }
+    }
+
+    #[test]
+    fn seeds_give_different_throws() {
+        let throws = |seed: u64| {
+            let mut dice = Dice::new(seed);
+            [(); 16].map(|()| dice.below(1000))
+        };
+        for seed in 0..20 {
+            assert_eq!(throws(seed), throws(seed));
+            assert!((0..seed).all(|other| throws(other) != throws(seed)), "{seed}");
+        }
+    }
+
+    #[test]
+    fn every_vertex_has_a_neighbour_below_and_one_above() {
+        let gearbox = Gearbox::builder("II-3")
+            .links(["D", "B", "T1", "T2"])
+            .set(SetSpec::simple("1", ["T1", "D", "B"], 2.15))
+            .set(SetSpec::simple("2", ["T1", "B", "T2"], 1.56))
+            .brake("K1", "T1")
+            .brake("K2", "T2")
+            .clutch("L", "D", "B")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let map = Map::new(&Scheme::new(&gearbox, &[]).graph(&[]), 0).unwrap();
+        for seed in 0..50 {
+            let ranks = ranks(&map, &mut Dice::new(seed));
+            let [below, above] = sides(&map, &ranks);
+            for (vertex, around) in map.around.iter().enumerate().filter(|(_, around)| !around.is_empty()) {
+                let (down, up) = (&below[vertex], &above[vertex]);
+                assert_eq!(down.is_empty(), vertex == AXIS, "seed {seed}, vertex {vertex}");
+                assert_eq!(up.is_empty(), vertex == HOUSING, "seed {seed}, vertex {vertex}");
+                // Clockwise: above from left to right, below from right to left.
+                let turned: Vec<usize> = up.iter().chain(down.iter().rev()).copied().collect();
+                let start = around.iter().position(|edge| *edge == turned[0]).unwrap();
+                assert_eq!(turned, [&around[start..], &around[..start]].concat());
+                assert!(up.iter().all(|&edge| ranks[far(&map.ends, edge, vertex)] > ranks[vertex]));
+                assert!(down.iter().all(|&edge| ranks[far(&map.ends, edge, vertex)] < ranks[vertex]));
+            }
+        }
+    }
+}

@@ -220,16 +220,9 @@ impl Drawing<'_> {
         }
         (0..self.vertex.len())
             .map(|vertex| {
-                let Some(&first) = self.incident[vertex].first() else { return vec![] };
-                let mut around = vec![first];
-                loop {
-                    let edge = around[around.len() - 1];
-                    let after = next[edge][usize::from(self.ends[edge][1] == vertex)];
-                    if after == first || around.len() > self.ends.len() {
-                        break around;
-                    }
-                    around.push(after);
-                }
+                let incident = &self.incident[vertex];
+                let after = |edge: &usize| Some(next[*edge][usize::from(self.ends[*edge][1] == vertex)]);
+                std::iter::successors(incident.first().copied(), after).take(incident.len()).collect()
             })
             .collect()
     }

@@ -10,7 +10,7 @@ use epicyclic_layout::layout::{Point, Segment};
 use epicyclic_layout::{Element, Layout, Options, Verdict};
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_train::set::{SetKind, SetSpec};
-use epicyclic_train::{Gearbox, LinkId};
+use epicyclic_train::{GearSpec, Gearbox, LinkId};
 use proptest::prelude::*;
 
 const QUICK: Options = Options { same_side: false, attempts: 6 };
@@ -269,6 +269,63 @@ fn a_gearbox_of_pairs_on_a_layshaft_is_drawn() {
             .clutch(&format!("C{gear}"), gear, "out");
     }
     assert!(check(&builder.input("in").output("out").build().unwrap()));
+}
+
+/// What can be drawn without a further clutch and not with it needs that clutch among the reasons.
+#[test]
+fn a_direct_drive_clutch_that_cannot_be_drawn_is_named() {
+    let mut refused = 0;
+    for structure in Structure::all() {
+        let sets = structure.sets().map(|set| set.map(Role::symbol).join(" "));
+        let gearbox = scheme(&[&sets[0], &sets[1]], None);
+        if !drawability::is_drawable(&gearbox) {
+            continue;
+        }
+        let options = drawability::direct_clutch_options(&gearbox);
+        let moving: Vec<LinkId> = gearbox.link_ids().skip(1).collect();
+        for (place, &a) in moving.iter().enumerate() {
+            for &b in &moving[place + 1..] {
+                let verdict = drawability::draw_with_direct_clutch(&gearbox, [a, b], QUICK);
+                let Verdict::SelfCrossing(witness) = verdict else {
+                    assert!(options.contains(&[a, b]), "{structure}");
+                    continue;
+                };
+                assert!(!options.contains(&[a, b]), "{structure}");
+                assert!(witness.elements.contains(&Element::ShiftElement(gearbox.shift_elements().len())));
+                assert!(witness.describe(&gearbox).contains("the direct-drive clutch"));
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 20, "{refused}");
+}
+
+/// Power leaves at `T1` in one gear and enters there in another, and enters at `T2` and leaves at the input in a third.
+#[test]
+fn links_where_power_enters_or_leaves_in_some_gear_only_reach_the_housing() {
+    let gear = |name: &str, input: Option<&str>, output: Option<&str>| GearSpec {
+        name: name.into(),
+        engaged: vec!["K2".into()],
+        input: input.map(Into::into),
+        output: output.map(Into::into),
+    };
+    let builder = scheme(&["D T1 B", "T1 D T2"], None).to_builder();
+    let plain = builder.clone().gear_spec(gear("1", None, None)).gear_spec(gear("2", Some("D"), Some("B")));
+    let plain = plain.build().unwrap();
+    let other = builder
+        .gear_spec(gear("1", None, None))
+        .gear_spec(gear("2", None, Some("T1")))
+        .gear_spec(gear("3", Some("T1"), None))
+        .gear_spec(gear("4", Some("T2"), Some("D")))
+        .build()
+        .unwrap();
+    for (gearbox, expected) in [(plain, vec![]), (other, vec!["T1", "T2"])] {
+        assert!(check(&gearbox));
+        let Verdict::Drawable(layout) = drawability::draw(&gearbox, QUICK) else { panic!("it can be drawn") };
+        let mut ways: Vec<&str> = layout.take_offs.iter().map(|way| gearbox.link_name(way.link)).collect();
+        ways.sort_unstable();
+        assert_eq!(ways, expected);
+    }
 }
 
 /// A gearbox as numbers: links by index, 0 the housing.

@@ -469,7 +469,70 @@ mod tests {
         assert_eq!(Scalar::number(&big(&Fraction::new(-3, 4))), -0.75);
     }
 
+    /// A number and the value within its error that it may stand for, from `-1` to `1` of the error.
+    fn doubtful<const STRICT: bool>(value: f64, error: f64, place: f64) -> (Bounded<STRICT>, BigRational) {
+        let of = |number: f64| BigRational::from_float(number).unwrap();
+        (Bounded { value, error }, of(value) + of(error) * of(place))
+    }
+
+    #[test]
+    fn a_certain_one_and_a_number_by_itself_add_no_error() {
+        let one = |value: f64, error: f64| Strict { value, error };
+        let third = one(1.0 / 3.0, 1e-9);
+        for sign in [1.0, -1.0] {
+            let expected = Some(one(sign * third.value, third.error));
+            assert_eq!(third.times(&one(sign, 0.0)), expected);
+            assert_eq!(one(sign, 0.0).times(&third), expected);
+            assert_eq!(third.over(&one(sign, 0.0)), expected);
+            // A doubtful one adds its own.
+            assert!(third.times(&one(sign, 1e-9)).unwrap().error > 1.3e-9);
+            assert!(third.over(&one(sign, 1e-9)).unwrap().error > 1.3e-9);
+        }
+        assert_eq!(one(0.3, 0.0).over(&one(0.3, 0.0)), Some(one(1.0, 0.0)));
+        assert!(third.over(&third).unwrap().error > 3e-9);
+    }
+
+    #[test]
+    fn what_is_certain_is_sharp_and_the_first_pivot() {
+        let certain = Strict { value: -2.0, error: 0.0 };
+        let doubtful = Strict { value: 2.0, error: 1e-9 };
+        assert_eq!(certain.weight(), 2.0);
+        assert!(doubtful.weight() < certain.weight() && doubtful.weight() > 0.0);
+        assert!(certain.is_sharp() && !Strict { value: 2.0, error: 1.0 }.is_sharp());
+        assert!(Lenient { value: 2.0, error: 1.0 }.is_sharp());
+        // Short fractions before long ones, and no fraction of zero.
+        let rational = |numer: i64, denom: i64| BigRational::new(numer.into(), denom.into());
+        assert_eq!(rational(0, 1).weight(), 0.0);
+        assert!(rational(1, 2).weight() > rational(355, 113).weight());
+        assert!(Fraction::new(1, 2).weight() > Fraction::new(355, 113).weight());
+    }
+
     proptest! {
+        #[test]
+        fn a_result_is_within_its_error(
+            first in (0.01_f64..100.0, any::<bool>(), -1.0_f64..=1.0),
+            second in (0.01_f64..100.0, any::<bool>(), -1.0_f64..=1.0),
+            errors in prop::array::uniform2(prop_oneof![Just(0.0), 1e-15_f64..1e-6]),
+            is_one in any::<bool>(),
+        ) {
+            let signed = |(value, is_negative, _): (f64, bool, f64)| if is_negative { -value } else { value };
+            let (a, exact_a) = doubtful::<true>(signed(first), errors[0], first.2);
+            let value = if is_one { signed(second).signum() } else { signed(second) };
+            let (b, exact_b) = doubtful::<true>(value, errors[1], second.2);
+            let results = [
+                (a.minus(&b), &exact_a - &exact_b),
+                (a.times(&b), &exact_a * &exact_b),
+                (a.over(&b), &exact_a / &exact_b),
+                (b.over(&a), &exact_b / &exact_a),
+            ];
+            for (found, exact) in results {
+                let Some(found) = found else { continue };
+                let off = (exact - BigRational::from_float(found.value).unwrap()).abs();
+                // The error itself is rounded.
+                prop_assert!(Scalar::number(&off) <= found.error * (1.0 + 1e-12), "{:?} {:?}: {:?}", a, b, found);
+            }
+        }
+
         #[test]
         fn the_kinds_of_numbers_agree(
             entries in prop::collection::vec(prop::collection::vec(-3_i32..4, 5), 1..5),

@@ -285,3 +285,44 @@ fn gauss<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N], least_pivot: f64
     }
     Some(b)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A set alone: sun, ring and carrier on nodes of their own.
+    fn set<const PLAIN: bool>(i: f64, runs: &[Run]) -> Problem<'_, 1, 1, PLAIN> {
+        Problem {
+            nodes: [[0, 1, 2]],
+            i0: [i],
+            eta: [1.0],
+            runs,
+            output: 1,
+            direction: Direction::Drive,
+            least_pivot: 0.0,
+        }
+    }
+
+    #[test]
+    fn the_largest_power_is_that_of_a_member_or_of_rolling() {
+        let runs = [Run { from: 0, to: 1 }];
+        for i in [-3.0, -0.4, 0.3, 2.5] {
+            for [a, b] in [[-1.0, 1.0], [1.0, 0.0], [0.1, 2.0], [0.5, -0.2], [0.01, 0.02]] {
+                // Willis, and the torques of a set without losses: 1, −i and i − 1 of the first.
+                let h = (i * b - a) / (i - 1.0);
+                for torque in [2.0, -0.7] {
+                    let powers = [torque * a, -i * torque * b, (i - 1.0) * torque * h, torque * (a - h)];
+                    assert!(powers[..3].iter().sum::<f64>().abs() < 1e-12);
+                    // What enters is 1.
+                    let largest = powers.iter().fold(1.0_f64, |most, power| most.max(power.abs()));
+                    let plain = set::<true>(i, &[]).powers(&[[a, b, h]], [i], [torque], 0.0);
+                    let other = set::<false>(i, &runs).powers(&[[a, b, h]], [i], [torque], 0.0);
+                    for found in [plain, other] {
+                        assert!((found.largest - largest).abs() < 1e-12, "{i} {a} {b}");
+                        assert!((found.power[0] - powers[3]).abs() < 1e-12, "{i} {a} {b}");
+                    }
+                }
+            }
+        }
+    }
+}

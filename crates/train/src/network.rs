@@ -240,3 +240,41 @@ fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>, least_pivot: f64) -> Option<Vec<
     }
     Some(b)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_power_is_that_of_a_member_or_of_rolling() {
+        for i in [-3.0, -0.4, 0.3, 2.5] {
+            let network = Network {
+                nodes: vec![[Some(0), Some(1), Some(2)]],
+                ratios: vec![i],
+                etas: vec![1.0],
+                runs: vec![Run { from: 0, to: 1 }],
+                count: 3,
+                least_pivot: 0.0,
+            };
+            for [a, b] in [[-1.0, 1.0], [1.0, 0.0], [0.1, 2.0], [0.5, -0.2], [0.01, 0.02]] {
+                // Willis, and the torques of a set without losses: 1, −i and i − 1 of the first.
+                let h = (i * b - a) / (i - 1.0);
+                for torque in [2.0, -0.7] {
+                    let torques = [torque, -i * torque, (i - 1.0) * torque];
+                    let rolling = torque * (a - h);
+                    let powers = [torques[0] * a, torques[1] * b, torques[2] * h, rolling];
+                    assert!(powers[..3].iter().sum::<f64>().abs() < 1e-12);
+                    let largest = powers.iter().fold(0.0_f64, |most, power| most.max(power.abs()));
+                    let terminals = [(0, Some(torque)), (1, None), (2, None)];
+                    let loads = Loads { network: &network, speeds: &[a, b, h], terminals: &terminals };
+                    let found = loads.balance(&network.ratios).unwrap();
+                    let off = found.terminals.iter().zip(torques).map(|(one, due)| (one - due).abs());
+                    assert!(off.fold(0.0, f64::max) < 1e-12, "{:?} {torques:?}", found.terminals);
+                    assert!(
+                        (found.largest - largest).abs() < 1e-12 && (found.power[0] - rolling).abs() < 1e-12
+                    );
+                }
+            }
+        }
+    }
+}

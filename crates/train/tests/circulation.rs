@@ -115,3 +115,58 @@ fn what_circulates_is_the_least_cut() {
     );
     assert!(compared > 1000 && round > 200 && without > 500 && entwined > 50);
 }
+
+/// A set with more than two central gears is drawn as several; what enters at a central gear or at the carrier enters
+/// at their members of that name together, and each by itself obeys the balance of powers.
+#[test]
+fn drawn_sets_have_the_powers_of_their_set_together() {
+    let mut dice = Dice(0xd7a);
+    let (mut compared, mut several, mut circulating) = (0, 0, 0);
+    for _ in 0..3000 {
+        let Ok(gearbox) = BoxPlan::random(3, 60, &mut dice).build(None) else { continue };
+        let found = gearbox.analyze("g").unwrap();
+        let cases = [found.ideal(), found.driving(), found.back_driving()];
+        for (case, is_ideal) in cases.into_iter().zip([true, false, false]) {
+            let Some(case) = case else { continue };
+            let mut together: Vec<Option<Vec<f64>>> =
+                gearbox.sets().iter().map(|set| Some(vec![0.0; set.members().len()])).collect();
+            let mut parts = vec![0; gearbox.sets().len()];
+            for (place, drawn) in gearbox.drawn_sets().iter().enumerate() {
+                parts[drawn.set] += 1;
+                let set = &gearbox.sets()[drawn.set];
+                assert_eq!(drawn.links, drawn.members.map(|member| set.members()[member]));
+                let Some(power) = found.drawn_power(case, place) else {
+                    together[drawn.set] = None;
+                    continue;
+                };
+                let entering: f64 = power.members.iter().sum();
+                assert!(!is_ideal || entering.abs() < 1e-10 * case.power.largest, "{power:?}");
+                for (at, &member) in drawn.members.iter().enumerate() {
+                    if let Some(together) = &mut together[drawn.set] {
+                        together[member] += power.members[at];
+                    }
+                    let [whole, round] = [
+                        case.power.sets[drawn.set].as_ref().unwrap().members[member],
+                        case.power.circulating_member(drawn.set, member),
+                    ];
+                    // As large a part of it circulates as of the whole member.
+                    let same = power.circulating[at] * whole - power.members[at] * round;
+                    assert!(same.abs() <= 1e-10 * case.power.largest * case.power.largest);
+                    circulating += usize::from(power.circulating[at].abs() > 1e-6);
+                }
+            }
+            for ((set, together), parts) in case.power.sets.iter().zip(together).zip(parts) {
+                let (Some(set), Some(together)) = (set, together) else { continue };
+                for (one, whole) in together.iter().zip(&set.members) {
+                    assert!((one - whole).abs() < 1e-10 * case.power.largest, "{together:?} {set:?}");
+                }
+                compared += 1;
+                several += usize::from(parts > 1);
+            }
+        }
+    }
+    println!(
+        "{compared} sets, {several} of them drawn as several; {circulating} members of circulating power"
+    );
+    assert!(compared > 1000 && several > 200 && circulating > 100);
+}

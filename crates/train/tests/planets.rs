@@ -8,6 +8,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::compound::{CentralKind, CompoundSpec};
 use epicyclic_train::planet_bearings::{Lack, MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{GearOf, MeshKind};
+use epicyclic_train::set::{MeshLoss, SetSpec};
 use epicyclic_train::tooth_checks::ToothWarning;
 use epicyclic_train::{Gearbox, PlanetSet};
 use nalgebra::{DMatrix, DVector};
@@ -245,6 +246,107 @@ fn assembly(gearbox: &Gearbox) -> Option<(Option<u32>, Option<u32>)> {
         ToothWarning::Assembly { fewer, more, .. } => Some((fewer, more)),
         _ => None,
     })
+}
+
+/// Each central gear beside the one of reference, the first unless a mesh says otherwise, with the planets on the way.
+#[test]
+fn sets_of_every_form_are_drawn_as_kinds_of_three_members() {
+    use epicyclic_train::set::SetKind::{DoublePlanet, Simple, SteppedRings, SteppedSunRing, SteppedSuns};
+    // Rings of planets 18, 16 and 17: 40 or 44 teeth more.
+    let expected: [&[_]; FORMS] = [
+        &[(Simple, [0, 1], -58.0 / 20.0)],
+        &[(DoublePlanet, [0, 1], 56.0 / 20.0)],
+        &[(Simple, [1, 2], -56.0 / 24.0), (DoublePlanet, [0, 2], 56.0 / 20.0)],
+        &[
+            (Simple, [0, 1], -62.0 / 20.0),
+            (DoublePlanet, [2, 1], 62.0 / 24.0),
+            (SteppedRings, [1, 3], -56.0 / 62.0),
+        ],
+        &[(Simple, [0, 1], -58.0 / 20.0), (SteppedRings, [1, 2], (18.0 / 58.0) * (61.0 / 17.0))],
+        &[
+            (SteppedSunRing, [1, 2], -(18.0 / 24.0) * (57.0 / 17.0)),
+            (DoublePlanet, [0, 2], (18.0 / 20.0) * (57.0 / 17.0)),
+        ],
+        &[
+            (SteppedSunRing, [0, 1], -(18.0 / 20.0) * (57.0 / 17.0)),
+            (SteppedRings, [1, 2], (17.0 / 57.0) * (20.0 / 18.0) * (60.0 / 20.0)),
+        ],
+        &[(SteppedRings, [0, 1], -60.0 / 58.0)],
+        &[(SteppedSuns, [0, 1], (18.0 / 20.0) * (24.0 / 17.0))],
+    ];
+    for (kind, expected) in expected.into_iter().enumerate() {
+        let gearbox = alone(form(kind, [20, 24], [18, 16, 17], [40, 44], 3));
+        let drawn = gearbox.drawn_sets();
+        let carrier = gearbox.sets()[0].centrals().len();
+        assert_eq!(drawn.len(), expected.len());
+        for (set, &(kind, [first, second], ratio)) in drawn.iter().zip(expected) {
+            assert_eq!((set.kind, set.members), (kind, [first, second, carrier]));
+            assert!((set.basic_ratio(&gearbox) - ratio).abs() < 1e-12, "{set:?}");
+        }
+    }
+}
+
+/// The teeth of a planet with one gear cancel between its meshes: without them all but its own speed is known.
+#[test]
+fn a_planet_without_teeth_has_no_speed_of_its_own() {
+    let set = |first: &[u32], second: &[u32]| {
+        let eta = MeshEfficiency::new(0.98).unwrap();
+        let set = CompoundSpec::new("P", "H").planet("p", first).planet("q", second);
+        let set = set.sun("c0", 20).sun("c1", 24).ring("c2", 60).mesh("c0", "p", eta).mesh("c1", "q", eta);
+        alone(set.mesh("c2", "q", eta).mesh("p", "q", eta))
+    };
+    let known = [-20.0 / 18.0, 20.0 / 16.0];
+    for (first, second) in [(&[18][..], &[16][..]), (&[], &[16]), (&[18], &[]), (&[], &[])] {
+        let gearbox = set(first, second);
+        let set = &gearbox.sets()[0];
+        for (planet, teeth) in [first, second].into_iter().enumerate() {
+            let factor = set.planet_factor(planet);
+            assert_eq!(factor.is_some(), !teeth.is_empty(), "{first:?} {second:?}");
+            assert!(factor.is_none_or(|factor| (factor - known[planet]).abs() < 1e-15), "{factor:?}");
+        }
+        for (other, ratio) in [(1, 24.0 / 20.0), (2, 60.0 / 20.0)] {
+            let found = set.ratio_between(0, other);
+            assert!((found.abs() - ratio).abs() < 1e-14 && (found > 0.0) == (other == 2), "{other} {found}");
+        }
+    }
+}
+
+/// Between the first two central gears: sun, planets and ring, whatever else is in mesh; of a set in short the set's own.
+#[test]
+fn the_efficiency_of_a_set_is_that_of_the_meshes_between_its_first_gears() {
+    let eta = |value: f64| MeshEfficiency::new(value).unwrap();
+    let set = CompoundSpec::new("P", "H").planet("p", &[18]).planet("q", &[16]);
+    let set = set.sun("c0", 20).ring("c1", 56).sun("c2", 24);
+    let set = set.mesh("c0", "p", eta(0.99)).mesh("p", "q", eta(0.98));
+    let gearbox = alone(set.mesh("q", "c1", eta(0.97)).mesh("q", "c2", eta(0.5)));
+    assert!((gearbox.sets()[0].efficiency() - 0.99 * 0.98 * 0.97).abs() < 1e-15);
+    let short = SetSpec::simple("P", ["c0", "c1", "H"], 3.0).with_loss(MeshLoss::Set(eta(0.96)));
+    let builder = Gearbox::builder("short").links(["c0", "c1", "H"]).set(short).input("c0").output("H");
+    assert_eq!(builder.build().unwrap().sets()[0].efficiency(), 0.96);
+}
+
+/// `Σ N·F_t·R = |T_H|`: a planet's shaft takes part of the torque about the main axis.
+#[test]
+fn planets_with_a_shaft_carry_the_torque_of_the_carrier_together() {
+    let eta = MeshEfficiency::new(0.98).unwrap();
+    let set = CompoundSpec::new("P", "H").planet("p", &[18]).planet("q", &[16]).planet_count(3);
+    let set = set.sun("c0", 20).ring("c1", 56).planet_shaft("c2", "q");
+    let set = set.mesh("c0", "p", eta).mesh("p", "q", eta).mesh("q", "c1", eta);
+    let gearbox = alone(set);
+    let size = SetSize { module: Some(Length::new::<millimeter>(2.0)), ..SetSize::default() };
+    let bearings = gearbox.planet_bearings(0, &size).unwrap().unwrap();
+    for [sun, ring, shaft] in [[100.0, -40.0, 0.0], [100.0, -40.0, 250.0], [-30.0, 0.0, 80.0]] {
+        let carrier: f64 = -(sun + ring + shaft);
+        let carried: f64 = bearings
+            .iter()
+            .map(|bearing| {
+                let forces = bearing.forces(Some(&n_m(&[sun, ring, shaft, carrier])), None).unwrap();
+                let radius_m = bearing.radius.unwrap().get::<millimeter>() / 1000.0;
+                3.0 * forces.tangential.unwrap().get::<newton>() * radius_m
+            })
+            .sum();
+        assert!((carried - carrier.abs()).abs() < 1e-9, "{carried} {carrier}");
+    }
 }
 
 /// The properties below prove little where one answer is rare: how often each is met, over a fixed stream.

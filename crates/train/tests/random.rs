@@ -340,9 +340,11 @@ proptest! {
         let found = gearbox.analyze_gear(gear).unwrap();
         let largest = found.ideal().unwrap().power.largest;
         prop_assert!((solution.ratio() * plain.speeds[gear.output().index() - 1] - 1.0).abs() < 1e-9);
+        // Idle sets near a deadlock turn thousands of times as fast as the input, without power.
+        let fastest = found.speeds().iter().flatten().fold(largest, |most, speed| most.max(speed.abs()));
         for (index, speed) in found.speeds().iter().enumerate().skip(1) {
             if let Some(speed) = speed {
-                prop_assert!((speed - plain.speeds[index - 1]).abs() < 1e-9 * largest);
+                prop_assert!((speed - plain.speeds[index - 1]).abs() < 1e-9 * fastest);
             }
         }
         if let (Some(efficiency), true) = (solution.efficiency(), found.kreines().unwrap().reversed.is_empty()) {
@@ -365,7 +367,9 @@ proptest! {
             prop_assert!((speed - 1.0).abs() < 1e-12);
         }
         if let Some(case) = found.driving() {
-            prop_assert!((case.efficiency - 1.0).abs() < 1e-12 && case.signs.iter().all(|s| *s == 0));
+            // Torques that circulate are rounded as what they are: fourteen thousand times the input's in some.
+            let rounding = 1e-12 * case.power.largest;
+            prop_assert!((case.efficiency - 1.0).abs() < rounding && case.signs.iter().all(|s| *s == 0));
         }
     }
 }

@@ -201,6 +201,25 @@ fn central_gears_that_turn_alike_leave_their_carrier_alone() {
     assert_eq!(loose.ratio(), Some(1.0));
 }
 
+/// With its central gears tied a set turns as a block, unless they turn alike anyway: then nothing ties the carrier.
+#[test]
+fn tied_central_gears_hold_their_carrier_unless_they_turn_alike() {
+    use epicyclic_train::set::SetKind;
+    let tied = |i0: f64| {
+        let builder =
+            Gearbox::builder("tied").links(["a", "b", "H"]).clutch("L", "a", "b").input("a").output("b");
+        let set = SetSpec::new("1", SetKind::SteppedSuns, ["a", "b", "H"], i0);
+        let gearbox = builder.set(set).gear("g", ["L"]).build().unwrap();
+        let found = gearbox.analyze("g").unwrap();
+        assert_eq!(found.ratio(), Some(1.0));
+        found.speed(gearbox.link("H").unwrap())
+    };
+    assert_eq!(tied(1.0), None);
+    for i0 in [0.5, 1.25, 3.0] {
+        assert_eq!(tied(i0), Some(1.0), "{i0}");
+    }
+}
+
 #[test]
 fn a_simpson_set_with_one_clutch_is_neutral_for_want_of_one_shift_element() {
     let gearbox = machines::simpson().gearbox;

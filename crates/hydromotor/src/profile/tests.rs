@@ -204,6 +204,25 @@ fn the_default_passes_every_limit_and_meshes_with_half_its_backlash() {
 }
 
 #[test]
+fn what_a_limit_of_distance_leaves_is_the_clearance() {
+    for motor in reference_motors() {
+        for form in [ToothForm::default(), mild(24.0, Crest::Space)] {
+            let profile = Profile::new(&motor, form).unwrap();
+            let limits = profile.limits();
+            let left = |kind: LimitKind| {
+                let [limit] = limits.iter().filter(|limit| limit.kind == kind).collect::<Vec<_>>()[..] else {
+                    panic!("one limit {kind:?}")
+                };
+                (limit.value - limit.bound).get::<meter>()
+            };
+            let clearances = profile.clearances(6).unwrap();
+            assert!((left(LimitKind::Wheels) - clearances.wheels.get::<meter>()).abs() < 1e-12);
+            assert!((left(LimitKind::Neighbours) - clearances.neighbours.0.get::<meter>()).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
 fn whoever_is_thinner_the_clearance_is_the_same() {
     let motor = motor((5, 3, 55, 10), 40.0);
     for satellite_share in [0.0, 0.4] {
@@ -276,6 +295,37 @@ fn an_undercut_flank_ends_where_the_fillet_leaves_it() {
 }
 
 /// Parts end where the next begin, the outline goes round once, and its last point is near the first.
+/// There the path along the flank is the curvature radius of the centrode times `tan α`, and the point stands over its
+/// foot as high as the addendum less what is missing.
+#[test]
+fn a_flank_that_ends_before_its_tip_ends_in_a_cusp() {
+    use super::cut::{Curve, point, regularity};
+    let mut ended = 0;
+    for motor in reference_motors() {
+        for alpha_deg in [15.0, 18.0, 21.0] {
+            let form = ToothForm { addendum: 1.1, fillet: 0.0, ..mild(alpha_deg, Crest::Tooth) };
+            let Ok(profile) = Profile::new(&motor, form) else { continue };
+            for side in [Side::Stator, Side::Rotor] {
+                let (track, teeth) = (profile.track(side), &profile.teeth);
+                for flank in profile.cut(side).flanks.iter().flatten().filter(|flank| flank.missing > 0.0) {
+                    let frame = track.at(flank.tip);
+                    assert!(regularity(teeth, flank, &frame).abs() < 1e-9, "{flank:?}");
+                    let tip = point(teeth, Curve::Flank { sign: flank.sign, pitch: flank.pitch }, &frame);
+                    let foot = track.at(flank.foot);
+                    let [x, y] = [tip[0] - foot.at[0], tip[1] - foot.at[1]];
+                    let [along, height] = [
+                        x * foot.along[0] + y * foot.along[1],
+                        x.hypot(y) + flank.missing - teeth.wheel_addendum,
+                    ];
+                    assert!(along.abs() < 1e-9 && height.abs() < 1e-9, "{flank:?}: {along:e} {height:e}");
+                    ended += 1;
+                }
+            }
+        }
+    }
+    assert!(ended > 5, "{ended}");
+}
+
 fn outline_holds_together(profile: &Profile) {
     for side in Side::BOTH {
         let (cut, track) = (profile.cut(side), profile.track(side));

@@ -176,3 +176,14 @@ impl Point {
 fn at_least(value: f64, limit: f64) -> f64 {
     if limit > 0.0 { value / limit - 1.0 } else { f64::INFINITY }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::at_least;
+
+    #[test]
+    fn a_limit_of_nothing_is_kept_by_anything() {
+        assert_eq!([0.0, 1.0].map(|value| at_least(value, 0.0)), [f64::INFINITY; 2]);
+        assert_eq!([1.0, 2.0, 3.0].map(|value| at_least(value, 2.0)), [-0.5, 0.0, 0.5]);
+    }
+}

@@ -246,3 +246,19 @@ fn ordered(what: Quantity, [from, to]: [f64; 2], unit: &'static str) -> Result<(
 pub(super) fn mean_flow(displacement: f64) -> f64 {
     displacement / TAU
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `π·D²·b` of 1e±120 is beyond the numbers, though each of its factors is not.
+    #[test]
+    fn a_size_whose_volume_is_no_number_is_refused() {
+        let all = [0.0, f64::INFINITY];
+        let sizing =
+            Sizing { displacement: 1.0, choice: Choice::Ratio(1.0), diameter: 1e200, width: all, ratio: all };
+        for (size, is_kept) in [(1e-120, false), (1e-60, true), (1.0, true), (1e60, true), (1e120, false)] {
+            assert_eq!(sizing.keeping([size, size], size, size) >= 0.0, is_kept, "{size:e}");
+        }
+    }
+}

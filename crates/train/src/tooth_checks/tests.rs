@@ -109,6 +109,11 @@ fn every_fault_of_a_simple_set_is_told() {
             "set `P`: undercut without profile shift, below 17 teeth: sun (1 tooth), planet (1 tooth)",
         ]
     );
+    // (2 + 36)·sin 90° = 36 + 2: two planets around a sun of two teeth touch.
+    assert_eq!(
+        found(short(SetKind::Simple, 2, 74, &[]).planet_count(2))[0],
+        "set `P`: 2 planets do not clear each other: tip circles of neighbours (planet) touch; not even 2 clear"
+    );
     assert_eq!(found(short(SetKind::Simple, 24, 72, &[24]).planet_count(4)), [""; 0]);
     assert_eq!(
         found(short(SetKind::SteppedSunRing, 20, 40, &[36, 41])),
@@ -135,6 +140,3 @@ fn a_pair_is_only_held_against_undercut() {
     let steep = BasicRack { pressure_angle: degrees(25.0), ..BasicRack::default() };
     assert_eq!(gearbox.tooth_checks(&steep), []);
 }
-
-#[test]
-fn invalid_forms_are_refused() {}
