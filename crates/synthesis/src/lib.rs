@@ -8,6 +8,7 @@ pub mod structure;
 
 pub mod exterior;
 pub mod gearbox;
+pub mod judge;
 mod library;
 pub mod motion;
 pub mod parts;

@@ -169,7 +169,10 @@ fn search_with<W: Word + Send>(
 
 impl Wish {
     /// Whether gearboxes of a class can have these gears at all.
-    fn check(&self, class: Class) -> Result<(), Error> {
+    ///
+    /// # Errors
+    /// [`Error::Wish`].
+    pub fn check(&self, class: Class) -> Result<(), Error> {
         let (gears, engaged) = (self.gears.len(), class.engaged());
         let fault = |why: String| Err(Error::Wish { why });
         if !(1..=MOST_GEARS).contains(&gears) {

@@ -1,5 +1,6 @@
 //! Ratios as formulas against the solver, on random structures, elements and ring-to-sun ratios.
 
+use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::motion::{Motion, elements};
 use epicyclic_synthesis::ratio::{Polynomial, Ratio};
 use epicyclic_synthesis::ternary::{Ternary, Word};
@@ -47,7 +48,7 @@ fn agreeing<W: Word>(class: Class, count: usize) -> usize {
         let speeds = motion.gear(&engaged);
         let formula = Ratio::new(wide(speeds.input), wide(speeds.output));
         let used: Vec<_> = engaged.iter().map(|element| all[*element]).collect();
-        let built = gearbox::gearbox(structure, &k, &used, &[(0..used.len()).collect()]).unwrap();
+        let built = gearbox::gearbox(structure, &k, MeshEfficiency::IDEAL, &used, &[(0..used.len()).collect()]).unwrap();
         let analysis = built.analyze("1").unwrap();
         // Elements that repeat each other leave a link free: no gear of the class, whatever the output does.
         let all_turn = analysis.speeds().iter().all(Option::is_some);

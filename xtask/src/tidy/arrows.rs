@@ -15,7 +15,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("formats", &["dynamics", "train", "gears", "hydromotor"]),
     ("drawing", &[]),
     ("pictures", &["drawing", "layout", "train", "schemes", "gears", "hydromotor"]),
-    ("answers", &["formats", "selection", "dynamics", "layout", "schemes", "train", "gears", "hydromotor"]),
+    ("answers", &["formats", "selection", "synthesis", "dynamics", "layout", "schemes", "train", "gears", "hydromotor"]),
     ("views", &["answers", "pictures", "drawing", "formats"]),
     (
         "cli",
