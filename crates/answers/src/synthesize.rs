@@ -200,8 +200,11 @@ pub fn answer(
     'classes: for sets in wanted.sets.clone() {
         for shift_elements in wanted.elements.clone() {
             for engaged in wanted.engaged.clone() {
-                let wish = Wish { gears: gears.clone(), elements: shift_elements, k: vec![wanted.k.clone(); sets] };
-                let class = match Class::new(wanted.kind, sets, sets + engaged + 1).and_then(|class| wish.check(class).map(|()| class)) {
+                let wish =
+                    Wish { gears: gears.clone(), elements: shift_elements, k: vec![wanted.k.clone(); sets] };
+                let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
+                    .and_then(|class| wish.check(class).map(|()| class))
+                {
                     Ok(class) => class,
                     Err(error) => {
                         refused.get_or_insert(error);
@@ -209,7 +212,8 @@ pub fn answer(
                     }
                 };
                 let searching = Searching { class, shift_elements };
-                let found = search(class, &wish, Share::WHOLE, wanted.threads, &|at| progress(&searching, at))?;
+                let found =
+                    search(class, &wish, Share::WHOLE, wanted.threads, &|at| progress(&searching, at))?;
                 answer.complete &= found.complete;
                 answer.searched.push(Searched {
                     class: ClassName::of(class.kind()),
@@ -247,7 +251,10 @@ pub fn answer(
     });
     answer.found = judged.len();
     answer.shown = judged.len().min(wanted.most).min(MOST_SOLUTIONS);
-    answer.solutions = judged[..answer.shown].iter().map(|(found, judged)| Solution::of(found, judged, &wanted.ratios)).collect();
+    answer.solutions = judged[..answer.shown]
+        .iter()
+        .map(|(found, judged)| Solution::of(found, judged, &wanted.ratios))
+        .collect();
     Ok(answer)
 }
 
@@ -264,7 +271,9 @@ impl Searching {
     /// Structures times sets of shift elements.
     fn space(&self, structures: usize) -> f64 {
         let pairs = elements(self.class.links()).len();
-        (0..self.shift_elements).fold(structures as f64, |all, place| all * pairs.saturating_sub(place) as f64 / (place + 1) as f64)
+        (0..self.shift_elements).fold(structures as f64, |all, place| {
+            all * pairs.saturating_sub(place) as f64 / (place + 1) as f64
+        })
     }
 }
 

@@ -150,6 +150,7 @@ fn commands() -> Vec<Vec<String>> {
     let mut all: Vec<Vec<String>> = [
         &["teeth"][..],
         &["select"],
+        &["synthesize"],
         &["schemes"],
         &["schemes", "II-3"],
         &["schemes", "I"],
@@ -210,7 +211,7 @@ fn seeks_motors(command: &[String]) -> bool {
 fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
     let wanted = if seed.is_multiple_of(2) { &["displacement"][..] } else { &["torque", "pressure"] };
     required
-        || (command[0] == "select" && option == "ratios")
+        || (["select", "synthesize"].contains(&command[0].as_str()) && option == "ratios")
         || (seeks_motors(command) && (BOUNDS.contains(&option) || wanted.contains(&option)))
 }
 

@@ -65,10 +65,6 @@ pub(crate) struct Args {
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
 
-    /// Threads of the search; the answer is the same. Default: as many as the machine has.
-    #[arg(long, value_name = "N")]
-    threads: Option<usize>,
-
     /// Show at most this many gearboxes. Default: 20 in a table, otherwise all, up to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
@@ -109,7 +105,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
         efficiency,
         most,
-        threads: args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from)),
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
     };
     let shown = Progress::new();
     let found = answer(&wanted, &|_, at| {
@@ -117,7 +113,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         ControlFlow::Continue(())
     })
     .map_err(|error| match error {
-        answers::Error::Synthesis(error) => Failure::Option { option: "--ratios", message: error.to_string() },
+        answers::Error::Synthesis(error) => {
+            Failure::Option { option: "--ratios", message: error.to_string() }
+        }
         error => error.into(),
     })?;
     drop(shown);
@@ -125,7 +123,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         let searched: Vec<String> = found
             .searched
             .iter()
-            .map(|class| format!("{} structures of {} sets with {} of {} shift elements engaged", class.structures, class.sets, class.engaged, class.shift_elements))
+            .map(|class| {
+                format!(
+                    "{} structures of {} sets with {} of {} shift elements engaged",
+                    class.structures, class.sets, class.engaged, class.shift_elements
+                )
+            })
             .collect();
         return Err(Failure::NothingFound(format!(
             "no gearbox has these ratios: searched {}; try more --sets or --elements, --class all-sparse, a wider --tolerance or --k",
@@ -139,7 +142,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     Ok(())
 }
 
-fn counts(option: &'static str, span: Span<u32>, within: RangeInclusive<u32>) -> Result<RangeInclusive<usize>, Failure> {
+fn counts(
+    option: &'static str,
+    span: Span<u32>,
+    within: RangeInclusive<u32>,
+) -> Result<RangeInclusive<usize>, Failure> {
     let range = span.within(within).map_err(|error| Failure::Range { option, error })?;
     Ok(*range.start() as usize..=*range.end() as usize)
 }

@@ -28,7 +28,9 @@ fn parts(bench: &mut Criterion) {
         bench.iter(|| {
             motion.take(&structure, &pairs);
             let mut driven = 0;
-            motion.for_each_gear(&mut |_, last| driven += last.iter().filter(|speeds| !speeds.input.is_zero()).count());
+            motion.for_each_gear(&mut |_, last| {
+                driven += last.iter().filter(|speeds| !speeds.input.is_zero()).count()
+            });
             black_box(driven)
         });
     });
@@ -38,7 +40,9 @@ fn parts(bench: &mut Criterion) {
             let mut driven = 0;
             for third in 2..pairs.len() {
                 for second in 1..third {
-                    driven += (0..second).filter(|first| !motion.gear(&[*first, second, third]).input.is_zero()).count();
+                    driven += (0..second)
+                        .filter(|first| !motion.gear(&[*first, second, third]).input.is_zero())
+                        .count();
                 }
             }
             black_box(driven)

@@ -106,7 +106,8 @@ fn may_belong(class: Class, sets: &[Members]) -> bool {
         touched.dedup();
         touched.len() < chosen.count_ones() as usize + 2
     };
-    !(class.kind() == Kind::Core && sets.iter().flatten().any(|link| *link == 0)) && !(1..1 << sets.len()).any(few)
+    !(class.kind() == Kind::Core && sets.iter().flatten().any(|link| *link == 0))
+        && !(1..1 << sets.len()).any(few)
 }
 
 /// Whether sets are a labelled structure of the class.

@@ -58,7 +58,8 @@ impl<V: FnMut(&[Members])> Words<'_, V> {
             let next = next + u8::from(sun == next);
             for ring in (first..=next.min(last)).filter(|ring| *ring != sun) {
                 let next = next + u8::from(ring == next);
-                for carrier in (first..=next.min(last)).filter(|carrier| *carrier != sun && *carrier != ring) {
+                for carrier in (first..=next.min(last)).filter(|carrier| *carrier != sun && *carrier != ring)
+                {
                     let next = next + u8::from(carrier == next);
                     let members = [sun, ring, carrier];
                     let touched = touched | mask(&members);
@@ -89,7 +90,10 @@ fn missing(core: bool, touched: u32, last: Link, next: Link) -> usize {
 fn stays_sparse(sets: &[Members], more: &Members) -> bool {
     fn go(sets: &[Members], touched: u32, count: u32) -> bool {
         touched.count_ones() >= count + 2
-            && sets.iter().enumerate().all(|(place, members)| go(&sets[place + 1..], touched | mask(members), count + 1))
+            && sets
+                .iter()
+                .enumerate()
+                .all(|(place, members)| go(&sets[place + 1..], touched | mask(members), count + 1))
     }
     go(sets, mask(more), 1)
 }

@@ -20,8 +20,11 @@ impl Space {
     /// The space of so many dimensions, at least 2.
     #[must_use]
     pub fn new(dimensions: usize) -> Self {
-        let axes: Vec<Vec<u32>> =
-            (0..=dimensions).map(|degree| (0..1u32 << dimensions).filter(|axes| axes.count_ones() as usize == degree).collect()).collect();
+        let axes: Vec<Vec<u32>> = (0..=dimensions)
+            .map(|degree| {
+                (0..1u32 << dimensions).filter(|axes| axes.count_ones() as usize == degree).collect()
+            })
+            .collect();
         let place = |wanted: u32| axes[wanted.count_ones() as usize].iter().position(|axes| *axes == wanted);
         let growth = (1..=dimensions)
             .map(|degree| {
@@ -85,7 +88,12 @@ impl Space {
     }
 
     /// The product of two vectors at a pair of axes.
-    pub(crate) fn minor<W: Word>(one: &[Ternary<W>], other: &[Ternary<W>], first: usize, second: usize) -> Ternary<W> {
+    pub(crate) fn minor<W: Word>(
+        one: &[Ternary<W>],
+        other: &[Ternary<W>],
+        first: usize,
+        second: usize,
+    ) -> Ternary<W> {
         one[first].times(other[second]).subtract(one[second].times(other[first]))
     }
 }

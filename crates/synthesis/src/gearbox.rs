@@ -42,7 +42,10 @@ pub fn gearbox(
     let mut builder = Gearbox::builder(&structure.to_string()).links(links);
     for (place, (members, k)) in structure.sets().iter().zip(k).enumerate() {
         let names = members.map(solver_name);
-        builder = builder.set(SetSpec::simple(&(place + 1).to_string(), names.each_ref().map(String::as_str), *k).with_loss(loss));
+        builder = builder.set(
+            SetSpec::simple(&(place + 1).to_string(), names.each_ref().map(String::as_str), *k)
+                .with_loss(loss),
+        );
     }
     for element in elements {
         let name = element_name(*element);

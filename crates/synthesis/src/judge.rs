@@ -38,7 +38,11 @@ impl Judged {
 ///
 /// # Panics
 /// Where the solver's ratio of a gear is another than the formula's: a fault of this library.
-pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Result<Judged, epicyclic_train::Error> {
+pub fn judge(
+    found: &Found,
+    wish: &Wish,
+    mesh_efficiency: MeshEfficiency,
+) -> Result<Judged, epicyclic_train::Error> {
     let solution = &found.solution;
     let ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
     let whole = wish.k.iter().map(|range| [*range.start(), *range.end()]).collect();
@@ -51,7 +55,12 @@ pub fn judge(found: &Found, wish: &Wish, mesh_efficiency: MeshEfficiency) -> Res
         let analysis = gearbox.analyze_gear(gear)?;
         let ratio = analysis.ratio().unwrap_or(f64::NAN);
         let value = formula.value(&refined.k);
-        assert!((ratio - value).abs() <= 1e-9 * value.abs(), "{}: gear {} is {value} by {formula}, {ratio} by the solver", found.structure, gear.name());
+        assert!(
+            (ratio - value).abs() <= 1e-9 * value.abs(),
+            "{}: gear {} is {value} by {formula}, {ratio} by the solver",
+            found.structure,
+            gear.name()
+        );
         solved.push(ratio);
         efficiencies.push(analysis.efficiency());
     }
@@ -66,12 +75,15 @@ fn exchanges(found: &Found, wish: &Wish) -> (Vec<Vec<usize>>, usize) {
     let gears = &found.solution.gears;
     let mut forward: Vec<usize> = (0..gears.len()).filter(|gear| wish.gears[*gear].least > 0.0).collect();
     forward.sort_by(|one, other| wish.gears[*other].most.total_cmp(&wish.gears[*one].most));
-    let exchanged = |one: &[usize], other: &[usize]| one.iter().filter(|element| !other.contains(element)).count();
+    let exchanged =
+        |one: &[usize], other: &[usize]| one.iter().filter(|element| !other.contains(element)).count();
     // For each choice of each gear: exchanges beyond the first of each shift, and the choice before.
     let mut ways: Vec<Vec<(usize, usize)>> = Vec::new();
     for (step, gear) in forward.iter().enumerate() {
         let way = |choice: &Vec<usize>| {
-            let Some(before) = step.checked_sub(1).map(|step| &gears[forward[step]].engaged) else { return (0, 0) };
+            let Some(before) = step.checked_sub(1).map(|step| &gears[forward[step]].engaged) else {
+                return (0, 0);
+            };
             let costs = before.iter().enumerate().map(|(place, other)| {
                 (ways[step - 1][place].0 + exchanged(choice, other).saturating_sub(1), place)
             });
@@ -81,7 +93,8 @@ fn exchanges(found: &Found, wish: &Wish) -> (Vec<Vec<usize>>, usize) {
         ways.push(next);
     }
     let mut engaged: Vec<Vec<usize>> = gears.iter().map(|gear| gear.engaged[0].clone()).collect();
-    let mut place = ways.last().and_then(|way| (0..way.len()).min_by_key(|place| way[*place].0)).unwrap_or_default();
+    let mut place =
+        ways.last().and_then(|way| (0..way.len()).min_by_key(|place| way[*place].0)).unwrap_or_default();
     for (step, gear) in forward.iter().enumerate().rev() {
         engaged[*gear].clone_from(&gears[*gear].engaged[place]);
         place = ways[step][place].1;
@@ -93,6 +106,7 @@ fn exchanges(found: &Found, wish: &Wish) -> (Vec<Vec<usize>>, usize) {
             }
         }
     }
-    let multiple = forward.windows(2).filter(|pair| exchanged(&engaged[pair[0]], &engaged[pair[1]]) > 1).count();
+    let multiple =
+        forward.windows(2).filter(|pair| exchanged(&engaged[pair[0]], &engaged[pair[1]]) > 1).count();
     (engaged, multiple)
 }

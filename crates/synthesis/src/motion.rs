@@ -63,7 +63,8 @@ impl<W: Word> Motion<W> {
     #[must_use]
     pub fn new(freedom: usize) -> Self {
         let space = Space::new(freedom);
-        let products = (0..freedom.max(1)).map(|degree| vec![Ternary::default(); space.coordinates(degree)]).collect();
+        let products =
+            (0..freedom.max(1)).map(|degree| vec![Ternary::default(); space.coordinates(degree)]).collect();
         Self {
             space,
             freedom,
@@ -77,7 +78,11 @@ impl<W: Word> Motion<W> {
 
     /// Takes up a structure and the elements that gears may engage.
     pub fn take(&mut self, structure: &Structure, elements: &[Element]) {
-        debug_assert_eq!(structure.freedom(), self.freedom, "the structure has the freedom this was made for");
+        debug_assert_eq!(
+            structure.freedom(),
+            self.freedom,
+            "the structure has the freedom this was made for"
+        );
         let links = structure.links() + 1;
         let none = vec![Ternary::default(); self.freedom];
         self.axes.clear();
@@ -179,7 +184,11 @@ impl<W: Word> Motion<W> {
     /// Where there are more or fewer elements.
     #[must_use]
     pub fn gear(&mut self, elements: &[usize]) -> Speeds<W> {
-        assert_eq!(elements.len() + 1, self.freedom, "a gear engages one element less than there are degrees of freedom");
+        assert_eq!(
+            elements.len() + 1,
+            self.freedom,
+            "a gear engages one element less than there are degrees of freedom"
+        );
         self.products[0][0] = Ternary { plus: !W::default(), minus: W::default() };
         let (last, first) = elements.split_last().expect("a gear engages an element");
         for (degree, element) in (1..).zip(first) {

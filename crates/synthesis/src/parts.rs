@@ -150,7 +150,13 @@ impl Grid {
             .map(|range| {
                 let (least, most) = (*range.start(), *range.end());
                 (0..=cuts)
-                    .map(|cut| if cut == cuts { most } else { least * (most / least).powf(f64::from(cut) / f64::from(cuts)) })
+                    .map(|cut| {
+                        if cut == cuts {
+                            most
+                        } else {
+                            least * (most / least).powf(f64::from(cut) / f64::from(cuts))
+                        }
+                    })
                     .collect()
             })
             .collect();
@@ -197,7 +203,8 @@ impl Grid {
     /// Values of a polynomial at all corners of the parts.
     fn corners(&self, polynomial: Polynomial) -> Vec<f64> {
         let sets = self.edges.len();
-        let mut values: Vec<f64> = (0..1 << sets).map(|product| f64::from(polynomial.coefficient(product))).collect();
+        let mut values: Vec<f64> =
+            (0..1 << sets).map(|product| f64::from(polynomial.coefficient(product))).collect();
         // The last `k` first: its coefficients are the upper half.
         let mut upper = 1;
         for edges in self.edges.iter().rev() {
@@ -208,7 +215,9 @@ impl Grid {
                 let (constant, slope) = halves.split_at(lower);
                 for (cut, k) in edges.iter().enumerate() {
                     let place = (corner * edges.len() + cut) * lower;
-                    for ((value, constant), slope) in next[place..place + lower].iter_mut().zip(constant).zip(slope) {
+                    for ((value, constant), slope) in
+                        next[place..place + lower].iter_mut().zip(constant).zip(slope)
+                    {
                         *value = constant + slope * k;
                     }
                 }
@@ -235,7 +244,8 @@ impl Grid {
         let [above, below] = polynomials.map(|polynomial| self.corners(polynomial));
         let mut least: Vec<f64> = above.iter().zip(&below).map(|(above, below)| above / below).collect();
         let mut most = least.clone();
-        let mut signs: Vec<u8> = below.iter().map(|below| u8::from(*below > 0.0) | u8::from(*below < 0.0) << 1).collect();
+        let mut signs: Vec<u8> =
+            below.iter().map(|below| u8::from(*below > 0.0) | u8::from(*below < 0.0) << 1).collect();
         self.join(&mut least, |one, other| if one < other { one } else { other });
         self.join(&mut most, |one, other| if one > other { one } else { other });
         self.join(&mut signs, |one, other| one & other);
@@ -309,7 +319,11 @@ mod tests {
         // (1 + k₁ + k₁·k₂)/(k₂ − k₁): its denominator changes sign in the range.
         let ratio = ratio(0b1011, 0, 0b0100, 0b0010);
         let grid = Grid::new(&[1.4..=4.5, 1.4..=4.5]);
-        let gears = [Bounds { least: 4.9, most: 5.1 }, Bounds { least: -7.1, most: -6.9 }, Bounds { least: 0.2, most: 0.3 }];
+        let gears = [
+            Bounds { least: 4.9, most: 5.1 },
+            Bounds { least: -7.1, most: -6.9 },
+            Bounds { least: 0.2, most: 0.3 },
+        ];
         let reach = grid.reach(ratio, &gears);
         assert!(reach[2].is_empty(), "the ratio is never that small");
         for number in 0..grid.count() {
@@ -321,7 +335,11 @@ mod tests {
                 });
                 for (gear, reach) in gears.iter().zip(&reach) {
                     let within = reach.and(Parts::first(number + 1)).iter().any(|part| part == number);
-                    assert!(within || !gear.contain(ratio.value(&k)), "part {number}, {k:?}: {}", ratio.value(&k));
+                    assert!(
+                        within || !gear.contain(ratio.value(&k)),
+                        "part {number}, {k:?}: {}",
+                        ratio.value(&k)
+                    );
                 }
             }
         }

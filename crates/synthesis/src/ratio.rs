@@ -43,7 +43,9 @@ impl Polynomial {
     /// Not the value of a polynomial whose variables exceed `k`: each needs its place.
     #[must_use]
     pub fn value(self, k: &[f64]) -> f64 {
-        let term = |product: usize| (0..k.len()).filter(|set| product >> set & 1 == 1).map(|set| k[set]).product::<f64>();
+        let term = |product: usize| {
+            (0..k.len()).filter(|set| product >> set & 1 == 1).map(|set| k[set]).product::<f64>()
+        };
         self.products().map(|product| f64::from(self.coefficient(product)) * term(product)).sum()
     }
 
@@ -94,9 +96,12 @@ impl Polynomial {
             // The least set of variables with the lowest over which the rest splits gives a factor that splits no further.
             let all = rest.variables();
             let lowest = all & all.wrapping_neg();
-            let mut within: Vec<usize> = (1..=all).filter(|some| some & !all == 0 && some & lowest != 0).collect();
+            let mut within: Vec<usize> =
+                (1..=all).filter(|some| some & !all == 0 && some & lowest != 0).collect();
             within.sort_by_key(|some| some.count_ones());
-            let Some((factor, other)) = within.into_iter().find_map(|within| rest.split(within)) else { break };
+            let Some((factor, other)) = within.into_iter().find_map(|within| rest.split(within)) else {
+                break;
+            };
             let ((factor, one), (other, two)) = (factor.positive(), other.positive());
             negative ^= one ^ two;
             factors.push(factor);
@@ -141,7 +146,9 @@ impl Ratio {
             }
             common.is_none()
         });
-        let product = |factors: &[Polynomial]| factors.iter().fold(Polynomial::ONE, |all, factor| all.times_other(*factor));
+        let product = |factors: &[Polynomial]| {
+            factors.iter().fold(Polynomial::ONE, |all, factor| all.times_other(*factor))
+        };
         let (numerator, denominator) = (product(&above), product(&below));
         // Factors begin with a coefficient of 1, and so does their product.
         Some(Self { numerator: if one != other { numerator.negated() } else { numerator }, denominator })
@@ -207,7 +214,8 @@ impl fmt::Display for Polynomial {
                 (_, false) => " + ",
                 (_, true) => " − ",
             })?;
-            let names: Vec<String> = (0..64usize).filter(|set| product >> set & 1 == 1).map(|set| name(set + 1)).collect();
+            let names: Vec<String> =
+                (0..64usize).filter(|set| product >> set & 1 == 1).map(|set| name(set + 1)).collect();
             f.write_str(&if names.is_empty() { "1".into() } else { names.join("·") })?;
         }
         Ok(())
@@ -251,7 +259,9 @@ mod tests {
 
     /// A polynomial from its coefficients, those of products of few `k` first in the order of their bits.
     fn polynomial(terms: &[(usize, i8)]) -> Polynomial {
-        terms.iter().fold(Polynomial::default(), |all, (product, coefficient)| all.with(*product, *coefficient))
+        terms
+            .iter()
+            .fold(Polynomial::default(), |all, (product, coefficient)| all.with(*product, *coefficient))
     }
 
     #[test]

@@ -31,10 +31,11 @@ pub fn refine(ratios: &[Ratio], gears: &[Bounds], box_of_k: &Cuboid, point: &[f6
     let functions: Vec<Function> = ratios.iter().map(|ratio| Function::new(*ratio, box_of_k.len())).collect();
     let functions: Vec<&Function> = functions.iter().collect();
     let mut own = |assigned: &[usize]| assigned.iter().enumerate().all(|(gear, function)| gear == *function);
-    let mut seek = |gears: &[Bounds], cuboid: Cuboid| match Solver::new(&functions, gears, &mut own).search(cuboid) {
-        Outcome::Found { k, .. } => Some(k),
-        Outcome::None | Outcome::Undecided => None,
-    };
+    let mut seek =
+        |gears: &[Bounds], cuboid: Cuboid| match Solver::new(&functions, gears, &mut own).search(cuboid) {
+            Outcome::Found { k, .. } => Some(k),
+            Outcome::None | Outcome::Undecided => None,
+        };
     let (mut known, mut best) = (deviation(ratios, gears, point), point.to_vec());
     let mut none = 0.0;
     while known - none > CLOSE {

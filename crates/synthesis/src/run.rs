@@ -3,6 +3,7 @@
 use crate::class::Class;
 use crate::enumerate;
 use crate::error::Error;
+use crate::motion::elements;
 use crate::parts::Bounds;
 use crate::search::{Search, Solution, Tally, Wish, choose};
 use crate::structure::Structure;
@@ -130,7 +131,9 @@ fn search_with<W: Word + Send>(
             }
             let (length, before) = (chunk.len(), found.len());
             for place in chunk {
-                found.extend(search.structure(&structures[place]).into_iter().map(|solution| (place, solution)));
+                found.extend(
+                    search.structure(&structures[place]).into_iter().map(|solution| (place, solution)),
+                );
             }
             let mut told = told.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             told.done += length;
@@ -182,9 +185,15 @@ impl Wish {
             let ordered = gear.least.is_finite() && gear.most.is_finite() && gear.least <= gear.most;
             if !ordered || gear.least * gear.most <= 0.0 {
                 let Bounds { least, most } = gear;
-                return fault(format!("gear {} from {least} to {most}: the bounds need one sign, the lower first", place + 1));
+                return fault(format!(
+                    "gear {} from {least} to {most}: the bounds need one sign, the lower first",
+                    place + 1
+                ));
             }
-            if let Some(other) = self.gears[..place].iter().position(|other| other.least <= gear.most && gear.least <= other.most) {
+            if let Some(other) = self.gears[..place]
+                .iter()
+                .position(|other| other.least <= gear.most && gear.least <= other.most)
+            {
                 return fault(format!(
                     "gears {} and {} overlap: {}…{} and {}…{}; make the tolerance smaller",
                     other + 1,
@@ -197,7 +206,17 @@ impl Wish {
             }
         }
         if self.elements < engaged {
-            return fault(format!("{} shift elements, yet a gear of {class} engages {engaged}", self.elements));
+            return fault(format!(
+                "{} shift elements, yet a gear of {class} engages {engaged}",
+                self.elements
+            ));
+        }
+        let pairs = elements(class.links()).len();
+        if self.elements > pairs {
+            return fault(format!(
+                "{} shift elements, yet {class} have {pairs} pairs of links",
+                self.elements
+            ));
         }
         let choices = choose(self.elements, engaged);
         if choices < gears {
@@ -212,7 +231,10 @@ impl Wish {
         for (place, range) in self.k.iter().enumerate() {
             let (least, most) = (*range.start(), *range.end());
             if !(least.is_finite() && most.is_finite() && least > 0.0 && least <= most) {
-                return fault(format!("k of set {} from {least} to {most}: the range is empty or not above 0", place + 1));
+                return fault(format!(
+                    "k of set {} from {least} to {most}: the range is empty or not above 0",
+                    place + 1
+                ));
             }
         }
         Ok(())

@@ -120,7 +120,13 @@ impl Choices {
 
     /// Calls `visit` with the number of each choice of some elements, and the choice.
     fn for_each(&self, elements: u64, visit: &mut impl FnMut(usize, u64)) {
-        fn go(terms: &[Vec<usize>], left: u64, number: usize, chosen: u64, visit: &mut impl FnMut(usize, u64)) {
+        fn go(
+            terms: &[Vec<usize>],
+            left: u64,
+            number: usize,
+            chosen: u64,
+            visit: &mut impl FnMut(usize, u64),
+        ) {
             let Some((term, rest)) = terms.split_first() else { return visit(number, chosen) };
             let mut candidates = left;
             while candidates != 0 {
@@ -233,7 +239,9 @@ impl<W: Word> Search<W> {
     fn symmetries(&self, structure: &Structure) -> Vec<Vec<usize>> {
         let automorphisms = structure.automorphisms();
         // The ranges of k move with the sets.
-        let keeps_ranges = |order: &&Vec<usize>| order.iter().enumerate().all(|(place, set)| self.wish.k[place] == self.wish.k[*set]);
+        let keeps_ranges = |order: &&Vec<usize>| {
+            order.iter().enumerate().all(|(place, set)| self.wish.k[place] == self.wish.k[*set])
+        };
         let of = |order: &Vec<usize>| {
             let names = structure.renaming(order);
             let image = |element: &Vec<Element>| {
@@ -270,7 +278,8 @@ impl<W: Word> Search<W> {
         let Self { motion, library, functions, reached, lists, choices, .. } = self;
         motion.for_each_gear(&mut |first, last| {
             let from = first.last().map_or(0, |element| element + 1);
-            let number: usize = first.iter().zip(&choices.terms).map(|(element, terms)| terms[*element]).sum();
+            let number: usize =
+                first.iter().zip(&choices.terms).map(|(element, terms)| terms[*element]).sum();
             let chosen = first.iter().fold(0u64, |chosen, element| chosen | 1 << element);
             let terms = &choices.terms[first.len()];
             for (element, speeds) in (from..).zip(last) {
@@ -452,7 +461,8 @@ impl<W: Word> Search<W> {
             assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every
         };
         let engages_all = |assigned: &[usize]| {
-            assigned.iter().flat_map(|function| &choices[*function]).fold(0, |all, choice| all | choice) == chosen
+            assigned.iter().flat_map(|function| &choices[*function]).fold(0, |all, choice| all | choice)
+                == chosen
         };
         let (mut reducible, mut undecided) = (false, false);
         let mut seek = |accept: &mut dyn FnMut(&[usize]) -> bool| {
@@ -477,19 +487,28 @@ impl<W: Word> Search<W> {
         self.tally.reducible += u64::from(reducible);
         let (k, assigned) = found?;
         let places: Vec<usize> = (0..64).filter(|element| chosen >> element & 1 == 1).collect();
-        let by_places = |choice: &u64| (0..places.len()).filter(|place| choice >> places[*place] & 1 == 1).collect();
+        let by_places =
+            |choice: &u64| (0..places.len()).filter(|place| choice >> places[*place] & 1 == 1).collect();
         let gear = |function: &usize| Gear {
             ratio: functions[*function].ratio,
             engaged: choices[*function].iter().map(by_places).collect(),
         };
         let gears = assigned.iter().map(gear).collect();
-        Some(Solution { elements: places.iter().map(|place| self.elements[*place].clone()).collect(), k, gears })
+        Some(Solution {
+            elements: places.iter().map(|place| self.elements[*place].clone()).collect(),
+            k,
+            gears,
+        })
     }
 }
 
 /// Elements after a permutation of them.
 fn image(chosen: u64, places: &[usize]) -> u64 {
-    places.iter().enumerate().filter(|(element, _)| chosen >> element & 1 == 1).fold(0, |all, (_, place)| all | 1 << place)
+    places
+        .iter()
+        .enumerate()
+        .filter(|(element, _)| chosen >> element & 1 == 1)
+        .fold(0, |all, (_, place)| all | 1 << place)
 }
 
 /// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all parts at
@@ -533,9 +552,12 @@ mod tests {
 
     #[test]
     fn counts_of_parts_are_those_of_plain_counting() {
-        let sets: Vec<Parts> = (0..11).map(|step| (0..256).filter(|part| (part * 7 + step * 13) % 5 < 2).collect()).collect();
+        let sets: Vec<Parts> =
+            (0..11).map(|step| (0..256).filter(|part| (part * 7 + step * 13) % 5 < 2).collect()).collect();
         for least in 0..13 {
-            let plain: Parts = (0..256).filter(|part| sets.iter().filter(|set| set.contains(*part)).count() >= least).collect();
+            let plain: Parts = (0..256)
+                .filter(|part| sets.iter().filter(|set| set.contains(*part)).count() >= least)
+                .collect();
             assert_eq!(at_least(sets.iter().copied(), least), plain, "at least {least}");
         }
     }

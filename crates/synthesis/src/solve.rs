@@ -36,7 +36,10 @@ impl Function {
     /// With its coefficients for so many sets.
     #[must_use]
     pub fn new(ratio: Ratio, sets: usize) -> Self {
-        Self { ratio, coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)) }
+        Self {
+            ratio,
+            coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)),
+        }
     }
 }
 
@@ -73,9 +76,20 @@ type Left = Vec<(usize, u32)>;
 
 impl<'a> Solver<'a> {
     /// A search for a point where each gear is within its bounds by a function of its own, and `accept` takes the functions.
-    pub fn new(functions: &'a [&'a Function], gears: &[Bounds], accept: &'a mut dyn FnMut(&[usize]) -> bool) -> Self {
+    pub fn new(
+        functions: &'a [&'a Function],
+        gears: &[Bounds],
+        accept: &'a mut dyn FnMut(&[usize]) -> bool,
+    ) -> Self {
         let widened = gears.iter().map(|gear| gear.widened()).collect();
-        Self { functions, gears: gears.to_vec(), widened, accept, values: [Vec::new(), Vec::new()], undecided: false }
+        Self {
+            functions,
+            gears: gears.to_vec(),
+            widened,
+            accept,
+            values: [Vec::new(), Vec::new()],
+            undecided: false,
+        }
     }
 
     /// Searches a box.
@@ -95,7 +109,8 @@ impl<'a> Solver<'a> {
             self.reduce(&cuboid, &mut left)?;
             let before = size(&cuboid);
             for (function, gears) in &left {
-                if gears.count_ones() == 1 && left.iter().filter(|(_, other)| other & gears != 0).count() == 1 {
+                if gears.count_ones() == 1 && left.iter().filter(|(_, other)| other & gears != 0).count() == 1
+                {
                     self.shrink(&mut cuboid, *function, gears.trailing_zeros() as usize)?;
                 }
             }
@@ -147,8 +162,13 @@ impl<'a> Solver<'a> {
 
     /// Of the gears with several functions the one with the fewest.
     fn most_settled(&self, left: &Left) -> Option<usize> {
-        let counts = (0..self.gears.len()).map(|gear| left.iter().filter(|(_, gears)| gears >> gear & 1 == 1).count());
-        counts.enumerate().filter(|(_, count)| *count > 1).min_by_key(|(_, count)| *count).map(|(gear, _)| gear)
+        let counts =
+            (0..self.gears.len()).map(|gear| left.iter().filter(|(_, gears)| gears >> gear & 1 == 1).count());
+        counts
+            .enumerate()
+            .filter(|(_, count)| *count > 1)
+            .min_by_key(|(_, count)| *count)
+            .map(|(gear, _)| gear)
     }
 
     /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each have their own.
@@ -262,7 +282,8 @@ impl<'a> Solver<'a> {
     fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
         let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
         for _ in 0..6 {
-            let ratios: Vec<f64> = functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
+            let ratios: Vec<f64> =
+                functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
             if ratios.iter().zip(&self.gears).all(|(ratio, gear)| gear.contain(*ratio)) {
                 return Some(k);
             }
@@ -342,7 +363,8 @@ pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
 fn solve_linear(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let size = rows.len();
     for column in 0..size {
-        let pivot = (column..size).max_by(|one, other| rows[*one][column].abs().total_cmp(&rows[*other][column].abs()))?;
+        let pivot = (column..size)
+            .max_by(|one, other| rows[*one][column].abs().total_cmp(&rows[*other][column].abs()))?;
         rows.swap(column, pivot);
         if rows[column][column].is_nan() || rows[column][column] == 0.0 {
             return None;
@@ -372,6 +394,9 @@ mod tests {
     fn gears_match_functions_only_if_enough_reach_them() {
         assert!(can_match(&[0b011, 0b001, 0b100], 3));
         assert!(!can_match(&[0b011, 0b011, 0b011], 3));
-        assert!(!can_match(&[0b001, 0b001, 0b110], 3), "two functions for the first gear, one for the others");
+        assert!(
+            !can_match(&[0b001, 0b001, 0b110], 3),
+            "two functions for the first gear, one for the others"
+        );
     }
 }

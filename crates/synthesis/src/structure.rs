@@ -130,7 +130,8 @@ impl Structure {
 pub(crate) fn is_sparse(sets: &[Members]) -> bool {
     let touched: Vec<u32> = sets.iter().map(mask).collect();
     (1..1u32 << sets.len()).all(|chosen| {
-        let links = (0..sets.len()).filter(|set| chosen >> set & 1 == 1).fold(0, |all, set| all | touched[set]);
+        let links =
+            (0..sets.len()).filter(|set| chosen >> set & 1 == 1).fold(0, |all, set| all | touched[set]);
         links.count_ones() >= chosen.count_ones() + 2
     })
 }
@@ -279,9 +280,11 @@ impl Structure {
         let mut read = Vec::new();
         for set in text.split_whitespace() {
             let members: Option<Vec<Link>> = set.split('-').map(&mut link).collect();
-            let members = members.ok_or_else(|| fault("a link is 0 (housing), 1 (input), 2 (output) or a small letter"))?;
-            let members: Members =
-                members.try_into().map_err(|_| fault("a set has three links, its sun, ring and carrier: a-b-c"))?;
+            let members = members
+                .ok_or_else(|| fault("a link is 0 (housing), 1 (input), 2 (output) or a small letter"))?;
+            let members: Members = members
+                .try_into()
+                .map_err(|_| fault("a set has three links, its sun, ring and carrier: a-b-c"))?;
             read.push(members);
         }
         if read.is_empty() {

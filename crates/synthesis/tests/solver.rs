@@ -1,5 +1,11 @@
 //! Ratios as formulas against the solver, on random structures, elements and ring-to-sun ratios.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
+
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::motion::{Motion, elements};
 use epicyclic_synthesis::ratio::{Polynomial, Ratio};
@@ -48,7 +54,9 @@ fn agreeing<W: Word>(class: Class, count: usize) -> usize {
         let speeds = motion.gear(&engaged);
         let formula = Ratio::new(wide(speeds.input), wide(speeds.output));
         let used: Vec<_> = engaged.iter().map(|element| all[*element]).collect();
-        let built = gearbox::gearbox(structure, &k, MeshEfficiency::IDEAL, &used, &[(0..used.len()).collect()]).unwrap();
+        let built =
+            gearbox::gearbox(structure, &k, MeshEfficiency::IDEAL, &used, &[(0..used.len()).collect()])
+                .unwrap();
         let analysis = built.analyze("1").unwrap();
         // Elements that repeat each other leave a link free: no gear of the class, whatever the output does.
         let all_turn = analysis.speeds().iter().all(Option::is_some);
@@ -56,14 +64,16 @@ fn agreeing<W: Word>(class: Class, count: usize) -> usize {
         match (formula, solved) {
             (Some(formula), Some(solved)) => {
                 let value = formula.value(&k);
-                assert!((value - solved).abs() < 1e-9 * (1.0 + solved.abs()), "{structure} {used:?} {k:?}: {formula} = {value}, solver {solved}");
+                assert!(
+                    (value - solved).abs() < 1e-9 * (1.0 + solved.abs()),
+                    "{structure} {used:?} {k:?}: {formula} = {value}, solver {solved}"
+                );
                 driven += 1;
             }
             (None, None) => {}
             _ => panic!("{structure} {used:?} {k:?}: formula {formula:?}, solver {solved:?}"),
         }
     }
-    println!("{class}: {driven} of {count} driven");
     driven
 }
 

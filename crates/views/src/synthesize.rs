@@ -19,10 +19,17 @@ impl AsReport for Synthesis {
             self.k_range[0],
             self.k_range[1],
         );
-        let mut parts = vec![Part::Records(searched(&self.searched)), Part::Text(Text::paragraph(count(self)))];
+        let mut parts =
+            vec![Part::Records(searched(&self.searched)), Part::Text(Text::paragraph(count(self)))];
         if !self.solutions.is_empty() {
             parts.push(Part::Records(solutions(&self.solutions)));
-            parts.extend(self.solutions.iter().take(SHOWN_IN_FULL).enumerate().map(|(place, found)| Part::Text(gears(place + 1, found))));
+            parts.extend(
+                self.solutions
+                    .iter()
+                    .take(SHOWN_IN_FULL)
+                    .enumerate()
+                    .map(|(place, found)| Part::Text(gears(place + 1, found))),
+            );
             parts.push(Part::Text(Text::paragraph(LEGEND)));
         }
         Report { title: Some(title), parts, warnings: Some(warnings(self)) }
@@ -30,8 +37,8 @@ impl AsReport for Synthesis {
 }
 
 const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
-    of one letter is a brake, of two a clutch. Multiple shifts are steps between neighbouring forward gears that exchange more than \
-    one shift element.";
+    of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
+    element. Least η: the least efficiency of a gear.";
 
 /// How many were found, how many shown.
 #[must_use]
@@ -52,7 +59,12 @@ fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
         told.push(("reducible", format!("{reducible} further sets of shift elements have all ratios, but the k of a set moves none of them: a simpler gearbox does the same")));
     }
     if undecided > 0 {
-        told.push(("undecided", format!("for {undecided} sets of shift elements neither a solution was found nor its absence proved")));
+        told.push((
+            "undecided",
+            format!(
+                "for {undecided} sets of shift elements neither a solution was found nor its absence proved"
+            ),
+        ));
     }
     told
 }
@@ -104,8 +116,14 @@ fn searched(classes: &[Searched]) -> Records {
         views: vec![View {
             title: "Searched".into(),
             columns: vec![
-                "class", "sets", "links", "shift_elements", "engaged", "structures", "space_rounded", "structures_searched", "solutions",
-                "reducible", "undecided",
+                "class",
+                "sets",
+                "links",
+                "shift_elements",
+                "engaged",
+                "structures",
+                "space_rounded",
+                "solutions",
             ],
             note: "space: structures times sets of shift elements, each a pair of links".into(),
         }],
@@ -124,9 +142,11 @@ fn solutions(found: &[Solution]) -> Records {
             Figure::Numbers(ks.clone()),
             Figure::Text(ks.iter().map(|k| format!("{k:.3}")).collect::<Vec<_>>().join(" ")),
             Figure::Number(of.greatest_deviation),
-            Figure::Share(of.greatest_deviation),
+            Figure::Text(format!("{:.2} %", 100.0 * of.greatest_deviation)),
             Figure::Number(of.multiple_shifts as f64),
-            Figure::Multiple(of.least_efficiency),
+            Figure::Number(of.multiple_shifts as f64),
+            Figure::Number(of.least_efficiency),
+            Figure::Text(format!("{:.4}", of.least_efficiency)),
         ]
     };
     Records {
@@ -140,12 +160,14 @@ fn solutions(found: &[Solution]) -> Records {
             Column::number("greatest_deviation", "greatest deviation"),
             Column::number("deviation", "off by").for_people(),
             Column::number("multiple_shifts", "multiple shifts"),
+            Column::number("multiple", "mult.").for_people(),
             Column::number("least_efficiency", "least efficiency"),
+            Column::number("efficiency", "least η").for_people(),
         ],
         rows: found.iter().enumerate().map(row).collect(),
         views: vec![View::new(
             "Gearboxes",
-            &["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple_shifts", "least_efficiency"],
+            &["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple", "efficiency"],
         )],
         is_answer: true,
     }
@@ -159,15 +181,32 @@ fn gears(number: usize, found: &Solution) -> Text {
     let mut table = vec![header];
     for gear in &found.gears {
         let mut row = vec![format!("{:.4}", gear.ratio)];
-        row.extend(found.shift_elements.iter().map(|element| if gear.engaged.contains(&element.name) { "x".into() } else { String::new() }));
+        row.extend(
+            found
+                .shift_elements
+                .iter()
+                .map(|element| if gear.engaged.contains(&element.name) { "x".into() } else { String::new() }),
+        );
         row.push(format!("{:+.2}", 100.0 * gear.deviation));
         row.push(gear.efficiency.map_or_else(|| "none".into(), |efficiency| format!("{efficiency:.4}")));
         row.push(gear.formula.clone());
         table.push(row);
     }
-    let k = found.sets.iter().enumerate().map(|(place, set)| format!("k{} {:.4} ({:.4} to {:.4})", place + 1, set.k, set.k_range[0], set.k_range[1]));
+    let k = found.sets.iter().enumerate().map(|(place, set)| {
+        format!("k{} {:.4} ({:.4} to {:.4})", place + 1, set.k, set.k_range[0], set.k_range[1])
+    });
     let instead = found.shift_elements.iter().filter(|element| !element.instead.is_empty());
-    let mut points: Vec<String> = vec![format!("k with the least deviation, and the range that keeps the tolerances: {}", k.collect::<Vec<_>>().join(", "))];
-    points.extend(instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))));
-    Text { heading: Some(format!("Gearbox {number}: {}", found.structure)), paragraphs: Vec::new(), points, table }
+    let mut points: Vec<String> = vec![format!(
+        "k with the least deviation, and the range that keeps the tolerances: {}",
+        k.collect::<Vec<_>>().join(", ")
+    )];
+    points.extend(
+        instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))),
+    );
+    Text {
+        heading: Some(format!("Gearbox {number}: {}", found.structure)),
+        paragraphs: Vec::new(),
+        points,
+        table,
+    }
 }
