@@ -45,15 +45,15 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t = Class::Core)]
     class: Class,
 
-    /// Number of planet sets, at most 6.
+    /// Number of planet sets, at most 4.
     #[arg(long, default_value = "1..3")]
     sets: Span<u32>,
 
-    /// Number of shift elements, at most 8.
+    /// Number of shift elements, at most 7.
     #[arg(long, default_value = "1..6")]
     elements: Span<u32>,
 
-    /// Shift elements that a gear engages.
+    /// Shift elements that a gear engages, at most 4.
     #[arg(long, default_value = "1..3")]
     engaged: Span<u32>,
 
@@ -99,9 +99,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             Class::Core => Kind::Core,
             Class::AllSparse => Kind::AllSparse,
         },
-        sets: counts("--sets", args.sets, 1..=6)?,
-        elements: counts("--elements", args.elements, 1..=8)?,
-        engaged: counts("--engaged", args.engaged, 1..=5)?,
+        sets: counts("--sets", args.sets, 1..=4)?,
+        elements: counts("--elements", args.elements, 1..=7)?,
+        engaged: counts("--engaged", args.engaged, 1..=4)?,
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
         efficiency,
         most,
