@@ -162,6 +162,9 @@ pub enum Error {
     /// What a selection refuses.
     #[error(transparent)]
     Selection(#[from] epicyclic_selection::Error),
+    /// A list of ratios that no gearbox of the classes asked for can have.
+    #[error(transparent)]
+    Synthesis(#[from] epicyclic_synthesis::Error),
     /// A speed or load of an input.
     #[error(transparent)]
     Duty(#[from] DutyProblem),

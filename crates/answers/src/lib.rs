@@ -61,6 +61,7 @@ pub mod report;
 pub mod schemes;
 pub mod select;
 pub mod shared;
+pub mod synthesize;
 pub mod teeth;
 mod tolerance;
 pub mod transmissions;

@@ -6,6 +6,7 @@
 //! | [`drive`] | the command `drive`: a whole planetary drive from a file |
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
+//! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
@@ -44,6 +45,7 @@ mod robustness;
 mod schema;
 mod schemes;
 mod select;
+mod synthesize;
 mod teeth;
 mod writing;
 
@@ -68,6 +70,7 @@ enum Command {
     Drive(drive::Args),
     Analyze(analyze::Args),
     Select(Box<select::Args>),
+    Synthesize(synthesize::Args),
     Schemes(schemes::Args),
     Machine(machine::Args),
     Motor(Box<motor::Args>),
@@ -143,6 +146,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
         Command::Select(args) => select::run(&args),
+        Command::Synthesize(args) => synthesize::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Motor(args) => motor::run(&args),

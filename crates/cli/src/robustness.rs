@@ -91,6 +91,8 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "tolerance" => &["1%", "0.2"],
         "speeds" => &["0.8 m/s, 3.15 m/s", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
         "ratios" => &["2.5", "1.465, 2.56", "-4, -7"],
+        "sets" => &["1", "2", "1..2"],
+        "elements" | "engaged" => &["1", "2", "1..3"],
         "order" => &["size", "efficiency, error"],
         "brakes" | "signs" => &["as-given", "either", "any", "alike"],
         "torque" => &["500 N·m", "-3 kN·m"],
@@ -150,6 +152,7 @@ fn commands() -> Vec<Vec<String>> {
     let mut all: Vec<Vec<String>> = [
         &["teeth"][..],
         &["select"],
+        &["synthesize"],
         &["schemes"],
         &["schemes", "II-3"],
         &["schemes", "I"],
@@ -245,8 +248,8 @@ fn line() -> impl Strategy<Value = Vec<String>> {
             }
             used.push(place);
             let fits = sensible(name);
-            // Of a tooth count a wild range may take minutes.
-            let bounded = ["sun", "planet", "ring"].contains(&name.as_str())
+            // Of a tooth count a wild range may take minutes, of sets hours.
+            let bounded = ["sun", "planet", "ring", "sets", "elements", "engaged"].contains(&name.as_str())
                 || (seeks_motors && BOUNDS.contains(&name.as_str()));
             let from = if (wild < 7 || bounded) && !fits.is_empty() { fits } else { &VALUES[..] };
             line.push(if *takes_value {

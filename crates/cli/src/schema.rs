@@ -16,6 +16,7 @@ use epicyclic_answers::report::Report;
 use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
+use epicyclic_answers::synthesize::Synthesis;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
@@ -75,6 +76,8 @@ enum Of {
     AnswerSelect,
     /// The answer of `epicyclic select --teeth`.
     AnswerSelectTeeth,
+    /// The answer of `epicyclic synthesize`.
+    AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
     AnswerSchemes,
     /// The answer of `epicyclic schemes` with a name.
@@ -114,6 +117,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerTeeth => schema::<Teeth>(),
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
+        Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),
         Of::AnswerMachines => schema::<Machines>(),

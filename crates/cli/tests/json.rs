@@ -65,6 +65,19 @@ const RUNS: &[(&str, &[&str])] = &[
     ),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
     ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s"]),
+    ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
+    (
+        "synthesize",
+        &[
+            "synthesize",
+            "--ratios",
+            "3.059, 1.625, 1, 0.696, -2.294",
+            "--engaged",
+            "2",
+            "--class",
+            "all-sparse",
+        ],
+    ),
     (
         "select",
         &[

@@ -8,7 +8,7 @@
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`drawability`] | why a gearbox cannot be drawn, in words |
-//! | [`analyze`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`teeth`], [`transmissions`] | the views of these answers |
+//! | [`analyze`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
@@ -25,6 +25,7 @@ pub mod quantities;
 pub mod report;
 pub mod schemes;
 pub mod select;
+pub mod synthesize;
 pub mod teeth;
 pub mod text;
 mod tolerance;

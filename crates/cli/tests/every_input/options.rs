@@ -58,6 +58,18 @@ analyze: every-gearbox-key.yaml --gear 1 --speed '1475 rpm'
   --power '75 kW'
 analyze: every-gearbox-key.yaml --speed '1475 rpm'
   --power '75 kW'
+synthesize: --ratios '2.56, 1.465' --format json
+  --ratios '2.5, 1.465'
+  --tolerance 2%
+  --class all-sparse
+  --sets 2
+  --elements 3
+  --engaged 2
+  --k 2..4
+  --efficiency 95%
+  --limit 1
+  --format csv
+  --output boxes.json
 select: --speeds '0.8 m/s, 3.15 m/s'
   --speeds '1 m/s, 3.15 m/s'
 select: --ratios '1.465, 2.56' --format json

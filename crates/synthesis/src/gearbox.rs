@@ -1,0 +1,63 @@
+//! A structure with elements and ring-to-sun ratios as a gearbox of the solver.
+
+use crate::motion::Element;
+use crate::structure::{HOUSING, INPUT, Link, OUTPUT, Structure, link_name};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::{GROUND, Gearbox};
+
+/// The name that a link has in a gearbox of the solver: `in` the input, `out` the output, letters the others.
+#[must_use]
+pub fn solver_name(link: Link) -> String {
+    match link {
+        HOUSING => GROUND.into(),
+        INPUT => "in".into(),
+        OUTPUT => "out".into(),
+        _ => link_name(link).to_string(),
+    }
+}
+
+/// The name of an element: the links that it joins, a brake by its link alone.
+#[must_use]
+pub fn element_name(element: Element) -> String {
+    match element {
+        [HOUSING, link] => link_name(link).to_string(),
+        [one, other] => format!("{}-{}", link_name(one), link_name(other)),
+    }
+}
+
+/// The gearbox with these elements and this efficiency of each set's two meshes together, by the gears that each engages some of them (by their places).
+///
+/// # Errors
+/// Those of the solver: `k` not above 1, a gear that engages no element or one that is not there.
+pub fn gearbox(
+    structure: &Structure,
+    k: &[f64],
+    mesh_efficiency: MeshEfficiency,
+    elements: &[Element],
+    gears: &[Vec<usize>],
+) -> Result<Gearbox, epicyclic_train::Error> {
+    let links = (1..=structure.links()).filter_map(|link| Some(solver_name(Link::try_from(link).ok()?)));
+    let loss = MeshLoss::Set(mesh_efficiency);
+    let mut builder = Gearbox::builder(&structure.to_string()).links(links);
+    for (place, (members, k)) in structure.sets().iter().zip(k).enumerate() {
+        let names = members.map(solver_name);
+        builder = builder.set(
+            SetSpec::simple(&(place + 1).to_string(), names.each_ref().map(String::as_str), *k)
+                .with_loss(loss),
+        );
+    }
+    for element in elements {
+        let name = element_name(*element);
+        builder = match *element {
+            [HOUSING, link] => builder.brake(&name, &solver_name(link)),
+            [one, other] => builder.clutch(&name, &solver_name(one), &solver_name(other)),
+        };
+    }
+    builder = builder.input(&solver_name(INPUT)).output(&solver_name(OUTPUT));
+    for (place, engaged) in gears.iter().enumerate() {
+        let engaged = engaged.iter().map(|element| element_name(elements[*element]));
+        builder = builder.gear(&(place + 1).to_string(), engaged);
+    }
+    builder.build()
+}

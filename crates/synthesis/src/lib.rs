@@ -1,0 +1,46 @@
+//! Synthesis of planetary gearboxes: from a list of ratios to every gearbox that has them.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`class`], [`structure`] | which structures are searched, and when two are equal |
+//! | [`enumerate`], [`count`] | all of a class, each once, and how many by other ways |
+//! | [`ternary`], [`exterior`], [`motion`] | the speeds of every gear of a structure as polynomials |
+//! | [`ratio`] | ratios as formulas, factored |
+//! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
+//! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
+//! | [`run`] | a search through a class on several threads |
+//! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`gearbox`] | a solution as a gearbox of the solver |
+//!
+//! # What complete means
+//! Every set of shift elements with which each wanted ratio is had within its bounds, at real ring-to-sun ratios within their
+//! range, of every structure of the class. Sets in which some `k` moves no wanted ratio are *reducible*: counted, not told.
+//! Shift elements that lock the same are one; of solutions that an automorphism of the structure makes equal one is told. Bounds
+//! are widened by 10⁻⁹, so that rounding loses nothing; what is neither found nor excluded is *undecided* and counted.
+//!
+//! # Source
+//! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
+
+pub mod class;
+pub mod count;
+pub mod enumerate;
+mod error;
+pub mod exterior;
+pub mod gearbox;
+pub mod judge;
+mod library;
+pub mod motion;
+pub mod parts;
+pub mod ratio;
+pub mod refine;
+pub mod run;
+pub mod search;
+pub mod solve;
+pub mod structure;
+pub mod ternary;
+
+pub use class::{Class, Kind};
+pub use error::Error;
+pub use structure::Structure;

@@ -1,0 +1,360 @@
+//! The range of the ring-to-sun ratios in parts, and which parts hold a ratio that is wanted.
+//!
+//! The range of each `k` is cut into equal ratios, at most 256 parts altogether. A set of parts is four words.
+//!
+//! # Why nothing is lost
+//! `P − g·Q` is of the first degree in each `k`, so its extremes over a part are at its corners. Where `P − g·Q` has the same
+//! sign at all corners for the lower and the upper bound `g` of a gear, the ratio `P/Q` is outside these bounds in
+//! the whole part, also where `Q` changes its sign: `(P − g₁·Q)·(P − g₂·Q) > 0`. Where `Q` keeps its sign, this says that
+//! the extremes of `P/Q` are at corners.
+
+use crate::ratio::{Polynomial, Ratio};
+use std::ops::RangeInclusive;
+
+/// How much the bounds of a gear are widened before a part is called out of reach, so that rounding loses nothing.
+pub(crate) const WIDENING: f64 = 1e-9;
+
+/// A set of parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Parts([u64; 4]);
+
+impl Parts {
+    /// Every part there may be.
+    pub(crate) const ALL: Self = Self([u64::MAX; 4]);
+
+    /// The parts of both.
+    #[inline]
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] & other.0[word]))
+    }
+
+    /// The parts of either.
+    #[inline]
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] | other.0[word]))
+    }
+
+    /// The parts of one of both alone.
+    #[inline]
+    #[must_use]
+    pub fn xor(self, other: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] ^ other.0[word]))
+    }
+
+    /// The parts that the other has not.
+    #[inline]
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] & !other.0[word]))
+    }
+
+    /// Whether a part is among them.
+    #[inline]
+    #[must_use]
+    pub fn contains(self, part: usize) -> bool {
+        self.0[part / 64] >> (part % 64) & 1 == 1
+    }
+
+    /// Whether there is none.
+    #[inline]
+    #[must_use]
+    pub fn is_empty(self) -> bool {
+        self.0 == [0; 4]
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(self) -> u32 {
+        self.0.iter().map(|word| word.count_ones()).sum()
+    }
+
+    /// The numbers of the parts.
+    pub fn iter(self) -> impl Iterator<Item = usize> {
+        (0..256).filter(move |part| self.contains(*part))
+    }
+
+    fn insert(&mut self, part: usize) {
+        self.0[part / 64] |= 1 << (part % 64);
+    }
+
+    /// The first so many.
+    #[must_use]
+    pub fn first(count: usize) -> Self {
+        (0..count).collect()
+    }
+}
+
+impl FromIterator<usize> for Parts {
+    fn from_iter<I: IntoIterator<Item = usize>>(numbers: I) -> Self {
+        let mut parts = Self::default();
+        numbers.into_iter().for_each(|part| parts.insert(part));
+        parts
+    }
+}
+
+/// The bounds of a gear's ratio, of one sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// The lower.
+    pub least: f64,
+    /// The upper.
+    pub most: f64,
+}
+
+impl Bounds {
+    /// Widened by a part of 10⁹.
+    pub(crate) fn widened(self) -> Self {
+        Self { least: self.least - WIDENING * self.least.abs(), most: self.most + WIDENING * self.most.abs() }
+    }
+
+    /// Whether a box may hold a point with a ratio within the bounds, by the values of its `P` and `Q` at the corners.
+    #[inline]
+    pub(crate) fn is_reached(self, above: &[f64], below: &[f64]) -> bool {
+        let (mut larger, mut smaller) = (true, true);
+        for (above, below) in above.iter().zip(below) {
+            let (least, most) = (above - self.least * below, above - self.most * below);
+            larger &= least > 0.0 && most > 0.0;
+            smaller &= least < 0.0 && most < 0.0;
+        }
+        !larger && !smaller
+    }
+
+    /// Whether a ratio is within.
+    #[must_use]
+    pub fn contain(self, ratio: f64) -> bool {
+        (self.least..=self.most).contains(&ratio)
+    }
+}
+
+/// A box of ring-to-sun ratios: lower and upper bound of each.
+pub type Cuboid = Vec<[f64; 2]>;
+
+/// The parts of a range.
+#[derive(Debug, Clone)]
+pub struct Grid {
+    /// The bounds of the parts of each `k`.
+    edges: Vec<Vec<f64>>,
+    /// For each part the place of its lowest corner among all corners.
+    lowest: Vec<usize>,
+}
+
+impl Grid {
+    /// The parts of these ranges.
+    #[must_use]
+    pub fn new(ranges: &[RangeInclusive<f64>]) -> Self {
+        let cuts = [1, 64, 16, 6, 4, 3, 2][ranges.len()];
+        let edges = ranges
+            .iter()
+            .map(|range| {
+                let (least, most) = (*range.start(), *range.end());
+                (0..=cuts)
+                    .map(|cut| {
+                        if cut == cuts {
+                            most
+                        } else {
+                            least * (most / least).powf(f64::from(cut) / f64::from(cuts))
+                        }
+                    })
+                    .collect()
+            })
+            .collect();
+        let mut grid = Self { edges, lowest: Vec::new() };
+        grid.lowest = (0..grid.count()).map(|part| grid.lowest_corner(part)).collect();
+        grid
+    }
+
+    fn lowest_corner(&self, mut part: usize) -> usize {
+        let (mut place, mut stride) = (0, 1);
+        for edges in &self.edges {
+            place += part % (edges.len() - 1) * stride;
+            part /= edges.len() - 1;
+            stride *= edges.len();
+        }
+        place
+    }
+
+    /// How many parts.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.edges.iter().map(|edges| edges.len() - 1).product()
+    }
+
+    /// The part of this number; the first `k` changes fastest.
+    #[must_use]
+    pub fn part(&self, mut number: usize) -> Cuboid {
+        let mut bounds = Cuboid::new();
+        for edges in &self.edges {
+            let cuts = edges.len() - 1;
+            let cut = number % cuts;
+            bounds.push([edges[cut], edges[cut + 1]]);
+            number /= cuts;
+        }
+        bounds
+    }
+
+    /// The whole range.
+    #[must_use]
+    pub fn whole(&self) -> Cuboid {
+        self.edges.iter().map(|edges| [edges[0], edges[edges.len() - 1]]).collect()
+    }
+
+    /// Values of a polynomial at all corners of the parts.
+    fn corners(&self, polynomial: Polynomial) -> Vec<f64> {
+        let sets = self.edges.len();
+        let mut values: Vec<f64> =
+            (0..1 << sets).map(|product| f64::from(polynomial.coefficient(product))).collect();
+        // The last `k` first: its coefficients are the upper half.
+        let mut upper = 1;
+        for edges in self.edges.iter().rev() {
+            let lower = values.len() / upper / 2;
+            let mut next = vec![0.0; lower * edges.len() * upper];
+            // For each of the `upper` corners already made: the coefficients without this `k`, then those with it.
+            for (corner, halves) in values.chunks_exact(2 * lower).enumerate() {
+                let (constant, slope) = halves.split_at(lower);
+                for (cut, k) in edges.iter().enumerate() {
+                    let place = (corner * edges.len() + cut) * lower;
+                    for ((value, constant), slope) in
+                        next[place..place + lower].iter_mut().zip(constant).zip(slope)
+                    {
+                        *value = constant + slope * k;
+                    }
+                }
+            }
+            upper *= edges.len();
+            values = next;
+        }
+        values
+    }
+
+    /// For each gear the parts in which the ratio may be within its bounds.
+    #[must_use]
+    pub fn reach(&self, ratio: Ratio, gears: &[Bounds]) -> Vec<Parts> {
+        let sets = self.edges.len();
+        let polynomials = [ratio.numerator, ratio.denominator];
+        let mut ends = [Vec::new(), Vec::new()];
+        for (values, polynomial) in ends.iter_mut().zip(polynomials) {
+            corner_values(&coefficients(polynomial, sets), &self.whole(), values);
+        }
+        let gears: Vec<Bounds> = gears.iter().map(|gear| gear.widened()).collect();
+        if !gears.iter().any(|gear| gear.is_reached(&ends[0], &ends[1])) {
+            return vec![Parts::default(); gears.len()];
+        }
+        let [above, below] = polynomials.map(|polynomial| self.corners(polynomial));
+        let mut least: Vec<f64> = above.iter().zip(&below).map(|(above, below)| above / below).collect();
+        let mut most = least.clone();
+        let mut signs: Vec<u8> =
+            below.iter().map(|below| u8::from(*below > 0.0) | u8::from(*below < 0.0) << 1).collect();
+        self.join(&mut least, |one, other| if one < other { one } else { other });
+        self.join(&mut most, |one, other| if one > other { one } else { other });
+        self.join(&mut signs, |one, other| one & other);
+        let mut reach = vec![Parts::default(); gears.len()];
+        for (part, corner) in self.lowest.iter().enumerate() {
+            if signs[*corner] == 0 {
+                // The output stands still somewhere in the part, so the ratio has no extremes at the corners.
+                for (values, polynomial) in ends.iter_mut().zip(polynomials) {
+                    corner_values(&coefficients(polynomial, sets), &self.part(part), values);
+                }
+                for (reach, gear) in reach.iter_mut().zip(&gears) {
+                    if gear.is_reached(&ends[0], &ends[1]) {
+                        reach.insert(part);
+                    }
+                }
+            } else {
+                let (least, most) = (least[*corner], most[*corner]);
+                for (reach, gear) in reach.iter_mut().zip(&gears) {
+                    if least <= gear.most && gear.least <= most {
+                        reach.insert(part);
+                    }
+                }
+            }
+        }
+        reach
+    }
+
+    /// Joins the values of all corners of a part at its lowest.
+    fn join<T: Copy>(&self, values: &mut [T], join: impl Fn(T, T) -> T) {
+        let mut stride = 1;
+        for edges in &self.edges {
+            for place in 0..values.len().saturating_sub(stride) {
+                values[place] = join(values[place], values[place + stride]);
+            }
+            stride *= edges.len();
+        }
+    }
+}
+
+/// Values of a polynomial, given by its coefficients, at the corners of a box; bit `j` of a corner is the upper bound of `k_j`.
+pub(crate) fn corner_values(coefficients: &[f64], cuboid: &[[f64; 2]], values: &mut Vec<f64>) {
+    values.clear();
+    values.extend_from_slice(coefficients);
+    for (set, [least, most]) in cuboid.iter().enumerate() {
+        let step = 1 << set;
+        for block in values.chunks_exact_mut(2 * step) {
+            let (constant, slope) = block.split_at_mut(step);
+            for (constant, slope) in constant.iter_mut().zip(slope) {
+                (*constant, *slope) = (*constant + *slope * least, *constant + *slope * most);
+            }
+        }
+    }
+}
+
+/// The coefficients of a polynomial in so many `k`.
+pub(crate) fn coefficients(polynomial: Polynomial, sets: usize) -> Vec<f64> {
+    (0..1 << sets).map(|product| f64::from(polynomial.coefficient(product))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ternary::Ternary;
+
+    fn ratio(plus: u64, minus: u64, below_plus: u64, below_minus: u64) -> Ratio {
+        Ratio::new(Ternary { plus, minus }, Ternary { plus: below_plus, minus: below_minus }).unwrap()
+    }
+
+    #[test]
+    fn a_part_out_of_reach_holds_no_point_within_the_bounds() {
+        // (1 + k₁ + k₁·k₂)/(k₂ − k₁): its denominator changes sign in the range.
+        let ratio = ratio(0b1011, 0, 0b0100, 0b0010);
+        let grid = Grid::new(&[1.4..=4.5, 1.4..=4.5]);
+        let gears = [
+            Bounds { least: 4.9, most: 5.1 },
+            Bounds { least: -7.1, most: -6.9 },
+            Bounds { least: 0.2, most: 0.3 },
+        ];
+        let reach = grid.reach(ratio, &gears);
+        assert!(reach[2].is_empty(), "the ratio is never that small");
+        for number in 0..grid.count() {
+            let part = grid.part(number);
+            for step in 0..400 {
+                let k = [0, 1].map(|set| {
+                    let place = if set == 0 { step % 20 } else { step / 20 };
+                    part[set][0] + (part[set][1] - part[set][0]) * f64::from(place) / 19.0
+                });
+                for (gear, reach) in gears.iter().zip(&reach) {
+                    let within = reach.and(Parts::first(number + 1)).iter().any(|part| part == number);
+                    assert!(
+                        within || !gear.contain(ratio.value(&k)),
+                        "part {number}, {k:?}: {}",
+                        ratio.value(&k)
+                    );
+                }
+            }
+        }
+        assert!(reach[0].count() > 0 && reach[0].count() < 256);
+    }
+
+    #[test]
+    fn corners_are_values_at_the_bounds() {
+        let polynomial = ratio(0b1011, 0, 0b0100, 0b0010).numerator;
+        let cuboid = [[1.5, 2.0], [3.0, 4.0]];
+        let mut values = Vec::new();
+        corner_values(&coefficients(polynomial, 2), &cuboid, &mut values);
+        for (corner, value) in values.iter().enumerate() {
+            let k = [cuboid[0][corner & 1], cuboid[1][corner >> 1]];
+            assert!((value - polynomial.value(&k)).abs() < 1e-12);
+        }
+    }
+}

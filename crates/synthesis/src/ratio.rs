@@ -1,0 +1,297 @@
+//! Ratios as formulas: quotients of two polynomials in the ring-to-sun ratios, factored, common factors cancelled.
+//!
+//! A polynomial of at most the first degree in each `kᵢ` has factors that share no `kᵢ`. So it splits over a set `U` of
+//! them if its coefficients, as a table of what is in `U` by what is not, have rank 1; the table's first row and column are the
+//! factors. With coefficients −1, 0 and 1 those of the factors are such, too.
+
+use crate::ternary::Ternary;
+use std::fmt;
+
+/// A polynomial in `k₁ … kₙ`, at most of the first degree in each, with coefficients −1, 0 and 1.
+pub type Polynomial = Ternary<u64>;
+
+impl Polynomial {
+    /// The polynomial 1.
+    pub const ONE: Self = Self { plus: 1, minus: 0 };
+
+    /// The coefficient of the product of these `k`.
+    #[must_use]
+    pub const fn coefficient(self, product: usize) -> i8 {
+        (self.plus >> product & 1) as i8 - (self.minus >> product & 1) as i8
+    }
+
+    /// Products that occur, in the order of their bits.
+    fn products(self) -> impl Iterator<Item = usize> {
+        let mut left = self.plus | self.minus;
+        std::iter::from_fn(move || {
+            let product = left.trailing_zeros() as usize;
+            (left != 0).then(|| {
+                left &= left - 1;
+                product
+            })
+        })
+    }
+
+    /// The `k` that occur, as bits.
+    #[must_use]
+    pub fn variables(self) -> usize {
+        self.products().fold(0, |all, product| all | product)
+    }
+
+    /// Its value.
+    ///
+    /// Not the value of a polynomial whose variables exceed `k`: each needs its place.
+    #[must_use]
+    pub fn value(self, k: &[f64]) -> f64 {
+        let term = |product: usize| {
+            (0..k.len()).filter(|set| product >> set & 1 == 1).map(|set| k[set]).product::<f64>()
+        };
+        self.products().map(|product| f64::from(self.coefficient(product)) * term(product)).sum()
+    }
+
+    fn with(mut self, product: usize, coefficient: i8) -> Self {
+        match coefficient {
+            1 => self.plus |= 1 << product,
+            -1 => self.minus |= 1 << product,
+            _ => {}
+        }
+        self
+    }
+
+    /// The same with a first coefficient of 1, and whether the sign was changed.
+    fn positive(self) -> (Self, bool) {
+        let negative = self.products().next().is_some_and(|first| self.coefficient(first) < 0);
+        (if negative { self.negated() } else { self }, negative)
+    }
+
+    /// Its factors over the variables `within` and over the others, if it is such a product.
+    fn split(self, within: usize) -> Option<(Self, Self)> {
+        let base = self.products().next()?;
+        let part = |mask: usize| {
+            let zero = Self::default();
+            self.products()
+                .filter(|product| product & !mask == base & !mask)
+                .fold(zero, |part, product| part.with(product & mask, self.coefficient(product)))
+        };
+        let (inner, outer) = (part(within), part(!within));
+        // Both parts hold the coefficient of `base` once too often.
+        let (outer, _) = if self.coefficient(base) < 0 { (outer.negated(), true) } else { (outer, false) };
+        let mut product = Self::default();
+        for one in inner.products() {
+            for other in outer.products() {
+                product = product.with(one | other, inner.coefficient(one) * outer.coefficient(other));
+            }
+        }
+        (product == self).then_some((inner, outer))
+    }
+
+    /// Factors that split no further, each with a first coefficient of 1, and whether their product has the other sign.
+    ///
+    /// The polynomial 0 has none, nor have 1 and −1.
+    #[must_use]
+    pub fn factors(self) -> (Vec<Self>, bool) {
+        let (mut rest, mut negative) = self.positive();
+        let mut factors = Vec::new();
+        while rest.variables() != 0 {
+            // The least set of variables with the lowest over which the rest splits gives a factor that splits no further.
+            let all = rest.variables();
+            let lowest = all & all.wrapping_neg();
+            let mut within: Vec<usize> =
+                (1..=all).filter(|some| some & !all == 0 && some & lowest != 0).collect();
+            within.sort_by_key(|some| some.count_ones());
+            let Some((factor, other)) = within.into_iter().find_map(|within| rest.split(within)) else {
+                break;
+            };
+            let ((factor, one), (other, two)) = (factor.positive(), other.positive());
+            negative ^= one ^ two;
+            factors.push(factor);
+            rest = other;
+        }
+        factors.sort_unstable_by_key(|factor| (factor.variables(), factor.plus, factor.minus));
+        (factors, negative)
+    }
+
+    /// The product of two polynomials without a common variable.
+    fn times_other(self, other: Self) -> Self {
+        self.products().fold(Self::default(), |product, one| {
+            other.products().fold(product, |product, two| {
+                product.with(one | two, self.coefficient(one) * other.coefficient(two))
+            })
+        })
+    }
+}
+
+/// The ratio of a gear: input speed to output speed, `i = P/Q`, without common factors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Ratio {
+    /// `P`, the input's speed.
+    pub numerator: Polynomial,
+    /// `Q`, the output's speed; its first coefficient is 1.
+    pub denominator: Polynomial,
+}
+
+impl Ratio {
+    /// The ratio of these speeds, unless input or output stand still for every `k`.
+    #[must_use]
+    pub fn new(input: Polynomial, output: Polynomial) -> Option<Self> {
+        if input.is_zero() || output.is_zero() {
+            return None;
+        }
+        let (mut above, one) = input.factors();
+        let (mut below, other) = output.factors();
+        above.retain(|factor| {
+            let common = below.iter().position(|candidate| candidate == factor);
+            if let Some(place) = common {
+                below.remove(place);
+            }
+            common.is_none()
+        });
+        let product = |factors: &[Polynomial]| {
+            factors.iter().fold(Polynomial::ONE, |all, factor| all.times_other(*factor))
+        };
+        let (numerator, denominator) = (product(&above), product(&below));
+        // Factors begin with a coefficient of 1, and so does their product.
+        Some(Self { numerator: if one != other { numerator.negated() } else { numerator }, denominator })
+    }
+
+    /// Its value; infinite or not a number where the output stands still.
+    #[must_use]
+    pub fn value(self, k: &[f64]) -> f64 {
+        self.numerator.value(k) / self.denominator.value(k)
+    }
+
+    /// The `k` on which it depends, as bits.
+    #[must_use]
+    pub fn variables(self) -> usize {
+        self.numerator.variables() | self.denominator.variables()
+    }
+
+    /// Whether input and output turn as one, whatever the `k`.
+    #[must_use]
+    pub fn is_direct(self) -> bool {
+        self.numerator == self.denominator
+    }
+}
+
+/// Writes a polynomial as a product of its factors.
+fn write_factors(f: &mut fmt::Formatter<'_>, polynomial: Polynomial) -> fmt::Result {
+    let (factors, negative) = polynomial.factors();
+    let first = if negative { "−" } else { "" };
+    match factors.as_slice() {
+        [] => write!(f, "{first}1"),
+        factors => {
+            f.write_str(first)?;
+            let whole = factors.len() == 1 && !negative;
+            for (place, factor) in factors.iter().enumerate() {
+                if place > 0 {
+                    f.write_str("·")?;
+                }
+                let terms = factor.products().count();
+                if whole || terms == 1 { write!(f, "{factor}")? } else { write!(f, "({factor})")? }
+            }
+            Ok(())
+        }
+    }
+}
+
+impl fmt::Display for Polynomial {
+    /// `1 + k₁ + k₁·k₂`, lower degrees first.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_zero() {
+            return f.write_str("0");
+        }
+        let mut products: Vec<usize> = self.products().collect();
+        products.sort_by_key(|product| (product.count_ones(), *product));
+        // A negative first term reads badly where a positive one is there.
+        let first = products.iter().position(|product| self.coefficient(*product) > 0).unwrap_or(0);
+        let first = products.remove(first);
+        products.insert(0, first);
+        for (place, product) in products.into_iter().enumerate() {
+            let negative = self.coefficient(product) < 0;
+            f.write_str(match (place, negative) {
+                (0, false) => "",
+                (0, true) => "−",
+                (_, false) => " + ",
+                (_, true) => " − ",
+            })?;
+            let names: Vec<String> =
+                (0..64usize).filter(|set| product >> set & 1 == 1).map(|set| name(set + 1)).collect();
+            f.write_str(&if names.is_empty() { "1".into() } else { names.join("·") })?;
+        }
+        Ok(())
+    }
+}
+
+/// `k₁`, `k₂` ….
+fn name(set: usize) -> String {
+    let digits = set.to_string();
+    let index = digits.chars().filter_map(|digit| char::from_u32('₀' as u32 + digit.to_digit(10)?));
+    std::iter::once('k').chain(index).collect()
+}
+
+impl fmt::Display for Ratio {
+    /// `(1 + k₁)·(1 + k₂)/(1 − k₁·k₂)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let several = |polynomial: Polynomial| {
+            let (factors, negative) = polynomial.factors();
+            factors.len() == 1 && !negative && factors[0].products().count() > 1
+        };
+        let bracket = |f: &mut fmt::Formatter<'_>, polynomial, whole: bool| {
+            if whole {
+                f.write_str("(")?;
+            }
+            write_factors(f, polynomial)?;
+            if whole { f.write_str(")") } else { Ok(()) }
+        };
+        if self.denominator == Polynomial::ONE {
+            return write_factors(f, self.numerator);
+        }
+        bracket(f, self.numerator, several(self.numerator))?;
+        f.write_str("/")?;
+        let product = self.denominator.factors().0.len() > 1;
+        bracket(f, self.denominator, product || several(self.denominator))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A polynomial from its coefficients, those of products of few `k` first in the order of their bits.
+    fn polynomial(terms: &[(usize, i8)]) -> Polynomial {
+        terms
+            .iter()
+            .fold(Polynomial::default(), |all, (product, coefficient)| all.with(*product, *coefficient))
+    }
+
+    #[test]
+    fn factors_are_found_and_written() {
+        // (1 + k₁)·(1 − k₂·k₃)
+        let product = polynomial(&[(0, 1), (1, 1), (0b110, -1), (0b111, -1)]);
+        let (factors, negative) = product.factors();
+        assert!(!negative);
+        assert_eq!(factors, [polynomial(&[(0, 1), (1, 1)]), polynomial(&[(0, 1), (0b110, -1)])]);
+        let whole = polynomial(&[(0, 1), (1, 1), (0b11, 1)]);
+        assert_eq!(whole.factors().0, [whole]);
+        assert_eq!(whole.to_string(), "1 + k₁ + k₁·k₂");
+        assert_eq!(polynomial(&[(0b1, -1)]).factors(), (vec![polynomial(&[(1, 1)])], true));
+    }
+
+    #[test]
+    fn common_factors_are_cancelled() {
+        // (k₁ − k₂)·(1 + k₃) over (k₁ − k₂)·k₃
+        let above = polynomial(&[(1, 1), (2, -1), (0b101, 1), (0b110, -1)]);
+        let below = polynomial(&[(0b101, -1), (0b110, 1)]);
+        let ratio = Ratio::new(above, below).unwrap();
+        assert_eq!(ratio.to_string(), "−(1 + k₃)/k₃");
+        assert!((ratio.value(&[2.0, 3.0, 4.0]) + 1.25).abs() < 1e-15);
+        assert_eq!(ratio.variables(), 0b100);
+    }
+
+    #[test]
+    fn a_ratio_needs_both_speeds() {
+        assert!(Ratio::new(Polynomial::default(), Polynomial::ONE).is_none());
+        assert!(Ratio::new(Polynomial::ONE, Polynomial::default()).is_none());
+        assert!(Ratio::new(Polynomial::ONE, Polynomial::ONE).unwrap().is_direct());
+    }
+}

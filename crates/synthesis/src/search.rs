@@ -1,0 +1,576 @@
+//! All sets of elements of a structure that have the wanted gears.
+//!
+//! # Steps
+//! 1. Elements that lock the same are one. Each choice of `e` elements has a function, from the [library](crate::library).
+//! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, in all parts of the range of `k` at
+//!    once, up to as many elements as may be.
+//! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its own.
+//! 4. In each such part a point is sought, or proved not to be there ([`solve`](crate::solve)).
+//!
+//! # Why nothing is lost
+//! Steps 2 and 3 leave out what a part does not allow by the signs at its corners, which hold everywhere in it. Step 2 splits by
+//! parts: in a part where the chosen elements do not reach a gear, a solution must have a further choice that does; where they
+//! reach all gears, any further element is tried.
+
+use crate::library::{Library, Number, USELESS};
+use crate::motion::{Element, Motion, elements};
+use crate::parts::{Bounds, Grid, Parts};
+use crate::ratio::Ratio;
+use crate::solve::{Function, Outcome, Solver, can_match};
+use crate::structure::Structure;
+use crate::ternary::Word;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::RangeInclusive;
+
+/// What is wanted of a gearbox.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wish {
+    /// The bounds of each gear's ratio.
+    pub gears: Vec<Bounds>,
+    /// How many elements.
+    pub elements: usize,
+    /// The range of each set's ring-to-sun ratio.
+    pub k: Vec<RangeInclusive<f64>>,
+}
+
+/// A set of elements with all gears.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// For each element the pairs of links that it may join, all of which lock the same.
+    pub elements: Vec<Vec<Element>>,
+    /// Ring-to-sun ratios with which all gears are within their bounds.
+    pub k: Vec<f64>,
+    /// The gears in the order of the wish.
+    pub gears: Vec<Gear>,
+}
+
+/// A gear of a solution.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gear {
+    /// Its ratio as a formula.
+    pub ratio: Ratio,
+    /// The elements that it engages, by their places: each choice that gives this ratio.
+    pub engaged: Vec<Vec<usize>>,
+}
+
+/// Counts of what a search came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tally {
+    /// Structures searched.
+    pub structures: u64,
+    /// Structures in which each gear is in reach of some elements.
+    pub in_reach: u64,
+    /// Sets of elements for which some part of the range of `k` was searched.
+    pub candidates: u64,
+    /// Sets that have all gears, but some `k` moves none of them: a simpler structure does the same.
+    pub reducible: u64,
+    /// Sets for which neither a point was found nor its absence proved.
+    pub undecided: u64,
+}
+
+impl std::ops::AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.structures += other.structures;
+        self.in_reach += other.in_reach;
+        self.candidates += other.candidates;
+        self.reducible += other.reducible;
+        self.undecided += other.undecided;
+    }
+}
+
+/// A search through structures of one class. What it learns of functions is kept from one structure to the next.
+pub struct Search<W> {
+    wish: Wish,
+    engaged: usize,
+    motion: Motion<W>,
+    /// All pairs of links.
+    pairs: Vec<Element>,
+    library: Library<W>,
+    tally: Tally,
+    choices: Choices,
+    /// The pairs that each element of the structure may join.
+    elements: Vec<Vec<Element>>,
+    /// For each choice of elements its function.
+    functions: Vec<Number>,
+    /// For each choice of elements the gears that it reaches, as bits.
+    reached: Vec<u32>,
+    /// For each gear the choices that reach it, as bits, and the parts in which they do.
+    lists: Vec<Vec<(u64, Parts)>>,
+    /// Gears by the length of their lists.
+    order: Vec<usize>,
+    /// Chosen elements, and the parts in which they were gone on from.
+    visited: FxHashMap<u64, Parts>,
+    /// Full sets of elements that reach all gears and were looked at.
+    seen: FxHashSet<u64>,
+    /// Full sets of elements with the parts in which each gear can have a function.
+    candidates: Vec<(u64, Parts)>,
+    /// Lists of numbers, used again.
+    room: Vec<Vec<Number>>,
+}
+
+/// Numbers of choices of elements: `Σ C(place_j, j + 1)` over the places of a choice in rising order.
+struct Choices {
+    terms: Vec<Vec<usize>>,
+}
+
+impl Choices {
+    fn new(of: usize, elements: usize) -> Self {
+        Self { terms: (1..=of).map(|of| (0..=elements).map(|count| choose(count, of)).collect()).collect() }
+    }
+
+    /// Calls `visit` with the number of each choice of some elements, and the choice.
+    fn for_each(&self, elements: u64, visit: &mut impl FnMut(usize, u64)) {
+        fn go(
+            terms: &[Vec<usize>],
+            left: u64,
+            number: usize,
+            chosen: u64,
+            visit: &mut impl FnMut(usize, u64),
+        ) {
+            let Some((term, rest)) = terms.split_first() else { return visit(number, chosen) };
+            let mut candidates = left;
+            while candidates != 0 {
+                let element = candidates.trailing_zeros() as usize;
+                candidates &= candidates - 1;
+                go(rest, candidates, number + term[element], chosen | 1 << element, visit);
+            }
+        }
+        go(&self.terms, elements, 0, 0, visit);
+    }
+
+    /// Calls `visit` with the number of each choice of some elements: without a call a choice where three are engaged, as
+    /// in most gearboxes.
+    #[inline]
+    fn for_each_number(&self, elements: u64, mut visit: impl FnMut(usize)) {
+        let [first, second, third] = self.terms.as_slice() else {
+            return self.for_each(elements, &mut |number, _| visit(number));
+        };
+        let mut places = [0; 64];
+        let mut count = 0;
+        let mut left = elements;
+        while left != 0 {
+            places[count] = left.trailing_zeros() as usize;
+            count += 1;
+            left &= left - 1;
+        }
+        for (top, highest) in places[..count].iter().enumerate() {
+            for (middle, next) in places[..top].iter().enumerate() {
+                let number = third[*highest] + second[*next];
+                for lowest in &places[..middle] {
+                    visit(number + first[*lowest]);
+                }
+            }
+        }
+    }
+}
+
+/// How many choices of so many things there are.
+pub(crate) fn choose(count: usize, of: usize) -> usize {
+    (0..of).fold(1, |all, place| all * count.saturating_sub(place) / (place + 1))
+}
+
+impl<W: Word> Search<W> {
+    /// For structures of so many sets, with `wish.k` for each, and links.
+    #[must_use]
+    pub fn new(wish: Wish, links: usize) -> Self {
+        let sets = wish.k.len();
+        let engaged = links - sets - 1;
+        let pairs = elements(links);
+        Self {
+            engaged,
+            motion: Motion::new(links - sets),
+            choices: Choices::new(engaged, pairs.len()),
+            pairs,
+            library: Library::new(sets, wish.gears.clone(), Grid::new(&wish.k)),
+            tally: Tally::default(),
+            elements: Vec::new(),
+            functions: Vec::new(),
+            reached: Vec::new(),
+            lists: vec![Vec::new(); wish.gears.len()],
+            order: Vec::new(),
+            visited: FxHashMap::default(),
+            seen: FxHashSet::default(),
+            candidates: Vec::new(),
+            room: Vec::new(),
+            wish,
+        }
+    }
+
+    /// What was searched so far.
+    #[must_use]
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    /// How many functions were met, and how many of them a gear can have.
+    #[must_use]
+    pub fn functions(&self) -> [usize; 2] {
+        self.library.counts()
+    }
+
+    /// All solutions of a structure; of those that an automorphism makes equal, one.
+    pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
+        self.tally.structures += 1;
+        self.take(structure);
+        if self.lists.iter().any(Vec::is_empty) {
+            return Vec::new();
+        }
+        self.tally.in_reach += 1;
+        self.order = (0..self.lists.len()).collect();
+        self.order.sort_by_key(|gear| self.lists[*gear].len());
+        self.visited.clear();
+        self.seen.clear();
+        self.candidates.clear();
+        self.grow(0, Parts::first(self.library.grid().count()));
+        let candidates = std::mem::take(&mut self.candidates);
+        let symmetries = self.symmetries(structure);
+        let mut found = Vec::new();
+        for (chosen, parts) in &candidates {
+            let least = symmetries.iter().all(|places| image(*chosen, places) >= *chosen);
+            if least {
+                found.extend(self.decide(*chosen, *parts));
+            }
+        }
+        self.candidates = candidates;
+        found
+    }
+
+    /// How the structure's automorphisms, but the identity, permute its elements.
+    fn symmetries(&self, structure: &Structure) -> Vec<Vec<usize>> {
+        let automorphisms = structure.automorphisms();
+        // The ranges of k move with the sets.
+        let keeps_ranges = |order: &&Vec<usize>| {
+            order.iter().enumerate().all(|(place, set)| self.wish.k[place] == self.wish.k[*set])
+        };
+        let of = |order: &Vec<usize>| {
+            let names = structure.renaming(order);
+            let image = |element: &Vec<Element>| {
+                let mut pair = element[0].map(|link| names[usize::from(link)]);
+                pair.sort_unstable();
+                self.elements.iter().position(|pairs| pairs.contains(&pair))
+            };
+            self.elements.iter().filter_map(image).collect::<Vec<_>>()
+        };
+        automorphisms.iter().skip(1).filter(keeps_ranges).map(of).collect()
+    }
+
+    /// Takes up a structure: its elements, the function of each choice of them, and the lists of the gears.
+    fn take(&mut self, structure: &Structure) {
+        self.motion.take(structure, &self.pairs);
+        let mut kept: Vec<usize> = Vec::new();
+        self.elements.clear();
+        for (place, pair) in self.pairs.iter().enumerate() {
+            match kept.iter().position(|other| self.motion.lock_the_same(place, *other)) {
+                Some(element) => self.elements[element].push(*pair),
+                None => {
+                    kept.push(place);
+                    self.elements.push(vec![*pair]);
+                }
+            }
+        }
+        let kept: Vec<Element> = kept.into_iter().map(|place| self.pairs[place]).collect();
+        self.motion.take(structure, &kept);
+        self.functions.clear();
+        self.functions.resize(choose(kept.len(), self.engaged), USELESS);
+        self.reached.clear();
+        self.reached.resize(self.functions.len(), 0);
+        self.lists.iter_mut().for_each(Vec::clear);
+        let Self { motion, library, functions, reached, lists, choices, .. } = self;
+        motion.for_each_gear(&mut |first, last| {
+            let from = first.last().map_or(0, |element| element + 1);
+            let number: usize =
+                first.iter().zip(&choices.terms).map(|(element, terms)| terms[*element]).sum();
+            let chosen = first.iter().fold(0u64, |chosen, element| chosen | 1 << element);
+            let terms = &choices.terms[first.len()];
+            for (element, speeds) in (from..).zip(last) {
+                if speeds.input.is_zero() || speeds.output.is_zero() {
+                    continue;
+                }
+                let function = library.number(*speeds);
+                if function == USELESS {
+                    continue;
+                }
+                let number = number + terms[element];
+                let mut gears = library.gears(function);
+                functions[number] = function;
+                reached[number] = gears;
+                while gears != 0 {
+                    let gear = gears.trailing_zeros() as usize;
+                    gears &= gears - 1;
+                    lists[gear].push((chosen | 1 << element, library.reach(function, gear)));
+                }
+            }
+        });
+    }
+
+    /// Goes on from chosen elements, in those of some parts where this was not done before.
+    fn grow(&mut self, chosen: u64, parts: Parts) {
+        let missing = self.wish.elements - chosen.count_ones() as usize;
+        if missing == 0 {
+            return self.complete(chosen);
+        }
+        let done = self.visited.entry(chosen).or_default();
+        let mut parts = parts.without(*done);
+        if parts.is_empty() {
+            return;
+        }
+        let first = done.is_empty();
+        *done = done.or(parts);
+        if missing == 1 {
+            // Trying every last element is quicker than asking which the parts allow, and is done once.
+            if first {
+                self.add_any(chosen, parts);
+            }
+            return;
+        }
+        let mut functions = self.room.pop().unwrap_or_default();
+        self.functions_of(chosen, &mut functions);
+        parts = parts.and(self.promising(chosen, &functions));
+        for place in 0..self.order.len() {
+            if parts.is_empty() {
+                break;
+            }
+            let gear = self.order[place];
+            let covered = self.covered(&functions, gear);
+            let open = parts.without(covered);
+            if !open.is_empty() {
+                for place in 0..self.lists[gear].len() {
+                    let (choice, reach) = self.lists[gear][place];
+                    let with = chosen | choice;
+                    if with.count_ones() as usize > self.wish.elements {
+                        continue;
+                    }
+                    let open = open.and(reach);
+                    if !open.is_empty() {
+                        self.grow(with, open);
+                    }
+                }
+            }
+            parts = parts.and(covered);
+        }
+        functions.clear();
+        self.room.push(functions);
+        if !parts.is_empty() {
+            self.add_any(chosen, parts);
+        }
+    }
+
+    /// Adds each further element.
+    fn add_any(&mut self, chosen: u64, parts: Parts) {
+        for element in 0..self.elements.len() {
+            if chosen >> element & 1 == 0 {
+                self.grow(chosen | 1 << element, parts);
+            }
+        }
+    }
+
+    /// Whether choices of some elements reach all gears, each somewhere.
+    fn reaches_all(&self, chosen: u64) -> bool {
+        let mut reached = 0;
+        self.choices.for_each_number(chosen, |number| reached |= self.reached[number]);
+        reached.count_ones() as usize == self.wish.gears.len()
+    }
+
+    /// The functions of all choices of some elements, each once.
+    fn functions_of(&self, chosen: u64, functions: &mut Vec<Number>) {
+        self.choices.for_each_number(chosen, |number| {
+            let function = self.functions[number];
+            if function != USELESS {
+                functions.push(function);
+            }
+        });
+        functions.sort_unstable();
+        functions.dedup();
+    }
+
+    /// The parts in which one of some functions reaches a gear.
+    fn covered(&self, functions: &[Number], gear: usize) -> Parts {
+        let reaching = functions.iter().filter(|function| self.library.gears(**function) >> gear & 1 == 1);
+        reaching.fold(Parts::default(), |covered, function| covered.or(self.library.reach(*function, gear)))
+    }
+
+    /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of which each choice
+    /// with an element that is not chosen yet can give one.
+    fn promising(&self, chosen: u64, functions: &[Number]) -> Parts {
+        let known = choose(chosen.count_ones() as usize, self.engaged);
+        let more = choose(self.wish.elements, self.engaged) - known;
+        let least = self.wish.gears.len().saturating_sub(more);
+        at_least(functions.iter().map(|function| self.library.useful(*function)), least)
+    }
+
+    /// Notes a full set of elements as a candidate, where some parts have all gears.
+    fn complete(&mut self, chosen: u64) {
+        if !self.reaches_all(chosen) || !self.seen.insert(chosen) {
+            return;
+        }
+        let mut functions = self.room.pop().unwrap_or_default();
+        self.functions_of(chosen, &mut functions);
+        let parts = self.parts_with_all(&functions);
+        functions.clear();
+        self.room.push(functions);
+        if !parts.is_empty() {
+            self.candidates.push((chosen, parts));
+        }
+    }
+
+    /// The parts in which each gear is in reach of a function of its own.
+    fn parts_with_all(&self, functions: &[Number]) -> Parts {
+        let gears = self.wish.gears.len();
+        if functions.len() < gears {
+            return Parts::default();
+        }
+        // As many functions that reach some gear as there are gears: of the simple conditions the strongest.
+        let mut parts = at_least(functions.iter().map(|function| self.library.useful(*function)), gears);
+        for gear in &self.order {
+            if parts.is_empty() {
+                return parts;
+            }
+            parts = parts.and(self.covered(functions, *gear));
+        }
+        let matched = |part: &usize| {
+            let reaches = functions.iter().map(|function| {
+                let reached = (0..gears).filter(|gear| self.library.reach(*function, *gear).contains(*part));
+                reached.fold(0, |all, gear| all | 1 << gear)
+            });
+            can_match(&reaches.collect::<Vec<u32>>(), gears)
+        };
+        parts.iter().filter(matched).collect()
+    }
+
+    /// The solution of a candidate, if it has all gears at one point.
+    fn decide(&mut self, chosen: u64, parts: Parts) -> Option<Solution> {
+        self.tally.candidates += 1;
+        let mut numbers: Vec<Number> = Vec::new();
+        let mut choices: Vec<Vec<u64>> = Vec::new();
+        self.choices.for_each(chosen, &mut |number, choice| {
+            let function = self.functions[number];
+            if function == USELESS {
+                return;
+            }
+            match numbers.iter().position(|known| *known == function) {
+                Some(place) => choices[place].push(choice),
+                None => {
+                    numbers.push(function);
+                    choices.push(vec![choice]);
+                }
+            }
+        });
+        let functions: Vec<&Function> = numbers.iter().map(|number| self.library.function(*number)).collect();
+        let every = (1usize << self.wish.k.len()) - 1;
+        let moves_all = |assigned: &[usize]| {
+            assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every
+        };
+        let engages_all = |assigned: &[usize]| {
+            assigned.iter().flat_map(|function| &choices[*function]).fold(0, |all, choice| all | choice)
+                == chosen
+        };
+        let (mut reducible, mut undecided) = (false, false);
+        let mut seek = |accept: &mut dyn FnMut(&[usize]) -> bool| {
+            let mut solver = Solver::new(&functions, &self.wish.gears, accept);
+            parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
+                Outcome::Found { k, functions } => Some((k, functions)),
+                Outcome::None => None,
+                Outcome::Undecided => {
+                    undecided = true;
+                    None
+                }
+            })
+        };
+        let found = seek(&mut |assigned| {
+            let engages_all = engages_all(assigned);
+            reducible |= engages_all && !moves_all(assigned);
+            engages_all && moves_all(assigned)
+        });
+        // Functions that left some `k` without effect were passed over: have they a point?
+        let reducible = found.is_none() && reducible && seek(&mut |assigned| engages_all(assigned)).is_some();
+        self.tally.undecided += u64::from(found.is_none() && !reducible && undecided);
+        self.tally.reducible += u64::from(reducible);
+        let (k, assigned) = found?;
+        let places: Vec<usize> = (0..64).filter(|element| chosen >> element & 1 == 1).collect();
+        let by_places =
+            |choice: &u64| (0..places.len()).filter(|place| choice >> places[*place] & 1 == 1).collect();
+        let gear = |function: &usize| Gear {
+            ratio: functions[*function].ratio,
+            engaged: choices[*function].iter().map(by_places).collect(),
+        };
+        let gears = assigned.iter().map(gear).collect();
+        Some(Solution {
+            elements: places.iter().map(|place| self.elements[*place].clone()).collect(),
+            k,
+            gears,
+        })
+    }
+}
+
+/// Elements after a permutation of them.
+fn image(chosen: u64, places: &[usize]) -> u64 {
+    places
+        .iter()
+        .enumerate()
+        .filter(|(element, _)| chosen >> element & 1 == 1)
+        .fold(0, |all, (_, place)| all | 1 << place)
+}
+
+/// The parts that at least so many of some sets of parts hold: their numbers are added up bit by bit, for all parts at
+/// once.
+fn at_least(sets: impl Iterator<Item = Parts>, least: usize) -> Parts {
+    if least == 0 {
+        return Parts::ALL;
+    }
+    let mut planes = [Parts::default(); 10];
+    let mut used = 0;
+    for mut carry in sets {
+        for (place, plane) in planes.iter_mut().enumerate() {
+            if carry.is_empty() {
+                break;
+            }
+            used = used.max(place + 1);
+            let both = plane.and(carry);
+            *plane = plane.xor(carry);
+            carry = both;
+        }
+    }
+    if least >> used != 0 {
+        return Parts::default();
+    }
+    // Compares from the highest bit down: larger so far, or equal so far.
+    let (mut larger, mut equal) = (Parts::default(), Parts::ALL);
+    for place in (0..used).rev() {
+        if least >> place & 1 == 1 {
+            equal = equal.and(planes[place]);
+        } else {
+            larger = larger.or(equal.and(planes[place]));
+            equal = equal.without(planes[place]);
+        }
+    }
+    larger.or(equal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_of_parts_are_those_of_plain_counting() {
+        let sets: Vec<Parts> =
+            (0..11).map(|step| (0..256).filter(|part| (part * 7 + step * 13) % 5 < 2).collect()).collect();
+        for least in 0..13 {
+            let plain: Parts = (0..256)
+                .filter(|part| sets.iter().filter(|set| set.contains(*part)).count() >= least)
+                .collect();
+            assert_eq!(at_least(sets.iter().copied(), least), plain, "at least {least}");
+        }
+    }
+
+    #[test]
+    fn choices_are_numbered_without_gaps() {
+        let choices = Choices::new(3, 6);
+        let mut numbers = Vec::new();
+        choices.for_each(0b11_1111, &mut |number, choice| {
+            assert_eq!(choice.count_ones(), 3);
+            numbers.push(number);
+        });
+        numbers.sort_unstable();
+        assert_eq!(numbers, (0..20).collect::<Vec<_>>());
+    }
+}

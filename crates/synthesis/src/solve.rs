@@ -1,0 +1,402 @@
+//! Whether a set of elements has all wanted gears at common ring-to-sun ratios.
+//!
+//! # Method
+//! A box of `k` and the functions that its elements can engage. A gear can be had from a function only if the box
+//! reaches its bounds ([`parts`](crate::parts)). Where a gear has one function left, the box shrinks to what this function
+//! allows: each inequality `P − g·Q ≥ 0` is of the first degree in each `k`, so along an edge of the box it begins or
+//! ends at one point, and the hull of these points over all parallel edges holds every solution. Where several functions
+//! are left, each is tried. When all gears have theirs, a point is sought from the middle of the box; if none is
+//! found, the box is halved.
+//!
+//! # Complete
+//! A box is given up when it provably has no solution. A box that shrinks below [`SMALLEST`] with neither a solution nor a proof is
+//! *undecided*, and counted.
+
+use crate::parts::{Bounds, Cuboid, WIDENING, coefficients, corner_values};
+use crate::ratio::Ratio;
+
+/// The relative width below which a box is not halved any more.
+pub const SMALLEST: f64 = 1e-7;
+
+/// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
+/// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
+/// bound, with 0.005 thirty times as long as with 0.1.
+const NARROW: f64 = 0.1;
+
+/// A function that some of the elements engage.
+#[derive(Debug, Clone)]
+pub struct Function {
+    /// Its formula.
+    pub ratio: Ratio,
+    /// Coefficients of `P` and `Q`.
+    pub(crate) coefficients: [Vec<f64>; 2],
+}
+
+impl Function {
+    /// With its coefficients for so many sets.
+    #[must_use]
+    pub fn new(ratio: Ratio, sets: usize) -> Self {
+        Self {
+            ratio,
+            coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)),
+        }
+    }
+}
+
+/// What a search in a box came to.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// A point with all gears.
+    Found {
+        /// The ring-to-sun ratios.
+        k: Vec<f64>,
+        /// For each gear its function.
+        functions: Vec<usize>,
+    },
+    /// Proved: there is none.
+    None,
+    /// No point was found, and some boxes were too small to go on.
+    Undecided,
+}
+
+/// A search over boxes for functions and gears.
+pub struct Solver<'a> {
+    functions: &'a [&'a Function],
+    gears: Vec<Bounds>,
+    /// The bounds widened by rounding.
+    widened: Vec<Bounds>,
+    /// Which functions together are an answer.
+    accept: &'a mut dyn FnMut(&[usize]) -> bool,
+    values: [Vec<f64>; 2],
+    undecided: bool,
+}
+
+/// Functions that a box leaves, each with the gears that it may have, as bits.
+type Left = Vec<(usize, u32)>;
+
+impl<'a> Solver<'a> {
+    /// A search for a point where each gear is within its bounds by a function of its own, and `accept` takes the functions.
+    pub fn new(
+        functions: &'a [&'a Function],
+        gears: &[Bounds],
+        accept: &'a mut dyn FnMut(&[usize]) -> bool,
+    ) -> Self {
+        let widened = gears.iter().map(|gear| gear.widened()).collect();
+        Self {
+            functions,
+            gears: gears.to_vec(),
+            widened,
+            accept,
+            values: [Vec::new(), Vec::new()],
+            undecided: false,
+        }
+    }
+
+    /// Searches a box.
+    pub fn search(&mut self, cuboid: Cuboid) -> Outcome {
+        self.undecided = false;
+        let every = (1u32 << self.gears.len()) - 1;
+        let left = (0..self.functions.len()).map(|function| (function, every)).collect();
+        match self.go(cuboid, left) {
+            Some((k, functions)) => Outcome::Found { k, functions },
+            None if self.undecided => Outcome::Undecided,
+            None => Outcome::None,
+        }
+    }
+
+    fn go(&mut self, mut cuboid: Cuboid, mut left: Left) -> Option<(Vec<f64>, Vec<usize>)> {
+        loop {
+            self.reduce(&cuboid, &mut left)?;
+            let before = size(&cuboid);
+            for (function, gears) in &left {
+                if gears.count_ones() == 1 && left.iter().filter(|(_, other)| other & gears != 0).count() == 1
+                {
+                    self.shrink(&mut cuboid, *function, gears.trailing_zeros() as usize)?;
+                }
+            }
+            if size(&cuboid) < 0.8 * before {
+                continue;
+            }
+            let (widest, width) = widest(&cuboid)?;
+            let open = self.most_settled(&left);
+            if let Some(gear) = open.filter(|_| width < NARROW) {
+                for (function, gears) in &left {
+                    if gears >> gear & 1 == 0 {
+                        continue;
+                    }
+                    let chosen = left.iter().map(|(other, gears)| {
+                        (*other, if other == function { 1 << gear } else { gears & !(1 << gear) })
+                    });
+                    if let Some(found) = self.go(cuboid.clone(), chosen.collect()) {
+                        return Some(found);
+                    }
+                }
+                return None;
+            }
+            if open.is_none() {
+                let functions: Vec<usize> = (0..self.gears.len())
+                    .filter_map(|gear| left.iter().find(|(_, gears)| gears >> gear & 1 == 1))
+                    .map(|(function, _)| *function)
+                    .collect();
+                if !(self.accept)(&functions) {
+                    return None;
+                }
+                if let Some(k) = self.point(&cuboid, &functions) {
+                    return Some((k, functions));
+                }
+                if width < SMALLEST {
+                    self.undecided = true;
+                    return None;
+                }
+            }
+            let [least, most] = cuboid[widest];
+            let middle = (least * most).sqrt();
+            let mut lower = cuboid.clone();
+            lower[widest] = [least, middle];
+            if let Some(found) = self.go(lower, left.clone()) {
+                return Some(found);
+            }
+            cuboid[widest] = [middle, most];
+        }
+    }
+
+    /// Of the gears with several functions the one with the fewest.
+    fn most_settled(&self, left: &Left) -> Option<usize> {
+        let counts =
+            (0..self.gears.len()).map(|gear| left.iter().filter(|(_, gears)| gears >> gear & 1 == 1).count());
+        counts
+            .enumerate()
+            .filter(|(_, count)| *count > 1)
+            .min_by_key(|(_, count)| *count)
+            .map(|(gear, _)| gear)
+    }
+
+    /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each have their own.
+    fn reduce(&mut self, cuboid: &[[f64; 2]], left: &mut Left) -> Option<()> {
+        let gears = self.gears.len();
+        let mut reached = 0;
+        for (function, mask) in left.iter_mut() {
+            *mask = self.reached(cuboid, *function, *mask);
+            reached |= *mask;
+        }
+        left.retain(|(_, mask)| *mask != 0);
+        if reached.count_ones() as usize != gears || left.len() < gears {
+            return None;
+        }
+        // A gear with one function takes it from the others.
+        loop {
+            let mut changed = false;
+            for gear in 0..gears {
+                let mut having = (0..left.len()).filter(|place| left[*place].1 >> gear & 1 == 1);
+                match (having.next(), having.next()) {
+                    (None, _) => return None,
+                    (Some(only), None) if left[only].1 != 1 << gear => {
+                        left[only].1 = 1 << gear;
+                        changed = true;
+                    }
+                    _ => {}
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+        let masks: Vec<u32> = left.iter().map(|(_, mask)| *mask).collect();
+        can_match(&masks, gears).then_some(())
+    }
+
+    /// Those of some gears whose bounds a function may reach in a box.
+    fn reached(&mut self, cuboid: &[[f64; 2]], function: usize, gears: u32) -> u32 {
+        self.evaluate(cuboid, function);
+        let [above, below] = &self.values;
+        let (mut positive, mut negative) = (true, true);
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (above, below) in above.iter().zip(below) {
+            positive &= *below > 0.0;
+            negative &= *below < 0.0;
+            let ratio = above / below;
+            least = if ratio < least { ratio } else { least };
+            most = if ratio > most { ratio } else { most };
+        }
+        let bounds = self.widened.iter().enumerate().filter(|(gear, _)| gears >> gear & 1 == 1);
+        let reached = bounds.filter(|(_, bounds)| {
+            if positive || negative {
+                least <= bounds.most && bounds.least <= most
+            } else {
+                bounds.is_reached(above, below)
+            }
+        });
+        reached.fold(0, |all, (gear, _)| all | 1 << gear)
+    }
+
+    fn evaluate(&mut self, cuboid: &[[f64; 2]], function: usize) {
+        let [above, below] = &mut self.values;
+        corner_values(&self.functions[function].coefficients[0], cuboid, above);
+        corner_values(&self.functions[function].coefficients[1], cuboid, below);
+    }
+
+    /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; nothing where there are none.
+    fn shrink(&mut self, cuboid: &mut [[f64; 2]], function: usize, gear: usize) -> Option<()> {
+        let gear = self.widened[gear];
+        self.evaluate(cuboid, function);
+        let below = &self.values[1];
+        let sign = if below.iter().all(|value| *value > 0.0) {
+            1.0
+        } else if below.iter().all(|value| *value < 0.0) {
+            -1.0
+        } else {
+            return Some(());
+        };
+        for set in 0..cuboid.len() {
+            for (bound, side) in [(gear.least, sign), (gear.most, -sign)] {
+                let [above, below] = &self.values;
+                let value = |corner: usize| side * (above[corner] - bound * below[corner]);
+                // Where along the edges, from 0 to 1, the inequality holds.
+                let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
+                for corner in (0..above.len()).filter(|corner| corner >> set & 1 == 0) {
+                    let (begin, end) = (value(corner), value(corner | 1 << set));
+                    if begin < 0.0 && end < 0.0 {
+                        continue;
+                    }
+                    let root = begin / (begin - end);
+                    first = first.min(if begin >= 0.0 { 0.0 } else { root });
+                    last = last.max(if end >= 0.0 { 1.0 } else { root });
+                }
+                if first > last {
+                    return None;
+                }
+                let [least, most] = cuboid[set];
+                let lower = (least + first * (most - least)) * (1.0 - WIDENING);
+                let upper = (least + last * (most - least)) * (1.0 + WIDENING);
+                if lower > least + 0.01 * (most - least) || upper < most - 0.01 * (most - least) {
+                    cuboid[set] = [lower.max(least), upper.min(most)];
+                    // The values at the corners were those of the box before.
+                    self.evaluate(cuboid, function);
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// A point of the box where each gear is within its bounds, if a few Gauss-Newton steps from the middle lead there.
+    fn point(&self, cuboid: &[[f64; 2]], functions: &[usize]) -> Option<Vec<f64>> {
+        let mut k: Vec<f64> = cuboid.iter().map(|[least, most]| 0.5 * (least + most)).collect();
+        for _ in 0..6 {
+            let ratios: Vec<f64> =
+                functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
+            if ratios.iter().zip(&self.gears).all(|(ratio, gear)| gear.contain(*ratio)) {
+                return Some(k);
+            }
+            let step = self.step(&k, functions, &ratios)?;
+            for ((k, step), [least, most]) in k.iter_mut().zip(step).zip(cuboid) {
+                *k = (*k + step).clamp(*least, *most);
+            }
+        }
+        None
+    }
+
+    /// The step that least squares of the deviations, each by its tolerance, ask for.
+    fn step(&self, k: &[f64], functions: &[usize], ratios: &[f64]) -> Option<Vec<f64>> {
+        let sets = k.len();
+        let mut normal = vec![vec![0.0; sets + 1]; sets];
+        for ((function, ratio), gear) in functions.iter().zip(ratios).zip(&self.gears) {
+            let half = 0.5 * (gear.most - gear.least);
+            let deviation = (ratio - 0.5 * (gear.most + gear.least)) / half;
+            let slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
+            for row in 0..sets {
+                for column in 0..sets {
+                    normal[row][column] += slopes[row] * slopes[column];
+                }
+                normal[row][sets] -= slopes[row] * deviation;
+            }
+        }
+        // A little damping: a `k` that moves nothing stays.
+        for (set, row) in normal.iter_mut().enumerate() {
+            row[set] = row[set] * (1.0 + 1e-9) + 1e-9;
+        }
+        solve_linear(normal)
+    }
+
+    /// The slope of a ratio along one `k`, by the quotient rule on its two polynomials.
+    fn slope(&self, function: usize, k: &[f64], set: usize) -> f64 {
+        let ratio = self.functions[function].ratio;
+        // Of the first degree in `k_set`: the difference over a step of 1 is the slope.
+        let mut next = k.to_vec();
+        next[set] += 1.0;
+        let (above, below) = (ratio.numerator.value(k), ratio.denominator.value(k));
+        let (up, down) = (ratio.numerator.value(&next) - above, ratio.denominator.value(&next) - below);
+        (up * below - above * down) / (below * below)
+    }
+}
+
+/// The sum of the logarithmic widths of a box.
+fn size(cuboid: &[[f64; 2]]) -> f64 {
+    cuboid.iter().map(|[least, most]| (most / least).ln()).sum()
+}
+
+/// The `k` whose bounds differ most, and by which part of the lower.
+fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
+    let widths = cuboid.iter().map(|[least, most]| most / least - 1.0).enumerate();
+    widths.max_by(|one, other| one.1.total_cmp(&other.1))
+}
+
+/// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting paths).
+pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
+    fn augment(gear: usize, reaches: &[u32], owner: &mut [Option<usize>], visited: &mut [bool]) -> bool {
+        (0..reaches.len()).any(|function| {
+            if reaches[function] >> gear & 1 == 0 || visited[function] {
+                return false;
+            }
+            visited[function] = true;
+            let free = owner[function].is_none_or(|other| augment(other, reaches, owner, visited));
+            if free {
+                owner[function] = Some(gear);
+            }
+            free
+        })
+    }
+    let mut owner = vec![None; reaches.len()];
+    (0..gears).all(|gear| augment(gear, reaches, &mut owner, &mut vec![false; reaches.len()]))
+}
+
+/// Solves rows of coefficients and right side by elimination with pivots.
+fn solve_linear(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+    let size = rows.len();
+    for column in 0..size {
+        let pivot = (column..size)
+            .max_by(|one, other| rows[*one][column].abs().total_cmp(&rows[*other][column].abs()))?;
+        rows.swap(column, pivot);
+        if rows[column][column].is_nan() || rows[column][column] == 0.0 {
+            return None;
+        }
+        let (above, below) = rows.split_at_mut(column + 1);
+        let pivot = &above[column];
+        for row in below {
+            let factor = row[column] / pivot[column];
+            for (entry, pivot) in row.iter_mut().zip(pivot).skip(column) {
+                *entry -= factor * pivot;
+            }
+        }
+    }
+    let mut solution = vec![0.0; size];
+    for row in (0..size).rev() {
+        let known: f64 = (row + 1..size).map(|column| rows[row][column] * solution[column]).sum();
+        solution[row] = (rows[row][size] - known) / rows[row][row];
+    }
+    solution.iter().all(|value| value.is_finite()).then_some(solution)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gears_match_functions_only_if_enough_reach_them() {
+        assert!(can_match(&[0b011, 0b001, 0b100], 3));
+        assert!(!can_match(&[0b011, 0b011, 0b011], 3));
+        assert!(
+            !can_match(&[0b001, 0b001, 0b110], 3),
+            "two functions for the first gear, one for the others"
+        );
+    }
+}

@@ -1,0 +1,65 @@
+//! Counts of classes: enumeration, mass formula and Burnside's lemma agree.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_synthesis::count::{self, Counts};
+use epicyclic_synthesis::{Class, Kind, enumerate};
+
+fn class(kind: Kind, sets: usize, links: usize) -> Class {
+    Class::new(kind, sets, links).unwrap()
+}
+
+/// The three ways, and the figures of a feasibility study where it has one.
+#[track_caller]
+fn check(kind: Kind, sets: usize, links: usize, known: Option<u64>) {
+    let class = class(kind, sets, links);
+    let counts = count::enumerated(class);
+    if let Some(known) = known {
+        assert_eq!(counts.structures, known, "{class}");
+    }
+    assert_eq!(counts.words, count::words(class), "{class}: mass formula");
+    assert_eq!(counts.structures, count::by_burnside(class), "{class}: Burnside's lemma");
+}
+
+#[test]
+fn structures_of_one_and_two_sets() {
+    check(Kind::Core, 1, 3, None);
+    check(Kind::Core, 2, 4, Some(111));
+    check(Kind::Core, 2, 5, Some(90));
+    check(Kind::AllSparse, 2, 4, Some(603));
+    check(Kind::AllSparse, 2, 5, Some(447));
+}
+
+#[test]
+fn structures_of_three_sets() {
+    check(Kind::Core, 3, 5, Some(3656));
+    check(Kind::Core, 3, 6, Some(4428));
+    check(Kind::Core, 3, 7, None);
+    check(Kind::AllSparse, 3, 5, Some(28_464));
+    check(Kind::AllSparse, 3, 6, Some(24_702));
+}
+
+#[test]
+fn structures_of_four_sets() {
+    check(Kind::Core, 4, 8, Some(121_050));
+    let core = count::enumerated(class(Kind::Core, 4, 8));
+    assert_eq!(core, Counts { structures: 121_050, words: 2_830_464 });
+}
+
+#[test]
+fn each_structure_comes_once_in_rising_order() {
+    let all = enumerate::all(class(Kind::Core, 3, 6));
+    assert!(all.windows(2).all(|pair| pair[0] < pair[1]));
+    for structure in &all {
+        assert_eq!(structure.to_string().parse::<epicyclic_synthesis::Structure>().unwrap(), *structure);
+    }
+}
+
+/// Figures that the study had not. Burnside's lemma takes long for seven links, where more sets share their links.
+#[test]
+fn structures_of_four_sets_with_seven_and_nine_links() {
+    check(Kind::Core, 4, 9, Some(20_376));
+    let seven = class(Kind::Core, 4, 7);
+    let counts = count::enumerated(seven);
+    assert_eq!((counts.structures, counts.words), (249_957, count::words(seven)));
+}

@@ -1,0 +1,212 @@
+//! Gearboxes for a list of ratios, as tables.
+
+use crate::AsReport;
+use crate::figure::Figure;
+use crate::report::{Column, Part, Records, Report, Text, View};
+use epicyclic_answers::synthesize::{ClassName, Searched, Solution, Synthesis};
+use epicyclic_formats::quantity::format::{significant, trimmed};
+
+/// Solutions whose gears are shown one by one.
+const SHOWN_IN_FULL: usize = 3;
+
+impl AsReport for Synthesis {
+    fn report(&self) -> Report {
+        let ratios: Vec<String> = self.wanted_ratios.iter().map(f64::to_string).collect();
+        let title = format!(
+            "Gearboxes with the ratios {}, each within {} %, k from {} to {}",
+            ratios.join(", "),
+            trimmed(100.0 * self.tolerance, 6),
+            self.k_range[0],
+            self.k_range[1],
+        );
+        let mut parts =
+            vec![Part::Records(searched(&self.searched)), Part::Text(Text::paragraph(count(self)))];
+        if !self.solutions.is_empty() {
+            parts.push(Part::Records(solutions(&self.solutions)));
+            parts.extend(
+                self.solutions
+                    .iter()
+                    .take(SHOWN_IN_FULL)
+                    .enumerate()
+                    .map(|(place, found)| Part::Text(gears(place + 1, found))),
+            );
+            parts.push(Part::Text(Text::paragraph(LEGEND)));
+        }
+        Report { title: Some(title), parts, warnings: Some(warnings(self)) }
+    }
+}
+
+const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
+    of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
+    element. Least η: the least efficiency of a gear.";
+
+/// How many were found, how many shown.
+#[must_use]
+pub fn count(answer: &Synthesis) -> String {
+    let gearboxes = if answer.found == 1 { "gearbox" } else { "gearboxes" };
+    let ended = if answer.complete { "" } else { " before the search was ended" };
+    match answer.shown {
+        shown if shown == answer.found => format!("{} {gearboxes} found{ended}.", answer.found),
+        shown => format!("{} {gearboxes} found{ended}, {shown} shown; --limit shows more.", answer.found),
+    }
+}
+
+fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
+    let mut told = Vec::new();
+    let sum = |of: fn(&Searched) -> u64| answer.searched.iter().map(of).sum::<u64>();
+    let (reducible, undecided) = (sum(|class| class.reducible), sum(|class| class.undecided));
+    if reducible > 0 {
+        told.push(("reducible", format!("{reducible} further sets of shift elements have all ratios, but the k of a set moves none of them: a simpler gearbox does the same")));
+    }
+    if undecided > 0 {
+        told.push((
+            "undecided",
+            format!(
+                "for {undecided} sets of shift elements neither a solution was found nor its absence proved"
+            ),
+        ));
+    }
+    told
+}
+
+fn class(name: ClassName) -> String {
+    match name {
+        ClassName::Core => "core",
+        ClassName::AllSparse => "all sparse",
+    }
+    .to_owned()
+}
+
+fn searched(classes: &[Searched]) -> Records {
+    let row = |of: &Searched| {
+        vec![
+            Figure::Text(class(of.class)),
+            Figure::Number(of.sets as f64),
+            Figure::Number(of.links as f64),
+            Figure::Number(of.shift_elements as f64),
+            Figure::Number(of.engaged as f64),
+            Figure::Number(of.structures as f64),
+            Figure::Number(of.space),
+            Figure::Text(significant(of.space, 2)),
+            Figure::Number(of.structures_searched as f64),
+            Figure::Number(of.structures_in_reach as f64),
+            Figure::Number(of.solutions as f64),
+            Figure::Number(of.reducible as f64),
+            Figure::Number(of.undecided as f64),
+        ]
+    };
+    Records {
+        name: "searched",
+        columns: vec![
+            Column::words("class", "class"),
+            Column::number("sets", "sets"),
+            Column::number("links", "links"),
+            Column::number("shift_elements", "elements"),
+            Column::number("engaged", "engaged"),
+            Column::number("structures", "structures"),
+            Column::number("space", "space"),
+            Column::number("space_rounded", "space").for_people(),
+            Column::number("structures_searched", "searched"),
+            Column::number("structures_in_reach", "in reach"),
+            Column::number("solutions", "solutions"),
+            Column::number("reducible", "reducible"),
+            Column::number("undecided", "undecided"),
+        ],
+        rows: classes.iter().map(row).collect(),
+        views: vec![View {
+            title: "Searched".into(),
+            columns: vec![
+                "class",
+                "sets",
+                "links",
+                "shift_elements",
+                "engaged",
+                "structures",
+                "space_rounded",
+                "solutions",
+            ],
+            note: "space: structures times sets of shift elements, each a pair of links".into(),
+        }],
+        is_answer: false,
+    }
+}
+
+fn solutions(found: &[Solution]) -> Records {
+    let row = |(place, of): (usize, &Solution)| {
+        let ks: Vec<f64> = of.sets.iter().map(|set| set.k).collect();
+        let names: Vec<&str> = of.shift_elements.iter().map(|element| element.name.as_str()).collect();
+        vec![
+            Figure::Number((place + 1) as f64),
+            Figure::Text(of.structure.clone()),
+            Figure::Text(names.join(" ")),
+            Figure::Numbers(ks.clone()),
+            Figure::Text(ks.iter().map(|k| format!("{k:.3}")).collect::<Vec<_>>().join(" ")),
+            Figure::Number(of.greatest_deviation),
+            Figure::Text(format!("{:.2} %", 100.0 * of.greatest_deviation)),
+            Figure::Number(of.multiple_shifts as f64),
+            Figure::Number(of.multiple_shifts as f64),
+            Figure::Number(of.least_efficiency),
+            Figure::Text(format!("{:.4}", of.least_efficiency)),
+        ]
+    };
+    Records {
+        name: "solutions",
+        columns: vec![
+            Column::number("number", "no."),
+            Column::words("structure", "structure"),
+            Column::words("shift_elements", "shift elements"),
+            Column::words("k", "k"),
+            Column::words("k_rounded", "k").for_people(),
+            Column::number("greatest_deviation", "greatest deviation"),
+            Column::number("deviation", "off by").for_people(),
+            Column::number("multiple_shifts", "multiple shifts"),
+            Column::number("multiple", "mult.").for_people(),
+            Column::number("least_efficiency", "least efficiency"),
+            Column::number("efficiency", "least η").for_people(),
+        ],
+        rows: found.iter().enumerate().map(row).collect(),
+        views: vec![View::new(
+            "Gearboxes",
+            &["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple", "efficiency"],
+        )],
+        is_answer: true,
+    }
+}
+
+/// Engaged elements and formulas of a solution's gears.
+fn gears(number: usize, found: &Solution) -> Text {
+    let mut header: Vec<String> = vec!["ratio".into()];
+    header.extend(found.shift_elements.iter().map(|element| element.name.clone()));
+    header.extend(["off by, %", "efficiency", "formula"].map(String::from));
+    let mut table = vec![header];
+    for gear in &found.gears {
+        let mut row = vec![format!("{:.4}", gear.ratio)];
+        row.extend(
+            found
+                .shift_elements
+                .iter()
+                .map(|element| if gear.engaged.contains(&element.name) { "x".into() } else { String::new() }),
+        );
+        row.push(format!("{:+.2}", 100.0 * gear.deviation));
+        row.push(gear.efficiency.map_or_else(|| "none".into(), |efficiency| format!("{efficiency:.4}")));
+        row.push(gear.formula.clone());
+        table.push(row);
+    }
+    let k = found.sets.iter().enumerate().map(|(place, set)| {
+        format!("k{} {:.4} ({:.4} to {:.4})", place + 1, set.k, set.k_range[0], set.k_range[1])
+    });
+    let instead = found.shift_elements.iter().filter(|element| !element.instead.is_empty());
+    let mut points: Vec<String> = vec![format!(
+        "k with the least deviation, and the range that keeps the tolerances: {}",
+        k.collect::<Vec<_>>().join(", ")
+    )];
+    points.extend(
+        instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))),
+    );
+    Text {
+        heading: Some(format!("Gearbox {number}: {}", found.structure)),
+        paragraphs: Vec::new(),
+        points,
+        table,
+    }
+}
