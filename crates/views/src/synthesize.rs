@@ -12,15 +12,18 @@ const SHOWN_IN_FULL: usize = 3;
 impl AsReport for Synthesis {
     fn report(&self) -> Report {
         let ratios: Vec<String> = self.wanted_ratios.iter().map(f64::to_string).collect();
-        let title = format!(
-            "Gearboxes with the ratios {}, each within {} %, k from {} to {}",
+        let asked = format!(
+            "Ratios {}, each within {} %; k from {} to {}.",
             ratios.join(", "),
             trimmed(100.0 * self.tolerance, 6),
             self.k_range[0],
             self.k_range[1],
         );
-        let mut parts =
-            vec![Part::Records(searched(&self.searched)), Part::Text(Text::paragraph(count(self)))];
+        let mut parts = vec![
+            Part::Text(Text::paragraph(asked)),
+            Part::Records(searched(&self.searched)),
+            Part::Text(Text::paragraph(count(self))),
+        ];
         if !self.solutions.is_empty() {
             parts.push(Part::Records(solutions(&self.solutions)));
             parts.extend(
@@ -32,7 +35,7 @@ impl AsReport for Synthesis {
             );
             parts.push(Part::Text(Text::paragraph(LEGEND)));
         }
-        Report { title: Some(title), parts, warnings: Some(warnings(self)) }
+        Report { title: Some("Gearboxes for a list of ratios".into()), parts, warnings: Some(warnings(self)) }
     }
 }
 
