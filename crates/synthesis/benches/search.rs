@@ -29,7 +29,7 @@ fn parts(bench: &mut Criterion) {
             motion.take(&structure, &pairs);
             let mut driven = 0;
             motion.for_each_gear(&mut |_, last| {
-                driven += last.iter().filter(|speeds| !speeds.input.is_zero()).count()
+                driven += last.iter().filter(|speeds| !speeds.input.is_zero()).count();
             });
             black_box(driven)
         });

@@ -106,8 +106,9 @@ fn may_belong(class: Class, sets: &[Members]) -> bool {
         touched.dedup();
         touched.len() < chosen.count_ones() as usize + 2
     };
-    !(class.kind() == Kind::Core && sets.iter().flatten().any(|link| *link == 0))
-        && !(1..1 << sets.len()).any(few)
+    let on_housing = || sets.iter().flatten().any(|link| *link == 0);
+    let outside = class.kind() == Kind::Core && on_housing();
+    !outside && !(1..1 << sets.len()).any(few)
 }
 
 /// Whether sets are a labelled structure of the class.

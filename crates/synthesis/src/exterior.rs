@@ -82,7 +82,7 @@ impl Space {
             *coordinate = Ternary::default();
             for (place, axis, change) in terms {
                 let term = product[*place].times(vector[*axis]);
-                *coordinate = if *change { coordinate.subtract(term) } else { coordinate.add(term) };
+                *coordinate = if *change { coordinate.difference(term) } else { coordinate.sum(term) };
             }
         }
     }
@@ -94,6 +94,6 @@ impl Space {
         first: usize,
         second: usize,
     ) -> Ternary<W> {
-        one[first].times(other[second]).subtract(one[second].times(other[first]))
+        one[first].times(other[second]).difference(one[second].times(other[first]))
     }
 }

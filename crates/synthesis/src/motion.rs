@@ -106,7 +106,7 @@ impl<W: Word> Motion<W> {
         self.differences.clear();
         self.differences.extend(elements.iter().map(|[one, other]| {
             let (one, other) = (&unsigned[usize::from(*one)], &unsigned[usize::from(*other)]);
-            one.iter().zip(other).map(|(one, other)| one.subtract(*other)).collect::<Vec<_>>()
+            one.iter().zip(other).map(|(one, other)| one.difference(*other)).collect::<Vec<_>>()
         }));
         let end = |element: &[Ternary<W>], link: Link, first, second| {
             Space::minor(element, &self.axes[usize::from(link)], first, second)
@@ -172,8 +172,8 @@ impl<W: Word> Motion<W> {
                 continue;
             }
             for (speeds, end) in result.iter_mut().zip(&ends[from..]) {
-                speeds.input = speeds.input.add(factor.times(end.input));
-                speeds.output = speeds.output.add(factor.times(end.output));
+                speeds.input = speeds.input.sum(factor.times(end.input));
+                speeds.output = speeds.output.sum(factor.times(end.output));
             }
         }
     }

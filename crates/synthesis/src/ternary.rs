@@ -49,7 +49,7 @@ impl<W: Word> Ternary<W> {
     /// The sum, modulo 3.
     #[inline]
     #[must_use]
-    pub fn add(self, other: Self) -> Self {
+    pub fn sum(self, other: Self) -> Self {
         let mixed = (self.plus | other.minus) ^ (self.minus | other.plus);
         Self { plus: (self.minus | other.minus) ^ mixed, minus: (self.plus | other.plus) ^ mixed }
     }
@@ -57,8 +57,8 @@ impl<W: Word> Ternary<W> {
     /// The difference, modulo 3.
     #[inline]
     #[must_use]
-    pub fn subtract(self, other: Self) -> Self {
-        self.add(other.negated())
+    pub fn difference(self, other: Self) -> Self {
+        self.sum(other.negated())
     }
 
     /// The products of the coefficients, place by place.
@@ -98,8 +98,8 @@ mod tests {
         for one in -1..=1 {
             for other in -1..=1 {
                 let modulo = |number: i32| of((number + 4).rem_euclid(3) - 1);
-                assert_eq!(of(one).add(of(other)), modulo(one + other), "{one} + {other}");
-                assert_eq!(of(one).subtract(of(other)), modulo(one - other), "{one} − {other}");
+                assert_eq!(of(one).sum(of(other)), modulo(one + other), "{one} + {other}");
+                assert_eq!(of(one).difference(of(other)), modulo(one - other), "{one} − {other}");
                 assert_eq!(of(one).times(of(other)), modulo(one * other), "{one} · {other}");
             }
         }
