@@ -4,14 +4,20 @@
 //! the front holds what nothing dominates. Designs of equal costs do not dominate each other: they stand on the front
 //! together or not at all.
 //!
-//! A tree over the designs answers "does any design dominate this one?": it splits them by the median of
-//! one cost after another and keeps the least and the greatest of every cost in every part. A part whose
-//! least costs are not all at or below the design's holds no dominator; a part whose greatest costs are,
-//! and differ somewhere, consists of nothing else. Only what is neither is opened. Every design is asked
-//! about once, independently of all others, so the answer does not depend on order or threads, and
-//! nothing is left out by approximation.
+//! A tree over the designs answers "which of them does any design dominate?": it splits them by the median of
+//! one cost after another and keeps the least and the greatest of every cost in every part. Each part is asked about with
+//! the parts that may hold a dominator of some of its designs. A part whose least costs are not all at or below the
+//! greatest of the part asked about holds none; a part whose greatest costs are at or below its least, and differ
+//! somewhere, dominates all of it. What is neither stays a candidate, and the halves of the part are asked about with
+//! the halves of its candidates, down to leaves of some designs, which are compared. There costs rounded to singles come
+//! first: rounding keeps the order, so what they rule out is so, and what is left is compared in full. Nothing is left out by
+//! approximation, and the answer does not depend on order or threads.
 //!
-//! A cost that is not a number compares with nothing: its design neither dominates nor is dominated.
+//! The tree is grown over what is left after the same question was asked within parts of consecutive designs: a design
+//! dominated by another is dominated by one of the front too, so those that are may be left out at any time.
+//!
+//! A cost that is not a number compares with nothing: its design neither dominates nor is dominated, and stands on the
+//! front without being asked about.
 //!
 //! ```
 //! use epicyclic_pareto::{front, non_dominated};
@@ -64,15 +70,29 @@ pub fn front<const N: usize>(
 /// Places of the designs that no other dominates, ascending.
 #[must_use]
 pub fn non_dominated<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
-    let mut left: Vec<u32> = (0..costs.len() as u32).collect();
-    let tree = Tree::new(costs);
-    let ask = |place: &u32| tree.holds_dominator_of(&costs[*place as usize]);
+    let all: Vec<u32> = (0..costs.len() as u32).collect();
+    // Neighbours dominate most of what is dominated at all, and small trees are quick.
+    let parts: Vec<&[u32]> = all.chunks(PART).collect();
+    let ask = |part: &&[u32]| left_of(costs, part);
     #[cfg(feature = "parallel")]
-    let dominated: Vec<bool> = left.par_iter().with_min_len(256).map(ask).collect();
+    let left: Vec<Vec<u32>> = parts.par_iter().map(ask).collect();
     #[cfg(not(feature = "parallel"))]
-    let dominated: Vec<bool> = left.iter().map(ask).collect();
-    left.retain(|place| !dominated[*place as usize]);
-    left
+    let left: Vec<Vec<u32>> = parts.iter().map(ask).collect();
+    if left.len() == 1 { left.concat() } else { left_of(costs, &left.concat()) }
+}
+
+/// Those of some places, ascending, whose designs are not dominated by one at these places.
+fn left_of<const N: usize>(costs: &[[f64; N]], places: &[u32]) -> Vec<u32> {
+    let tree = Tree::new(costs, places);
+    let mut dominated = vec![false; tree.designs.len()];
+    if !tree.nodes.is_empty() {
+        tree.ask(0, &[0], &mut dominated);
+    }
+    let dominated = std::iter::zip(&tree.places, dominated).filter(|(_, is_dominated)| *is_dominated);
+    let mut out: Vec<u32> = dominated.map(|(&place, _)| place).collect();
+    out.sort_unstable();
+    let mut out = out.into_iter().peekable();
+    places.iter().copied().filter(|place| out.next_if_eq(place).is_none()).collect()
 }
 
 /// The same by comparing each with each: slow, and the oracle of the tree.
@@ -85,6 +105,16 @@ pub fn non_dominated_by_trial<const N: usize>(costs: &[[f64; N]]) -> Vec<u32> {
 /// Designs in a part that is not split further.
 const LEAF: usize = 16;
 
+/// Designs among which dominated ones are looked for before all.
+const PART: usize = 1 << 10;
+
+/// Designs of which the widest spread is taken.
+const SAMPLE: usize = 32;
+
+/// Designs from which on the halves of a part are asked about at the same time.
+const JOINT: usize = 1 << 10;
+
+#[derive(Clone, Copy)]
 struct Node<const N: usize> {
     least: [f64; N],
     greatest: [f64; N],
@@ -92,80 +122,222 @@ struct Node<const N: usize> {
     designs: [u32; 2],
     /// Where the second child is; the first is the next node. 0 of a leaf.
     second: u32,
+    /// Of a leaf, its place in `Tree::leaves`.
+    leaf: u32,
 }
 
+impl<const N: usize> Node<N> {
+    fn count(&self) -> usize {
+        (self.designs[1] - self.designs[0]) as usize
+    }
+}
+
+/// Of designs whose costs are all numbers.
 struct Tree<const N: usize> {
     designs: Vec<[f64; N]>,
+    places: Vec<u32>,
     nodes: Vec<Node<N>>,
+    leaves: Vec<Leaf<N>>,
 }
 
-impl<const N: usize> Tree<N> {
-    fn new(costs: &[[f64; N]]) -> Self {
-        let mut tree = Self { designs: costs.to_vec(), nodes: vec![] };
-        if !tree.designs.is_empty() {
-            tree.grow(0, tree.designs.len());
-        }
-        tree
-    }
+/// Costs of the designs of a leaf, by cost, rounded to singles. Rounding keeps the order, so what is not at or below another
+/// as a single is not so as a double.
+struct Leaf<const N: usize>([[f32; LEAF]; N]);
 
-    fn grow(&mut self, from: usize, to: usize) {
-        let (mut least, mut greatest) = ([f64::INFINITY; N], [f64::NEG_INFINITY; N]);
-        let mut is_ordered = true;
-        for cost in &self.designs[from..to] {
-            for (place, value) in cost.iter().enumerate() {
-                is_ordered &= !value.is_nan();
-                least[place] = least[place].min(*value);
-                greatest[place] = greatest[place].max(*value);
+impl<const N: usize> Leaf<N> {
+    fn new(designs: &[[f64; N]]) -> Self {
+        let mut columns = [[f32::INFINITY; LEAF]; N];
+        for (lane, cost) in designs.iter().enumerate() {
+            for place in 0..N {
+                columns[place][lane] = cost[place] as f32;
             }
         }
-        if !is_ordered {
-            // The greatest of what does not compare says nothing of the part.
-            greatest = [f64::NAN; N];
+        Self(columns)
+    }
+
+    /// The same by design.
+    fn designs(&self) -> [[f32; N]; LEAF] {
+        std::array::from_fn(|lane| std::array::from_fn(|place| self.0[place][lane]))
+    }
+
+    /// Which may be nowhere worse than a design, by bit.
+    #[inline]
+    fn at_or_below(&self, cost: &[f32; N]) -> u32 {
+        self.lanes(|place, value| value - cost[place])
+    }
+
+    /// Which may be nowhere better than a design, by bit.
+    #[inline]
+    fn at_or_above(&self, cost: &[f32; N]) -> u32 {
+        self.lanes(|place, value| cost[place] - value)
+    }
+
+    /// Of which designs no cost is above, by bit.
+    #[inline]
+    fn lanes(&self, above: impl Fn(usize, f32) -> f32) -> u32 {
+        // The largest, lane by lane: for instructions that take several at once. What is not a number leaves it.
+        let mut largest = [f32::NEG_INFINITY; LEAF];
+        for (place, column) in self.0.iter().enumerate() {
+            for (largest, value) in largest.iter_mut().zip(column) {
+                let above = above(place, *value);
+                *largest = if above > *largest { above } else { *largest };
+            }
         }
-        let node = self.nodes.len();
-        self.nodes.push(Node { least, greatest, designs: [from as u32, to as u32], second: 0 });
-        if to - from <= LEAF {
+        largest.iter().rev().fold(0, |found, largest| 2 * found + u32::from(*largest <= 0.0))
+    }
+}
+
+type Design<const N: usize> = ([f64; N], u32);
+
+impl<const N: usize> Tree<N> {
+    fn new(costs: &[[f64; N]], places: &[u32]) -> Self {
+        let mut designs: Vec<Design<N>> = places
+            .iter()
+            .map(|&place| (costs[place as usize], place))
+            .filter(|(cost, _)| !cost.iter().any(|value| value.is_nan()))
+            .collect();
+        let mut nodes = Vec::with_capacity(4 * designs.len() / LEAF + 1);
+        if !designs.is_empty() {
+            Self::grow(&mut nodes, &mut designs, 0);
+        }
+        let (designs, places): (Vec<[f64; N]>, Vec<u32>) = designs.into_iter().unzip();
+        let mut leaves = vec![];
+        for node in nodes.iter_mut().filter(|node| node.second == 0) {
+            node.leaf = leaves.len() as u32;
+            leaves.push(Leaf::new(&designs[node.designs[0] as usize..node.designs[1] as usize]));
+        }
+        Self { designs, places, nodes, leaves }
+    }
+
+    fn grow(nodes: &mut Vec<Node<N>>, designs: &mut [Design<N>], from: u32) {
+        let place = nodes.len();
+        let count = designs.len();
+        nodes.push(Node {
+            least: [0.0; N],
+            greatest: [0.0; N],
+            designs: [from, from + count as u32],
+            second: 0,
+            leaf: 0,
+        });
+        if count <= LEAF {
+            [nodes[place].least, nodes[place].greatest] = ends(designs.iter());
             return;
         }
         // Relative spread, so that the unit of a cost does not matter.
+        let [least, greatest] = ends(designs.iter().step_by(count / SAMPLE + 1));
         let scale = |place: usize| greatest[place].abs().max(least[place].abs()).max(LEAST_SCALE);
         let spread = |place: usize| (greatest[place] - least[place]) / scale(place);
         let widest = (0..N).max_by(|a, b| spread(*a).total_cmp(&spread(*b))).unwrap_or(0);
-        let middle = (to - from) / 2;
-        self.designs[from..to].select_nth_unstable_by(middle, |a, b| a[widest].total_cmp(&b[widest]));
-        self.grow(from, from + middle);
-        self.nodes[node].second = self.nodes.len() as u32;
-        self.grow(from + middle, to);
+        let middle = count / 2;
+        designs.select_nth_unstable_by(middle, |a, b| a.0[widest].total_cmp(&b.0[widest]));
+        let (low, high) = designs.split_at_mut(middle);
+        Self::grow(nodes, low, from);
+        let second = nodes.len();
+        Self::grow(nodes, high, from + middle as u32);
+        let (one, other) = (nodes[place + 1], nodes[second]);
+        let node = &mut nodes[place];
+        node.second = second as u32;
+        for n in 0..N {
+            node.least[n] = smaller(one.least[n], other.least[n]);
+            node.greatest[n] = larger(one.greatest[n], other.greatest[n]);
+        }
     }
 
-    fn holds_dominator_of(&self, cost: &[f64; N]) -> bool {
-        // Halved 2³² designs are 28 levels above their leaves, and a level leaves one node waiting.
-        let mut waiting = [0_u32; 64];
-        let mut count = usize::from(!self.nodes.is_empty());
-        while count > 0 {
-            count -= 1;
-            let place = waiting[count] as usize;
-            let node = &self.nodes[place];
-            if !nowhere_worse(&node.least, cost) {
-                continue;
-            }
-            if dominates(&node.greatest, cost) {
-                return true;
-            }
-            if node.second == 0 {
-                let [from, to] = node.designs;
-                if self.designs[from as usize..to as usize].iter().any(|other| dominates(other, cost)) {
-                    return true;
+    /// Marks the designs of a part that others dominate. What dominates any of them is in one of the candidates.
+    fn ask(&self, part: usize, candidates: &[u32], dominated: &mut [bool]) {
+        let asked = &self.nodes[part];
+        let mut left: Vec<u32> = Vec::with_capacity(2 * candidates.len());
+        let mut waiting: Vec<u32> = Vec::with_capacity(32);
+        for &candidate in candidates {
+            waiting.push(candidate);
+            while let Some(place) = waiting.pop() {
+                let node = &self.nodes[place as usize];
+                if !nowhere_worse(&node.least, &asked.greatest) {
+                    continue;
                 }
-            } else {
-                // The first child has the lower costs: look there first.
-                waiting[count] = node.second;
-                waiting[count + 1] = place as u32 + 1;
-                count += 2;
+                if dominates(&node.greatest, &asked.least) {
+                    dominated.fill(true);
+                    return;
+                }
+                if node.second != 0 && node.count() > asked.count() {
+                    // The first child has the lower costs: look there first.
+                    waiting.extend([node.second, place + 1]);
+                } else {
+                    left.push(place);
+                }
             }
         }
-        false
+        if asked.second == 0 {
+            self.ask_leaf(asked, &left, dominated);
+            return;
+        }
+        let children = [part + 1, asked.second as usize];
+        let (first, second) = dominated.split_at_mut(self.nodes[children[0]].count());
+        #[cfg(feature = "parallel")]
+        if asked.count() >= JOINT {
+            rayon::join(|| self.ask(children[0], &left, first), || self.ask(children[1], &left, second));
+            return;
+        }
+        self.ask(children[0], &left, first);
+        self.ask(children[1], &left, second);
     }
+
+    /// The same of a leaf; the candidates are leaves.
+    fn ask_leaf(&self, asked: &Node<N>, candidates: &[u32], dominated: &mut [bool]) {
+        let of = |node: &Node<N>| &self.designs[node.designs[0] as usize..node.designs[1] as usize];
+        let (designs, columns) = (of(asked), &self.leaves[asked.leaf as usize]);
+        let singles = columns.designs();
+        let all = |designs: &[[f64; N]]| (1 << designs.len()) - 1;
+        let mut open: u32 = all(designs);
+        for &candidate in candidates {
+            let node = &self.nodes[candidate as usize];
+            let (others, columns_of) = (of(node), &self.leaves[node.leaf as usize]);
+            for lane in bits(columns.at_or_above(&node.least.map(|value| value as f32)) & open) {
+                let below = columns_of.at_or_below(&singles[lane]) & all(others);
+                if bits(below).any(|other| dominates(&others[other], &designs[lane])) {
+                    dominated[lane] = true;
+                    open &= !(1 << lane);
+                }
+            }
+            if open == 0 {
+                return;
+            }
+        }
+    }
+}
+
+/// Places of the bits that are set, ascending.
+#[inline]
+fn bits(mut of: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = of.trailing_zeros();
+        of &= of.wrapping_sub(1);
+        (place < u32::BITS).then_some(place as usize)
+    })
+}
+
+/// The least and the greatest of every cost of some designs.
+fn ends<'a, const N: usize>(designs: impl Iterator<Item = &'a Design<N>>) -> [[f64; N]; 2] {
+    let (mut least, mut greatest) = ([f64::INFINITY; N], [f64::NEG_INFINITY; N]);
+    for (cost, _) in designs {
+        for place in 0..N {
+            least[place] = smaller(cost[place], least[place]);
+            greatest[place] = larger(cost[place], greatest[place]);
+        }
+    }
+    [least, greatest]
+}
+
+/// The larger of two numbers, in one instruction.
+#[inline]
+fn larger(one: f64, other: f64) -> f64 {
+    if one > other { one } else { other }
+}
+
+/// The smaller of two numbers, in one instruction.
+#[inline]
+fn smaller(one: f64, other: f64) -> f64 {
+    if one < other { one } else { other }
 }
 
 #[cfg(test)]
@@ -187,6 +359,28 @@ mod tests {
             (0..100).map(|n| [f64::from(n), if n % 7 == 0 { f64::NAN } else { 1.0 }]).collect();
         assert_eq!(non_dominated(&costs), non_dominated_by_trial(&costs));
         assert!(non_dominated::<3>(&[]).is_empty());
+    }
+
+    /// More than are asked about in one part; costs of few levels and some without end.
+    #[test]
+    fn many_designs_are_asked_about_in_parts() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state >> 40
+        };
+        let mut costs: Vec<[f64; 5]> = vec![];
+        for _ in 0..8 * PART + 77 {
+            let cost = [next(), next(), next(), next(), next()].map(|value| (value % 97) as f64);
+            costs.push(cost.map(|value| match value {
+                95.0 => f64::INFINITY,
+                96.0 => f64::MAX,
+                value => 1.0 + value * 1e-9,
+            }));
+        }
+        let found = non_dominated(&costs);
+        assert!(found.len() > 100);
+        assert_eq!(found, non_dominated_by_trial(&costs));
     }
 
     proptest! {

@@ -11,6 +11,9 @@
 //! | `RELATIVE_GRID` | the cube of the size: multiplied and taken away leaves 40 bits | its rounding grows with it, so its grid does |
 //! | `RELATIVE_STEP` | the same: the distance of two points over the power of two below | 40 bits |
 //! | `ROUNDING` | the relative error of one operation on doubles | half of their last bit |
+//! | `LOOK` | a figure of a first look near its limit, over 1 and the limit: measured | a hundred times the rounding of a look, and still next to none |
+//! | `BEHIND` | a first objective of a first look near a bound, over 1 and the bound: measured | above the grid of objectives and what `CANCELLED` leaves |
+//! | `CANCELLED` | the terms of a difference over the difference, in a first look | leaves 2e-10 of a double's digits |
 //! | `TIE` | exact values half-way between points of the grid | far beyond what a sum of two doubles loses, 2⁻¹⁰⁰ |
 
 /// A value within its limit, or beyond it by this share of 1 and itself, keeps to it.
@@ -42,3 +45,12 @@ pub(crate) const ROUNDING: f64 = f64::EPSILON / 2.0;
 
 /// Exact values so near half-way between two points of the grid, over their distance, belong to the upper.
 pub(crate) const TIE: f64 = 1e-15;
+
+/// A first look does not decide where a figure is within this of its limit, over 1 and the limit.
+pub(crate) const LOOK: f64 = 1e-12;
+
+/// A first look does not leave out what is within this of the bound, over 1 and the bound.
+pub(crate) const BEHIND: f64 = 1e-9;
+
+/// A first look does not decide where terms are this many times their difference.
+pub(crate) const CANCELLED: f64 = 1e5;

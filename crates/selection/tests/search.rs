@@ -120,6 +120,25 @@ fn the_number_of_threads_changes_nothing() {
     assert!(alone == run(2) && alone == run(5));
 }
 
+/// More than 256 entries are not looked for before a bound.
+#[test]
+fn the_first_before_a_bound_are_the_first_of_all() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds.ring = 12..=80;
+    search.requirements.signs = Signs::Any;
+    for objective in Objective::ALL {
+        search.order = Order::new(&[objective]).unwrap();
+        let all = search.best(257).unwrap();
+        for count in [1, 10, 100] {
+            let few = search.best(count).unwrap();
+            assert_eq!((few.entries().len(), few.counts()), (count, all.counts()));
+            for (one, other) in few.entries().iter().zip(all.entries()) {
+                assert_eq!((one.objectives, few.designs(one)), (other.objectives, all.designs(other)));
+            }
+        }
+    }
+}
+
 /// However little is held, the first designs are the same, or the search says that it cannot tell.
 #[test]
 fn what_is_held_changes_nothing_or_is_refused() {

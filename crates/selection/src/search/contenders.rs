@@ -5,8 +5,46 @@
 //! something near by dominates, out of memory.
 
 use super::found::Point;
-use crate::objectives::{Costs, Order};
-use epicyclic_pareto::dominates;
+use crate::front::Entry;
+use crate::objectives::{Costs, Objectives, Order};
+use epicyclic_pareto::{dominates, nowhere_worse};
+use std::sync::{Mutex, PoisonError};
+
+/// Costs from which on designs are left out, where only the first entries in an order are wanted. It comes forward while
+/// designs are tried.
+///
+/// It is always the costs of some design, and before it stand more entries of the front of what was tried than are wanted.
+/// What is tried later may dominate them and leave fewer than wanted; then the bound came too far.
+#[derive(Debug)]
+pub(super) struct Bound {
+    pub(super) order: Order,
+    kept: usize,
+    costs: Mutex<Option<Costs>>,
+}
+
+impl Bound {
+    /// Behind so many entries of what was tried.
+    pub(super) fn new(order: Order, kept: usize) -> Self {
+        Self { order, kept, costs: Mutex::new(None) }
+    }
+
+    /// Where it is.
+    pub(super) fn costs(&self) -> Option<Costs> {
+        *self.costs.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether it comes after these costs.
+    pub(super) fn is_after(&self, costs: &Costs) -> bool {
+        self.costs().is_none_or(|bound| self.order.compare(costs, &bound).is_lt())
+    }
+
+    fn bring_to(&self, costs: Costs) {
+        let mut bound = self.costs.lock().unwrap_or_else(PoisonError::into_inner);
+        if bound.is_none_or(|bound| self.order.compare(&costs, &bound).is_lt()) {
+            *bound = Some(costs);
+        }
+    }
+}
 
 /// Designs of a piece of work, with their costs.
 #[derive(Debug, Default)]
@@ -14,7 +52,12 @@ pub(super) struct Contenders {
     rivals: Vec<Costs>,
     pub(super) costs: Vec<Costs>,
     pub(super) points: Vec<Point>,
+    /// From how many on they are narrowed.
+    enough: usize,
 }
+
+/// Designs that are not worth narrowing.
+const ENOUGH: usize = 2048;
 
 impl Contenders {
     /// Keeps the designs at these places, ascending.
@@ -25,6 +68,33 @@ impl Contenders {
         }
         self.costs.truncate(places.len());
         self.points.truncate(places.len());
+    }
+
+    /// Where they have become many, [narrows](Self::narrow) them.
+    pub(super) fn narrow_many(&mut self, bound: &Bound) {
+        if self.costs.len() >= self.enough.max(ENOUGH) {
+            self.narrow(bound);
+            self.enough = 2 * self.costs.len();
+        }
+    }
+
+    /// Keeps those of the first entries in the bound's order, and brings the bound to the next entry.
+    pub(super) fn narrow(&mut self, bound: &Bound) {
+        if let Some(costs) = bound.costs() {
+            let is_before = |place: &u32| bound.order.compare(&self.costs[*place as usize], &costs).is_lt();
+            let places: Vec<u32> = (0..self.costs.len() as u32).filter(is_before).collect();
+            self.keep(&places);
+        }
+        let mut entries = first_of_front(&self.costs, bound.order, bound.kept);
+        if entries.len() == bound.kept
+            && let Some(last) = entries.pop()
+        {
+            bound.bring_to(self.costs[last.members[0]]);
+        }
+        let mut places: Vec<u32> =
+            entries.iter().flat_map(|entry| &entry.members).map(|&place| place as u32).collect();
+        places.sort_unstable();
+        self.keep(&places);
     }
 
     /// Keeps the first designs in an order, at most `count`, in the places that they had among each other: all whose
@@ -55,5 +125,39 @@ impl Contenders {
         self.rivals.insert(self.rivals.len() / 2, costs);
         self.costs.push(costs);
         self.points.push(point);
+    }
+}
+
+/// The first entries of the front of some designs.
+pub(super) fn first_of_front(costs: &[Costs], order: Order, count: usize) -> Vec<Entry> {
+    let compare = |a: &u32, b: &u32| order.compare(&costs[*a as usize], &costs[*b as usize]).then(a.cmp(b));
+    let mut taken = count.saturating_mul(64).max(1024);
+    loop {
+        let mut places: Vec<u32> = (0..costs.len() as u32).collect();
+        if taken < places.len() {
+            places.select_nth_unstable_by(taken, compare);
+            places.truncate(taken);
+        }
+        places.sort_unstable_by(compare);
+        let mut entries: Vec<Entry> = vec![];
+        let mut kept: Vec<Costs> = vec![];
+        for &place in &places {
+            let cost = costs[place as usize];
+            if kept.last() == Some(&cost) {
+                if let Some(entry) = entries.last_mut() {
+                    entry.members.push(place as usize);
+                }
+            } else if !kept.iter().any(|earlier| nowhere_worse(earlier, &cost)) {
+                if entries.len() == count {
+                    return entries;
+                }
+                kept.push(cost);
+                entries.push(Entry { objectives: Objectives::of_costs(cost), members: vec![place as usize] });
+            }
+        }
+        if taken >= costs.len() {
+            return entries;
+        }
+        taken = taken.saturating_mul(8);
     }
 }

@@ -47,6 +47,11 @@ impl Distance {
         }
     }
 
+    /// `e` to the power of the distance.
+    pub(crate) fn value(self) -> f64 {
+        self.fraction[0] / self.fraction[1] * self.factor
+    }
+
     /// `e` to the power of the sum of two distances.
     #[inline]
     pub(crate) fn times(self, other: Self) -> f64 {

@@ -22,6 +22,15 @@
 //! any other dominates it ([`epicyclic_pareto`]). Brute force over reduced ranges is the
 //! oracle of tests and benches.
 //!
+//! # The first designs without the rest
+//! What dominates a design stands before it in any order of objectives. So whether a design before some bound is on the
+//! front depends on the designs before that bound alone, and [`ToothSearch::best`] need not hold, nor compute to the point
+//! of the grid, what comes after it. The bound is the costs of a design: of a sample first, then of what was tried, so far
+//! down the front of these that more entries stand before it than are wanted. A first look (`screen`) decides for most
+//! pairs that they come after it and whether they meet the criteria; all others are measured. If in the end fewer entries
+//! than wanted stand before the bound, because later designs dominate those by which it was set, the search is repeated with one
+//! farther off, and at last without any. So the answer is that of the whole front, and the bound only costs or saves time.
+//!
 //! # What is equal
 //! Objectives often do not depend on one of the sets, or do so through a product; so many designs have an objective in
 //! common, reached by different figures. They must not be parted by rounding, or one would dominate the other. Teeth are
@@ -70,24 +79,26 @@ mod double;
 mod found;
 mod levels;
 mod patch;
+mod screen;
 mod window;
 
 pub use found::{Counts, Found, ToothDesign};
 
 use crate::Error;
 use crate::front::{Entry, front};
-use crate::objectives::{Costs, Objectives, Order};
+use crate::objectives::{Costs, Order};
 use crate::quantity::Limited;
 use crate::requirements::Requirements;
 use crate::threads::map;
 use crate::units::in_metres;
-use contenders::Contenders;
+use contenders::{Bound, Contenders, first_of_front};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_pareto::{non_dominated, nowhere_worse};
+use epicyclic_pareto::non_dominated;
 use epicyclic_schemes::structures::Structure;
 use found::{Point, SizeLimits};
 use levels::levels;
 use patch::{Allowed, Patch, Side};
+use screen::{AT_ONCE, Columns, Screen, Verdict};
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use uom::si::f64::Length;
@@ -141,6 +152,14 @@ pub const MOST_WINDOWS: u64 = 20_000_000;
 
 /// The most pairs of ring-to-sun ratios that are tried, a minute or two of work.
 pub const MOST_PAIRS: u64 = 1_000_000_000;
+
+/// One in so many strips, and in these one in so many pairs, is tried for a first bound; of more than some `SAMPLE_PAIRS`
+/// fewer.
+const SAMPLE: usize = 8;
+const SAMPLE_PAIRS: u64 = 1 << 15;
+
+/// The most entries that are looked for before a bound.
+const FEW: usize = 256;
 
 /// Leaves out some of the designs held.
 type Reduce<'a> = dyn FnMut(&mut Contenders) -> Result<(), Error> + 'a;
@@ -203,7 +222,7 @@ impl ToothSearch {
     /// As [`front`](Self::front), and [`Error::Cancelled`].
     pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let mut found = self.prepared()?;
-        let held = self.each(&mut found, watch, &mut |held: &mut Contenders| {
+        let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
             // Nothing on the front of all is off the front of a part.
             held.keep(&non_dominated(&held.costs));
             let most = self.most_held / 4 * 3;
@@ -234,10 +253,17 @@ impl ToothSearch {
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, Error> {
         let mut found = self.prepared()?;
+        let farther = if count <= FEW { &[[2, 12], [16, 100]][..] } else { &[] };
+        for [times, more] in farther {
+            let kept = times * count + more;
+            if self.first_before(&Bound::new(self.order, kept), &mut found, count, watch)? {
+                return Ok(found);
+            }
+        }
         // The first design in the order that was left out. All before it are held, and what dominates a design stands
         // before it; so entries before it are those of the front of all.
         let mut left_out: Option<Costs> = None;
-        let held = self.each(&mut found, watch, &mut |held: &mut Contenders| {
+        let held = self.each(&mut found, watch, None, &mut |held: &mut Contenders| {
             let first_out = held.first(self.most_held / 2, self.order);
             // What was left out earlier may stand before what is left out now.
             if left_out.is_none_or(|before| self.order.compare(&first_out, &before).is_lt()) {
@@ -255,6 +281,63 @@ impl ToothSearch {
         }
         found.points = held.points;
         Ok(found)
+    }
+
+    /// Puts the first entries into what is found, if they can be had without holding the rest: all that stands before the
+    /// bound is held, so entries before it are those of the front of all. `false` where they are fewer than wanted.
+    fn first_before(
+        &self,
+        bound: &Bound,
+        found: &mut Found,
+        count: usize,
+        watch: &Watch,
+    ) -> Result<bool, Error> {
+        self.sample(found, bound);
+        let most = self.most_held;
+        let held = self.each(found, watch, Some(bound), &mut |held: &mut Contenders| {
+            held.narrow_many(bound);
+            if held.costs.len() > most {
+                return Err(Error::FrontTooLarge { designs: held.costs.len(), most });
+            }
+            Ok(())
+        });
+        let held = match held {
+            Err(Error::FrontTooLarge { .. }) => return Ok(false),
+            held => held?,
+        };
+        let mut entries = first_of_front(&held.costs, self.order, count);
+        entries.retain(|entry| bound.is_after(&held.costs[entry.members[0]]));
+        if bound.costs().is_some() && entries.len() < count {
+            return Ok(false);
+        }
+        // What else is held depends on how far the bound was, and that on the threads.
+        for member in entries.iter_mut().flat_map(|entry| &mut entry.members) {
+            found.points.push(held.points[*member]);
+            *member = found.points.len() - 1;
+        }
+        found.entries = entries;
+        Ok(true)
+    }
+
+    /// Brings the bound to where a few strips of all patches put it: otherwise it would be far off until the patch with the
+    /// best designs is tried.
+    fn sample(&self, found: &Found, bound: &Bound) {
+        let mut gathered = Contenders::default();
+        let pairs: u64 = found.patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
+        let step = SAMPLE.max((pairs / SAMPLE_PAIRS).isqrt() as usize);
+        for (place, patch) in (0_u32..).zip(&found.patches) {
+            let of_sample = |set: usize, level: u32| patch.side(set, &found.levels[level as usize]);
+            for &[one, from, to] in patch.strips.iter().skip(step / 2).step_by(step) {
+                let first = of_sample(0, one);
+                for two in (from..to).step_by(step) {
+                    let sides = [&first, &of_sample(1, two)];
+                    self.try_pair(found, place, sides, [one, two], &mut |costs, point| {
+                        gathered.gather(costs, point);
+                    });
+                }
+            }
+        }
+        gathered.narrow(bound);
     }
 
     /// Levels, patches and windows: all that comes before trying.
@@ -307,11 +390,18 @@ impl ToothSearch {
     }
 
     /// Offers every pair of levels that meets the criteria to the contenders of its piece of work, and puts these
-    /// together in the order of the pieces. Where more come together than are held, `reduce` leaves some out.
+    /// together in the order of the pieces. Where more come together than are held, `reduce` leaves some out; what is not
+    /// before the bound may be left out at any time.
     ///
     /// One patch is tried after another and in batches of so many pairs, so that no more is in memory than a batch and
     /// what is held.
-    fn each(&self, found: &mut Found, watch: &Watch, reduce: &mut Reduce) -> Result<Contenders, Error> {
+    fn each(
+        &self,
+        found: &mut Found,
+        watch: &Watch,
+        bound: Option<&Bound>,
+        reduce: &mut Reduce,
+    ) -> Result<Contenders, Error> {
         let batches: Vec<(u32, Vec<&[[u32; 3]]>)> = (0_u32..)
             .zip(&found.patches)
             .flat_map(|(place, patch)| batches(&patch.strips).into_iter().map(move |batch| (place, batch)))
@@ -320,19 +410,21 @@ impl ToothSearch {
         let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
         let mut held = Contenders::default();
         let [mut tried, mut feasible] = [0, 0];
-        let mut sides: Option<(u32, [Vec<Side>; 2])> = None;
+        let mut sides: Option<(u32, [Vec<Side>; 2], Columns)> = None;
         for (patch, pieces) in &batches {
-            if sides.as_ref().is_none_or(|(of, _)| of != patch) {
+            if sides.as_ref().is_none_or(|(of, ..)| of != patch) {
                 drop(sides.take());
-                sides = Some((*patch, found.patches[*patch as usize].sides(&found.levels)));
+                let of_patch = found.patches[*patch as usize].sides(&found.levels);
+                let columns = Columns::new(&of_patch[1], &found.levels);
+                sides = Some((*patch, of_patch, columns));
             }
-            let Some((_, sides)) = &sides else { continue };
+            let Some((_, sides, columns)) = &sides else { continue };
             let try_piece = |strips: &&[[u32; 3]]| {
                 let mut gathered = Contenders::default();
                 if cancelled.load(Ordering::Relaxed) {
                     return (gathered, [0, 0]);
                 }
-                let counts = self.try_strips(found, *patch, sides, strips, &mut gathered);
+                let counts = self.try_strips(found, *patch, (sides, columns), strips, bound, &mut gathered);
                 let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of };
                 if watch(progress).is_break() {
                     cancelled.store(true, Ordering::Relaxed);
@@ -348,7 +440,7 @@ impl ToothSearch {
                 held.costs.extend(gathered.costs);
                 held.points.extend(gathered.points);
             }
-            if held.costs.len() > self.most_held.max(4) {
+            if held.costs.len() > self.most_held.max(4) || bound.is_some() {
                 reduce(&mut held)?;
             }
         }
@@ -404,71 +496,86 @@ impl ToothSearch {
         &self,
         found: &Found,
         place: u32,
-        sides: &[Vec<Side>; 2],
+        (sides, columns): (&[Vec<Side>; 2], &Columns),
         strips: &[[u32; 3]],
+        bound: Option<&Bound>,
         into: &mut Contenders,
     ) -> [u64; 2] {
-        let Found { patches, levels, tooth_sets, allowed, size, .. } = found;
+        let Found { patches, levels, allowed, size, .. } = found;
         let patch = &patches[place as usize];
+        let is_sized = size.module.is_some() || size.ring.is_finite();
         let [mut tried, mut feasible] = [0, 0];
         for &[one, from, to] in strips {
             tried += u64::from(to - from);
+            let bound_costs = bound.and_then(Bound::costs);
+            let before =
+                |costs: &Costs| bound_costs.is_none_or(|bound| self.order.compare(costs, &bound).is_lt());
+            let screen = match &bound_costs {
+                // Which shares fit the limits of size is known of what is measured alone.
+                Some(bound) if !is_sized => Some(Screen::new(patch, columns, allowed, bound, self.order)),
+                _ => None,
+            };
+            let mut verdicts = [Verdict::Open; AT_ONCE];
             for two in from..to {
                 let pair = [one as usize, two as usize];
                 let sides = [&sides[0][pair[0]], &sides[1][pair[1]]];
-                let Some(measured) = patch.measure(levels, pair, sides, allowed) else { continue };
                 let at = pair.map(|place| &levels[place]);
-                let mut shares = at.map(|level| level.share);
-                if size.module.is_some() || size.ring.is_finite() {
-                    let rating = &self.requirements.rating;
-                    shares = [0, 1].map(|set| {
-                        let share = |teeth: &ToothNumbers| rating.share(teeth.planets);
-                        let fits =
-                            |teeth: &&ToothNumbers| size.fits(&measured, set, at[set], teeth, share(teeth));
-                        at[set].of(tooth_sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
-                    });
-                    if shares.iter().any(|share| share.is_infinite()) {
-                        continue;
+                if let Some(screen) = &screen {
+                    let of_look = (two - from) as usize % AT_ONCE;
+                    if of_look == 0 {
+                        verdicts = screen.look(sides[0], at[0], pair[1]);
+                    }
+                    match verdicts[of_look] {
+                        Verdict::Infeasible => continue,
+                        Verdict::Behind => {
+                            feasible += 1;
+                            continue;
+                        }
+                        Verdict::Open => {}
                     }
                 }
-                feasible += 1;
-                into.gather(patch.costs(&measured, at, shares), Point { patch: place, levels: [one, two] });
+                let is_feasible = self.try_pair(found, place, sides, [one, two], &mut |costs, point| {
+                    if before(&costs) {
+                        into.gather(costs, point);
+                    }
+                });
+                feasible += u64::from(is_feasible);
+            }
+            if let Some(bound) = bound {
+                into.narrow_many(bound);
             }
         }
         [tried, feasible]
     }
-}
 
-/// The first entries of the front of some designs.
-fn first_of_front(costs: &[Costs], order: Order, count: usize) -> Vec<Entry> {
-    let compare = |a: &u32, b: &u32| order.compare(&costs[*a as usize], &costs[*b as usize]).then(a.cmp(b));
-    let mut taken = count.saturating_mul(64).max(1024);
-    loop {
-        let mut places: Vec<u32> = (0..costs.len() as u32).collect();
-        if taken < places.len() {
-            places.select_nth_unstable_by(taken, compare);
-            places.truncate(taken);
-        }
-        places.sort_unstable_by(compare);
-        let mut entries: Vec<Entry> = vec![];
-        let mut kept: Vec<Costs> = vec![];
-        for &place in &places {
-            let cost = costs[place as usize];
-            if kept.last() == Some(&cost) {
-                if let Some(entry) = entries.last_mut() {
-                    entry.members.push(place as usize);
-                }
-            } else if !kept.iter().any(|earlier| nowhere_worse(earlier, &cost)) {
-                if entries.len() == count {
-                    return entries;
-                }
-                kept.push(cost);
-                entries.push(Entry { objectives: Objectives::of_costs(cost), members: vec![place as usize] });
+    /// Measures one pair of levels, and takes its costs if it meets the criteria; whether it does.
+    #[inline]
+    fn try_pair(
+        &self,
+        found: &Found,
+        place: u32,
+        sides: [&Side; 2],
+        pair: [u32; 2],
+        take: &mut impl FnMut(Costs, Point),
+    ) -> bool {
+        let Found { patches, levels, tooth_sets, allowed, size, .. } = found;
+        let patch = &patches[place as usize];
+        let places = pair.map(|place| place as usize);
+        let Some(measured) = patch.measure(levels, places, sides, allowed) else { return false };
+        let at = places.map(|place| &levels[place]);
+        let mut shares = at.map(|level| level.share);
+        if size.module.is_some() || size.ring.is_finite() {
+            let rating = &self.requirements.rating;
+            shares = [0, 1].map(|set| {
+                let share = |teeth: &ToothNumbers| rating.share(teeth.planets);
+                let fits = |teeth: &&ToothNumbers| size.fits(&measured, set, at[set], teeth, share(teeth));
+                at[set].of(tooth_sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
+            });
+            if shares.iter().any(|share| share.is_infinite()) {
+                return false;
             }
         }
-        if taken >= costs.len() {
-            return entries;
-        }
-        taken = taken.saturating_mul(8);
+        take(patch.costs(&measured, at, shares), Point { patch: place, levels: pair });
+        true
     }
 }

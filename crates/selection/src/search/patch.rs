@@ -17,9 +17,9 @@ use epicyclic_schemes::structures::{Role, SetRoles, Structure};
 pub(crate) struct Patch {
     pub(crate) structure: Structure,
     pub(crate) wanted: [f64; 2],
-    sets: [SetRoles; 2],
+    pub(super) sets: [SetRoles; 2],
     /// Options for the direct-drive clutch; only those that can be drawn, unless that does not matter.
-    direct_clutches: Vec<[Role; 2]>,
+    pub(super) direct_clutches: Vec<[Role; 2]>,
     /// Directions of the rolling powers, by gear and set.
     exponents: [[i8; 2]; 2],
     eta0: f64,
@@ -33,8 +33,8 @@ pub(crate) struct Patch {
 /// rounded but the one quotient, and ratios and speeds that are equal are equal to the bit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Side {
-    ideal: Coefficients,
-    loaded: [Coefficients; 2],
+    pub(super) ideal: Coefficients,
+    pub(super) loaded: [Coefficients; 2],
 }
 
 /// A pair of levels measured, before sizes.
@@ -57,11 +57,11 @@ fn allowed(limit: f64) -> f64 {
 /// Limits as the trial takes them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Allowed {
-    ratio_error: f64,
-    link_speed: f64,
-    planet_speed: f64,
-    clutch_slip: f64,
-    efficiency: f64,
+    pub(super) ratio_error: f64,
+    pub(super) link_speed: f64,
+    pub(super) planet_speed: f64,
+    pub(super) clutch_slip: f64,
+    pub(super) efficiency: f64,
 }
 
 impl Allowed {
