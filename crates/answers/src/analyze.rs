@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`overview`] | all gears side by side, with the engagement table |
 //! | [`gear`] | everything about one gear |
+//! | [`formulas`] | the ratios as formulas, and the way to them |
 //! | [`inputs`] | a gear with several inputs, at a point or over a map of two speeds |
 //! | [`combinations`] | every combination of shift elements |
 //! | [`records`] | records that these answers share |
@@ -14,6 +15,7 @@
 //! ends in a unit: then they follow from the speed and load that were given.
 
 pub mod combinations;
+pub mod formulas;
 pub mod gear;
 pub mod inputs;
 pub mod overview;

@@ -161,8 +161,7 @@ impl Polynomial {
             };
             let size = coefficient.unsigned_abs();
             let number = (size != 1 || symbols.is_empty()).then(|| size.to_string());
-            let parts: Vec<String> =
-                number.into_iter().chain(symbols.into_iter().map(|symbol| name(symbol))).collect();
+            let parts: Vec<String> = number.into_iter().chain(symbols.into_iter().map(name)).collect();
             text += &parts.join("·");
         }
         if text.is_empty() { "0".to_owned() } else { text }

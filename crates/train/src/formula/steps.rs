@@ -57,6 +57,8 @@ pub enum Condition {
 pub struct Substitution {
     /// Place of its symbol in [`Formula::symbols`].
     pub symbol: usize,
+    /// `Σ factor·ω = 0` under the conditions.
+    pub under_conditions: Sum,
     /// Speeds that were known and are put in.
     pub known: Vec<(LinkId, Sum)>,
     /// `Σ factor·ω = 0`, with the known speeds put in.
@@ -214,6 +216,7 @@ fn solved<S: Scalar>(
         let next = left.iter().min_by_key(rank).map(|(place, _)| *place)?;
         let at = left.iter().position(|(place, _)| *place == next)?;
         let (symbol, mut speeds) = left.remove(at);
+        let under_conditions = sum(&speeds);
         let put_in: Vec<usize> = speeds.keys().copied().filter(|node| known.contains_key(node)).collect();
         let told = put_in.iter().map(|node| (link(*node), sum(&known[node]))).collect();
         for node in &put_in {
@@ -238,6 +241,7 @@ fn solved<S: Scalar>(
         }
         substitutions.push(Substitution {
             symbol,
+            under_conditions,
             known: told,
             sum: written,
             unknown: link(solve_for),

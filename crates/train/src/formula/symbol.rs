@@ -63,6 +63,12 @@ impl Symbol {
         subscript(if self.is_pair { 'u' } else { 'k' }, self.number)
     }
 
+    /// Its place among the equations of the gearbox.
+    #[must_use]
+    pub fn equation(&self) -> usize {
+        self.number - 1
+    }
+
     /// Place of its set in the gearbox.
     #[must_use]
     pub fn set(&self) -> usize {

@@ -165,11 +165,10 @@ fn joined(gearbox: &Gearbox, mut topology: Topology) -> (Topology, Vec<Tied>) {
     }
     let mut numbers = vec![None; topology.count + 1];
     let mut count = 0;
-    for node in 1..=topology.count {
-        if groups.root(node) == node {
-            numbers[node] = Some(count);
-            count += 1;
-        }
+    for (_, number) in numbers.iter_mut().enumerate().skip(1).filter(|(node, _)| groups.root(*node) == *node)
+    {
+        *number = Some(count);
+        count += 1;
     }
     let of = |node: Option<usize>| numbers[groups.root(place(node))];
     topology.node.iter_mut().for_each(|node| *node = of(*node));
