@@ -428,3 +428,16 @@ fn unmarked(text: &str) -> String {
 fn named_by(row: &[Figure], columns: usize) -> String {
     row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_line_goes_on_further_in_and_signs_stay_with_what_follows() {
+        let term = "a".repeat(30);
+        let line = format!("  i = {term} + {term} − {term} = 1");
+        assert_eq!(continued(&line), format!("  i = {term} + {term}\n      − {term} = 1\n"));
+        assert_eq!(continued("  i = 1"), "  i = 1\n");
+    }
+}

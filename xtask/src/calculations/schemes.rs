@@ -1,6 +1,6 @@
 //! Calculations of gearboxes and of the machines they serve.
 
-use super::{Calculation, Refusal, Results};
+use super::{Calculation, Refusal, Results, formulas};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -316,6 +316,11 @@ const GRID: [f64; 6] = [1.3, 1.7, 2.5, 4.0, 7.0, 10.0];
 fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
     let scheme: Scheme = given.scheme.parse()?;
     let (mut largest, mut from_catalogue): (f64, f64) = (0.0, 0.0);
+    let mut is_formula = vec![];
+    let quantity = match given.gives {
+        PrintedQuantity::Ratio => formulas::Quantity::Ratio,
+        PrintedQuantity::Efficiency => formulas::Quantity::Efficiency,
+    };
     let closed = match given.gives {
         PrintedQuantity::Ratio => scheme.ratio_formula(),
         PrintedQuantity::Efficiency => scheme.efficiency_formula(),
@@ -330,6 +335,7 @@ fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
                     Scheme::Three(scheme) => (scheme.gearbox(first, second, eta)?, "2"),
                 };
                 let found = gearbox.analyze(gear)?;
+                is_formula.push(formulas::is_formula_of(&given.formula, quantity, &found)?);
                 let solved = match given.gives {
                     PrintedQuantity::Ratio => found.ratio(),
                     PrintedQuantity::Efficiency => found.efficiency(),
@@ -341,8 +347,14 @@ fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
             }
         }
     }
+    // Numbers and formulas must say the same: everywhere, or nowhere as a formula.
+    let equals_solver = largest < 1e-12;
+    if is_formula.iter().any(|is_equal| *is_equal != equals_solver) {
+        let message = format!("{}: equal as numbers: {equals_solver}; as formulas not so", given.formula);
+        return Err(Refusal { name: "numbers-and-formula-disagree".into(), message });
+    }
     let mut results = Results::default();
-    results.answer("equals_solver", largest < 1e-12).answer("equals_catalogue", from_catalogue < 1e-12);
+    results.answer("equals_solver", equals_solver).answer("equals_catalogue", from_catalogue < 1e-12);
     // Rounding alone would only make the snapshot noisy.
     results.number("largest_relative_difference", if largest < 1e-12 { 0.0 } else { largest });
     Ok(results)

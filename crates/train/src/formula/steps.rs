@@ -89,15 +89,14 @@ impl Steps {
             .iter()
             .map(|symbol| symbol.exact().map(|k| signed(symbol, k)))
             .collect::<Option<Vec<_>>>();
-        let exact =
-            exact.and_then(|ratios| solved(gearbox, gear, formula, &ratios, |number| Factor::Exact(*number)));
+        let exact = exact.and_then(|ratios| solved(gear, formula, &ratios, |number| Factor::Exact(*number)));
         let decimal = || {
             let ratio = |symbol: &Symbol| {
                 let k = Bounded::<false>::rounded(symbol.value());
                 if symbol.is_negative() { k.negative() } else { Some(k) }
             };
             let ratios = symbols.iter().map(ratio).collect::<Option<Vec<_>>>()?;
-            solved(gearbox, gear, formula, &ratios, |number| Factor::Decimal(number.number()))
+            solved(gear, formula, &ratios, |number| Factor::Decimal(number.number()))
         };
         let (equations, substitutions) = exact.or_else(decimal).unwrap_or_default();
         let conditions = conditions(gearbox, gear, formula);
@@ -161,7 +160,6 @@ fn subtract<S: Scalar>(from: &mut Speeds<S>, factor: &S, speeds: &Speeds<S>) -> 
 
 /// Equations with their numbers and substitutions; `None` where a number outgrows its kind.
 fn solved<S: Scalar>(
-    gearbox: &Gearbox,
     gear: &Gear,
     formula: &Formula,
     ratios: &[S],
@@ -170,11 +168,14 @@ fn solved<S: Scalar>(
     let system = formula.system();
     let topology = system.topology();
     let (input, output) = (topology.input?, topology.output?);
+    // The input's or output's name, else the first that the equations use.
+    let named: Vec<LinkId> = [gear.input(), gear.output()]
+        .into_iter()
+        .chain(formula.symbols().iter().flat_map(Symbol::links))
+        .collect();
     let link = |node: usize| {
-        let named =
-            [gear.input(), gear.output()].into_iter().find(|link| topology.node[link.index()] == Some(node));
-        let first = || gearbox.link_ids().find(|link| topology.node[link.index()] == Some(node));
-        named.or_else(first).unwrap_or(LinkId::GROUND)
+        let found = named.iter().find(|link| topology.node[link.index()] == Some(node));
+        found.copied().unwrap_or(LinkId::GROUND)
     };
     let sum = |speeds: &Speeds<S>| -> Sum {
         speeds.iter().map(|(node, share)| (link(*node), factor(share))).collect()

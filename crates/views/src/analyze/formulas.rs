@@ -3,7 +3,7 @@
 use super::shared::{exact, state, yes_no};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text};
 use epicyclic_answers::analyze::formulas::{
     By, Condition, Equation, Formulas, Gear, GearTeeth, NoFormula, Reason, Speed, Steps, Substitution, Symbol,
 };
@@ -17,6 +17,10 @@ const DIGITS: usize = 6;
 
 /// Significant digits of a ratio beside its fraction.
 const RATIO_DIGITS: usize = 5;
+
+/// What the symbols have in common.
+const BASIC_RATIO: &str =
+    "  i₀: basic ratio (ω_1 − ω_H)/(ω_2 − ω_H) from gear 1 to gear 2 of a set, H its carrier.";
 
 /// The housing.
 const GROUND: &str = "ground";
@@ -34,6 +38,11 @@ impl AsReport for Formulas {
         }
         parts.push(Part::Records(gears(&self.gears)));
         if !self.symbols.is_empty() {
+            parts.push(Part::Text(Text {
+                heading: Some("Symbols".to_owned()),
+                lines: self.symbols.iter().map(symbol).chain([BASIC_RATIO.to_owned()]).collect(),
+                ..Text::default()
+            }));
             parts.push(Part::Records(symbols(&self.symbols)));
         }
         for gear in &self.gears {
@@ -135,22 +144,28 @@ fn gears(gears: &[Gear]) -> Records {
     }
 }
 
+/// What a symbol is: `k₁ of P1: i₀ = −k₁ from sun to ring; k₁ = z_ring/z_sun = 96/48 = 2`.
+fn symbol(symbol: &Symbol) -> String {
+    let Symbol { symbol: name, set, first, second, .. } = symbol;
+    let sign = if symbol.is_negative { "−" } else { "" };
+    let teeth = in_teeth(symbol);
+    let value = value(symbol.value, symbol.exact_value);
+    format!("  {name} of {set}: i₀ = {sign}{name} from {first} to {second}; {name} = {teeth} = {value}")
+}
+
 fn symbols(symbols: &[Symbol]) -> Records {
     let row = |symbol: &Symbol| {
-        let sign = if symbol.is_negative { "−" } else { "" };
         vec![
             text(&symbol.symbol),
             text(&symbol.set),
             text(&symbol.first),
             text(&symbol.second),
             yes_no(Some(symbol.is_negative)),
-            text(format!("{sign}{}", symbol.symbol)),
             text(in_teeth(symbol)),
             Figure::Number(symbol.value),
             exact(symbol.exact_value),
         ]
     };
-    let shown = ["symbol", "set", "first", "second", "basic_ratio", "in_teeth", "value", "exact_value"];
     Records {
         name: "symbols",
         columns: vec![
@@ -159,17 +174,12 @@ fn symbols(symbols: &[Symbol]) -> Records {
             Column::words("first", "1"),
             Column::words("second", "2"),
             Column::words("is_negative", "negative"),
-            Column::words("basic_ratio", "i₀").for_people(),
             Column::words("in_teeth", "in teeth"),
             Column::number("value", "value"),
             Column::number("exact_value", "exact"),
         ],
         rows: symbols.iter().map(row).collect(),
-        views: vec![View {
-            note: "i₀ = (ω_1 − ω_H)/(ω_2 − ω_H): basic ratio of the gears 1 and 2 of the set, H its carrier."
-                .to_owned(),
-            ..View::new("Symbols", &shown)
-        }],
+        views: vec![],
         is_answer: false,
     }
 }
@@ -195,7 +205,11 @@ fn in_teeth(symbol: &Symbol) -> String {
 
 /// A name below a symbol: in brackets where it is more than one word.
 fn subscript(name: &str) -> String {
-    if name.chars().all(|c| c.is_alphanumeric() || c == '_') { name.to_owned() } else { format!("({name})") }
+    if name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.')) {
+        name.to_owned()
+    } else {
+        format!("({name})")
+    }
 }
 
 fn speed_of(link: &str) -> String {
@@ -259,18 +273,23 @@ fn way(formulas: &Formulas, gear: &Gear, steps: &Steps) -> Text {
         steps.substitutions.iter().for_each(|one| lines.extend(substitution(one)));
     }
     lines.push("  Result".to_owned());
-    if let Some(formula) = &gear.formula {
-        let value = value(formula.value, formula.exact_value);
-        lines.push(format!("    i = {input}/{output} = {value}"));
-        if formula.text != value {
-            lines.push(format!("    i = {} = {value}", formula.text));
+    let from_last = steps.substitutions.last().and_then(|last| match &last.equals[..] {
+        [share] => {
+            let inverse = |exact: Fraction| Fraction {
+                numerator: exact.denominator * exact.numerator.signum(),
+                denominator: exact.numerator.abs(),
+            };
+            Some(value(1.0 / share.factor, share.exact_factor.map(inverse)))
         }
+        _ => None,
+    });
+    // Without equations input and output turn as one.
+    lines.push(format!("    i = {input}/{output} = {}", from_last.unwrap_or_else(|| "1".to_owned())));
+    if let Some(formula) = gear.formula.as_ref().filter(|_| !steps.substitutions.is_empty()) {
+        let value = value(formula.value, formula.exact_value);
+        lines.push(format!("    the formula gives {} = {value}", formula.text));
     }
-    Text {
-        heading: Some(format!("Gear {}: from the equations to the ratio", facts.gear)),
-        lines,
-        ..Text::default()
-    }
+    Text { heading: Some(format!("Gear {}: the way to its ratio", facts.gear)), lines, ..Text::default() }
 }
 
 /// Willis' equation with its symbol: `ω_a + k₁·ω_b − (1 + k₁)·ω_H`.
