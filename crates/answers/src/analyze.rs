@@ -9,6 +9,7 @@
 //! | [`combinations`] | every combination of shift elements |
 //! | [`records`] | records that these answers share |
 //! | [`planet_bearings`] | forces on the planet bearings |
+//! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
 //! | [`warnings`] | what the reader should know of a gearbox and of its gears |
 //!
 //! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless the key
@@ -21,6 +22,7 @@ pub mod inputs;
 pub mod overview;
 pub mod planet_bearings;
 pub mod records;
+pub mod step_torques;
 pub mod warnings;
 
 use crate::Error;

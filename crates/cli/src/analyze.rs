@@ -67,7 +67,7 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
     formula: bool,
 
-    /// The formulas and the way to them: equations with their numbers, conditions, substitutions.
+    /// The formulas and the way to them: equations with their numbers, conditions, substitutions, torques.
     #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
     steps: bool,
 

@@ -117,6 +117,25 @@ fn the_terms_of_a_formula_give_the_ratio() {
 }
 
 #[test]
+fn the_torques_of_the_steps_balance_on_each_link() {
+    let mut links = 0;
+    for file in ["scheme-ii-3.yaml", "ravigneaux.yaml", "wolfrom.yaml", "closed-by-planetary-gear.yaml"] {
+        let done = output(&examples(), &["analyze", file, "--steps", "--format", "json"]);
+        let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        for gear in told["gears"].as_array().unwrap() {
+            for link in gear["steps"]["torques"]["links"].as_array().unwrap() {
+                let torques = link["torques"].as_array().unwrap().iter();
+                let torques: Vec<f64> = torques.map(|one| one["torque_of_input"].as_f64().unwrap()).collect();
+                let largest = torques.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
+                assert!(torques.iter().sum::<f64>().abs() < 1e-9 * largest, "{file} {link}");
+                links += 1;
+            }
+        }
+    }
+    assert!(links > 20, "{links}");
+}
+
+#[test]
 fn a_load_that_turns_a_one_way_clutch_free_is_told() {
     let told = |gear: &[&str], load: &[&str]| {
         let done = output(&examples(), &[&["analyze", "ravigneaux.yaml"], gear, load].concat());

@@ -2,6 +2,7 @@
 
 use super::analysis;
 use super::records::{GearFacts, Kind, ShiftElementKind, member_name};
+use super::step_torques::StepTorques;
 use crate::gearbox::Subject;
 use crate::shared::Fraction;
 use crate::{Answer, Error};
@@ -150,6 +151,8 @@ pub struct Steps {
     pub conditions: Vec<Condition>,
     /// The equations, solved one after the other; the last one gives the output's speed.
     pub substitutions: Vec<Substitution>,
+    /// Torques without losses, where they follow.
+    pub torques: Option<StepTorques>,
 }
 
 /// Willis' equation ω₁ − i₀·ω₂ − (1 − i₀)·ω_H = 0 with its numbers.
@@ -235,7 +238,7 @@ pub struct Known {
 }
 
 impl Answer for Formulas {
-    const NAME: &'static str = "analyze";
+    const NAME: &'static str = "analyze-formulas";
 }
 
 /// The formulas of all gears, or of one; with steps the way to each.
@@ -382,6 +385,7 @@ impl Steps {
             equations: formula.symbols().iter().zip(&steps.equations).map(equation).collect(),
             conditions: steps.conditions.iter().map(|condition| Condition::of(gearbox, *condition)).collect(),
             substitutions: steps.substitutions.iter().map(substitution).collect(),
+            torques: StepTorques::of(gearbox, analysis),
         }
     }
 }

@@ -8,6 +8,7 @@ use epicyclic_answers::analyze::formulas::{
     By, Condition, Equation, Formulas, Gear, GearTeeth, NoFormula, Reason, Speed, Steps, Substitution, Symbol,
 };
 use epicyclic_answers::analyze::records::ShiftElementKind;
+use epicyclic_answers::analyze::step_torques::{MemberTorque, StepTorques, TorqueFrom};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_answers::shared::Fraction;
 use epicyclic_formats::quantity::format::trimmed;
@@ -49,11 +50,8 @@ impl AsReport for Formulas {
             if let Some(steps) = &gear.steps {
                 parts.push(Part::Text(way(self, gear, steps)));
                 parts.push(Part::Records(substitutions(gear, steps)));
+                parts.push(Part::Records(member_torques(gear, steps)));
             }
-        }
-        if self.gears.iter().any(|gear| gear.steps.is_some()) {
-            let left_out = "Torques are left out here; --gear without --steps has them.";
-            parts.push(Part::Text(Text::paragraph(left_out)));
         }
         Report { title: Some(self.gearbox.clone()), parts, warnings: None }
     }
@@ -62,7 +60,7 @@ impl AsReport for Formulas {
 /// `22/7 = 3.1429`.
 fn value(number: f64, exact: Option<Fraction>) -> String {
     match exact {
-        Some(exact) if exact.denominator == 1 => exact.to_string(),
+        Some(exact) if exact.denominator == 1 => signed(&exact.to_string()),
         Some(exact) => format!("{} = {}", signed(&exact.to_string()), decimal(number, RATIO_DIGITS)),
         None => decimal(number, RATIO_DIGITS),
     }
@@ -149,7 +147,10 @@ fn symbol(symbol: &Symbol) -> String {
     let Symbol { symbol: name, set, first, second, .. } = symbol;
     let sign = if symbol.is_negative { "−" } else { "" };
     let teeth = in_teeth(symbol);
-    let value = value(symbol.value, symbol.exact_value);
+    // Teeth without a common divisor are the fraction already.
+    let reduced = symbol.exact_value.filter(|exact| teeth.ends_with(&format!(" = {exact}")));
+    let exact = symbol.exact_value.filter(|_| reduced.is_none());
+    let value = value(symbol.value, exact);
     format!("  {name} of {set}: i₀ = {sign}{name} from {first} to {second}; {name} = {teeth} = {value}")
 }
 
@@ -256,7 +257,9 @@ fn way(formulas: &Formulas, gear: &Gear, steps: &Steps) -> Text {
     let [input, output] = [&facts.input, &facts.output].map(|link| speed_of(link));
     let mut lines = vec![];
     if !steps.equations.is_empty() {
-        lines.push("  Willis' equation of each set, ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0".to_owned());
+        lines.push(
+            "  Willis' equation of each set, ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0; the housing rests".to_owned(),
+        );
         for equation in &steps.equations {
             let is_negative =
                 formulas.symbols.iter().any(|symbol| symbol.symbol == equation.symbol && symbol.is_negative);
@@ -288,6 +291,10 @@ fn way(formulas: &Formulas, gear: &Gear, steps: &Steps) -> Text {
     if let Some(formula) = gear.formula.as_ref().filter(|_| !steps.substitutions.is_empty()) {
         let value = value(formula.value, formula.exact_value);
         lines.push(format!("    the formula gives {} = {value}", formula.text));
+    }
+    match &steps.torques {
+        Some(torques) => lines.extend(balance(torques)),
+        None => lines.push("  Torques do not follow from the input's alone.".to_owned()),
     }
     Text { heading: Some(format!("Gear {}: the way to its ratio", facts.gear)), lines, ..Text::default() }
 }
@@ -336,6 +343,45 @@ fn substitution(one: &Substitution) -> Vec<String> {
     lines
 }
 
+/// Torques of the members, and their balance on each link.
+fn balance(torques: &StepTorques) -> Vec<String> {
+    let mut lines = vec![
+        "  Torques on the members over the input's, without losses; in each equation".to_owned(),
+        "  T_1 : T_2 : T_H = 1 : −i₀ : i₀ − 1".to_owned(),
+    ];
+    for of_set in torques.members.chunk_by(|one, other| one.set == other.set) {
+        let one = |torque: &MemberTorque| {
+            format!("{} {}", torque.member, decimal(torque.torque_of_input, RATIO_DIGITS))
+        };
+        let all = of_set.iter().map(one).collect::<Vec<_>>().join(", ");
+        lines.push(format!("    {}: {all}", of_set[0].set));
+    }
+    lines.push("  Balance of each link, with the reactions of the members".to_owned());
+    for link in &torques.links {
+        let mut sum = String::new();
+        for torque in &link.torques {
+            let of = torque.torque_of_input;
+            sum += match (sum.is_empty(), of < 0.0) {
+                (true, false) => "",
+                (true, true) => "−",
+                (false, false) => " + ",
+                (false, true) => " − ",
+            };
+            let from = match torque.from {
+                TorqueFrom::Input => "input".to_owned(),
+                TorqueFrom::Output => "output".to_owned(),
+                TorqueFrom::ShiftElement => torque.name.clone().unwrap_or_default(),
+                TorqueFrom::Set => {
+                    [&torque.name, &torque.member].map(|part| part.clone().unwrap_or_default()).join(" ")
+                }
+            };
+            sum += &format!("{} ({from})", decimal(of.abs(), RATIO_DIGITS));
+        }
+        lines.push(format!("    {}: {sum} = 0", link.links.join(", ")));
+    }
+    lines
+}
+
 /// The solved equations, for programs.
 fn substitutions(gear: &Gear, steps: &Steps) -> Records {
     let row = |one: &Substitution| {
@@ -359,6 +405,25 @@ fn substitutions(gear: &Gear, steps: &Steps) -> Records {
             Column::words("equals", "equals"),
         ],
         rows: steps.substitutions.iter().map(row).collect(),
+        views: vec![],
+        is_answer: false,
+    }
+}
+
+/// The torques of the members, for programs.
+fn member_torques(gear: &Gear, steps: &Steps) -> Records {
+    let row = |one: &MemberTorque| {
+        vec![text(&gear.facts.gear), text(&one.set), text(&one.member), multiple(Some(one.torque_of_input))]
+    };
+    Records {
+        name: "torques",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("set", "set"),
+            Column::words("member", "member"),
+            Column::number("torque_of_input", "T"),
+        ],
+        rows: steps.torques.iter().flat_map(|torques| &torques.members).map(row).collect(),
         views: vec![],
         is_answer: false,
     }
