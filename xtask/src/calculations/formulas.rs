@@ -1,12 +1,91 @@
-//! Formulas as quotients of polynomials in `k1`, `k2`, `eta0`: equal as formulas, whatever the numbers.
+//! Printed formulas beside the solver: at numbers, and as quotients of polynomials in `k1`, `k2`, `eta0`, which are
+//! equal as formulas or not, whatever the numbers.
 
-use super::Refusal;
-use epicyclic_train::Analysis;
+use super::{Refusal, Results};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::simple_set::RingToSunRatio;
+use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_train::formula::Formula;
 use epicyclic_train::formula::polynomial::Polynomial as Factor;
+use epicyclic_train::{Analysis, Gearbox};
 use exmex::{BinOp, Express, FlatEx, MakeOperators, Operator};
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::str::FromStr;
+
+/// A printed formula of a scheme, in `k1`, `k2` and `eta0`.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PrintedFormulaGiven {
+    /// `I`, `II`, `III`, `I-1` … `III-3`.
+    scheme: String,
+    /// What it gives, of the scheme's last braked gear.
+    gives: PrintedQuantity,
+    /// The formula: `(k1+1)*(k2+1)/(k1+k2+1)`.
+    formula: String,
+}
+
+/// A formula of named variables.
+pub(super) fn evaluate(formula: &str, names: &[(&str, f64)]) -> Result<f64, Refusal> {
+    let unreadable = |message: String| Refusal {
+        name: "unreadable-formula".into(),
+        message: format!("{formula}: {message}"),
+    };
+    let parsed = exmex::parse::<f64>(formula).map_err(|error| unreadable(error.to_string()))?;
+    let value = |name: &String| {
+        let known = names.iter().find(|(known, _)| known == name);
+        known.map(|(_, value)| *value).ok_or_else(|| unreadable(format!("no variable `{name}`")))
+    };
+    let values = parsed.var_names().iter().map(value).collect::<Result<Vec<_>, _>>()?;
+    parsed.eval(&values).map_err(|error| unreadable(error.to_string()))
+}
+
+/// Parameters at which a printed formula is held against the solver.
+pub(super) const GRID: [f64; 6] = [1.3, 1.7, 2.5, 4.0, 7.0, 10.0];
+
+pub(super) fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
+    let scheme: Scheme = given.scheme.parse()?;
+    let (mut largest, mut from_catalogue): (f64, f64) = (0.0, 0.0);
+    let mut is_formula = vec![];
+    let closed = match given.gives {
+        PrintedQuantity::Ratio => scheme.ratio_formula(),
+        PrintedQuantity::Efficiency => scheme.efficiency_formula(),
+    };
+    for k1 in GRID {
+        for k2 in GRID {
+            for eta0 in [0.9, 0.97, 1.0] {
+                let (first, second) = (RingToSunRatio::new(k1)?, RingToSunRatio::new(k2)?);
+                let eta = MeshEfficiency::new(eta0)?;
+                let (gearbox, gear): (Gearbox, &str) = match scheme {
+                    Scheme::Two(scheme) => (scheme.gearbox(first, eta)?, "1"),
+                    Scheme::Three(scheme) => (scheme.gearbox(first, second, eta)?, "2"),
+                };
+                let found = gearbox.analyze(gear)?;
+                is_formula.push(is_formula_of(&given.formula, given.gives, &found)?);
+                let solved = match given.gives {
+                    PrintedQuantity::Ratio => found.ratio(),
+                    PrintedQuantity::Efficiency => found.efficiency(),
+                };
+                let printed = evaluate(&given.formula, &[("k1", k1), ("k2", k2), ("eta0", eta0)])?;
+                let off = solved.map_or(f64::INFINITY, |solved| (printed / solved - 1.0).abs());
+                largest = largest.max(off);
+                from_catalogue = from_catalogue.max((printed / closed.value(k1, k2, eta0) - 1.0).abs());
+            }
+        }
+    }
+    // Numbers and formulas must say the same: everywhere, or nowhere as a formula.
+    let equals_solver = largest < 1e-12;
+    if is_formula.iter().any(|is_equal| *is_equal != equals_solver) {
+        let message = format!("{}: equal as numbers: {equals_solver}; as formulas not so", given.formula);
+        return Err(Refusal { name: "numbers-and-formula-disagree".into(), message });
+    }
+    let mut results = Results::default();
+    results.answer("equals_solver", equals_solver).answer("equals_catalogue", from_catalogue < 1e-12);
+    // Rounding alone would only make the snapshot noisy.
+    results.number("largest_relative_difference", if largest < 1e-12 { 0.0 } else { largest });
+    Ok(results)
+}
 
 /// The variables, by their places.
 const NAMES: [&str; 3] = ["k1", "k2", "eta0"];
@@ -131,8 +210,9 @@ impl MakeOperators<Quotient> for Operators {
 }
 
 /// What a formula gives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Quantity {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum PrintedQuantity {
     Ratio,
     Efficiency,
 }
@@ -140,7 +220,7 @@ pub(super) enum Quantity {
 /// Whether a printed formula is that of a gear whose sets 1 and 2 have `k1` and `k2`.
 ///
 /// The efficiency is the ratio with each `k` times `eta0` to its exponent in Kreines' rule, over the ratio itself.
-pub(super) fn is_formula_of(printed: &str, quantity: Quantity, gear: &Analysis<'_>) -> Result<bool, Refusal> {
+fn is_formula_of(printed: &str, quantity: PrintedQuantity, gear: &Analysis<'_>) -> Result<bool, Refusal> {
     let refuse = |message: String| Refusal {
         name: "unreadable-formula".into(),
         message: format!("{printed}: {message}"),
@@ -155,8 +235,8 @@ pub(super) fn is_formula_of(printed: &str, quantity: Quantity, gear: &Analysis<'
     let set = |symbol: usize| formula.symbols()[symbol].set();
     let plain = value(&formula, |symbol| variable(set(symbol)));
     let solved = match quantity {
-        Quantity::Ratio => plain,
-        Quantity::Efficiency => {
+        PrintedQuantity::Ratio => plain,
+        PrintedQuantity::Efficiency => {
             let lossy = |symbol: usize| match exponents.get(set(symbol)) {
                 Some(1) => variable(set(symbol)).times(variable(ETA)),
                 Some(-1) => variable(set(symbol)).over(variable(ETA)),
@@ -186,11 +266,8 @@ fn value(formula: &Formula, symbol: impl Fn(usize) -> Quotient) -> Quotient {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use epicyclic_gears::efficiency::MeshEfficiency;
-    use epicyclic_gears::simple_set::RingToSunRatio;
-    use epicyclic_schemes::catalogue::Scheme;
 
-    fn is(printed: &str, quantity: Quantity) -> Result<bool, Refusal> {
+    fn is(printed: &str, quantity: PrintedQuantity) -> Result<bool, Refusal> {
         let k = RingToSunRatio::new(2.0).unwrap();
         let Ok(Scheme::Three(scheme)) = "II-3".parse() else { unreachable!() };
         let gearbox = scheme.gearbox(k, k, MeshEfficiency::new(0.97).unwrap()).unwrap();
@@ -200,18 +277,18 @@ mod tests {
     #[test]
     fn a_formula_is_the_same_however_it_is_written() {
         for same in ["(k1+k2+1)/k1", "1 + (1+k2)/k1", "(k1^2+k1*k2+k1)/k1^2", "-(-1-k1-k2)/k1"] {
-            assert!(is(same, Quantity::Ratio).unwrap(), "{same}");
+            assert!(is(same, PrintedQuantity::Ratio).unwrap(), "{same}");
         }
         // Equal where k1 = k2 = 2 alone.
-        assert!(!is("(k1+k2+1)/k2", Quantity::Ratio).unwrap());
-        assert!(is("(k1+(k2*eta0+1)*eta0)/(k1+k2+1)", Quantity::Efficiency).unwrap());
-        assert!(!is("(k1+(k2*eta0+1))/(k1+k2+1)", Quantity::Efficiency).unwrap());
+        assert!(!is("(k1+k2+1)/k2", PrintedQuantity::Ratio).unwrap());
+        assert!(is("(k1+(k2*eta0+1)*eta0)/(k1+k2+1)", PrintedQuantity::Efficiency).unwrap());
+        assert!(!is("(k1+(k2*eta0+1))/(k1+k2+1)", PrintedQuantity::Efficiency).unwrap());
     }
 
     #[test]
     fn what_is_no_quotient_of_polynomials_is_refused() {
         for wrong in ["k3", "k1^k2", "k1/(k1-k1)", "2.5*k1", "k1^"] {
-            assert!(is(wrong, Quantity::Ratio).is_err(), "{wrong}");
+            assert!(is(wrong, PrintedQuantity::Ratio).is_err(), "{wrong}");
         }
     }
 }
