@@ -173,6 +173,23 @@ fn sets_that_repeat_others_are_told() {
     assert!((formula.value() - 4.0).abs() < 1e-15);
 }
 
+/// Two sets with ring and carrier in common and nothing to hold them: equal, their suns turn alike.
+#[test]
+fn a_ratio_that_exists_with_special_numbers_alone_has_no_formula() {
+    let gearbox = |second: f64| {
+        let builder = Gearbox::builder("special").links(["D", "B", "c", "m"]);
+        let builder = builder.set(SetSpec::simple("1", ["D", "c", "m"], 3.0));
+        let builder = builder.set(SetSpec::simple("2", ["B", "c", "m"], second));
+        builder.input("D").output("B").gear("1", [""; 0]).build().unwrap()
+    };
+    let equal = gearbox(3.0);
+    let found = equal.analyze("1").unwrap();
+    assert!((found.ratio().unwrap() - 1.0).abs() < 1e-12);
+    assert_eq!(Formula::new(&found).unwrap_err(), NoFormula::TheseNumbersAlone);
+    let other = gearbox(3.5);
+    assert!(matches!(Formula::new(&other.analyze("1").unwrap()), Err(NoFormula::NoRatio(_))));
+}
+
 /// Sets in a row, each with its ring held.
 fn chain(sets: usize) -> Gearbox {
     let name = |place: usize| format!("n{place}");

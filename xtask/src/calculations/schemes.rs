@@ -13,7 +13,7 @@ use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
 use epicyclic_schemes::standing::{Standing, Use};
 use epicyclic_schemes::{cutting, rotor};
-use epicyclic_train::{Gearbox, mobility};
+use epicyclic_train::mobility;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Force, Length, Velocity};

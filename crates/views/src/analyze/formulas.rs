@@ -20,8 +20,7 @@ const DIGITS: usize = 6;
 const RATIO_DIGITS: usize = 5;
 
 /// What the symbols have in common.
-const BASIC_RATIO: &str =
-    "  i₀: basic ratio (ω_1 − ω_H)/(ω_2 − ω_H) from gear 1 to gear 2 of a set, H its carrier.";
+const BASIC_RATIO: &str = "  i₀ = (ω_1 − ω_H)/(ω_2 − ω_H) from gear 1 to gear 2 of a set, H its carrier";
 
 /// The housing.
 const GROUND: &str = "ground";
@@ -257,9 +256,7 @@ fn way(formulas: &Formulas, gear: &Gear, steps: &Steps) -> Text {
     let [input, output] = [&facts.input, &facts.output].map(|link| speed_of(link));
     let mut lines = vec![];
     if !steps.equations.is_empty() {
-        lines.push(
-            "  Willis' equation of each set, ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0; the housing rests".to_owned(),
-        );
+        lines.push("  Willis' equations, ω_1 − i₀·ω_2 − (1 − i₀)·ω_H = 0; the housing rests".to_owned());
         for equation in &steps.equations {
             let is_negative =
                 formulas.symbols.iter().any(|symbol| symbol.symbol == equation.symbol && symbol.is_negative);
