@@ -4,21 +4,25 @@
 //! |---|---|
 //! | [`overview`] | all gears side by side, with the engagement table |
 //! | [`gear`] | everything about one gear |
+//! | [`formulas`] | the ratios as formulas, and the way to them |
 //! | [`inputs`] | a gear with several inputs, at a point or over a map of two speeds |
 //! | [`combinations`] | every combination of shift elements |
 //! | [`records`] | records that these answers share |
 //! | [`planet_bearings`] | forces on the planet bearings |
+//! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
 //! | [`warnings`] | what the reader should know of a gearbox and of its gears |
 //!
 //! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless the key
 //! ends in a unit: then they follow from the speed and load that were given.
 
 pub mod combinations;
+pub mod formulas;
 pub mod gear;
 pub mod inputs;
 pub mod overview;
 pub mod planet_bearings;
 pub mod records;
+pub mod step_torques;
 pub mod warnings;
 
 use crate::Error;

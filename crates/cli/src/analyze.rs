@@ -34,6 +34,7 @@ Example:
   printf '  - { name: fast, engaged: [K2] }\\n' >> box.yaml
   epicyclic analyze box.yaml
   epicyclic analyze box.yaml --gear slow --torque '500 N·m'
+  epicyclic analyze box.yaml --steps
 
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
@@ -61,6 +62,14 @@ pub(crate) struct Args {
     /// Every combination of shift elements, with its state.
     #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
     all_combinations: bool,
+
+    /// Ratios as formulas in the basic ratios of the sets: of all gears, or of one with --gear.
+    #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
+    formula: bool,
+
+    /// The formulas and the way to them: equations with their numbers, conditions, substitutions, torques.
+    #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
+    steps: bool,
 
     #[command(flatten)]
     several: several::Several,
@@ -156,7 +165,8 @@ impl Load {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.choice.file)?;
     let choice = args.choice.question()?;
-    let subject = if args.gear.is_some() || args.all_combinations {
+    let wants_formulas = args.formula || args.steps;
+    let subject = if args.gear.is_some() || args.all_combinations || wants_formulas {
         gearbox::one(&document, &choice).map_err(refuse)?
     } else {
         match gearbox::read(&document, &choice).map_err(refuse)? {
@@ -170,6 +180,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             }
         }
     };
+    if wants_formulas {
+        let answer = answers::formulas::answer(&subject, args.gear.as_deref(), args.steps).map_err(refuse)?;
+        return args.output.deliver(&answer);
+    }
     let input = args.load.input();
     match &args.gear {
         Some(name) if args.several.is_given() => inputs(args, &subject, name),

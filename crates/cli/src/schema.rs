@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{self, Target};
 use epicyclic_answers::analyze::combinations::Combinations;
+use epicyclic_answers::analyze::formulas::Formulas;
 use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
@@ -62,6 +63,8 @@ enum Of {
     AnswerAnalyzeMap,
     /// The answer of `epicyclic analyze --all-combinations`.
     AnswerAnalyzeCombinations,
+    /// The answer of `epicyclic analyze --formula`, and with `--steps`.
+    AnswerAnalyzeFormulas,
     /// The answer of `epicyclic analyze` on a list of transmissions.
     AnswerTransmissions,
     /// The answer of `epicyclic drive`.
@@ -110,6 +113,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerAnalyzeInputs => schema::<Inputs>(),
         Of::AnswerAnalyzeMap => schema::<Map>(),
         Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
+        Of::AnswerAnalyzeFormulas => schema::<Formulas>(),
         Of::AnswerTransmissions => schema::<Transmissions>(),
         Of::AnswerDrive => schema::<Drive>(),
         Of::AnswerMotor => schema::<Motor>(),

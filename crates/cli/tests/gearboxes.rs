@@ -38,6 +38,104 @@ fn a_gear_in_full() {
 }
 
 #[test]
+fn ratios_as_formulas() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", BOXES, "--transmission", "8HP45", "--formula"][..],
+            &["analyze", "ravigneaux.yaml", "--formula"],
+            &["analyze", "power-split.yaml", "--formula"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--formula", "--format", "csv"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slwo", "--formula"],
+            &["analyze", BOXES, "--formula"],
+            &["analyze", "scheme-ii-3.yaml", "--formula", "--torque", "5 N·m"],
+        ]
+    ));
+}
+
+#[test]
+fn the_way_to_a_ratio() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", "scheme-ii-3.yaml", "--steps"][..],
+            &["analyze", BOXES, "--transmission", "8HP45", "--gear", "5", "--steps"],
+            &["analyze", BOXES, "--transmission", "prius", "--steps"],
+            &["analyze", "wolfrom.yaml", "--steps"],
+            &["analyze", "scheme-ii-3.yaml", "--gear", "slow", "--steps", "--format", "csv"],
+        ]
+    ));
+}
+
+/// The terms of the record, multiplied and summed here, give the ratio of the same gear's analysis.
+#[test]
+fn the_terms_of_a_formula_give_the_ratio() {
+    let mut formulas = 0;
+    for file in [
+        "scheme-ii-3.yaml",
+        "ravigneaux.yaml",
+        "wolfrom.yaml",
+        "wolfrom-self-locking.yaml",
+        "power-split.yaml",
+        "closed-by-planetary-gear.yaml",
+        "closed-by-ordinary-train.yaml",
+        "every-gearbox-key.yaml",
+        "sized-gearbox.yaml",
+    ] {
+        let json = |more: &[&str]| -> serde_json::Value {
+            let done = output(&examples(), &[&["analyze", file, "--format", "json"], more].concat());
+            serde_json::from_slice(&done.stdout).unwrap()
+        };
+        let (told, plain) = (json(&["--formula"]), json(&[]));
+        let value = |symbol: &serde_json::Value| {
+            let all = told["symbols"].as_array().unwrap();
+            all.iter().find(|one| one["symbol"] == *symbol).unwrap()["value"].as_f64().unwrap()
+        };
+        let term = |term: &serde_json::Value| {
+            let symbols = term["symbols"].as_array().unwrap();
+            term["coefficient"].as_f64().unwrap() * symbols.iter().map(value).product::<f64>()
+        };
+        let factor =
+            |factor: &serde_json::Value| factor["terms"].as_array().unwrap().iter().map(term).sum::<f64>();
+        for (gear, same) in told["gears"].as_array().unwrap().iter().zip(plain["gears"].as_array().unwrap()) {
+            assert_eq!(gear["ratio"], same["ratio"], "{file}");
+            let Some(ratio) = same["ratio"].as_f64() else {
+                assert!(gear["formula"].is_null() && gear["no_formula"]["reason"] == "no_ratio", "{file}");
+                continue;
+            };
+            let side =
+                |side: &str| gear["formula"][side].as_array().unwrap().iter().map(factor).product::<f64>();
+            assert!((side("numerator") / side("denominator") / ratio - 1.0).abs() < 1e-12, "{file} {gear}");
+            assert!(
+                (gear["formula"]["value"].as_f64().unwrap() / ratio - 1.0).abs() < 1e-12,
+                "{file} {gear}"
+            );
+            formulas += 1;
+        }
+    }
+    assert!(formulas > 15, "{formulas}");
+}
+
+#[test]
+fn the_torques_of_the_steps_balance_on_each_link() {
+    let mut links = 0;
+    for file in ["scheme-ii-3.yaml", "ravigneaux.yaml", "wolfrom.yaml", "closed-by-planetary-gear.yaml"] {
+        let done = output(&examples(), &["analyze", file, "--steps", "--format", "json"]);
+        let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        for gear in told["gears"].as_array().unwrap() {
+            for link in gear["steps"]["torques"]["links"].as_array().unwrap() {
+                let torques = link["torques"].as_array().unwrap().iter();
+                let torques: Vec<f64> = torques.map(|one| one["torque_of_input"].as_f64().unwrap()).collect();
+                let largest = torques.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
+                assert!(torques.iter().sum::<f64>().abs() < 1e-9 * largest, "{file} {link}");
+                links += 1;
+            }
+        }
+    }
+    assert!(links > 20, "{links}");
+}
+
+#[test]
 fn a_load_that_turns_a_one_way_clutch_free_is_told() {
     let told = |gear: &[&str], load: &[&str]| {
         let done = output(&examples(), &[&["analyze", "ravigneaux.yaml"], gear, load].concat());

@@ -45,6 +45,14 @@ const RUNS: &[(&str, &[&str])] = &[
     ("analyze", &["analyze", "apart.yaml"]),
     ("analyze", &["analyze", "apart.yaml", "--gear", "1"]),
     ("analyze", &["analyze", "free.yaml", "--gear", "free"]),
+    (
+        "analyze",
+        &["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--efficiency", "97 %", "--steps"],
+    ),
+    ("analyze", &["analyze", "power-split.yaml", "--formula"]),
+    ("analyze", &["analyze", "redundant.yaml", "--steps"]),
+    ("analyze", &["analyze", "thirteen.yaml", "--formula"]),
+    ("analyze", &["analyze", "ravigneaux.yaml", "--gear", "2", "--formula"]),
     ("analyze", &["analyze", "patterns.yaml", "--gear", "slow"]),
     ("analyze", &["analyze", "ravigneaux.yaml"]),
     ("analyze", &["analyze", "ravigneaux.yaml", "--gear", "1"]),
@@ -353,6 +361,15 @@ const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nsets:\
 const REDUNDANT: &str = "gearbox: redundant\ninput: D\noutput: B\nsets:\n  - { id: P1, sun: D, ring: T1, carrier: B, k: 3 }\n  \
                          - { id: P2, sun: D, ring: T1, carrier: B, k: 3 }\nbrakes:\n  - { id: K1, link: T1 }\n  - { id: \
                          K2, link: T1 }\ngears: [{ name: slow, engaged: [K1, K2] }]\n";
+/// Thirteen sets in a row, each with its ring at rest: too many for a formula.
+fn thirteen() -> String {
+    let set = |place: u32| {
+        format!("  - {{ id: P{place}, sun: n{place}, ring: ground, carrier: n{}, k: 3 }}\n", place + 1)
+    };
+    let sets: String = (1..=13).map(set).collect();
+    format!("gearbox: thirteen\ninput: n1\noutput: n14\nsets:\n{sets}gears: [{{ name: only }}]\n")
+}
+
 /// Planets whose radii and mesh contradict each other.
 const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id: set\n    carrier: c\n    suns: { s: 30 }\n    \
                      rings: { r: 72 }\n    planet_gears: { short: [18], long: [18] }\n    planets: 3\n    module: 2 mm\n    \
@@ -374,6 +391,7 @@ fn folder() -> tempfile::TempDir {
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
     std::fs::write(folder.path().join("redundant.yaml"), REDUNDANT).unwrap();
     std::fs::write(folder.path().join("apart.yaml"), APART).unwrap();
+    std::fs::write(folder.path().join("thirteen.yaml"), thirteen()).unwrap();
     std::fs::write(folder.path().join("cosine.yaml"), COSINE).unwrap();
     std::fs::write(folder.path().join("tips.yaml"), TIPS).unwrap();
     folder

@@ -14,6 +14,7 @@
 //! | [`power_flow`] | power through sets, meshes and links, circulating power |
 //! | [`one_way`] | whether one-way clutches hold or overrun, on drive and on coast |
 //! | [`inputs`] | gears with several inputs |
+//! | [`formula`] | the ratio as a formula in the basic ratios, and the way to it |
 //! | [`kreines`] | efficiency from the ratio alone, as a check |
 //! | [`efficiency`] | self-consistent sign patterns |
 //! | [`operating`] | the same as quantities at a speed and load |
@@ -70,6 +71,7 @@ mod drawn_set;
 pub mod efficiency;
 mod elimination;
 pub mod error;
+pub mod formula;
 pub mod gearbox;
 pub mod groups;
 pub mod inputs;

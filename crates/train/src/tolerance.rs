@@ -27,6 +27,7 @@
 //! | [`MOST_MEMBERS`] | central gears of one set |
 //! | [`MOST_PLANETS`] | planets of one set that differ |
 //! | [`MOST_ALIKE`] | how many of one planet stand around the axis |
+//! | [`MOST_SYMBOLS`] | symbols of a formula |
 //! | [`BASIC_RATIO`] | size of a basic ratio, and of its inverse |
 //! | [`LARGEST_LOAD`] | a speed in rad/s or torque in N·m from outside |
 //! | [`SPREAD`] | what the basic ratios of a gearbox can multiply to |
@@ -93,6 +94,9 @@ pub const MOST_PLANETS: usize = 12;
 
 /// How many of one planet may stand around the axis.
 pub const MOST_ALIKE: u32 = 1000;
+
+/// How many symbols the formula of a ratio takes: with 12 it may have 4096 terms.
+pub const MOST_SYMBOLS: usize = 12;
 
 /// Largest size of a basic ratio; its inverse is the smallest.
 ///

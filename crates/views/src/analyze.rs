@@ -1,6 +1,7 @@
 //! What a gearbox does in its gears, as tables.
 
 mod combinations;
+mod formulas;
 mod gear;
 mod inputs;
 mod overview;

@@ -40,7 +40,9 @@ pub struct Text {
     pub heading: Option<String>,
     /// Sentences that belong together.
     pub paragraphs: Vec<String>,
-    /// Points of a list, after the paragraphs.
+    /// Lines that stand as they are, after the paragraphs; one that is too long goes on further in.
+    pub lines: Vec<String>,
+    /// Points of a list, after the lines.
     pub points: Vec<String>,
     /// A table of words or marks, after the points: its header, then its rows.
     pub table: Vec<Vec<String>>,
@@ -65,6 +67,9 @@ impl Text {
         }
         for paragraph in &self.paragraphs {
             text += &unmarked(&one_line(paragraph));
+        }
+        for line in &self.lines {
+            text += &continued(&one_line(line));
         }
         for point in &self.points {
             text += &wrapped(" -", &one_line(point));
@@ -386,6 +391,34 @@ pub fn wrapped(mark: &str, text: &str) -> String {
     lines + &line + "\n"
 }
 
+/// A line within the width of the tables, its further lines set in. What follows a sign stays with it.
+fn continued(text: &str) -> String {
+    let width = usize::from(text::WIDTH);
+    let words = text.trim_start();
+    let margin = text.len() - words.len();
+    let mut lines = String::new();
+    let mut line = " ".repeat(margin);
+    let mut sign = String::new();
+    for word in words.split(' ') {
+        if matches!(word, "+" | "−" | "=") {
+            sign += word;
+            sign.push(' ');
+            continue;
+        }
+        let word = std::mem::take(&mut sign) + word;
+        let is_first = line.trim().is_empty();
+        if !is_first && line.chars().count() + 1 + word.chars().count() > width {
+            lines += &line;
+            lines.push('\n');
+            line = " ".repeat(margin + 4);
+        } else if !is_first {
+            line.push(' ');
+        }
+        line += &word;
+    }
+    lines + &line + "\n"
+}
+
 /// A paragraph within the width of the tables.
 fn unmarked(text: &str) -> String {
     wrapped("", text).lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect()
@@ -394,4 +427,17 @@ fn unmarked(text: &str) -> String {
 /// The cells of the first columns, which name a thing.
 fn named_by(row: &[Figure], columns: usize) -> String {
     row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_line_goes_on_further_in_and_signs_stay_with_what_follows() {
+        let term = "a".repeat(30);
+        let line = format!("  i = {term} + {term} − {term} = 1");
+        assert_eq!(continued(&line), format!("  i = {term} + {term}\n      − {term} = 1\n"));
+        assert_eq!(continued("  i = 1"), "  i = 1\n");
+    }
 }

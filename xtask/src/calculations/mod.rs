@@ -4,6 +4,7 @@
 //! into the domain crates' types, their results into [`Value`]s. One file a crate.
 
 mod dynamics;
+mod formulas;
 mod gears;
 mod hydromotor;
 mod schemes;

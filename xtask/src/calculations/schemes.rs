@@ -1,5 +1,6 @@
 //! Calculations of gearboxes and of the machines they serve.
 
+use super::formulas::{GRID, evaluate, printed_formula};
 use super::{Calculation, Refusal, Results};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Number, Quantity};
@@ -12,7 +13,7 @@ use epicyclic_schemes::machines::{self, Table};
 use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries};
 use epicyclic_schemes::standing::{Standing, Use};
 use epicyclic_schemes::{cutting, rotor};
-use epicyclic_train::{Gearbox, mobility};
+use epicyclic_train::mobility;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Acceleration, Angle, AngularVelocity, Force, Length, Velocity};
@@ -272,79 +273,6 @@ fn scheme_range(given: &SchemeRangeGiven) -> Result<Results, Refusal> {
     }
     results.number("smallest", smallest).number("largest", largest);
     results.text("sense", if ends[0] > 0.0 { "same" } else { "opposite" });
-    Ok(results)
-}
-
-/// A printed formula of a scheme, in `k1`, `k2` and `eta0`.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct PrintedFormulaGiven {
-    /// `I`, `II`, `III`, `I-1` … `III-3`.
-    scheme: String,
-    /// What it gives, of the scheme's last braked gear.
-    gives: PrintedQuantity,
-    /// The formula: `(k1+1)*(k2+1)/(k1+k2+1)`.
-    formula: String,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-enum PrintedQuantity {
-    Ratio,
-    Efficiency,
-}
-
-/// A formula of named variables.
-fn evaluate(formula: &str, names: &[(&str, f64)]) -> Result<f64, Refusal> {
-    use exmex::Express;
-    let unreadable = |message: String| Refusal {
-        name: "unreadable-formula".into(),
-        message: format!("{formula}: {message}"),
-    };
-    let parsed = exmex::parse::<f64>(formula).map_err(|error| unreadable(error.to_string()))?;
-    let value = |name: &String| {
-        let known = names.iter().find(|(known, _)| known == name);
-        known.map(|(_, value)| *value).ok_or_else(|| unreadable(format!("no variable `{name}`")))
-    };
-    let values = parsed.var_names().iter().map(value).collect::<Result<Vec<_>, _>>()?;
-    parsed.eval(&values).map_err(|error| unreadable(error.to_string()))
-}
-
-/// Parameters at which a printed formula is held against the solver.
-const GRID: [f64; 6] = [1.3, 1.7, 2.5, 4.0, 7.0, 10.0];
-
-fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
-    let scheme: Scheme = given.scheme.parse()?;
-    let (mut largest, mut from_catalogue): (f64, f64) = (0.0, 0.0);
-    let closed = match given.gives {
-        PrintedQuantity::Ratio => scheme.ratio_formula(),
-        PrintedQuantity::Efficiency => scheme.efficiency_formula(),
-    };
-    for k1 in GRID {
-        for k2 in GRID {
-            for eta0 in [0.9, 0.97, 1.0] {
-                let (first, second) = (RingToSunRatio::new(k1)?, RingToSunRatio::new(k2)?);
-                let eta = MeshEfficiency::new(eta0)?;
-                let (gearbox, gear): (Gearbox, &str) = match scheme {
-                    Scheme::Two(scheme) => (scheme.gearbox(first, eta)?, "1"),
-                    Scheme::Three(scheme) => (scheme.gearbox(first, second, eta)?, "2"),
-                };
-                let found = gearbox.analyze(gear)?;
-                let solved = match given.gives {
-                    PrintedQuantity::Ratio => found.ratio(),
-                    PrintedQuantity::Efficiency => found.efficiency(),
-                };
-                let printed = evaluate(&given.formula, &[("k1", k1), ("k2", k2), ("eta0", eta0)])?;
-                let off = solved.map_or(f64::INFINITY, |solved| (printed / solved - 1.0).abs());
-                largest = largest.max(off);
-                from_catalogue = from_catalogue.max((printed / closed.value(k1, k2, eta0) - 1.0).abs());
-            }
-        }
-    }
-    let mut results = Results::default();
-    results.answer("equals_solver", largest < 1e-12).answer("equals_catalogue", from_catalogue < 1e-12);
-    // Rounding alone would only make the snapshot noisy.
-    results.number("largest_relative_difference", if largest < 1e-12 { 0.0 } else { largest });
     Ok(results)
 }
 

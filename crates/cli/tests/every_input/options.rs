@@ -38,8 +38,14 @@ analyze: real-transmissions.yaml --transmission 8HP
 analyze: every-gearbox-key.yaml --format json
   --gear 1
   --all-combinations
+  --formula
+  --steps
   --torque '500 N·m'
   --speed '1475 rpm'
+analyze: every-gearbox-key.yaml --formula
+  --gear 1
+  --steps
+  --format csv
 analyze: power-split.yaml --gear drive --format json
   --speeds 'engine=2000rpm, generator=1000rpm'
   --torques 'engine=50 N·m'

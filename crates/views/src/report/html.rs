@@ -39,6 +39,7 @@ impl Text {
         html! {
             @if let Some(heading) = &self.heading { h3 { (heading) } }
             @for paragraph in &self.paragraphs { p { (paragraph) } }
+            @for line in &self.lines { p.line { (line) } }
             @if !self.points.is_empty() { ul { @for point in &self.points { li { (point) } } } }
             @if let Some((header, rows)) = table {
                 div.table { table {
@@ -85,6 +86,8 @@ mod tests {
         let made = "<h3>Why not</h3><ul><li>one more</li><li>two &amp; three</li></ul>";
         assert_eq!(list.html().into_string(), made);
         assert_eq!(Text::paragraph("Left out").html().into_string(), "<p>Left out</p>");
+        let lines = Text { lines: vec!["  i = k₁".to_owned()], ..Text::default() };
+        assert_eq!(lines.html().into_string(), "<p class=\"line\">  i = k₁</p>");
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
         let table = vec![words(&["gear", "K1"]), words(&["slow", "x"])];
         let table = Text { table, ..Text::default() }.html().into_string();

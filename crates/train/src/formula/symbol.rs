@@ -1,0 +1,114 @@
+//! What the symbols of a formula stand for.
+
+use super::subscript;
+use crate::planet_set::{Description, GearOf};
+use crate::{Gearbox, LinkId};
+use epicyclic_gears::simple_set::Fraction;
+
+/// The size of a basic ratio, `k = |i₀|`, of one equation of a set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Symbol {
+    number: usize,
+    set: usize,
+    is_pair: bool,
+    centrals: [usize; 2],
+    links: [LinkId; 3],
+    is_negative: bool,
+    teeth: [Vec<GearOf>; 2],
+    value: f64,
+    exact: Option<Fraction>,
+}
+
+impl Symbol {
+    /// Of an equation of a gearbox.
+    pub(super) fn of(gearbox: &Gearbox, equation: usize) -> Self {
+        let one = &gearbox.equations[equation];
+        let set = &gearbox.sets[one.set];
+        let (root, central) = (set.tree.root, one.central);
+        let (mut above, mut below) = (vec![], vec![]);
+        // Of (ω_root − ω_H)/(ω_central − ω_H), mesh by mesh from the root.
+        for mesh in set.path(root, central) {
+            let [near, far] = set.meshes()[mesh].gears;
+            below.push(near);
+            above.push(far);
+        }
+        above.retain(|gear| {
+            let common = below.iter().position(|other| other == gear);
+            if let Some(place) = common {
+                below.remove(place);
+            }
+            common.is_none()
+        });
+        let [r, c, h] = one.links;
+        let (size, exact) =
+            (one.ratio.abs(), one.exact.map(|exact| if exact < 0.into() { -exact } else { exact }));
+        // A short description has its first gear for a root, a compound set the gear of reference.
+        let is_short = matches!(set.description(), Description::Short(_));
+        Self {
+            number: equation + 1,
+            set: one.set,
+            is_pair: set.is_pair(),
+            centrals: if is_short { [root, central] } else { [central, root] },
+            links: if is_short { [r, c, h] } else { [c, r, h] },
+            is_negative: one.ratio < 0.0,
+            teeth: if is_short { [above, below] } else { [below, above] },
+            value: if is_short { size } else { 1.0 / size },
+            exact: if is_short { exact } else { exact.map(|exact| exact.recip()) },
+        }
+    }
+
+    /// `k₁`; of a pair on fixed axes `u₁`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        subscript(if self.is_pair { 'u' } else { 'k' }, self.number)
+    }
+
+    /// Its place among the equations of the gearbox.
+    #[must_use]
+    pub fn equation(&self) -> usize {
+        self.number - 1
+    }
+
+    /// Place of its set in the gearbox.
+    #[must_use]
+    pub fn set(&self) -> usize {
+        self.set
+    }
+
+    /// Places in the set of the central gears 1 and 2 of `i₀ = (ω_1 − ω_H)/(ω_2 − ω_H)`.
+    #[must_use]
+    pub fn centrals(&self) -> [usize; 2] {
+        self.centrals
+    }
+
+    /// Links of central gear 1, central gear 2 and the carrier.
+    #[must_use]
+    pub fn links(&self) -> [LinkId; 3] {
+        self.links
+    }
+
+    /// Whether `i₀ = −k`; else `i₀ = +k`.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.is_negative
+    }
+
+    /// Gears whose teeth multiply `k`, and gears whose teeth divide it.
+    #[must_use]
+    pub fn teeth(&self) -> [&[GearOf]; 2] {
+        let [above, below] = &self.teeth;
+        [above, below]
+    }
+
+    /// Its value.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// Its value as a fraction of tooth counts, where they are known.
+    #[must_use]
+    pub fn exact(&self) -> Option<Fraction> {
+        self.exact
+    }
+}
