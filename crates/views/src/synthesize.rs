@@ -206,10 +206,5 @@ fn gears(number: usize, found: &Solution) -> Text {
     points.extend(
         instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))),
     );
-    Text {
-        heading: Some(format!("Gearbox {number}: {}", found.structure)),
-        paragraphs: Vec::new(),
-        points,
-        table,
-    }
+    Text { heading: Some(format!("Gearbox {number}: {}", found.structure)), points, table, ..Text::default() }
 }
