@@ -38,8 +38,6 @@ pub struct Wanted {
     pub efficiency: MeshEfficiency,
     /// How many solutions are told at most.
     pub most: usize,
-    /// On how many threads the search runs.
-    pub threads: usize,
 }
 
 /// All gearboxes of some planet sets, brakes and clutches that have a list of ratios.
@@ -212,8 +210,7 @@ pub fn answer(
                     }
                 };
                 let searching = Searching { class, shift_elements };
-                let found =
-                    search(class, &wish, Share::WHOLE, wanted.threads, &|at| progress(&searching, at))?;
+                let found = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
                 answer.complete &= found.complete;
                 answer.searched.push(Searched {
                     class: ClassName::of(class.kind()),

@@ -105,7 +105,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
         efficiency,
         most,
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
     };
     let shown = Progress::new();
     let found = answer(&wanted, &|_, at| {

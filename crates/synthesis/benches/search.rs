@@ -75,9 +75,11 @@ fn classes(bench: &mut Criterion) {
     group.sample_size(10);
     let six_speed = wish(&SIX_SPEED, 3, 5);
     for (name, threads) in [("three_sets_all_sparse", 1), ("three_sets_all_sparse/two_threads", 2)] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         group.bench_function(name, |bench| {
             bench.iter(|| {
-                let answer = search(class, &six_speed, Share::WHOLE, threads, &|_| ControlFlow::Continue(()));
+                let answer =
+                    pool.install(|| search(class, &six_speed, Share::WHOLE, &|_| ControlFlow::Continue(())));
                 black_box(answer.map(|answer| answer.found.len()))
             });
         });

@@ -12,7 +12,7 @@ fn main() -> Result<(), epicyclic_synthesis::Error> {
     let gears = [3.059, 1.625, 1.0, 0.696, -2.294].map(within).into();
     let wish = Wish { gears, elements: 5, k: vec![1.4..=4.5; 2] };
     let class = Class::new(Kind::AllSparse, 2, 5)?;
-    let answer = search(class, &wish, Share::WHOLE, 2, &|_| ControlFlow::Continue(()))?;
+    let answer = search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(()))?;
     for found in &answer.found {
         let names: Vec<String> = found.solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
         println!("{}  with {}", found.structure, names.join(", "));

@@ -4,6 +4,7 @@
 //! `F = L − n` degrees of freedom, so a gear engages `F − 1` shift elements.
 
 use crate::Error;
+use crate::kind::Kind;
 use std::fmt;
 
 /// The most sets: a polynomial in the ring-to-sun ratios has one bit of 64 for each of its `2ⁿ` terms.
@@ -12,30 +13,6 @@ pub const MOST_SETS: usize = 6;
 /// The most moving links: an element set is a word of 64 bits, and 11 links and the housing have 64 pairs
 /// without the brakes of input and output.
 pub const MOST_LINKS: usize = 11;
-
-/// What of all structures a class keeps.
-///
-/// Both are *sparse*: any `m` sets touch at least `m + 2` links, the housing among them. This leaves out sets
-/// that are locked, two sets on the same three links, and sets that are locked to the housing. In both every link but
-/// the input and the output is on a member: a link between two shift elements alone would put them in series.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Kind {
-    /// No member on the housing, input and output on members, all sets joined by links.
-    Core,
-    /// All sparse structures: members may be on the housing, and shift elements alone may reach the input or the output.
-    AllSparse,
-}
-
-impl Kind {
-    /// Its name: `core` or `all sparse`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Core => "core",
-            Self::AllSparse => "all sparse",
-        }
-    }
-}
 
 /// A class of structures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

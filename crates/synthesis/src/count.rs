@@ -8,8 +8,9 @@
 //! structures. The structures are as many as a pair leaves labelled structures unchanged in the mean. Pairs with equal
 //! cycle lengths leave equally many.
 
-use crate::class::{Class, Kind};
+use crate::class::Class;
 use crate::enumerate;
+use crate::kind::Kind;
 use crate::structure::{Link, Members};
 
 /// Counts of a class that agree.

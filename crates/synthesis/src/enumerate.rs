@@ -4,7 +4,8 @@
 //! smaller word would make the whole word smaller. So a prefix that is not canonical is left at once, and
 //! nothing has to be remembered to find each structure once.
 
-use crate::class::{Class, Kind};
+use crate::class::Class;
+use crate::kind::Kind;
 use crate::structure::{FIRST_OTHER, INPUT, Link, Members, Names, OUTPUT, Structure, mask};
 
 /// All structures of a class.

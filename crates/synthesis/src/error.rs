@@ -1,6 +1,6 @@
 //! What may be wrong with a question.
 
-use crate::class::Kind;
+use crate::kind::Kind;
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -5,6 +5,7 @@ use crate::motion::Element;
 use crate::refine::{Refined, refine};
 use crate::run::Found;
 use crate::search::Wish;
+use crate::tolerance::CONFIRMED;
 use epicyclic_gears::efficiency::MeshEfficiency;
 
 /// A solution with its best ring-to-sun ratios, judged.
@@ -56,7 +57,7 @@ pub fn judge(
         let ratio = analysis.ratio().unwrap_or(f64::NAN);
         let value = formula.value(&refined.k);
         assert!(
-            (ratio - value).abs() <= 1e-9 * value.abs(),
+            (ratio - value).abs() <= CONFIRMED * value.abs(),
             "{}: gear {} is {value} by {formula}, {ratio} by the solver",
             found.structure,
             gear.name()

@@ -30,6 +30,7 @@ mod error;
 pub mod exterior;
 pub mod gearbox;
 pub mod judge;
+mod kind;
 mod library;
 pub mod motion;
 pub mod parts;
@@ -40,7 +41,9 @@ pub mod search;
 pub mod solve;
 pub mod structure;
 pub mod ternary;
+mod tolerance;
 
-pub use class::{Class, Kind};
+pub use class::Class;
 pub use error::Error;
+pub use kind::Kind;
 pub use structure::Structure;

@@ -127,7 +127,7 @@ impl<W: Word> Motion<W> {
     ///
     /// Then the rows of the sets, of these two and of any others have determinant 0: their product is 0.
     #[must_use]
-    pub fn lock_the_same(&self, one: usize, other: usize) -> bool {
+    pub fn tie_the_same(&self, one: usize, other: usize) -> bool {
         let (one, other) = (&self.differences[one], &self.differences[other]);
         let mut pairs = self.space.pairs().iter();
         pairs.all(|&(_, first, second, _)| Space::minor(one, other, first, second).is_zero())

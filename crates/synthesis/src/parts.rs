@@ -9,10 +9,8 @@
 //! the extremes of `P/Q` are at corners.
 
 use crate::ratio::{Polynomial, Ratio};
+use crate::tolerance::WIDENING;
 use std::ops::RangeInclusive;
-
-/// How much the bounds of a gear are widened before a part is called out of reach, so that rounding loses nothing.
-pub(crate) const WIDENING: f64 = 1e-9;
 
 /// A set of parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -7,6 +7,7 @@
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::Ratio;
 use crate::solve::{Function, Outcome, Solver};
+use crate::tolerance::NO_WIDTH;
 
 /// How close the greatest deviation comes to the least, as a part of the bounds' half width.
 const CLOSE: f64 = 1e-4;
@@ -27,8 +28,9 @@ pub struct Refined {
 
 /// Refines a point that has all gears by these ratios.
 #[must_use]
-pub fn refine(ratios: &[Ratio], gears: &[Bounds], box_of_k: &Cuboid, point: &[f64]) -> Refined {
-    let functions: Vec<Function> = ratios.iter().map(|ratio| Function::new(*ratio, box_of_k.len())).collect();
+pub fn refine(ratios: &[Ratio], gears: &[Bounds], range_of_k: &Cuboid, point: &[f64]) -> Refined {
+    let functions: Vec<Function> =
+        ratios.iter().map(|ratio| Function::new(*ratio, range_of_k.len())).collect();
     let functions: Vec<&Function> = functions.iter().collect();
     let mut own = |assigned: &[usize]| assigned.iter().enumerate().all(|(gear, function)| gear == *function);
     let mut seek =
@@ -41,7 +43,7 @@ pub fn refine(ratios: &[Ratio], gears: &[Bounds], box_of_k: &Cuboid, point: &[f6
     while known - none > CLOSE {
         let factor = 0.5 * (known + none);
         let shrunk: Vec<Bounds> = gears.iter().map(|gear| gear.shrunk(factor)).collect();
-        match seek(&shrunk, box_of_k.clone()) {
+        match seek(&shrunk, range_of_k.clone()) {
             Some(k) => {
                 known = deviation(ratios, gears, &k).min(factor);
                 best = k;
@@ -51,9 +53,9 @@ pub fn refine(ratios: &[Ratio], gears: &[Bounds], box_of_k: &Cuboid, point: &[f6
     }
     let mut range = |set: usize, upper: bool| {
         let side = usize::from(upper);
-        let (mut outer, mut inner) = (box_of_k[set][side], best[set]);
+        let (mut outer, mut inner) = (range_of_k[set][side], best[set]);
         while (outer - inner).abs() > NEAR * inner {
-            let mut cuboid = box_of_k.clone();
+            let mut cuboid = range_of_k.clone();
             let middle = 0.5 * (outer + inner);
             cuboid[set] = if upper { [middle, outer] } else { [outer, middle] };
             match seek(gears, cuboid) {
@@ -63,7 +65,7 @@ pub fn refine(ratios: &[Ratio], gears: &[Bounds], box_of_k: &Cuboid, point: &[f6
         }
         inner
     };
-    let ranges = (0..box_of_k.len()).map(|set| [range(set, false), range(set, true)]).collect();
+    let ranges = (0..range_of_k.len()).map(|set| [range(set, false), range(set, true)]).collect();
     Refined { deviation: deviation(ratios, gears, &best), k: best, ranges }
 }
 
@@ -79,7 +81,7 @@ fn deviation(ratios: &[Ratio], gears: &[Bounds], k: &[f64]) -> f64 {
 impl Bounds {
     fn middle_and_half(self) -> [f64; 2] {
         // Bounds without width still measure deviations.
-        let half = (0.5 * (self.most - self.least)).max(1e-12 * self.most.abs());
+        let half = (0.5 * (self.most - self.least)).max(NO_WIDTH * self.most.abs());
         [0.5 * (self.most + self.least), half]
     }
 

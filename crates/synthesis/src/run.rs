@@ -1,4 +1,4 @@
-//! A search through a whole class, or a share of it, on several threads.
+//! A search through a whole class, or a share of it: on all threads of the pool with the feature `parallel`, else on one.
 
 use crate::class::Class;
 use crate::enumerate;
@@ -79,7 +79,7 @@ pub struct Answer {
 /// let gears = [2.56, 1.465].map(|ratio| Bounds { least: 0.999 * ratio, most: 1.001 * ratio });
 /// let wish = Wish { gears: gears.into(), elements: 2, k: vec![1.4..=4.5; 2] };
 /// let class = Class::new(Kind::Core, 2, 4)?;
-/// let answer = search(class, &wish, Share::WHOLE, 1, &|_| ControlFlow::Continue(()))?;
+/// let answer = search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(()))?;
 /// assert!(answer.found.iter().any(|found| found.structure == "c-1-2 c-2-d".parse().unwrap()));
 /// # Ok(())
 /// # }
@@ -92,15 +92,14 @@ pub fn search(
     class: Class,
     wish: &Wish,
     share: Share,
-    threads: usize,
     progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Answer, Error> {
     wish.check(class)?;
     Ok(match class.sets() {
-        1..=3 => search_with::<u8>(class, wish, share, threads, progress),
-        4 => search_with::<u16>(class, wish, share, threads, progress),
-        5 => search_with::<u32>(class, wish, share, threads, progress),
-        _ => search_with::<u64>(class, wish, share, threads, progress),
+        1..=3 => search_with::<u8>(class, wish, share, progress),
+        4 => search_with::<u16>(class, wish, share, progress),
+        5 => search_with::<u32>(class, wish, share, progress),
+        _ => search_with::<u64>(class, wish, share, progress),
     })
 }
 
@@ -111,7 +110,6 @@ fn search_with<W: Word + Send>(
     class: Class,
     wish: &Wish,
     share: Share,
-    threads: usize,
     progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Answer {
     let all = enumerate::all(class);
@@ -144,17 +142,7 @@ fn search_with<W: Word + Send>(
         }
         (found, search.tally())
     };
-    let results: Vec<_> = if threads < 2 {
-        vec![work()]
-    } else {
-        std::thread::scope(|scope| {
-            let threads: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-            threads
-                .into_iter()
-                .map(|thread| thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-                .collect()
-        })
-    };
+    let results = on_each_thread(work);
     let mut tally = Tally::default();
     let mut found = Vec::new();
     for (part, counts) in results {
@@ -168,6 +156,18 @@ fn search_with<W: Word + Send>(
         .collect();
     let complete = tally.structures == structures.len() as u64;
     Answer { class_size, found, tally, complete }
+}
+
+/// What each thread of the pool comes to, each working until nothing is left.
+#[cfg(feature = "parallel")]
+fn on_each_thread<T: Send>(work: impl Fn() -> T + Sync) -> Vec<T> {
+    rayon::broadcast(|_| work())
+}
+
+/// What one thread comes to.
+#[cfg(not(feature = "parallel"))]
+fn on_each_thread<T>(work: impl Fn() -> T) -> Vec<T> {
+    vec![work()]
 }
 
 impl Wish {

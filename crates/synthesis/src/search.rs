@@ -260,7 +260,7 @@ impl<W: Word> Search<W> {
         let mut kept: Vec<usize> = Vec::new();
         self.elements.clear();
         for (place, pair) in self.pairs.iter().enumerate() {
-            match kept.iter().position(|other| self.motion.lock_the_same(place, *other)) {
+            match kept.iter().position(|other| self.motion.tie_the_same(place, *other)) {
                 Some(element) => self.elements[element].push(*pair),
                 None => {
                     kept.push(place);

@@ -9,14 +9,12 @@
 //! found, the box is halved.
 //!
 //! # Complete
-//! A box is given up when it provably has no solution. A box that shrinks below [`SMALLEST`] with neither a solution nor a proof is
+//! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither a solution nor a proof is
 //! *undecided*, and counted.
 
-use crate::parts::{Bounds, Cuboid, WIDENING, coefficients, corner_values};
+use crate::parts::{Bounds, Cuboid, coefficients, corner_values};
 use crate::ratio::Ratio;
-
-/// The relative width below which a box is not halved any more.
-pub const SMALLEST: f64 = 1e-7;
+use crate::tolerance::{DAMPING, SMALLEST, WIDENING};
 
 /// The relative width below which functions are tried one by one. In wider boxes most gears reach several functions, and their
 /// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
@@ -312,7 +310,7 @@ impl<'a> Solver<'a> {
         }
         // A little damping: a `k` that moves nothing stays.
         for (set, row) in normal.iter_mut().enumerate() {
-            row[set] = row[set] * (1.0 + 1e-9) + 1e-9;
+            row[set] = row[set] * (1.0 + DAMPING) + DAMPING;
         }
         solve_linear(normal)
     }

@@ -30,7 +30,8 @@ fn wish(ratios: &[f64], sets: usize, elements: usize) -> Wish {
 }
 
 fn all(class: Class, wish: &Wish, threads: usize) -> Answer {
-    search(class, wish, Share::WHOLE, threads, &|_| ControlFlow::Continue(())).unwrap()
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap())
 }
 
 /// Whether a structure with these elements, by the letters of its text, is among what was found.
@@ -88,7 +89,7 @@ fn a_six_speed_of_three_sets_has_43_sets_of_elements_in_42_structures() {
     // Threads and shares change nothing.
     assert_eq!(all(class, &wish, 3), answer);
     let shares = (0..3).flat_map(|number| {
-        search(class, &wish, Share { number, of: 3 }, 1, &|_| ControlFlow::Continue(())).unwrap().found
+        search(class, &wish, Share { number, of: 3 }, &|_| ControlFlow::Continue(())).unwrap().found
     });
     let mut shares: Vec<Found> = shares.collect();
     shares.sort_by(|one, other| {
@@ -202,7 +203,7 @@ fn planted<W: Word>(class: Class, count: usize, elements_of: usize, gears: usize
         let distinct = {
             let mut motion = Motion::<W>::new(structure.freedom());
             motion.take(structure, &kept);
-            (0..kept.len()).all(|one| (0..one).all(|other| !motion.lock_the_same(one, other)))
+            (0..kept.len()).all(|one| (0..one).all(|other| !motion.tie_the_same(one, other)))
         };
         assert!(
             !distinct || holds(&found, &structure.to_string(), &names),
@@ -295,7 +296,7 @@ fn wishes_that_nothing_can_have_are_refused() {
         (Wish { elements: 20, ..usual.clone() }, "pairs of links"),
     ] {
         let message =
-            search(class, &wish, Share::WHOLE, 1, &|_| ControlFlow::Continue(())).unwrap_err().to_string();
+            search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap_err().to_string();
         assert!(message.contains(why), "{message}");
     }
 }
@@ -307,6 +308,6 @@ fn a_search_that_is_ended_keeps_what_it_has() {
     let end = |progress: epicyclic_synthesis::run::Progress| {
         if progress.found > 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let answer = search(class, &wish, Share::WHOLE, 1, &end).unwrap();
+    let answer = search(class, &wish, Share::WHOLE, &end).unwrap();
     assert!(!answer.complete && !answer.found.is_empty() && answer.tally.structures < 24_702);
 }

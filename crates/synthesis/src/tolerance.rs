@@ -1,0 +1,20 @@
+//! Every number below which something counts as nothing, in one place.
+//!
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `WIDENING` | the bounds of a gear and of a range that is shrunk, over them | a million times the rounding of a ratio of six sets: nothing is lost by it |
+//! | `SMALLEST` | the width of a range of `k` that is halved no more, over `k` | far above rounding, far below what teeth can realise |
+//! | `DAMPING` | what least squares add for a `k` that moves nothing | it stays where it is, the others hardly move |
+//! | `NO_WIDTH` | half the width of bounds, over the ratio | bounds without width still measure deviations |
+//! | `CONFIRMED` | the difference of a formula and the solver, over the ratio | both round to 1e-12 |
+
+/// See the table.
+pub(crate) const WIDENING: f64 = 1e-9;
+/// See the table.
+pub(crate) const SMALLEST: f64 = 1e-7;
+/// See the table.
+pub(crate) const DAMPING: f64 = 1e-9;
+/// See the table.
+pub(crate) const NO_WIDTH: f64 = 1e-12;
+/// See the table.
+pub(crate) const CONFIRMED: f64 = 1e-9;
