@@ -1,7 +1,7 @@
 //! All sets of elements of a structure that have the wanted gears.
 //!
 //! # Steps
-//! 1. Elements that lock the same are one. Each choice of `e` elements has a function, from the [library](crate::library).
+//! 1. Elements that lock the same are one. Each choice of `e` elements has a function, from the library.
 //! 2. Elements are chosen for the gears in turn, the gear with the fewest choices first, in all parts of the range of `k` at
 //!    once, up to as many elements as may be.
 //! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its own.
