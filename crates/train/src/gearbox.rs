@@ -155,7 +155,7 @@ impl Gearbox {
         (0..self.links.len()).map(LinkId)
     }
 
-    /// Names of the links by [`LinkId::index`]; the first is [`GROUND`].
+    /// Names of the links by [`LinkId::index`]; the first is [`GROUND`](crate::GROUND).
     #[must_use]
     pub fn links(&self) -> &[String] {
         &self.links

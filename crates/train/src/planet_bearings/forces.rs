@@ -24,17 +24,17 @@ pub enum Lack {
     Teeth,
     /// The radius of the centre of a planet in mesh with this one.
     OtherRadius {
-        /// The other planet, by its place in [`PlanetSet::planets`].
+        /// The other planet, by its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
         other: usize,
     },
     /// Module or teeth of the mesh with another planet.
     Distance {
-        /// The other planet, by its place in [`PlanetSet::planets`].
+        /// The other planet, by its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
         other: usize,
     },
     /// Two planets in mesh that cannot stand at their radii.
     Triangle {
-        /// The other planet, by its place in [`PlanetSet::planets`].
+        /// The other planet, by its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
         other: usize,
         /// Radius of this planet's centre and of the other's.
         radii: [Length; 2],
@@ -50,7 +50,7 @@ pub enum Lack {
 /// A mesh of a planet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// Its place in [`PlanetSet::meshes`].
+    /// Its place in [`PlanetSet::meshes`](crate::PlanetSet::meshes).
     pub mesh: usize,
     /// The gear on the other side.
     pub with: GearOf,
@@ -68,9 +68,9 @@ pub struct Contact {
 /// The bearing of a planet on its planet pin, as far as it is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanetBearing {
-    /// Place of its set in [`Gearbox::sets`].
+    /// Place of its set in [`Gearbox::sets`](crate::Gearbox::sets).
     pub set: usize,
-    /// Its place in [`PlanetSet::planets`].
+    /// Its place in [`PlanetSet::planets`](crate::PlanetSet::planets).
     pub planet: usize,
     /// Its name: `planet` where the set has only one, else `planet long` or `planet 2`.
     pub name: String,
@@ -161,7 +161,7 @@ impl PlanetBearing {
         self.forces(torques.as_deref(), None)
     }
 
-    /// The forces of these torques on the members of the set, in the order of [`PlanetSet::members`], at this speed of
+    /// The forces of these torques on the members of the set, in the order of [`PlanetSet::members`](crate::PlanetSet::members), at this speed of
     /// the carrier.
     ///
     /// # Errors
