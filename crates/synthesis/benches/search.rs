@@ -6,7 +6,6 @@ use epicyclic_synthesis::parts::{Bounds, Grid};
 use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::run::{Share, search};
 use epicyclic_synthesis::search::{Search, Wish};
-use epicyclic_synthesis::ternary::Ternary;
 use epicyclic_synthesis::{Class, Kind, Structure, enumerate};
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -52,8 +51,7 @@ fn parts(bench: &mut Criterion) {
     let grid = Grid::new(&vec![1.4..=4.5; 4]);
     let gears = wish(&EIGHT_SPEED, 4, 5).gears;
     let speeds = motion.gear(&[0, 1, 20]);
-    let wide = |speed: Ternary<u16>| Ternary { plus: speed.plus.into(), minus: speed.minus.into() };
-    if let Some(ratio) = Ratio::new(wide(speeds.input), wide(speeds.output)) {
+    if let Some(ratio) = Ratio::of(speeds) {
         bench.bench_function("synthesis/bounds/all_parts", |bench| {
             bench.iter(|| black_box(grid.reach(black_box(ratio), &gears)));
         });

@@ -2,9 +2,9 @@
 
 use crate::motion::Speeds;
 use crate::parts::{Bounds, Grid, Parts};
-use crate::ratio::{Polynomial, Ratio};
+use crate::ratio::Ratio;
 use crate::solve::Function;
-use crate::ternary::{Ternary, Word};
+use crate::ternary::Word;
 use rustc_hash::FxHashMap;
 
 /// The number of a function in a library.
@@ -49,7 +49,7 @@ impl<W: Word> Library<W> {
     pub(crate) fn number(&mut self, speeds: Speeds<W>) -> Number {
         let Self { sets, gears, grid, by_speeds, by_ratio, records, reach: all } = self;
         *by_speeds.entry(speeds).or_insert_with(|| {
-            let Some(ratio) = Ratio::new(wide(speeds.input), wide(speeds.output)) else { return USELESS };
+            let Some(ratio) = Ratio::of(speeds) else { return USELESS };
             *by_ratio.entry(ratio).or_insert_with(|| {
                 let reach = grid.reach(ratio, gears);
                 let within = (0..reach.len()).filter(|gear| !reach[*gear].is_empty());
@@ -87,13 +87,4 @@ impl<W: Word> Library<W> {
     pub(crate) fn reach(&self, number: Number, gear: usize) -> Parts {
         self.reach[number as usize * self.gears.len() + gear]
     }
-
-    /// How many functions were met, and how many of them a gear can have.
-    pub(crate) fn counts(&self) -> [usize; 2] {
-        [self.by_ratio.len(), self.records.len()]
-    }
-}
-
-fn wide<W: Word>(speed: Ternary<W>) -> Polynomial {
-    Ternary { plus: speed.plus.into(), minus: speed.minus.into() }
 }

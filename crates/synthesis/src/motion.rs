@@ -108,6 +108,17 @@ impl<W: Word> Motion<W> {
             let (one, other) = (&unsigned[usize::from(*one)], &unsigned[usize::from(*other)]);
             one.iter().zip(other).map(|(one, other)| one.difference(*other)).collect::<Vec<_>>()
         }));
+        self.join_ends();
+    }
+
+    /// Leaves only some of the elements, by their places.
+    pub fn keep(&mut self, places: &[usize]) {
+        self.differences = places.iter().map(|place| std::mem::take(&mut self.differences[*place])).collect();
+        self.join_ends();
+    }
+
+    /// The products of each element with input and output.
+    fn join_ends(&mut self) {
         let end = |element: &[Ternary<W>], link: Link, first, second| {
             Space::minor(element, &self.axes[usize::from(link)], first, second)
         };

@@ -4,7 +4,10 @@
 //! them if its coefficients, as a table of what is in `U` by what is not, have rank 1; the table's first row and column are the
 //! factors. With coefficients −1, 0 and 1 those of the factors are such, too.
 
-use crate::ternary::Ternary;
+use crate::motion::Speeds;
+use crate::ternary::{Ternary, Word};
+use epicyclic_train::formula::quotient::Quotient;
+use epicyclic_train::formula::{self, subscript};
 use std::fmt;
 
 /// A polynomial in `k₁ … kₙ`, at most of the first degree in each, with coefficients −1, 0 and 1.
@@ -74,15 +77,9 @@ impl Polynomial {
                 .fold(zero, |part, product| part.with(product & mask, self.coefficient(product)))
         };
         let (inner, outer) = (part(within), part(!within));
-        // Both parts hold the coefficient of `base` once too often.
-        let (outer, _) = if self.coefficient(base) < 0 { (outer.negated(), true) } else { (outer, false) };
-        let mut product = Self::default();
-        for one in inner.products() {
-            for other in outer.products() {
-                product = product.with(one | other, inner.coefficient(one) * outer.coefficient(other));
-            }
-        }
-        (product == self).then_some((inner, outer))
+        // Both parts hold the coefficient of `base`.
+        let outer = if self.coefficient(base) < 0 { outer.negated() } else { outer };
+        (inner.times_other(outer) == self).then_some((inner, outer))
     }
 
     /// Factors that split no further, each with a first coefficient of 1, and whether their product has the other sign.
@@ -154,6 +151,13 @@ impl Ratio {
         Some(Self { numerator: if one != other { numerator.negated() } else { numerator }, denominator })
     }
 
+    /// The ratio of the speeds of a gear, unless input or output stand still for every `k`.
+    #[must_use]
+    pub fn of<W: Word>(speeds: Speeds<W>) -> Option<Self> {
+        let wide = |speed: Ternary<W>| Ternary { plus: speed.plus.into(), minus: speed.minus.into() };
+        Self::new(wide(speeds.input), wide(speeds.output))
+    }
+
     /// Its value; infinite or not a number where the output stands still.
     #[must_use]
     pub fn value(self, k: &[f64]) -> f64 {
@@ -165,91 +169,33 @@ impl Ratio {
     pub fn variables(self) -> usize {
         self.numerator.variables() | self.denominator.variables()
     }
-
-    /// Whether input and output turn as one, whatever the `k`.
-    #[must_use]
-    pub fn is_direct(self) -> bool {
-        self.numerator == self.denominator
-    }
 }
 
-/// Writes a polynomial as a product of its factors.
-fn write_factors(f: &mut fmt::Formatter<'_>, polynomial: Polynomial) -> fmt::Result {
-    let (factors, negative) = polynomial.factors();
-    let first = if negative { "−" } else { "" };
-    match factors.as_slice() {
-        [] => write!(f, "{first}1"),
-        factors => {
-            f.write_str(first)?;
-            let whole = factors.len() == 1 && !negative;
-            for (place, factor) in factors.iter().enumerate() {
-                if place > 0 {
-                    f.write_str("·")?;
-                }
-                let terms = factor.products().count();
-                if whole || terms == 1 { write!(f, "{factor}")? } else { write!(f, "({factor})")? }
-            }
-            Ok(())
-        }
-    }
+/// The same for the solver's formulas, which write it.
+fn written(polynomial: Polynomial) -> formula::polynomial::Polynomial {
+    let term =
+        |product: usize| Some((u32::try_from(product).ok()?, i64::from(polynomial.coefficient(product))));
+    polynomial.products().filter_map(term).collect()
+}
+
+fn name(set: usize) -> String {
+    subscript('k', set + 1)
 }
 
 impl fmt::Display for Polynomial {
     /// `1 + k₁ + k₁·k₂`, lower degrees first.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.is_zero() {
-            return f.write_str("0");
-        }
-        let mut products: Vec<usize> = self.products().collect();
-        products.sort_by_key(|product| (product.count_ones(), *product));
-        // A negative first term reads badly where a positive one is there.
-        let first = products.iter().position(|product| self.coefficient(*product) > 0).unwrap_or(0);
-        let first = products.remove(first);
-        products.insert(0, first);
-        for (place, product) in products.into_iter().enumerate() {
-            let negative = self.coefficient(product) < 0;
-            f.write_str(match (place, negative) {
-                (0, false) => "",
-                (0, true) => "−",
-                (_, false) => " + ",
-                (_, true) => " − ",
-            })?;
-            let names: Vec<String> =
-                (0..64usize).filter(|set| product >> set & 1 == 1).map(|set| name(set + 1)).collect();
-            f.write_str(&if names.is_empty() { "1".into() } else { names.join("·") })?;
-        }
-        Ok(())
+        f.pad(&written(*self).text(&name))
     }
-}
-
-/// `k₁`, `k₂` ….
-fn name(set: usize) -> String {
-    let digits = set.to_string();
-    let index = digits.chars().filter_map(|digit| char::from_u32('₀' as u32 + digit.to_digit(10)?));
-    std::iter::once('k').chain(index).collect()
 }
 
 impl fmt::Display for Ratio {
     /// `(1 + k₁)·(1 + k₂)/(1 − k₁·k₂)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let several = |polynomial: Polynomial| {
-            let (factors, negative) = polynomial.factors();
-            factors.len() == 1 && !negative && factors[0].products().count() > 1
-        };
-        let bracket = |f: &mut fmt::Formatter<'_>, polynomial, whole: bool| {
-            if whole {
-                f.write_str("(")?;
-            }
-            write_factors(f, polynomial)?;
-            if whole { f.write_str(")") } else { Ok(()) }
-        };
-        if self.denominator == Polynomial::ONE {
-            return write_factors(f, self.numerator);
+        match Quotient::new(&written(self.numerator), &written(self.denominator)) {
+            Some(quotient) => f.pad(&quotient.text(&name)),
+            None => write!(f, "{}/{}", self.numerator, self.denominator),
         }
-        bracket(f, self.numerator, several(self.numerator))?;
-        f.write_str("/")?;
-        let product = self.denominator.factors().0.len() > 1;
-        bracket(f, self.denominator, product || several(self.denominator))
     }
 }
 
@@ -288,10 +234,39 @@ mod tests {
         assert_eq!(ratio.variables(), 0b100);
     }
 
+    /// The solver's formulas divide and cancel by other means: integers in a tree, not bits.
+    #[test]
+    fn products_are_cancelled_as_by_the_formulas_of_the_solver() {
+        let factors = [
+            polynomial(&[(0, 1), (1, 1)]),
+            polynomial(&[(0b10, 1), (0b100, -1)]),
+            polynomial(&[(0b1000, -1)]),
+            polynomial(&[(0, 1), (0b1001, -1)]),
+            polynomial(&[(0, 1), (0b10, 1), (0b110, 1)]),
+            Polynomial::ONE.negated(),
+        ];
+        let mut tried = 0;
+        for above in factors {
+            for below in factors {
+                for common in factors {
+                    let apart = |one: Polynomial| one.variables() & common.variables() == 0;
+                    if apart(above) && apart(below) {
+                        let (above, below) = (above.times_other(common), below.times_other(common));
+                        let text = Quotient::new(&written(above), &written(below)).unwrap().text(&name);
+                        assert_eq!(Ratio::new(above, below).unwrap().to_string(), text);
+                        tried += 1;
+                    }
+                }
+            }
+        }
+        assert!(tried > 80, "{tried}");
+    }
+
     #[test]
     fn a_ratio_needs_both_speeds() {
         assert!(Ratio::new(Polynomial::default(), Polynomial::ONE).is_none());
         assert!(Ratio::new(Polynomial::ONE, Polynomial::default()).is_none());
-        assert!(Ratio::new(Polynomial::ONE, Polynomial::ONE).unwrap().is_direct());
+        let direct = Ratio { numerator: Polynomial::ONE, denominator: Polynomial::ONE };
+        assert_eq!(Ratio::new(Polynomial::ONE, Polynomial::ONE), Some(direct));
     }
 }

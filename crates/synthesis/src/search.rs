@@ -202,12 +202,6 @@ impl<W: Word> Search<W> {
         self.tally
     }
 
-    /// How many functions were met, and how many of them a gear can have.
-    #[must_use]
-    pub fn functions(&self) -> [usize; 2] {
-        self.library.counts()
-    }
-
     /// All solutions of a structure; of those that an automorphism makes equal, one.
     pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
         self.tally.structures += 1;
@@ -223,7 +217,7 @@ impl<W: Word> Search<W> {
         self.candidates.clear();
         self.grow(0, Parts::first(self.library.grid().count()));
         let candidates = std::mem::take(&mut self.candidates);
-        let symmetries = self.symmetries(structure);
+        let symmetries = if candidates.is_empty() { Vec::new() } else { self.symmetries(structure) };
         let mut found = Vec::new();
         for (chosen, parts) in &candidates {
             let least = symmetries.iter().all(|places| image(*chosen, places) >= *chosen);
@@ -268,8 +262,7 @@ impl<W: Word> Search<W> {
                 }
             }
         }
-        let kept: Vec<Element> = kept.into_iter().map(|place| self.pairs[place]).collect();
-        self.motion.take(structure, &kept);
+        self.motion.keep(&kept);
         self.functions.clear();
         self.functions.resize(choose(kept.len(), self.engaged), USELESS);
         self.reached.clear();

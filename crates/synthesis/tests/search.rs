@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+mod common;
+
+use common::Random;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::judge::judge;
 use epicyclic_synthesis::motion::{Motion, elements};
@@ -10,7 +13,7 @@ use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::run::{Answer, Found, Share, search};
 use epicyclic_synthesis::search::{Search, Wish};
 use epicyclic_synthesis::structure::link_name;
-use epicyclic_synthesis::ternary::{Ternary, Word};
+use epicyclic_synthesis::ternary::Word;
 use epicyclic_synthesis::{Class, Kind, Structure, enumerate};
 use std::ops::ControlFlow;
 
@@ -129,18 +132,6 @@ fn the_8hp_and_the_9g_tronic_are_the_only_solution_of_their_structures() {
     }
 }
 
-/// A plain random sequence.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 16) as usize % bound
-    }
-}
-
 /// Plants random gearboxes of a class and seeks them in their own structure.
 fn planted<W: Word>(class: Class, count: usize, elements_of: usize, gears: usize) {
     let structures = enumerate::all(class);
@@ -165,8 +156,7 @@ fn planted<W: Word>(class: Class, count: usize, elements_of: usize, gears: usize
         let mut ratios: Vec<Ratio> = Vec::new();
         motion.for_each_gear(&mut |_, last| {
             for speeds in last {
-                let wide = |speed: Ternary<W>| Ternary { plus: speed.plus.into(), minus: speed.minus.into() };
-                if let Some(ratio) = Ratio::new(wide(speeds.input), wide(speeds.output))
+                if let Some(ratio) = Ratio::of(*speeds)
                     && !ratios.contains(&ratio)
                 {
                     ratios.push(ratio);
@@ -229,14 +219,13 @@ fn found_by_trial(class: Class, ratios: [f64; 3]) -> usize {
     let wish = Wish { gears, elements: 3, k: vec![1.5..=4.0; 2] };
     let answer = all(class, &wish, 1);
     let pairs = elements(class.links());
-    let wide = |speed: Ternary<u8>| Ternary { plus: speed.plus.into(), minus: speed.minus.into() };
     let mut by_trial = 0;
     for structure in enumerate::all(class) {
         let mut motion = Motion::<u8>::new(structure.freedom());
         motion.take(&structure, &pairs);
         let mut ratio_of = |engaged: [usize; 2]| {
             let speeds = motion.gear(&engaged);
-            Ratio::new(wide(speeds.input), wide(speeds.output))
+            Ratio::of(speeds)
         };
         for chosen in (0..pairs.len() * pairs.len() * pairs.len())
             .map(|code| {

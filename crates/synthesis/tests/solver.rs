@@ -6,30 +6,17 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+mod common;
+
+use common::Random;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::motion::{Motion, elements};
-use epicyclic_synthesis::ratio::{Polynomial, Ratio};
-use epicyclic_synthesis::ternary::{Ternary, Word};
+use epicyclic_synthesis::ratio::Ratio;
+use epicyclic_synthesis::ternary::Word;
 use epicyclic_synthesis::{Class, Kind, Structure, enumerate, gearbox};
 
-/// A plain random sequence.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 16) as usize % bound
-    }
-
-    fn k(&mut self) -> f64 {
-        1.4 + 3.1 * self.below(1_000_003) as f64 / 1_000_003.0
-    }
-}
-
-fn wide<W: Word>(polynomial: Ternary<W>) -> Polynomial {
-    Ternary { plus: polynomial.plus.into(), minus: polynomial.minus.into() }
+fn any_k(random: &mut Random) -> f64 {
+    1.4 + 3.1 * random.below(1_000_003) as f64 / 1_000_003.0
 }
 
 /// How many of `count` random gears of a class are driven, each agreeing with the solver.
@@ -48,11 +35,11 @@ fn agreeing<W: Word>(class: Class, count: usize) -> usize {
             }
         }
         engaged.sort_unstable();
-        let k: Vec<f64> = (0..class.sets()).map(|_| random.k()).collect();
+        let k: Vec<f64> = (0..class.sets()).map(|_| any_k(&mut random)).collect();
         let mut motion = Motion::<W>::new(structure.freedom());
         motion.take(structure, &all);
         let speeds = motion.gear(&engaged);
-        let formula = Ratio::new(wide(speeds.input), wide(speeds.output));
+        let formula = Ratio::of(speeds);
         let used: Vec<_> = engaged.iter().map(|element| all[*element]).collect();
         let built =
             gearbox::gearbox(structure, &k, MeshEfficiency::IDEAL, &used, &[(0..used.len()).collect()])

@@ -168,7 +168,8 @@ impl Formula {
 }
 
 /// `k₁₂` of `k` and 12.
-fn subscript(letter: char, number: usize) -> String {
+#[must_use]
+pub fn subscript(letter: char, number: usize) -> String {
     let digits = number.to_string();
     let index = digits.chars().filter_map(|digit| char::from_u32('₀' as u32 + digit.to_digit(10)?));
     std::iter::once(letter).chain(index).collect()

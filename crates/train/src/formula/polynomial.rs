@@ -168,6 +168,15 @@ impl Polynomial {
     }
 }
 
+impl FromIterator<(u32, i64)> for Polynomial {
+    /// The sum of terms: a bit for each symbol of a product, and its coefficient.
+    fn from_iter<I: IntoIterator<Item = (u32, i64)>>(terms: I) -> Self {
+        let mut sum = Self::default();
+        terms.into_iter().for_each(|(product, coefficient)| sum.add(product, coefficient));
+        sum
+    }
+}
+
 /// The symbols of a product.
 fn symbols(product: Product) -> impl Iterator<Item = usize> {
     (0..Product::BITS as usize).filter(move |symbol| product >> symbol & 1 == 1)
@@ -197,9 +206,7 @@ mod tests {
     use super::*;
 
     fn polynomial(terms: &[(Product, i64)]) -> Polynomial {
-        let mut polynomial = Polynomial::default();
-        terms.iter().for_each(|(product, coefficient)| polynomial.add(*product, *coefficient));
-        polynomial
+        terms.iter().copied().collect()
     }
 
     fn text(polynomial: &Polynomial) -> String {

@@ -13,7 +13,8 @@ pub struct Quotient {
 
 impl Quotient {
     /// The quotient of two polynomials, unless one is 0.
-    pub(super) fn new(numerator: &Polynomial, denominator: &Polynomial) -> Option<Self> {
+    #[must_use]
+    pub fn new(numerator: &Polynomial, denominator: &Polynomial) -> Option<Self> {
         let ((above, mut numerator), (below, mut denominator)) = (numerator.factors(), denominator.factors());
         if above == 0 || below == 0 {
             return None;
@@ -104,9 +105,7 @@ mod tests {
     use super::*;
 
     fn polynomial(terms: &[(u32, i64)]) -> Polynomial {
-        let mut polynomial = Polynomial::default();
-        terms.iter().for_each(|(product, coefficient)| polynomial.add(*product, *coefficient));
-        polynomial
+        terms.iter().copied().collect()
     }
 
     fn text(above: &[(u32, i64)], below: &[(u32, i64)]) -> String {
