@@ -12,6 +12,7 @@
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
 //! | [`run`] | a search through a class on several threads |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -34,6 +35,7 @@ mod kind;
 mod library;
 pub mod motion;
 pub mod parts;
+pub mod rank;
 pub mod ratio;
 pub mod refine;
 pub mod run;
