@@ -13,6 +13,7 @@
 //! | [`run`] | a search through a class on several threads |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
+//! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -42,6 +43,7 @@ pub mod run;
 pub mod search;
 pub mod solve;
 pub mod structure;
+pub mod teeth;
 pub mod ternary;
 mod tolerance;
 
