@@ -3,7 +3,6 @@
 //! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
 //! planets and losses, shift elements, permanent connections, gears with their inputs and outputs. A set described gear by gear has no short form and is refused.
 
-use super::KindEntry;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
@@ -179,7 +178,7 @@ fn scalar(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::Document;
-    use crate::gearbox::GearboxFile;
+    use crate::gearbox::{GearboxFile, KindEntry};
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_gears::teeth::ToothCount;
     use epicyclic_train::GearSpec;
