@@ -5,13 +5,16 @@
 //! | [`rating`] | what a solution is worth by the solver |
 //! | [`teeth`] | tooth numbers of a solution |
 //! | [`saved`] | a solution as a file |
+//! | `scheme` | which scheme of the document a solution is |
 
 pub mod rating;
 pub mod saved;
+mod scheme;
 pub mod teeth;
 
 use crate::{Answer, Error};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::element_name;
 use epicyclic_synthesis::judge::{Judged, judge};
 use epicyclic_synthesis::motion::elements;
@@ -134,6 +137,8 @@ pub enum ClassName {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Solution {
+    /// The scheme of the document that it is; `null` where it is none.
+    pub scheme: Option<&'static str>,
     /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others.
     pub structure: String,
     /// The sets.
@@ -391,6 +396,7 @@ impl Solution {
             })
             .collect();
         Self {
+            scheme: scheme::of(found).map(Scheme::name),
             structure: found.structure.to_string(),
             sets: sets.collect(),
             shift_elements: shift_elements.collect(),
