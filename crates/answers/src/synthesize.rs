@@ -2,11 +2,13 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`explain`] | a given gearbox beside the search |
 //! | [`rating`] | what a solution is worth by the solver |
 //! | [`teeth`] | tooth numbers of a solution |
 //! | [`saved`] | a solution as a file |
 //! | `scheme` | which scheme of the document a solution is |
 
+pub mod explain;
 pub mod rating;
 pub mod saved;
 mod scheme;
@@ -25,6 +27,8 @@ use epicyclic_synthesis::search::Wish;
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::teeth::{Choice, Design};
 use epicyclic_synthesis::{Class, Kind};
+use epicyclic_train::Gearbox;
+use explain::Explanation;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -61,6 +65,8 @@ pub struct Wanted {
     pub objectives: Vec<rank::Objective>,
     /// Tooth numbers, if any are wanted.
     pub teeth: Option<TeethWanted>,
+    /// A gearbox to be placed beside the search.
+    pub explain: Option<Gearbox>,
 }
 
 /// All gearboxes of some planet sets, brakes and clutches that have a list of ratios.
@@ -89,6 +95,8 @@ pub struct Synthesis {
     pub non_dominated: usize,
     /// The objective by which the first is ahead of others; `null` where there are no others, or all are equal.
     pub decided_by: Option<Objective>,
+    /// A given gearbox beside the search; `null` where none was given.
+    pub explanation: Option<Explanation>,
     /// These, the best first.
     pub solutions: Vec<Solution>,
 }
@@ -258,6 +266,7 @@ pub fn solve(
         objectives: wanted.objectives.iter().map(|objective| Objective::of(*objective)).collect(),
         non_dominated: 0,
         decided_by: None,
+        explanation: None,
         solutions: Vec::new(),
     };
     let mut refused = None;
@@ -328,6 +337,9 @@ pub fn solve(
             Solution::of(found, judged, &wanted.ratios, rating)
         })
         .collect();
+    if let Some(gearbox) = &wanted.explain {
+        answer.explanation = Some(explain::explain(gearbox, wanted, &answer, &kept)?);
+    }
     kept.truncate(answer.shown);
     if let (Some(teeth), Some(choice)) = (&wanted.teeth, &choice) {
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {

@@ -29,6 +29,7 @@ fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
         order: vec![],
         objectives: Objective::ALL.to_vec(),
         teeth: None,
+        explain: None,
     }
 }
 
