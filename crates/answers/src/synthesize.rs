@@ -3,12 +3,14 @@
 //! | module | is |
 //! |---|---|
 //! | [`explain`] | a given gearbox beside the search |
+//! | [`page`] | what a page of a search draws |
 //! | [`rating`] | what a solution is worth by the solver |
 //! | [`teeth`] | tooth numbers of a solution |
 //! | [`saved`] | a solution as a file |
 //! | `scheme` | which scheme of the document a solution is |
 
 pub mod explain;
+pub mod page;
 pub mod rating;
 pub mod saved;
 mod scheme;
