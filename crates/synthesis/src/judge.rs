@@ -8,6 +8,7 @@ use crate::shifts::{exchanged, fewest};
 use crate::tolerance::CONFIRMED;
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::Gearbox;
 
 /// A solution with its best ring-to-sun ratios, judged.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +24,8 @@ pub struct Judged {
     pub ratios: Vec<f64>,
     /// For each gear the efficiency by the solver; nothing where its losses leave it none.
     pub efficiencies: Vec<Option<f64>>,
+    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish.
+    pub gearbox: Gearbox,
 }
 
 impl Judged {
@@ -66,7 +69,7 @@ pub fn judge(
         solved.push(ratio);
         efficiencies.push(analysis.efficiency());
     }
-    Ok(Judged { refined, engaged, multiple_shifts, ratios: solved, efficiencies })
+    Ok(Judged { refined, engaged, multiple_shifts, ratios: solved, efficiencies, gearbox })
 }
 
 /// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.

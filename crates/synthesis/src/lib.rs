@@ -14,6 +14,7 @@
 //! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
 //! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -37,6 +38,7 @@ mod kind;
 mod library;
 pub mod motion;
 pub mod parts;
+pub mod rank;
 pub mod ratio;
 pub mod refine;
 pub mod rules;
