@@ -25,9 +25,9 @@ use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{Found, Progress, Share, search};
-use epicyclic_synthesis::search::Wish;
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::teeth::{Choice, Design};
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind};
 use epicyclic_train::Gearbox;
 use explain::Explanation;
@@ -276,8 +276,7 @@ pub fn solve(
     'classes: for sets in wanted.sets.clone() {
         for shift_elements in wanted.elements.clone() {
             for engaged in wanted.engaged.clone() {
-                let wish =
-                    Wish { gears: gears.clone(), elements: shift_elements, k: vec![wanted.k.clone(); sets] };
+                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
                 let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
                     .and_then(|class| wish.check(class).map(|()| class))
                 {

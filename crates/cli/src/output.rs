@@ -8,7 +8,7 @@ use epicyclic_formats::visible;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
 use std::io::{self, IsTerminal as _, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// How the answer is written and where.
 #[derive(Debug, clap::Args)]
@@ -50,11 +50,6 @@ impl OutputArgs {
     pub(crate) fn is_page(&self) -> bool {
         let is_html = |file: &PathBuf| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("html"));
         self.format == Format::Table && self.target.output.as_ref().is_some_and(is_html)
-    }
-
-    /// The file for the answer.
-    pub(crate) fn file(&self) -> Option<&Path> {
-        self.target.output.as_deref()
     }
 
     /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown

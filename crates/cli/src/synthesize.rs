@@ -2,11 +2,12 @@
 
 use crate::failure::Failure;
 use crate::input;
-use crate::lists::{List, Numbers};
+use crate::lists::List;
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
-use crate::writing::{Content, are_one_file};
+use crate::ratios::Ratios;
+use crate::writing::Content;
 use epicyclic_answers as answers;
 use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::page::drawn;
@@ -55,9 +56,9 @@ A gear of n sets and L moving links engages L - n - 1 shift elements: of four
 sets and eight links three. Class core takes a minute or two for four sets and
 five shift elements, and much longer for six.")]
 pub(crate) struct Args {
-    /// Wanted ratios, input speed over output speed; negative for reverse.
+    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them.
     #[arg(long, allow_hyphen_values = true)]
-    ratios: Numbers,
+    ratios: Ratios,
 
     /// How far each ratio may be off: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
@@ -285,10 +286,6 @@ fn given(args: &Args) -> Result<Option<Gearbox>, Failure> {
 /// The file of --save with its content.
 fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, Failure> {
     let Some(file) = &args.save else { return Ok(vec![]) };
-    if args.output.file().is_some_and(|other| are_one_file(file, other)) {
-        let message = format!("{} is also the file of --output", file.display());
-        return Err(Failure::Option { option: "--save", message });
-    }
     let Some(one) = args.nth.checked_sub(1).and_then(|place| kept.get(place)) else {
         let message = format!("{}: there are gearboxes 1 to {}", args.nth, found.found);
         return Err(Failure::Option { option: "--nth", message });

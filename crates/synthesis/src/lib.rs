@@ -9,8 +9,10 @@
 //! | [`ternary`], [`exterior`], [`motion`] | the speeds of every gear of a structure as polynomials |
 //! | [`ratio`] | ratios as formulas, factored |
 //! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
+//! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
-//! | [`run`] | a search through a class on several threads |
+//! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
+//! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
@@ -25,6 +27,7 @@
 //! # Source
 //! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
 
+mod choices;
 pub mod class;
 pub mod count;
 pub mod enumerate;
@@ -39,13 +42,17 @@ pub mod parts;
 pub mod rank;
 pub mod ratio;
 pub mod refine;
+pub mod rules;
 pub mod run;
 pub mod search;
+pub mod shifts;
 pub mod solve;
 pub mod structure;
+pub mod tally;
 pub mod teeth;
 pub mod ternary;
 mod tolerance;
+pub mod wish;
 
 pub use class::Class;
 pub use error::Error;

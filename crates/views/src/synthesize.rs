@@ -47,7 +47,7 @@ impl AsReport for Synthesis {
 
 const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
     of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
-    element. Least η: the least efficiency of a gear. T elem., T memb.: the greatest torque of a shift element, of a member of a \
+    element. Least η: the least efficiency of a gear. T_e, T_m: the greatest torque of a shift element, of a member of a \
     set. Link, planet: the greatest speed of a link, of a planet relative to its carrier. Circ.: circulating power over what enters.";
 
 /// How many were found, how many shown.

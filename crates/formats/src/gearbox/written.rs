@@ -109,7 +109,7 @@ fn of_set(spec: &SetSpec) -> String {
         Gearing::Teeth(sun, ring) => format!("teeth: [{sun}, {ring}]"),
     });
     let planets: Vec<String> =
-        [spec.planet, spec.second_planet].iter().flatten().map(|z| z.to_string()).collect();
+        [spec.planet, spec.second_planet].iter().flatten().map(ToString::to_string).collect();
     if !planets.is_empty() {
         keys.push(format!("planet_teeth: [{}]", planets.join(", ")));
     }

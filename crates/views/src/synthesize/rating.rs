@@ -65,10 +65,10 @@ pub(super) fn ratings(found: &[Solution]) -> Records {
 pub(super) fn gears(number: usize, found: &Solution) -> Text {
     let mut header: Vec<String> = vec!["ratio".into()];
     header.extend(found.shift_elements.iter().map(|element| element.name.clone()));
-    header.extend(["drag", "T elem.", "T memb.", "link", "planet", "circ."].map(String::from));
+    header.extend(["drag", "T_e", "T_m", "link", "planet", "circ."].map(String::from));
     let mut table = vec![header];
     for (gear, rating) in found.gears.iter().zip(&found.rating.gears) {
-        let mut row = vec![format!("{:.4}", gear.ratio)];
+        let mut row = vec![format!("{:.3}", gear.ratio)];
         let slips = rating.slips_of_input.iter().zip(&found.shift_elements);
         row.extend(slips.map(|(slip, element)| match slip {
             _ if gear.engaged.contains(&element.name) => String::new(),
@@ -86,9 +86,7 @@ pub(super) fn gears(number: usize, found: &Solution) -> Text {
         row.extend(figures.map(|figure| format!("{figure:.2}")));
         table.push(row);
     }
-    let heading = format!(
-        "Gearbox {number}: slip of each open shift element, greatest torques and speeds, over the input's"
-    );
+    let heading = format!("Gearbox {number}: slips, torques and speeds over the input's");
     Text { heading: Some(heading), table, ..Text::default() }
 }
 
