@@ -79,7 +79,7 @@ fn deviation(ratios: &[Ratio], gears: &[Bounds], k: &[f64]) -> f64 {
 }
 
 impl Bounds {
-    fn middle_and_half(self) -> [f64; 2] {
+    pub(crate) fn middle_and_half(self) -> [f64; 2] {
         // Bounds without width still measure deviations.
         let half = (0.5 * (self.most - self.least)).max(NO_WIDTH * self.most.abs());
         [0.5 * (self.most + self.least), half]

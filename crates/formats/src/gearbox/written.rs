@@ -178,8 +178,7 @@ fn scalar(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::Document;
-    use crate::gearbox::GearboxFile;
-    use crate::gearbox::KindEntry;
+    use crate::gearbox::{GearboxFile, KindEntry};
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_gears::teeth::ToothCount;
     use epicyclic_train::GearSpec;
