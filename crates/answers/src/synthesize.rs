@@ -3,7 +3,7 @@
 use crate::{Answer, Error};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::gearbox::element_name;
-use epicyclic_synthesis::judge::{Judged, judge};
+use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::{Found, Progress, Share, search};
@@ -226,10 +226,8 @@ pub fn answer(
                     reducible: found.tally.reducible,
                     undecided: found.tally.undecided,
                 });
-                for solution in found.found {
-                    let judgement = judge(&solution, &wish, wanted.efficiency)?;
-                    judged.push((solution, judgement));
-                }
+                let judgements = judge_all(&found.found, &wish, wanted.efficiency)?;
+                judged.extend(found.found.into_iter().zip(judgements));
                 if !found.complete {
                     break 'classes;
                 }
