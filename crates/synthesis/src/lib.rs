@@ -23,6 +23,7 @@
 //! # Source
 //! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
 
+mod choices;
 pub mod class;
 pub mod count;
 pub mod enumerate;
@@ -35,6 +36,7 @@ mod library;
 mod linear;
 pub mod motion;
 pub mod parts;
+mod permutation;
 pub mod ratio;
 pub mod refine;
 mod region;
@@ -42,6 +44,7 @@ pub mod run;
 pub mod search;
 pub mod solve;
 pub mod structure;
+mod table;
 pub mod ternary;
 mod tolerance;
 

@@ -1,11 +1,12 @@
 //! A search through a whole class, or a share of it: on all threads of the pool with the feature `parallel`, else on one.
 
+use crate::choices::choose;
 use crate::class::Class;
 use crate::enumerate;
 use crate::error::Error;
 use crate::motion::elements;
 use crate::parts::Bounds;
-use crate::search::{Search, Solution, Tally, Wish, choose};
+use crate::search::{Search, Solution, Tally, Wish};
 use crate::structure::Structure;
 use crate::ternary::Word;
 use std::ops::ControlFlow;
