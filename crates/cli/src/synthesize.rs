@@ -1,9 +1,9 @@
 //! The command `synthesize`: every gearbox that has a list of ratios.
 
 use crate::failure::Failure;
-use crate::lists::Numbers;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use crate::ratios::Ratios;
 use epicyclic_answers as answers;
 use epicyclic_answers::synthesize::{MOST_SOLUTIONS, Wanted, answer};
 use epicyclic_formats::{Physical as _, Quantity, Span};
@@ -33,9 +33,9 @@ A gear of n sets and L moving links engages L - n - 1 shift elements: of four
 sets and eight links three. Class core takes a minute or two for four sets and
 five shift elements, and much longer for six.")]
 pub(crate) struct Args {
-    /// Wanted ratios, input speed over output speed; negative for reverse.
+    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them.
     #[arg(long, allow_hyphen_values = true)]
-    ratios: Numbers,
+    ratios: Ratios,
 
     /// How far each ratio may be off: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]

@@ -9,9 +9,12 @@
 //! | [`ternary`], [`exterior`], [`motion`] | the speeds of every gear of a structure as polynomials |
 //! | [`ratio`] | ratios as formulas, factored |
 //! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
+//! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
-//! | [`run`] | a search through a class on several threads |
+//! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
+//! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -37,16 +40,21 @@ mod linear;
 pub mod motion;
 pub mod parts;
 mod permutation;
+pub mod rank;
 pub mod ratio;
 pub mod refine;
 mod region;
+pub mod rules;
 pub mod run;
 pub mod search;
+pub mod shifts;
 pub mod solve;
 pub mod structure;
 mod table;
+pub mod tally;
 pub mod ternary;
 mod tolerance;
+pub mod wish;
 
 pub use class::Class;
 pub use error::Error;

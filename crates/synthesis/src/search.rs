@@ -15,25 +15,17 @@
 use crate::choices::choose;
 use crate::library::{Library, Number};
 use crate::motion::{Element, Motion, elements};
-use crate::parts::{Bounds, Grid, Parts};
+use crate::parts::{Grid, Parts};
 use crate::ratio::Ratio;
+use crate::rules::may_be;
+use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
 use crate::table::{Functions, Table};
+use crate::tally::Tally;
 use crate::ternary::Word;
+use crate::wish::{Wish, forward};
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::ops::RangeInclusive;
-
-/// What is wanted of a gearbox.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wish {
-    /// The bounds of each gear's ratio.
-    pub gears: Vec<Bounds>,
-    /// How many elements.
-    pub elements: usize,
-    /// The range of each set's ring-to-sun ratio.
-    pub k: Vec<RangeInclusive<f64>>,
-}
 
 /// A set of elements with all gears.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,31 +47,6 @@ pub struct Gear {
     pub engaged: Vec<Vec<usize>>,
 }
 
-/// Counts of what a search came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Tally {
-    /// Structures searched.
-    pub structures: u64,
-    /// Structures in which each gear is in reach of some elements.
-    pub in_reach: u64,
-    /// Sets of elements for which some part of the range of `k` was searched.
-    pub candidates: u64,
-    /// Sets that have all gears, but some `k` moves none of them: a simpler structure does the same.
-    pub reducible: u64,
-    /// Sets for which neither a point was found nor its absence proved.
-    pub undecided: u64,
-}
-
-impl std::ops::AddAssign for Tally {
-    fn add_assign(&mut self, other: Self) {
-        self.structures += other.structures;
-        self.in_reach += other.in_reach;
-        self.candidates += other.candidates;
-        self.reducible += other.reducible;
-        self.undecided += other.undecided;
-    }
-}
-
 /// A search through structures of one class. What it learns of functions is kept from one structure to the next.
 pub struct Search<W> {
     wish: Wish,
@@ -93,6 +60,10 @@ pub struct Search<W> {
     table: Table<W>,
     /// The pairs that each element of the structure may join.
     elements: Vec<Vec<Element>>,
+    /// Whether the wish bounds the numbers of brakes and clutches.
+    counts_brakes: bool,
+    /// Those that can be brakes alone, and those that can be clutches alone, as bits.
+    alone: [u64; 2],
     /// Gears, those with the fewest choices first.
     order: Vec<usize>,
     /// Chosen elements, and the parts in which they were gone on from.
@@ -122,6 +93,8 @@ impl<W: Word> Search<W> {
             library: Library::new(wish.gears.clone(), Grid::new(&wish.k)),
             tally: Tally::default(),
             elements: Vec::new(),
+            counts_brakes: wish.rules.counts_brakes(wish.elements),
+            alone: [0; 2],
             order: Vec::new(),
             visited: FxHashMap::default(),
             seen: FxHashSet::default(),
@@ -201,6 +174,10 @@ impl<W: Word> Search<W> {
             }
         }
         self.motion.keep(&kept);
+        self.alone = [1, 0].map(|other| {
+            let alone = (0..kept.len()).filter(|element| !may_be(&self.elements[*element])[other]);
+            alone.fold(0, |all, element| all | 1 << element)
+        });
         self.table.take(self.engaged, kept.len(), &mut self.motion, &mut self.library);
     }
 
@@ -212,6 +189,9 @@ impl<W: Word> Search<W> {
             self.table.functions_of(chosen, &mut functions);
             self.complete(chosen, &functions);
             return self.room.push(functions);
+        }
+        if !self.keeps_rules(chosen) {
+            return;
         }
         let done = self.visited.entry(chosen).or_default();
         let mut parts = parts.without(*done);
@@ -269,6 +249,15 @@ impl<W: Word> Search<W> {
         }
     }
 
+    /// Whether elements, with others, may have as many brakes and clutches as the wish allows.
+    fn keeps_rules(&self, chosen: u64) -> bool {
+        if !self.counts_brakes {
+            return true;
+        }
+        let [brakes, clutches] = self.alone.map(|alone| (chosen & alone).count_ones() as usize);
+        self.wish.rules.brakes_of(self.wish.elements, brakes, clutches).is_some()
+    }
+
     /// Notes with which last elements chosen ones are candidates.
     fn add_last(&mut self, chosen: u64) {
         let (mut known, mut added) =
@@ -278,8 +267,9 @@ impl<W: Word> Search<W> {
         for (element, functions) in added.chunks_exact_mut(self.table.words() + 1).enumerate() {
             let functions = &mut functions[..known.len()];
             functions.iter_mut().zip(&known).for_each(|(one, other)| *one |= other);
-            if chosen >> element & 1 == 0 {
-                self.complete(chosen | 1 << element, functions);
+            let with = chosen | 1 << element;
+            if with != chosen {
+                self.complete(with, functions);
             }
         }
         self.room.extend([known, added]);
@@ -296,7 +286,7 @@ impl<W: Word> Search<W> {
 
     /// Notes a full set of elements, with these functions, as a candidate, where some parts have all gears.
     fn complete(&mut self, chosen: u64, functions: &[u64]) {
-        if !self.table.may_have_all(functions) || !self.seen.insert(chosen) {
+        if !self.table.may_have_all(functions) || !self.keeps_rules(chosen) || !self.seen.insert(chosen) {
             return;
         }
         let parts = self.parts_with_all(functions);
@@ -350,27 +340,54 @@ impl<W: Word> Search<W> {
             assigned.iter().flat_map(|function| &choices[*function]).fold(0, |all, choice| all | choice)
                 == chosen
         };
-        let (mut reducible, mut undecided) = (false, false);
-        let mut seek = |accept: &mut dyn FnMut(&[usize]) -> bool| {
-            let mut solver = Solver::new(&functions, &self.wish.gears, accept);
-            parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
+        let rules = &self.wish.rules;
+        let is_direct =
+            |assigned: &[usize]| assigned.iter().any(|function| functions[*function].ratio == Ratio::ONE);
+        let forward = forward(&self.wish.gears);
+        let shifts = |assigned: &[usize]| {
+            let choices: Vec<&[u64]> =
+                forward.iter().map(|gear| choices[assigned[*gear]].as_slice()).collect();
+            fewest(&choices, rules.shifts).is_some()
+        };
+        // What functions have to keep, in the order in which a set that misses it is counted.
+        let demands: [Demand<'_>; 4] =
+            [&engages_all, &moves_all, &|assigned| !rules.direct || is_direct(assigned), &|assigned| {
+                !rules.shifts.bind() || shifts(assigned)
+            }];
+        let mut undecided = false;
+        let mut missed = [false; 4];
+        // The first so many demands kept: a point with functions, and which demand others missed first.
+        let mut seek = |kept: usize| {
+            let mut accept =
+                |assigned: &[usize]| match demands[..kept].iter().position(|keep| !keep(assigned)) {
+                    None => true,
+                    Some(first) => {
+                        missed[first] = true;
+                        false
+                    }
+                };
+            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept);
+            let found = parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
                 Outcome::Found { k, functions } => Some((k, functions)),
                 Outcome::None => None,
                 Outcome::Undecided => {
                     undecided = true;
                     None
                 }
-            })
+            });
+            (found, missed)
         };
-        let found = seek(&mut |assigned| {
-            let engages_all = engages_all(assigned);
-            reducible |= engages_all && !moves_all(assigned);
-            engages_all && moves_all(assigned)
-        });
-        // Functions that left some `k` without effect were passed over: have they a point?
-        let reducible = found.is_none() && reducible && seek(&mut |assigned| engages_all(assigned)).is_some();
-        self.tally.undecided += u64::from(found.is_none() && !reducible && undecided);
-        self.tally.reducible += u64::from(reducible);
+        let (found, missed) = seek(demands.len());
+        // Functions that missed a demand were passed over: have they a point?
+        let without = found
+            .is_none()
+            .then(|| (1..demands.len()).rev().find(|demand| missed[*demand] && seek(*demand).0.is_some()));
+        match without.flatten() {
+            Some(1) => self.tally.reducible += 1,
+            Some(2) => self.tally.without_direct += 1,
+            Some(_) => self.tally.without_single_shifts += 1,
+            None => self.tally.undecided += u64::from(found.is_none() && undecided),
+        }
         let (k, assigned) = found?;
         let places: Vec<usize> = (0..64).filter(|element| chosen >> element & 1 == 1).collect();
         let by_places =
@@ -380,13 +397,15 @@ impl<W: Word> Search<W> {
             engaged: choices[*function].iter().map(by_places).collect(),
         };
         let gears = assigned.iter().map(gear).collect();
-        Some(Solution {
-            elements: places.iter().map(|place| self.elements[*place].clone()).collect(),
-            k,
-            gears,
-        })
+        let mut elements: Vec<Vec<Element>> =
+            places.iter().map(|place| self.elements[*place].clone()).collect();
+        self.wish.rules.order(&mut elements);
+        Some(Solution { elements, k, gears })
     }
 }
+
+/// What functions together have to keep.
+type Demand<'a> = &'a dyn Fn(&[usize]) -> bool;
 
 /// Elements after a permutation of them.
 fn image(chosen: u64, places: &[usize]) -> u64 {

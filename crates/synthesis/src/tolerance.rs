@@ -9,6 +9,7 @@
 //! | `NEAR` | what a deviation, by the half width of the bounds, and the end of a range, over it, lack to the outermost | below what is shown |
 //! | `LAST` | the part of a line from a point within all bounds to one without, in which the last within is not sought | the ends of ranges are known to `NEAR` |
 //! | `SLACK` | by how much a point may miss an inequality of a linear programme, scaled to slopes of 1 | far above the rounding of a few sums; bounds do not depend on it |
+//! | `ALIKE` | the difference of two objectives | the best `k` are found to 10⁻⁴ of the deviation: below it they say nothing |
 //! | `CONFIRMED` | the difference of a formula and the solver, over the ratio | both round to 1e-12 |
 
 /// See the table.
@@ -27,3 +28,4 @@ pub(crate) const SLACK: f64 = 1e-12;
 pub(crate) const NEAR: f64 = 1e-6;
 /// See the table.
 pub(crate) const LAST: f64 = 1e-9;
+pub(crate) const ALIKE: f64 = 1e-5;

@@ -11,7 +11,8 @@ use epicyclic_synthesis::parts::{Bounds, Cuboid};
 use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::refine::{Refined, refine};
 use epicyclic_synthesis::run::{Share, search};
-use epicyclic_synthesis::search::{Search, Wish};
+use epicyclic_synthesis::search::Search;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use std::ops::ControlFlow;
 
@@ -20,7 +21,7 @@ fn wish(ratios: &[f64], tolerance: f64, sets: usize, elements: usize) -> Wish {
         least: ratio - tolerance * ratio.abs(),
         most: ratio + tolerance * ratio.abs(),
     };
-    Wish { gears: ratios.iter().map(around).collect(), elements, k: vec![1.4..=4.5; sets] }
+    Wish::new(ratios.iter().map(around).collect(), elements, vec![1.4..=4.5; sets])
 }
 
 /// Refines a point, and compares with bisection.
