@@ -20,7 +20,7 @@ use crate::{Answer, Error};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::element_name;
-use epicyclic_synthesis::judge::{Judged, judge};
+use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::rank::{self, front};
@@ -303,10 +303,10 @@ pub fn solve(
                     reducible: found.tally.reducible,
                     undecided: found.tally.undecided,
                 });
-                for solution in found.found {
-                    let judged = judge(&solution, &wish, wanted.efficiency)?;
+                let judgements = judge_all(&found.found, &wish, wanted.efficiency)?;
+                for (found, judged) in found.found.into_iter().zip(judgements) {
                     let rating = rank::Rating::of(&judged)?;
-                    kept.push(Kept { found: solution, judged, rating, teeth: Vec::new() });
+                    kept.push(Kept { found, judged, rating, teeth: Vec::new() });
                 }
                 if !found.complete {
                     break 'classes;
