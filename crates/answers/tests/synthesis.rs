@@ -105,3 +105,19 @@ fn select_with_all_structures_finds_the_same_gearboxes() {
         assert_eq!(of_select, of_synthesis);
     }
 }
+
+#[test]
+fn the_structures_of_select_are_class_core_of_two_sets_and_four_links() {
+    use epicyclic_schemes::structures::{Role, Structure as OfRoles};
+    use epicyclic_synthesis::{Class, Structure, enumerate};
+    // T₁ and T₂ are two names of one role: a structure with them exchanged is the same.
+    let link = |role: Role| u8::try_from(role.index() + 1).unwrap();
+    let of_roles: BTreeSet<Structure> = OfRoles::all()
+        .iter()
+        .map(|one| Structure::new(&one.sets().map(|set| set.map(link)), 4).unwrap())
+        .collect();
+    let all: BTreeSet<Structure> =
+        enumerate::all(Class::new(Kind::Core, 2, 4).unwrap()).into_iter().collect();
+    assert_eq!(of_roles.len(), 111);
+    assert_eq!(of_roles, all);
+}

@@ -99,6 +99,8 @@ pub enum Obstacle {
     KOutOfRange,
     /// The `k` of a set moves no wanted ratio: a simpler gearbox does the same.
     Reducible,
+    /// A shift element that no wanted gear engages: a gearbox without it does the same.
+    UnusedElement,
     /// It misses wanted ratios, and no other ring-to-sun ratios in the range give them.
     MissesRatios,
     /// It breaks another rule of the search, or is counted as undecided.
@@ -338,7 +340,8 @@ impl Subject {
         }
         if explanation.has_all_ratios {
             reasons.extend(self.unmoved(explanation, gearbox));
-        } else {
+            reasons.extend(unused(explanation, gearbox));
+        } else if was_searched && answer.complete {
             reasons.push(Reason::new(Obstacle::MissesRatios));
         }
         if reasons.is_empty() {
@@ -380,6 +383,18 @@ impl Subject {
         let sets = self.sets.iter().enumerate().filter(|(place, _)| moved >> place & 1 == 0);
         sets.map(|(_, (set, _))| Reason::of_set(Obstacle::Reducible, set)).collect()
     }
+}
+
+/// Shift elements that no wanted gear engages.
+fn unused(explanation: &Explanation, gearbox: &Gearbox) -> Vec<Reason> {
+    let names = gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::id);
+    let is_unused =
+        |name: &&str| explanation.gears.iter().all(|gear| gear.engaged.iter().all(|used| used != name));
+    let reason = |name: &str| {
+        let shift_element = Some(name.to_owned());
+        Reason { shift_element, ..Reason::new(Obstacle::UnusedElement) }
+    };
+    names.filter(is_unused).map(reason).collect()
 }
 
 /// Whether all sets are joined by links but the housing.
@@ -482,6 +497,16 @@ mod tests {
         assert!(!found.has_all_ratios && !found.gears[0].within && !found.gears[1].within);
         assert!(found.gears[2..].iter().all(|gear| gear.within));
         assert_eq!(found.reasons, [Reason::new(Obstacle::MissesRatios)]);
+        let fewer = Wanted { ratios: vec![3.059, 1.625, 0.696, 1.0], ..list(Kind::AllSparse, 5, 2) };
+        let (answer, _) =
+            solve(
+                &Wanted { explain: None, ..list(Kind::AllSparse, 5, 2) },
+                &|_, _| ControlFlow::Continue(()),
+            )
+            .unwrap();
+        let told = explain(&four_speed(), &fewer, &answer, &[]).unwrap().reasons;
+        let reverse = Some("reverse".to_owned());
+        assert_eq!(told, [Reason { shift_element: reverse, ..Reason::new(Obstacle::UnusedElement) }]);
         // Only the second set's k moves these.
         let gearbox = Gearbox::builder("three speeds")
             .links(["in", "P", "out", "S", "Q"])

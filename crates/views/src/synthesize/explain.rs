@@ -69,6 +69,10 @@ fn words(reason: &Reason) -> String {
         Obstacle::Reducible => {
             format!("the k of set `{set}` moves no wanted ratio: a simpler gearbox does the same")
         }
+        Obstacle::UnusedElement => format!(
+            "no wanted gear engages `{}`: a gearbox without it does the same",
+            element.unwrap_or_default()
+        ),
         Obstacle::MissesRatios => "no k in the range gives it all ratios".to_owned(),
         Obstacle::Other => "it breaks another rule of the search, or is among the undecided".to_owned(),
     }
