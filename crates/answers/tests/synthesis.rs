@@ -1,5 +1,7 @@
 //! Gearboxes of two and three speeds: `synthesize` and `select` find the same.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
 use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::RatioSeries;

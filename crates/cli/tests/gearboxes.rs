@@ -762,7 +762,7 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
         "2",
     ];
     let run = |more: &[&str]| {
-        let done = output(folder.path(), &[&list, &["--class", "all-sparse"], more].concat());
+        let done = output(folder.path(), &[&list[..], &["--class", "all-sparse"], more].concat());
         assert!(done.status.success(), "{done:?}");
         String::from_utf8(done.stdout).unwrap()
     };
@@ -787,7 +787,7 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
     assert!(page.starts_with("<!DOCTYPE html>") && page.matches("<svg").count() >= 5, "{}", page.len());
     let refused = output(
         folder.path(),
-        &[&list, &["--class", "all-sparse", "--save", "no.yaml", "--nth", "15"][..]].concat(),
+        &[&list[..], &["--class", "all-sparse", "--save", "no.yaml", "--nth", "15"]].concat(),
     );
     assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
     assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
