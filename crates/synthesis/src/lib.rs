@@ -10,7 +10,8 @@
 //! | [`ratio`] | ratios as formulas, factored |
 //! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
-//! | [`run`] | a search through a class on several threads |
+//! | [`run`], [`work`] | a search through a class or a share of it on several threads, broken off and gone on with |
+//! | [`asked`] | what was asked of a search, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
@@ -23,6 +24,7 @@
 //! # Source
 //! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
 
+pub mod asked;
 pub mod class;
 pub mod count;
 pub mod enumerate;
@@ -42,6 +44,7 @@ pub mod solve;
 pub mod structure;
 pub mod ternary;
 mod tolerance;
+pub mod work;
 
 pub use class::Class;
 pub use error::Error;

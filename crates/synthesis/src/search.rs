@@ -68,6 +68,25 @@ pub struct Tally {
     pub undecided: u64,
 }
 
+impl Tally {
+    /// What is counted, in the order of [`Tally::counts`].
+    pub const NAMES: [&str; 5] = ["structures", "in reach", "candidates", "reducible", "undecided"];
+
+    /// All counts.
+    #[must_use]
+    pub const fn counts(self) -> [u64; Self::NAMES.len()] {
+        let Self { structures, in_reach, candidates, reducible, undecided } = self;
+        [structures, in_reach, candidates, reducible, undecided]
+    }
+
+    /// From all counts.
+    #[must_use]
+    pub const fn of_counts(counts: [u64; Self::NAMES.len()]) -> Self {
+        let [structures, in_reach, candidates, reducible, undecided] = counts;
+        Self { structures, in_reach, candidates, reducible, undecided }
+    }
+}
+
 impl std::ops::AddAssign for Tally {
     fn add_assign(&mut self, other: Self) {
         self.structures += other.structures;
@@ -196,10 +215,9 @@ impl<W: Word> Search<W> {
         }
     }
 
-    /// What was searched so far.
-    #[must_use]
-    pub fn tally(&self) -> Tally {
-        self.tally
+    /// What was searched since the last call.
+    pub fn take_tally(&mut self) -> Tally {
+        std::mem::take(&mut self.tally)
     }
 
     /// All solutions of a structure; of those that an automorphism makes equal, one.

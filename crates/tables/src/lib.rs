@@ -1,0 +1,15 @@
+//! Tables of the synthesis of gearboxes as Parquet.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`part`] | what a search found in a share of a class, complete or in work |
+//! | [`merge`] | all parts of a search together |
+//!
+//! Nothing here reads or writes a file: a table is its bytes. They depend on the content alone.
+
+mod columns;
+mod error;
+pub mod merge;
+pub mod part;
+
+pub use error::Error;
