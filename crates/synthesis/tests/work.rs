@@ -13,7 +13,7 @@ fn question() -> (Class, Wish) {
     let gears = gears
         .map(|ratio: f64| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() });
     let wish = Wish { gears: gears.into(), elements: 5, k: vec![1.4..=4.5; 2] };
-    (Class::new(Kind::AllSparse, 2, 5).unwrap(), wish)
+    (Class::new(Kind::AllSparse, 2, 5).expect("a class"), wish)
 }
 
 #[test]

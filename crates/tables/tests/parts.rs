@@ -18,7 +18,7 @@ fn question() -> (Class, Wish) {
     let gears = [3.059, 1.625, 1.0, 0.696, -2.294];
     let around = |ratio: f64| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() };
     let wish = Wish { gears: gears.map(around).into(), elements: 5, k: vec![1.4..=4.5; 2] };
-    (Class::new(Kind::AllSparse, 2, 5).unwrap(), wish)
+    (Class::new(Kind::AllSparse, 2, 5).expect("a class"), wish)
 }
 
 fn the_question() -> Vec<Asked> {
@@ -30,7 +30,7 @@ fn part(number: usize, of: usize, breaks: bool) -> Part {
     let (class, wish) = question();
     let share = Share { number, of };
     let go = if breaks { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let work = go_on(class, &wish, share, Work::default(), &|_| go).unwrap();
+    let work = go_on(class, &wish, share, Work::default(), &|_| go).expect("a search");
     Part { version: VERSION.into(), share, searches: vec![(asked(class, &wish), work)] }
 }
 
