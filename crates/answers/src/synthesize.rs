@@ -7,8 +7,8 @@ use epicyclic_synthesis::judge::{Judged, judge};
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::{Found, Progress, Share, search};
-use epicyclic_synthesis::search::Wish;
 use epicyclic_synthesis::structure::link_name;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -198,8 +198,7 @@ pub fn answer(
     'classes: for sets in wanted.sets.clone() {
         for shift_elements in wanted.elements.clone() {
             for engaged in wanted.engaged.clone() {
-                let wish =
-                    Wish { gears: gears.clone(), elements: shift_elements, k: vec![wanted.k.clone(); sets] };
+                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
                 let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
                     .and_then(|class| wish.check(class).map(|()| class))
                 {

@@ -5,6 +5,7 @@
 //! | [`quantity`] | what `106.5 kW` means, and what to write instead of `106,5 kW` |
 //! | [`document`] | what a YAML file says, and at which line and column |
 //! | [`range`] | what `12..40` means |
+//! | [`wanted_ratio`] | what `4.714±0.5%` and `(-3.295)` mean in a list of ratios |
 //! | [`drive`] | what a drive file asks for |
 //! | [`motor`] | what a motor file asks for |
 //! | [`visible`] | how a name with control characters is shown |
@@ -46,9 +47,11 @@ pub mod motor;
 pub mod quantity;
 pub mod range;
 pub mod visible;
+pub mod wanted_ratio;
 pub mod yaml;
 
 pub use document::{Document, Path, Position};
 pub use error::{Error, Place, Problem, nearest};
 pub use quantity::{Dimension, Measured, Number, Physical, Quantity, QuantityError};
 pub use range::{RangeError, Span};
+pub use wanted_ratio::WantedRatio;

@@ -5,7 +5,8 @@ use epicyclic_synthesis::motion::{Motion, elements};
 use epicyclic_synthesis::parts::{Bounds, Grid};
 use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::run::{Share, search};
-use epicyclic_synthesis::search::{Search, Wish};
+use epicyclic_synthesis::search::Search;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure, enumerate};
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -15,7 +16,7 @@ const SIX_SPEED: [f64; 7] = [3.48718, 1.86429, 1.40276, 1.0, 0.75198, 0.6525, -4
 
 fn wish(ratios: &[f64], sets: usize, elements: usize) -> Wish {
     let bounds = |ratio: &f64| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() };
-    Wish { gears: ratios.iter().map(bounds).collect(), elements, k: vec![1.4..=4.5; sets] }
+    Wish::new(ratios.iter().map(bounds).collect(), elements, vec![1.4..=4.5; sets])
 }
 
 fn parts(bench: &mut Criterion) {

@@ -4,9 +4,11 @@ use crate::gearbox::gearbox;
 use crate::motion::Element;
 use crate::refine::{Refined, refine};
 use crate::run::Found;
-use crate::search::Wish;
+use crate::shifts::{exchanged, fewest};
 use crate::tolerance::CONFIRMED;
+use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::Gearbox;
 
 /// A solution with its best ring-to-sun ratios, judged.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +24,8 @@ pub struct Judged {
     pub ratios: Vec<f64>,
     /// For each gear the efficiency by the solver; nothing where its losses leave it none.
     pub efficiencies: Vec<Option<f64>>,
+    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish.
+    pub gearbox: Gearbox,
 }
 
 impl Judged {
@@ -65,49 +69,37 @@ pub fn judge(
         solved.push(ratio);
         efficiencies.push(analysis.efficiency());
     }
-    Ok(Judged { refined, engaged, multiple_shifts, ratios: solved, efficiencies })
+    Ok(Judged { refined, engaged, multiple_shifts, ratios: solved, efficiencies, gearbox })
 }
 
 /// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.
 ///
-/// Forward gears stand in falling order of their ratios, and each choice is reached from the best of the gear before; backward
-/// gears take what shares most with the first forward gear.
+/// Forward gears stand in falling order of their ratios, and keep the single shifts of the wish; backward gears take what shares
+/// most with the first forward gear.
 fn exchanges(found: &Found, wish: &Wish) -> (Vec<Vec<usize>>, usize) {
     let gears = &found.solution.gears;
-    let mut forward: Vec<usize> = (0..gears.len()).filter(|gear| wish.gears[*gear].least > 0.0).collect();
-    forward.sort_by(|one, other| wish.gears[*other].most.total_cmp(&wish.gears[*one].most));
-    let exchanged =
-        |one: &[usize], other: &[usize]| one.iter().filter(|element| !other.contains(element)).count();
-    // For each choice of each gear: exchanges beyond the first of each shift, and the choice before.
-    let mut ways: Vec<Vec<(usize, usize)>> = Vec::new();
-    for (step, gear) in forward.iter().enumerate() {
-        let way = |choice: &Vec<usize>| {
-            let Some(before) = step.checked_sub(1).map(|step| &gears[forward[step]].engaged) else {
-                return (0, 0);
-            };
-            let costs = before.iter().enumerate().map(|(place, other)| {
-                (ways[step - 1][place].0 + exchanged(choice, other).saturating_sub(1), place)
-            });
-            costs.min().unwrap_or_default()
-        };
-        let next = gears[*gear].engaged.iter().map(way).collect();
-        ways.push(next);
+    let forward = forward(&wish.gears);
+    let bits = |choice: &Vec<usize>| choice.iter().fold(0, |all, element| all | 1u64 << element);
+    let choices: Vec<Vec<u64>> = gears.iter().map(|gear| gear.engaged.iter().map(bits).collect()).collect();
+    let of_forward: Vec<&[u64]> = forward.iter().map(|gear| choices[*gear].as_slice()).collect();
+    let best = fewest(&of_forward, wish.rules.shifts);
+    let best = best.expect("the search takes functions alone with which the shifts of the wish are single");
+    let mut chosen = vec![0; gears.len()];
+    for (gear, place) in forward.iter().zip(best) {
+        chosen[*gear] = place;
     }
-    let mut engaged: Vec<Vec<usize>> = gears.iter().map(|gear| gear.engaged[0].clone()).collect();
-    let mut place =
-        ways.last().and_then(|way| (0..way.len()).min_by_key(|place| way[*place].0)).unwrap_or_default();
-    for (step, gear) in forward.iter().enumerate().rev() {
-        engaged[*gear].clone_from(&gears[*gear].engaged[place]);
-        place = ways[step][place].1;
-    }
-    if let Some(first) = forward.first().map(|gear| engaged[*gear].clone()) {
+    let engaged = |chosen: &[usize], gear: usize| choices[gear][chosen[gear]];
+    if let Some(first) = forward.first().map(|gear| engaged(&chosen, *gear)) {
         for gear in (0..gears.len()).filter(|gear| !forward.contains(gear)) {
-            if let Some(least) = gears[gear].engaged.iter().min_by_key(|choice| exchanged(choice, &first)) {
-                engaged[gear].clone_from(least);
-            }
+            let nearest =
+                (0..choices[gear].len()).min_by_key(|place| exchanged(choices[gear][*place], first));
+            chosen[gear] = nearest.unwrap_or_default();
         }
     }
-    let multiple =
-        forward.windows(2).filter(|pair| exchanged(&engaged[pair[0]], &engaged[pair[1]]) > 1).count();
-    (engaged, multiple)
+    let multiple = forward
+        .windows(2)
+        .filter(|pair| exchanged(engaged(&chosen, pair[0]), engaged(&chosen, pair[1])) > 1)
+        .count();
+    let engaged = chosen.iter().zip(gears).map(|(place, gear)| gear.engaged[*place].clone());
+    (engaged.collect(), multiple)
 }

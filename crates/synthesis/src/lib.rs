@@ -9,10 +9,13 @@
 //! | [`ternary`], [`exterior`], [`motion`] | the speeds of every gear of a structure as polynomials |
 //! | [`ratio`] | ratios as formulas, factored |
 //! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
+//! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
+//! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
 //! | [`run`], [`work`] | a search through a class or a share of it on several threads, broken off and gone on with |
-//! | [`asked`] | what was asked of a search, as text, exactly |
+//! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -25,6 +28,7 @@
 //! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
 
 pub mod asked;
+mod choices;
 pub mod class;
 pub mod count;
 pub mod enumerate;
@@ -36,14 +40,19 @@ mod kind;
 mod library;
 pub mod motion;
 pub mod parts;
+pub mod rank;
 pub mod ratio;
 pub mod refine;
+pub mod rules;
 pub mod run;
 pub mod search;
+pub mod shifts;
 pub mod solve;
 pub mod structure;
+pub mod tally;
 pub mod ternary;
 mod tolerance;
+pub mod wish;
 pub mod work;
 
 pub use class::Class;

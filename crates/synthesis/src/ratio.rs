@@ -128,6 +128,9 @@ pub struct Ratio {
 }
 
 impl Ratio {
+    /// The ratio 1 of a direct gear.
+    pub const ONE: Self = Self { numerator: Polynomial::ONE, denominator: Polynomial::ONE };
+
     /// The ratio of these speeds, unless input or output stand still for every `k`.
     #[must_use]
     pub fn new(input: Polynomial, output: Polynomial) -> Option<Self> {

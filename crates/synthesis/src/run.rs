@@ -2,18 +2,15 @@
 
 use crate::class::Class;
 use crate::error::Error;
-use crate::motion::elements;
-use crate::parts::Bounds;
-use crate::search::{Search, Tally, Wish, choose};
+use crate::search::Search;
+use crate::tally::Tally;
 use crate::ternary::Word;
+use crate::wish::Wish;
 use crate::work::Work;
 pub use crate::work::{Found, Progress, Share};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-
-/// The most gears of a wish: one bit each.
-pub const MOST_GEARS: usize = 30;
 
 /// What a search found.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,13 +33,13 @@ pub struct Answer {
 /// ```
 /// use epicyclic_synthesis::parts::Bounds;
 /// use epicyclic_synthesis::run::{Share, search};
-/// use epicyclic_synthesis::search::Wish;
+/// use epicyclic_synthesis::wish::Wish;
 /// use epicyclic_synthesis::{Class, Kind};
 /// use std::ops::ControlFlow;
 /// # fn main() -> Result<(), epicyclic_synthesis::Error> {
 /// // Two gears, 2.56 and 1.465, of two sets with one brake each.
 /// let gears = [2.56, 1.465].map(|ratio| Bounds { least: 0.999 * ratio, most: 1.001 * ratio });
-/// let wish = Wish { gears: gears.into(), elements: 2, k: vec![1.4..=4.5; 2] };
+/// let wish = Wish::new(gears.into(), 2, vec![1.4..=4.5; 2]);
 /// let class = Class::new(Kind::Core, 2, 4)?;
 /// let answer = search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(()))?;
 /// assert!(answer.found.iter().any(|found| found.structure == "c-1-2 c-2-d".parse().unwrap()));
@@ -51,7 +48,7 @@ pub struct Answer {
 /// ```
 ///
 /// # Errors
-/// [`Error::Wish`] where nothing can be had: no gears, gears whose bounds overlap, hold 0 or exceed [`MOST_GEARS`], more gears
+/// [`Error::Wish`] where nothing can be had: no gears, gears whose bounds overlap, hold 0 or exceed [`MOST_GEARS`](crate::wish::MOST_GEARS), more gears
 /// than choices of elements, fewer elements than a gear engages, or a range of `k` that is empty or not above 0.
 pub fn search(
     class: Class,
@@ -147,75 +144,4 @@ fn on_each_thread(work: impl Fn() + Sync) {
 #[cfg(not(feature = "parallel"))]
 fn on_each_thread(work: impl Fn()) {
     work();
-}
-
-impl Wish {
-    /// Whether gearboxes of a class can have these gears at all.
-    ///
-    /// # Errors
-    /// [`Error::Wish`].
-    pub fn check(&self, class: Class) -> Result<(), Error> {
-        let (gears, engaged) = (self.gears.len(), class.engaged());
-        let fault = |why: String| Err(Error::Wish { why });
-        if !(1..=MOST_GEARS).contains(&gears) {
-            return fault(format!("{gears} gears: there may be 1 to {MOST_GEARS}"));
-        }
-        for (place, gear) in self.gears.iter().enumerate() {
-            let ordered = gear.least.is_finite() && gear.most.is_finite() && gear.least <= gear.most;
-            if !ordered || gear.least * gear.most <= 0.0 {
-                let Bounds { least, most } = gear;
-                return fault(format!(
-                    "gear {} from {least} to {most}: the bounds need one sign, the lower first",
-                    place + 1
-                ));
-            }
-            if let Some(other) = self.gears[..place]
-                .iter()
-                .position(|other| other.least <= gear.most && gear.least <= other.most)
-            {
-                return fault(format!(
-                    "gears {} and {} overlap: {}…{} and {}…{}; make the tolerance smaller",
-                    other + 1,
-                    place + 1,
-                    self.gears[other].least,
-                    self.gears[other].most,
-                    gear.least,
-                    gear.most
-                ));
-            }
-        }
-        if self.elements < engaged {
-            return fault(format!(
-                "{} shift elements, yet a gear of {class} engages {engaged}",
-                self.elements
-            ));
-        }
-        let pairs = elements(class.links()).len();
-        if self.elements > pairs {
-            return fault(format!(
-                "{} shift elements, yet {class} have {pairs} pairs of links",
-                self.elements
-            ));
-        }
-        let choices = choose(self.elements, engaged);
-        if choices < gears {
-            return fault(format!(
-                "{gears} gears, yet {} shift elements, {engaged} of them engaged, give {choices} at most",
-                self.elements
-            ));
-        }
-        if self.k.len() != class.sets() {
-            return fault(format!("{} ranges of k for {} planet sets", self.k.len(), class.sets()));
-        }
-        for (place, range) in self.k.iter().enumerate() {
-            let (least, most) = (*range.start(), *range.end());
-            if !(least.is_finite() && most.is_finite() && least > 0.0 && least <= most) {
-                return fault(format!(
-                    "k of set {} from {least} to {most}: the range is empty or not above 0",
-                    place + 1
-                ));
-            }
-        }
-        Ok(())
-    }
 }

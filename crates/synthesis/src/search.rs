@@ -12,26 +12,19 @@
 //! parts: in a part where the chosen elements do not reach a gear, a solution must have a further choice that does; where they
 //! reach all gears, any further element is tried.
 
+use crate::choices::{Choices, choose};
 use crate::library::{Library, Number, USELESS};
 use crate::motion::{Element, Motion, elements};
-use crate::parts::{Bounds, Grid, Parts};
+use crate::parts::{Grid, Parts};
 use crate::ratio::Ratio;
+use crate::rules::may_be;
+use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
+use crate::tally::Tally;
 use crate::ternary::Word;
+use crate::wish::{Wish, forward};
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::ops::RangeInclusive;
-
-/// What is wanted of a gearbox.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wish {
-    /// The bounds of each gear's ratio.
-    pub gears: Vec<Bounds>,
-    /// How many elements.
-    pub elements: usize,
-    /// The range of each set's ring-to-sun ratio.
-    pub k: Vec<RangeInclusive<f64>>,
-}
 
 /// A set of elements with all gears.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,50 +46,6 @@ pub struct Gear {
     pub engaged: Vec<Vec<usize>>,
 }
 
-/// Counts of what a search came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Tally {
-    /// Structures searched.
-    pub structures: u64,
-    /// Structures in which each gear is in reach of some elements.
-    pub in_reach: u64,
-    /// Sets of elements for which some part of the range of `k` was searched.
-    pub candidates: u64,
-    /// Sets that have all gears, but some `k` moves none of them: a simpler structure does the same.
-    pub reducible: u64,
-    /// Sets for which neither a point was found nor its absence proved.
-    pub undecided: u64,
-}
-
-impl Tally {
-    /// What is counted, in the order of [`Tally::counts`].
-    pub const NAMES: [&str; 5] = ["structures", "in reach", "candidates", "reducible", "undecided"];
-
-    /// All counts.
-    #[must_use]
-    pub const fn counts(self) -> [u64; Self::NAMES.len()] {
-        let Self { structures, in_reach, candidates, reducible, undecided } = self;
-        [structures, in_reach, candidates, reducible, undecided]
-    }
-
-    /// From all counts.
-    #[must_use]
-    pub const fn of_counts(counts: [u64; Self::NAMES.len()]) -> Self {
-        let [structures, in_reach, candidates, reducible, undecided] = counts;
-        Self { structures, in_reach, candidates, reducible, undecided }
-    }
-}
-
-impl std::ops::AddAssign for Tally {
-    fn add_assign(&mut self, other: Self) {
-        self.structures += other.structures;
-        self.in_reach += other.in_reach;
-        self.candidates += other.candidates;
-        self.reducible += other.reducible;
-        self.undecided += other.undecided;
-    }
-}
-
 /// A search through structures of one class. What it learns of functions is kept from one structure to the next.
 pub struct Search<W> {
     wish: Wish,
@@ -109,6 +58,8 @@ pub struct Search<W> {
     choices: Choices,
     /// The pairs that each element of the structure may join.
     elements: Vec<Vec<Element>>,
+    /// Those that can be brakes alone, and those that can be clutches alone, as bits.
+    alone: [u64; 2],
     /// For each choice of elements its function.
     functions: Vec<Number>,
     /// For each choice of elements the gears that it reaches, as bits.
@@ -127,67 +78,6 @@ pub struct Search<W> {
     room: Vec<Vec<Number>>,
 }
 
-/// Numbers of choices of elements: `Σ C(place_j, j + 1)` over the places of a choice in rising order.
-struct Choices {
-    terms: Vec<Vec<usize>>,
-}
-
-impl Choices {
-    fn new(of: usize, elements: usize) -> Self {
-        Self { terms: (1..=of).map(|of| (0..=elements).map(|count| choose(count, of)).collect()).collect() }
-    }
-
-    /// Calls `visit` with the number of each choice of some elements, and the choice.
-    fn for_each(&self, elements: u64, visit: &mut impl FnMut(usize, u64)) {
-        fn go(
-            terms: &[Vec<usize>],
-            left: u64,
-            number: usize,
-            chosen: u64,
-            visit: &mut impl FnMut(usize, u64),
-        ) {
-            let Some((term, rest)) = terms.split_first() else { return visit(number, chosen) };
-            let mut candidates = left;
-            while candidates != 0 {
-                let element = candidates.trailing_zeros() as usize;
-                candidates &= candidates - 1;
-                go(rest, candidates, number + term[element], chosen | 1 << element, visit);
-            }
-        }
-        go(&self.terms, elements, 0, 0, visit);
-    }
-
-    /// Calls `visit` with the number of each choice of some elements: without a call a choice where three are engaged, as
-    /// in most gearboxes.
-    #[inline]
-    fn for_each_number(&self, elements: u64, mut visit: impl FnMut(usize)) {
-        let [first, second, third] = self.terms.as_slice() else {
-            return self.for_each(elements, &mut |number, _| visit(number));
-        };
-        let mut places = [0; 64];
-        let mut count = 0;
-        let mut left = elements;
-        while left != 0 {
-            places[count] = left.trailing_zeros() as usize;
-            count += 1;
-            left &= left - 1;
-        }
-        for (top, highest) in places[..count].iter().enumerate() {
-            for (middle, next) in places[..top].iter().enumerate() {
-                let number = third[*highest] + second[*next];
-                for lowest in &places[..middle] {
-                    visit(number + first[*lowest]);
-                }
-            }
-        }
-    }
-}
-
-/// How many choices of so many things there are.
-pub(crate) fn choose(count: usize, of: usize) -> usize {
-    (0..of).fold(1, |all, place| all * count.saturating_sub(place) / (place + 1))
-}
-
 impl<W: Word> Search<W> {
     /// For structures of so many sets, with `wish.k` for each, and links.
     #[must_use]
@@ -203,6 +93,7 @@ impl<W: Word> Search<W> {
             library: Library::new(sets, wish.gears.clone(), Grid::new(&wish.k)),
             tally: Tally::default(),
             elements: Vec::new(),
+            alone: [0; 2],
             functions: Vec::new(),
             reached: Vec::new(),
             lists: vec![Vec::new(); wish.gears.len()],
@@ -281,6 +172,10 @@ impl<W: Word> Search<W> {
             }
         }
         self.motion.keep(&kept);
+        self.alone = [1, 0].map(|other| {
+            let alone = (0..kept.len()).filter(|element| !may_be(&self.elements[*element])[other]);
+            alone.fold(0, |all, element| all | 1 << element)
+        });
         self.functions.clear();
         self.functions.resize(choose(kept.len(), self.engaged), USELESS);
         self.reached.clear();
@@ -317,6 +212,10 @@ impl<W: Word> Search<W> {
     /// Goes on from chosen elements, in those of some parts where this was not done before.
     fn grow(&mut self, chosen: u64, parts: Parts) {
         let missing = self.wish.elements - chosen.count_ones() as usize;
+        let [brakes, clutches] = self.alone.map(|alone| (chosen & alone).count_ones() as usize);
+        if self.wish.rules.brakes_of(self.wish.elements, brakes, clutches).is_none() {
+            return;
+        }
         if missing == 0 {
             return self.complete(chosen);
         }
@@ -475,27 +374,54 @@ impl<W: Word> Search<W> {
             assigned.iter().flat_map(|function| &choices[*function]).fold(0, |all, choice| all | choice)
                 == chosen
         };
-        let (mut reducible, mut undecided) = (false, false);
-        let mut seek = |accept: &mut dyn FnMut(&[usize]) -> bool| {
-            let mut solver = Solver::new(&functions, &self.wish.gears, accept);
-            parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
+        let rules = &self.wish.rules;
+        let is_direct =
+            |assigned: &[usize]| assigned.iter().any(|function| functions[*function].ratio == Ratio::ONE);
+        let forward = forward(&self.wish.gears);
+        let shifts = |assigned: &[usize]| {
+            let choices: Vec<&[u64]> =
+                forward.iter().map(|gear| choices[assigned[*gear]].as_slice()).collect();
+            fewest(&choices, rules.shifts).is_some()
+        };
+        // What functions have to keep, in the order in which a set that misses it is counted.
+        let demands: [Demand<'_>; 4] =
+            [&engages_all, &moves_all, &|assigned| !rules.direct || is_direct(assigned), &|assigned| {
+                !rules.shifts.bind() || shifts(assigned)
+            }];
+        let mut undecided = false;
+        let mut missed = [false; 4];
+        // The first so many demands kept: a point with functions, and which demand others missed first.
+        let mut seek = |kept: usize| {
+            let mut accept =
+                |assigned: &[usize]| match demands[..kept].iter().position(|keep| !keep(assigned)) {
+                    None => true,
+                    Some(first) => {
+                        missed[first] = true;
+                        false
+                    }
+                };
+            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept);
+            let found = parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
                 Outcome::Found { k, functions } => Some((k, functions)),
                 Outcome::None => None,
                 Outcome::Undecided => {
                     undecided = true;
                     None
                 }
-            })
+            });
+            (found, missed)
         };
-        let found = seek(&mut |assigned| {
-            let engages_all = engages_all(assigned);
-            reducible |= engages_all && !moves_all(assigned);
-            engages_all && moves_all(assigned)
-        });
-        // Functions that left some `k` without effect were passed over: have they a point?
-        let reducible = found.is_none() && reducible && seek(&mut |assigned| engages_all(assigned)).is_some();
-        self.tally.undecided += u64::from(found.is_none() && !reducible && undecided);
-        self.tally.reducible += u64::from(reducible);
+        let (found, missed) = seek(demands.len());
+        // Functions that missed a demand were passed over: have they a point?
+        let without = found
+            .is_none()
+            .then(|| (1..demands.len()).rev().find(|demand| missed[*demand] && seek(*demand).0.is_some()));
+        match without.flatten() {
+            Some(1) => self.tally.reducible += 1,
+            Some(2) => self.tally.without_direct += 1,
+            Some(_) => self.tally.without_single_shifts += 1,
+            None => self.tally.undecided += u64::from(found.is_none() && undecided),
+        }
         let (k, assigned) = found?;
         let places: Vec<usize> = (0..64).filter(|element| chosen >> element & 1 == 1).collect();
         let by_places =
@@ -505,13 +431,15 @@ impl<W: Word> Search<W> {
             engaged: choices[*function].iter().map(by_places).collect(),
         };
         let gears = assigned.iter().map(gear).collect();
-        Some(Solution {
-            elements: places.iter().map(|place| self.elements[*place].clone()).collect(),
-            k,
-            gears,
-        })
+        let mut elements: Vec<Vec<Element>> =
+            places.iter().map(|place| self.elements[*place].clone()).collect();
+        self.wish.rules.order(&mut elements);
+        Some(Solution { elements, k, gears })
     }
 }
+
+/// What functions together have to keep.
+type Demand<'a> = &'a dyn Fn(&[usize]) -> bool;
 
 /// Elements after a permutation of them.
 fn image(chosen: u64, places: &[usize]) -> u64 {
@@ -571,17 +499,5 @@ mod tests {
                 .collect();
             assert_eq!(at_least(sets.iter().copied(), least), plain, "at least {least}");
         }
-    }
-
-    #[test]
-    fn choices_are_numbered_without_gaps() {
-        let choices = Choices::new(3, 6);
-        let mut numbers = Vec::new();
-        choices.for_each(0b11_1111, &mut |number, choice| {
-            assert_eq!(choice.count_ones(), 3);
-            numbers.push(number);
-        });
-        numbers.sort_unstable();
-        assert_eq!(numbers, (0..20).collect::<Vec<_>>());
     }
 }

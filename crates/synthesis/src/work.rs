@@ -3,8 +3,9 @@
 use crate::class::Class;
 use crate::enumerate;
 use crate::error::Error;
-use crate::search::{Solution, Tally};
+use crate::search::Solution;
 use crate::structure::Structure;
+use crate::tally::Tally;
 use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;

@@ -10,10 +10,12 @@ use epicyclic_synthesis::judge::judge;
 use epicyclic_synthesis::motion::{Motion, elements};
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::ratio::Ratio;
+use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::{Answer, Found, Share, search};
-use epicyclic_synthesis::search::{Search, Wish};
+use epicyclic_synthesis::search::Search;
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::ternary::Word;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure, enumerate};
 use std::ops::ControlFlow;
 
@@ -29,7 +31,7 @@ fn around(ratio: f64, tolerance: f64) -> Bounds {
 
 fn wish(ratios: &[f64], sets: usize, elements: usize) -> Wish {
     let gears = ratios.iter().map(|ratio| around(*ratio, 0.01)).collect();
-    Wish { gears, elements, k: vec![1.4..=4.5; sets] }
+    Wish::new(gears, elements, vec![1.4..=4.5; sets])
 }
 
 fn all(class: Class, wish: &Wish, threads: usize) -> Answer {
@@ -216,7 +218,7 @@ fn planted_gearboxes_of_two_to_four_sets_are_found() {
 /// among the solutions. How many there were.
 fn found_by_trial(class: Class, ratios: [f64; 3]) -> usize {
     let gears: Vec<Bounds> = ratios.iter().map(|ratio| around(*ratio, 0.05)).collect();
-    let wish = Wish { gears, elements: 3, k: vec![1.5..=4.0; 2] };
+    let wish = Wish::new(gears, 3, vec![1.5..=4.0; 2]);
     let answer = all(class, &wish, 1);
     let pairs = elements(class.links());
     let mut by_trial = 0;
@@ -283,6 +285,14 @@ fn wishes_that_nothing_can_have_are_refused() {
         (Wish { k: vec![3.0..=2.0; 2], ..usual.clone() }, "range is empty"),
         (Wish { k: vec![1.4..=4.5; 3], ..usual.clone() }, "3 ranges of k for 2 planet sets"),
         (Wish { elements: 20, ..usual.clone() }, "pairs of links"),
+        (
+            Wish { rules: Rules { direct: true, ..Rules::default() }, ..usual.clone() },
+            "no gear may have the ratio 1",
+        ),
+        (
+            Wish { rules: Rules { brakes: 0..=0, clutches: 0..=1, ..Rules::default() }, ..usual.clone() },
+            "2 shift elements are not 0 to 0 brakes and 0 to 1 clutches",
+        ),
     ] {
         let message =
             search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap_err().to_string();

@@ -2,7 +2,7 @@
 
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::{Share, go_on, search};
-use epicyclic_synthesis::search::Wish;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Work;
 use epicyclic_synthesis::{Class, Error, Kind};
 use std::ops::ControlFlow;
@@ -12,7 +12,7 @@ fn question() -> (Class, Wish) {
     let gears = [3.059, 1.625, 1.0, 0.696, -2.294];
     let gears = gears
         .map(|ratio: f64| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() });
-    let wish = Wish { gears: gears.into(), elements: 5, k: vec![1.4..=4.5; 2] };
+    let wish = Wish::new(gears.into(), 5, vec![1.4..=4.5; 2]);
     (Class::new(Kind::AllSparse, 2, 5).expect("a class"), wish)
 }
 

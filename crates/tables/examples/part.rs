@@ -3,7 +3,7 @@
 use epicyclic_synthesis::asked::asked;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::go_on;
-use epicyclic_synthesis::search::Wish;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::{Share, Work};
 use epicyclic_synthesis::{Class, Kind};
 use epicyclic_tables::{merge::merge, part::Part};
@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let gears = [2.56, 1.465].map(|ratio| Bounds { least: 0.999 * ratio, most: 1.001 * ratio });
-    let wish = Wish { gears: gears.into(), elements: 2, k: vec![1.4..=4.5; 2] };
+    let wish = Wish::new(gears.into(), 2, vec![1.4..=4.5; 2]);
     let class = Class::new(Kind::Core, 2, 4)?;
     let mut parts = Vec::new();
     for number in 0..2 {

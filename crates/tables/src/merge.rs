@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::part::Part;
 use epicyclic_synthesis::asked::Asked;
 use epicyclic_synthesis::run::Answer;
-use epicyclic_synthesis::search::Tally;
+use epicyclic_synthesis::tally::Tally;
 use epicyclic_synthesis::work::Found;
 
 /// What searches of whole classes find, from parts with their files: the answer to each question of `asked`.

@@ -3,7 +3,7 @@
 use epicyclic_synthesis::asked::{Asked, asked};
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::{go_on, search};
-use epicyclic_synthesis::search::Wish;
+use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::{Share, Work};
 use epicyclic_synthesis::{Class, Kind};
 use epicyclic_tables::Error;
@@ -17,7 +17,7 @@ const VERSION: &str = "0.0.1";
 fn question() -> (Class, Wish) {
     let gears = [3.059, 1.625, 1.0, 0.696, -2.294];
     let around = |ratio: f64| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() };
-    let wish = Wish { gears: gears.map(around).into(), elements: 5, k: vec![1.4..=4.5; 2] };
+    let wish = Wish::new(gears.map(around).into(), 5, vec![1.4..=4.5; 2]);
     (Class::new(Kind::AllSparse, 2, 5).expect("a class"), wish)
 }
 
