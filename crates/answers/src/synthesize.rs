@@ -6,7 +6,7 @@ use epicyclic_synthesis::gearbox::element_name;
 use epicyclic_synthesis::judge::{Judged, judge};
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
-use epicyclic_synthesis::run::{Found, Progress, Share, search};
+use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind};
@@ -182,7 +182,19 @@ pub fn answer(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Synthesis, Error> {
-    let gears: Vec<Bounds> = wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect();
+    answer_by(wanted, &mut |searching, wish| {
+        Ok(search(searching.class, wish, Share::WHOLE, &|at| progress(searching, at))?)
+    })
+}
+
+/// The same where each class is searched by other means.
+///
+/// # Errors
+/// As [`answer`], and those of the search.
+pub fn answer_by<E: From<Error>>(
+    wanted: &Wanted,
+    search: &mut dyn FnMut(&Searching, &Wish) -> Result<run::Answer, E>,
+) -> Result<Synthesis, E> {
     let mut answer = Synthesis {
         wanted_ratios: wanted.ratios.clone(),
         tolerance: wanted.tolerance,
@@ -193,53 +205,38 @@ pub fn answer(
         shown: 0,
         solutions: Vec::new(),
     };
-    let mut refused = None;
     let mut judged: Vec<(Found, Judged)> = Vec::new();
-    'classes: for sets in wanted.sets.clone() {
-        for shift_elements in wanted.elements.clone() {
-            for engaged in wanted.engaged.clone() {
-                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
-                let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
-                    .and_then(|class| wish.check(class).map(|()| class))
-                {
-                    Ok(class) => class,
-                    Err(error) => {
-                        refused.get_or_insert(error);
-                        continue;
-                    }
-                };
-                let searching = Searching { class, shift_elements };
-                let found = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
-                answer.complete &= found.complete;
-                answer.searched.push(Searched {
-                    class: ClassName::of(class.kind()),
-                    sets,
-                    links: class.links(),
-                    shift_elements,
-                    engaged,
-                    structures: found.class_size,
-                    space: searching.space(found.class_size),
-                    structures_searched: found.tally.structures,
-                    structures_in_reach: found.tally.in_reach,
-                    solutions: found.found.len(),
-                    reducible: found.tally.reducible,
-                    undecided: found.tally.undecided,
-                });
-                for solution in found.found {
-                    let judgement = judge(&solution, &wish, wanted.efficiency)?;
-                    judged.push((solution, judgement));
-                }
-                if !found.complete {
-                    break 'classes;
-                }
-            }
-            if !judged.is_empty() {
-                break 'classes;
-            }
+    let mut before = None;
+    for (searching, wish) in tried(wanted)? {
+        let Searching { class, shift_elements } = searching;
+        // All that engage another number of as many elements are searched, too.
+        if before.is_some_and(|before| before != (class.sets(), shift_elements)) && !judged.is_empty() {
+            break;
         }
-    }
-    if let (true, Some(error)) = (answer.searched.is_empty(), refused) {
-        return Err(error.into());
+        before = Some((class.sets(), shift_elements));
+        let found = search(&searching, &wish)?;
+        answer.complete &= found.complete;
+        answer.searched.push(Searched {
+            class: ClassName::of(class.kind()),
+            sets: class.sets(),
+            links: class.links(),
+            shift_elements,
+            engaged: class.engaged(),
+            structures: found.class_size,
+            space: searching.space(found.class_size as f64),
+            structures_searched: found.tally.structures,
+            structures_in_reach: found.tally.in_reach,
+            solutions: found.found.len(),
+            reducible: found.tally.reducible,
+            undecided: found.tally.undecided,
+        });
+        for solution in found.found {
+            let judgement = judge(&solution, &wish, wanted.efficiency).map_err(Error::from)?;
+            judged.push((solution, judgement));
+        }
+        if !found.complete {
+            break;
+        }
     }
     judged.sort_by(|(_, one), (_, other)| {
         let efficiency = other.least_efficiency().total_cmp(&one.least_efficiency());
@@ -254,6 +251,33 @@ pub fn answer(
     Ok(answer)
 }
 
+/// The classes that may be searched, in their order, and what is wished in each. Those that cannot have the ratios are left out.
+///
+/// # Errors
+/// [`Error::Synthesis`] where there is none.
+pub fn tried(wanted: &Wanted) -> Result<Vec<(Searching, Wish)>, Error> {
+    let gears: Vec<Bounds> = wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect();
+    let (mut tried, mut refused) = (Vec::new(), None);
+    for sets in wanted.sets.clone() {
+        for shift_elements in wanted.elements.clone() {
+            for engaged in wanted.engaged.clone() {
+                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
+                let class = Class::new(wanted.kind, sets, sets + engaged + 1);
+                match class.and_then(|class| wish.check(class).map(|()| class)) {
+                    Ok(class) => tried.push((Searching { class, shift_elements }, wish)),
+                    Err(error) => {
+                        refused.get_or_insert(error);
+                    }
+                }
+            }
+        }
+    }
+    match refused {
+        Some(error) if tried.is_empty() => Err(error.into()),
+        _ => Ok(tried),
+    }
+}
+
 /// A class that is being searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Searching {
@@ -264,12 +288,12 @@ pub struct Searching {
 }
 
 impl Searching {
-    /// Structures times sets of shift elements.
-    fn space(&self, structures: usize) -> f64 {
+    /// Structures, so many, times sets of shift elements.
+    #[must_use]
+    pub fn space(&self, structures: f64) -> f64 {
         let pairs = elements(self.class.links()).len();
-        (0..self.shift_elements).fold(structures as f64, |all, place| {
-            all * pairs.saturating_sub(place) as f64 / (place + 1) as f64
-        })
+        (0..self.shift_elements)
+            .fold(structures, |all, place| all * pairs.saturating_sub(place) as f64 / (place + 1) as f64)
     }
 }
 
