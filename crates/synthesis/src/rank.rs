@@ -254,7 +254,7 @@ mod tests {
     use crate::judge::judge;
     use crate::parts::Bounds;
     use crate::run::{Found, Share, search};
-    use crate::search::Wish;
+    use crate::wish::Wish;
     use crate::{Class, Kind};
     use epicyclic_gears::efficiency::MeshEfficiency;
     use std::ops::ControlFlow;
@@ -262,7 +262,7 @@ mod tests {
     fn rated() -> Vec<(String, Judged, Rating)> {
         let gears = [3.059, 1.625, 1.0, 0.696, -2.294f64]
             .map(|ratio| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() });
-        let wish = Wish { gears: gears.into(), elements: 5, k: vec![1.4..=4.5; 2] };
+        let wish = Wish::new(gears.into(), 5, vec![1.4..=4.5; 2]);
         let class = Class::new(Kind::AllSparse, 2, 5).unwrap();
         let found = search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap().found;
         let eta = MeshEfficiency::new(0.97).unwrap();

@@ -3,7 +3,6 @@
 //! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
 //! planets and losses, shift elements, permanent connections, gears with their inputs and outputs. A set described gear by gear has no short form and is refused.
 
-use super::KindEntry;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
@@ -110,7 +109,7 @@ fn of_set(spec: &SetSpec) -> String {
         Gearing::Teeth(sun, ring) => format!("teeth: [{sun}, {ring}]"),
     });
     let planets: Vec<String> =
-        [spec.planet, spec.second_planet].iter().flatten().map(|z| z.to_string()).collect();
+        [spec.planet, spec.second_planet].iter().flatten().map(ToString::to_string).collect();
     if !planets.is_empty() {
         keys.push(format!("planet_teeth: [{}]", planets.join(", ")));
     }
@@ -180,6 +179,7 @@ mod tests {
     use super::*;
     use crate::Document;
     use crate::gearbox::GearboxFile;
+    use crate::gearbox::KindEntry;
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_gears::teeth::ToothCount;
     use epicyclic_train::GearSpec;
