@@ -1,13 +1,16 @@
 //! That no output is the input or another output: refused before anything is read or computed.
 //!
 //! The files of a call are found by what its arguments say of themselves, so that no command can forget the check: a positional
-//! argument that is a path is read, an option that is one is written.
+//! argument that is a path is read, an option that is one is written, but those of [`READ`].
 
 use crate::failure::Failure;
 use crate::writing::are_one_file;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, ValueHint};
 use std::path::{Path, PathBuf};
+
+/// Options that name files to read.
+const READ: [&str; 1] = ["merge"];
 
 /// The files that a command line names.
 #[derive(Debug, Default)]
@@ -34,7 +37,7 @@ impl Files {
                     continue;
                 }
                 for value in matches.get_raw(id).into_iter().flatten() {
-                    match arg.get_long() {
+                    match arg.get_long().filter(|option| !READ.contains(option)) {
                         Some(option) => files.written.push((format!("--{option}"), value.into())),
                         None => files.read.push(value.into()),
                     }
@@ -90,10 +93,13 @@ mod tests {
         let mut program = Cli::command();
         program.build();
         collect(&program, &mut found);
-        let (mut read, mut options): (Vec<_>, Vec<_>) =
-            found.into_iter().partition(|arg| !arg.contains("--"));
+        let is_read = |arg: &String| {
+            !arg.contains("--") || READ.iter().any(|option| arg.contains(&format!(" --{option} ")))
+        };
+        let (mut read, mut options): (Vec<_>, Vec<_>) = found.into_iter().partition(is_read);
         read.sort();
-        assert_eq!(read, ["analyze <FILE>", "draw <GEARBOX>", "drive <FILE>", "report <FILE>"]);
+        let of_parts = "synthesize --merge <PART>...";
+        assert_eq!(read, ["analyze <FILE>", "draw <GEARBOX>", "drive <FILE>", "report <FILE>", of_parts]);
         options.retain(|arg| !arg.ends_with(" --output <FILE>"));
         options.sort();
         let drawings = [

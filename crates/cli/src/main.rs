@@ -7,6 +7,7 @@
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
+//! | [`shards`] | `synthesize` in parts on many machines, and all parts together |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
@@ -22,6 +23,7 @@
 //! | [`apart`] | that no output is the input or another output |
 //! | [`ratios`] | lists of ratios as people write them |
 //! | [`progress`] | how far a long search is, on a terminal |
+//! | [`interrupt`] | Ctrl-C |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
 //! Exit codes: see [`failure`].
@@ -33,6 +35,7 @@ mod draw;
 mod drive;
 mod failure;
 mod input;
+mod interrupt;
 mod lists;
 mod machine;
 mod man;
@@ -47,6 +50,7 @@ mod robustness;
 mod schema;
 mod schemes;
 mod select;
+mod shards;
 mod synthesize;
 mod teeth;
 mod writing;

@@ -1,15 +1,19 @@
 //! The command `synthesize`: every gearbox that has a list of ratios.
 
 use crate::failure::Failure;
+use crate::interrupt::Hearing;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use crate::ratios::Ratios;
+use crate::shards;
 use epicyclic_answers as answers;
-use epicyclic_answers::synthesize::{MOST_SOLUTIONS, Wanted, answer};
+use epicyclic_answers::synthesize::{MOST_SOLUTIONS, Synthesis, Wanted, answer};
 use epicyclic_formats::{Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::Kind;
+use epicyclic_synthesis::work::Share;
 use std::ops::{ControlFlow, RangeInclusive};
+use std::path::PathBuf;
 use uom::si::f64::Ratio;
 
 /// Solutions in a table unless said otherwise.
@@ -69,6 +73,15 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
+    /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table, in the file of --output. If
+    /// it is ended, the same command goes on from --output with .progress at its end.
+    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
+    shard: Option<Share>,
+
+    /// Take what was found from these parts of a search, all of its shares, instead of searching.
+    #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
+    merge: Vec<PathBuf>,
+
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -106,18 +119,18 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         efficiency,
         most,
     };
-    let shown = Progress::new();
-    let found = answer(&wanted, &|_, at| {
-        shown.at(at.done as f64 / at.of.max(1) as f64);
-        ControlFlow::Continue(())
-    })
-    .map_err(|error| match error {
-        answers::Error::Synthesis(error) => {
-            Failure::Option { option: "--ratios", message: error.to_string() }
-        }
-        error => error.into(),
-    })?;
-    drop(shown);
+    if let (Some(share), Some(file)) = (args.shard, args.output.file()) {
+        return shards::search(&wanted, share, file);
+    }
+    let (found, complete) = if args.merge.is_empty() {
+        searched(&wanted)?
+    } else {
+        (shards::merged(&wanted, &args.merge)?, true)
+    };
+    let ended = || Failure::Interrupted("the search was ended before it was complete".into());
+    if found.found == 0 && !complete {
+        return Err(ended());
+    }
     if found.found == 0 {
         let searched: Vec<String> = found
             .searched
@@ -138,7 +151,31 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if format != Format::Table && found.shown < found.found {
         complain(&format!("note: {}", epicyclic_views::synthesize::count(&found)));
     }
-    Ok(())
+    if complete { Ok(()) } else { Err(ended()) }
+}
+
+/// The search, and whether it came to its end.
+fn searched(wanted: &Wanted) -> Result<(Synthesis, bool), Failure> {
+    let hearing = Hearing::new();
+    let shown = Progress::new();
+    let found = answer(wanted, &|_, at| {
+        shown.at(at.done as f64 / at.of.max(1) as f64);
+        if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })
+    .map_err(of_ratios)?;
+    drop(shown);
+    let complete = found.complete;
+    Ok((found, complete))
+}
+
+/// A refusal, at the option that it is about.
+pub(crate) fn of_ratios(error: answers::Error) -> Failure {
+    match error {
+        answers::Error::Synthesis(error) => {
+            Failure::Option { option: "--ratios", message: error.to_string() }
+        }
+        error => error.into(),
+    }
 }
 
 fn counts(

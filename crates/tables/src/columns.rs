@@ -21,6 +21,7 @@ const GROUP: usize = 1 << 18;
 pub(crate) enum Column {
     Int(Vec<i32>),
     Long(Vec<i64>),
+    Flag(Vec<bool>),
     Text(Vec<String>),
     Longs(Vec<Vec<i64>>),
     Doubles(Vec<Vec<f64>>),
@@ -32,6 +33,7 @@ impl Column {
         match self {
             Self::Int(values) => values.len(),
             Self::Long(values) => values.len(),
+            Self::Flag(values) => values.len(),
             Self::Text(values) => values.len(),
             Self::Longs(values) => values.len(),
             Self::Doubles(values) => values.len(),
@@ -47,6 +49,7 @@ impl Column {
         match self {
             Self::Int(_) => format!("required int32 {name};\n"),
             Self::Long(_) => format!("required int64 {name};\n"),
+            Self::Flag(_) => format!("required boolean {name};\n"),
             Self::Text(_) => format!("required binary {name} (STRING);\n"),
             Self::Longs(_) => list("int64 element"),
             Self::Doubles(_) => list("double element"),
@@ -62,6 +65,9 @@ impl Column {
                 to.write_batch(&values[rows], None, None)?;
             }
             (Self::Long(values), ColumnWriter::Int64ColumnWriter(to)) => {
+                to.write_batch(&values[rows], None, None)?;
+            }
+            (Self::Flag(values), ColumnWriter::BoolColumnWriter(to)) => {
                 to.write_batch(&values[rows], None, None)?;
             }
             (Self::Text(values), ColumnWriter::ByteArrayColumnWriter(to)) => {

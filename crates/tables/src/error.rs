@@ -9,6 +9,14 @@ pub enum Error {
     /// What the reader or writer of Parquet refuses.
     #[error("Parquet: {0}")]
     Parquet(#[from] ParquetError),
+    /// More sets than the atlas has.
+    #[error("{sets} planet sets: the atlas has at most {most}")]
+    Sets {
+        /// How many.
+        sets: usize,
+        /// The most.
+        most: usize,
+    },
     /// A table that is not part of a search, or not as it was written.
     #[error("{0}")]
     NoPart(String),

@@ -47,7 +47,10 @@ pub fn merge(parts: &[(String, Part)], version: &str, asked: &[Asked]) -> Result
 }
 
 /// That a part was asked the same.
-fn same_question(file: &str, part: &Part, asked: &[Asked]) -> Result<(), Error> {
+///
+/// # Errors
+/// [`Error::OtherSearch`] with what differs.
+pub fn same_question(file: &str, part: &Part, asked: &[Asked]) -> Result<(), Error> {
     let other = |what: String, given: String, here: String| {
         Err(Error::OtherSearch { file: file.to_owned(), what, given, here })
     };
