@@ -8,6 +8,7 @@
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
 //! | [`shards`] | `synthesize` in parts on many machines, and all parts together |
+//! | [`atlas`] | the command `atlas`: all gearboxes of two and three sets as tables |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
@@ -30,6 +31,7 @@
 
 mod analyze;
 mod apart;
+mod atlas;
 mod completions;
 mod draw;
 mod drive;
@@ -77,6 +79,7 @@ enum Command {
     Analyze(analyze::Args),
     Select(Box<select::Args>),
     Synthesize(synthesize::Args),
+    Atlas(atlas::Args),
     Schemes(schemes::Args),
     Machine(machine::Args),
     Motor(Box<motor::Args>),
@@ -153,6 +156,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Analyze(args) => analyze::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),
+        Command::Atlas(args) => atlas::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Motor(args) => motor::run(&args),

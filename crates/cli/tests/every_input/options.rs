@@ -79,6 +79,8 @@ synthesize: --ratios '2.56, 1.465' --format json
   --merge none.parquet
 synthesize: --ratios '2.56, 1.465' --output boxes
   --shard 1/2
+atlas:
+  --output .
 select: --speeds '0.8 m/s, 3.15 m/s'
   --speeds '1 m/s, 3.15 m/s'
 select: --ratios '1.465, 2.56' --format json
@@ -412,6 +414,7 @@ fn check(commands: &[&str]) {
 #[test]
 fn every_option_of_gearboxes_changes_the_answer() {
     check(&["teeth", "drive", "analyze", "schemes", "draw", "report", "schema", "completions", "man"]);
+    check(&["synthesize", "atlas"]);
 }
 
 #[test]
