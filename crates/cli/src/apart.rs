@@ -1,7 +1,7 @@
 //! That no output is the input or another output: refused before anything is read or computed.
 //!
 //! The files of a call are found by what its arguments say of themselves, so that no command can forget the check: a positional
-//! argument that is a path is read, an option that is one is written, but those of [`READ`].
+//! argument that is a path is read, an option that is one is written, but for those of [`READ`].
 
 use crate::failure::Failure;
 use crate::writing::are_one_file;
@@ -9,8 +9,8 @@ use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, ValueHint};
 use std::path::{Path, PathBuf};
 
-/// Options that name files to read.
-const READ: [&str; 1] = ["merge"];
+/// Options whose file is read.
+const READ: [&str; 2] = ["explain", "merge"];
 
 /// The files that a command line names.
 #[derive(Debug, Default)]
@@ -37,7 +37,8 @@ impl Files {
                     continue;
                 }
                 for value in matches.get_raw(id).into_iter().flatten() {
-                    match arg.get_long().filter(|option| !READ.contains(option)) {
+                    match arg.get_long() {
+                        Some(option) if READ.contains(&option) => files.read.push(value.into()),
                         Some(option) => files.written.push((format!("--{option}"), value.into())),
                         None => files.read.push(value.into()),
                     }
@@ -98,8 +99,9 @@ mod tests {
         };
         let (mut read, mut options): (Vec<_>, Vec<_>) = found.into_iter().partition(is_read);
         read.sort();
-        let of_parts = "synthesize --merge <PART>...";
-        assert_eq!(read, ["analyze <FILE>", "draw <GEARBOX>", "drive <FILE>", "report <FILE>", of_parts]);
+        let arguments = ["analyze <FILE>", "draw <GEARBOX>", "drive <FILE>", "report <FILE>"];
+        let of_synthesis = ["synthesize --explain <FILE>", "synthesize --merge <PART>..."];
+        assert_eq!(read, [&arguments[..], &of_synthesis].concat());
         options.retain(|arg| !arg.ends_with(" --output <FILE>"));
         options.sort();
         let drawings = [
@@ -109,7 +111,8 @@ mod tests {
             "motor --dxf <FILE>",
             "motor --svg <FILE>",
         ];
+        let of_synthesis = ["synthesize --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        assert_eq!(options, [&drawings[..], &of_search].concat());
+        assert_eq!(options, [&drawings[..], &of_search, &of_synthesis].concat());
     }
 }
