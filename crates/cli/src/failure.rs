@@ -100,6 +100,9 @@ pub(crate) enum Failure {
     /// A search that Ctrl-C ended.
     #[error("{0}")]
     Interrupted(String),
+    /// A search that takes too long here, with the commands to divide it.
+    #[error("{0}")]
+    TooLong(String),
     /// A table of a search that cannot be used.
     #[error(transparent)]
     Table(#[from] epicyclic_tables::Error),
@@ -167,7 +170,7 @@ impl Failure {
     pub(crate) fn told(&self) -> String {
         let text = self.to_string();
         match self {
-            Self::SelfCrossing { .. } | Self::NothingFound(_) => text,
+            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::TooLong(_) => text,
             // Names to choose from stand below each other, set in.
             Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
             _ => one_line(&text).into_owned(),

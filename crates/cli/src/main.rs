@@ -9,6 +9,7 @@
 //! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
 //! | [`shards`] | `synthesize` in parts on many machines, and all parts together |
 //! | [`atlas`] | the command `atlas`: all gearboxes of two and three sets as tables |
+//! | [`size`] | how large a synthesis is, and which are refused |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
@@ -54,6 +55,7 @@ mod schema;
 mod schemes;
 mod select;
 mod shards;
+mod size;
 mod synthesize;
 mod teeth;
 mod writing;

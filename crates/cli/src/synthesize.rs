@@ -9,24 +9,26 @@ use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use crate::ratios::Ratios;
 use crate::shards;
+use crate::size;
 use crate::writing::Content;
 use epicyclic_answers as answers;
 use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
-use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve};
+use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve_by};
 use epicyclic_formats::{Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::rank::Objective;
+use epicyclic_synthesis::run::search;
 use epicyclic_synthesis::teeth::{Aim, Alike};
 use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
 use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
-use uom::si::f64::Ratio;
+use uom::si::f64::{Ratio, Time};
 
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -99,6 +101,10 @@ pub(crate) struct Args {
     /// it is ended, the same command goes on from --output with .progress at its end.
     #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
     shard: Option<Share>,
+
+    /// Begin a search only if it is estimated to take at most this long. Default: 1 h, and at most 4 GB.
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["shard", "merge"])]
+    longest: Option<Quantity<Time>>,
 
     /// Take what was found from these parts of a search, all of its shares, instead of searching.
     #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
@@ -235,8 +241,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if let (Some(share), Some(file)) = (args.shard, args.output.file()) {
         return shards::search(&wanted, share, file);
     }
-    let (found, kept) =
-        if args.merge.is_empty() { searched(&wanted)? } else { shards::merged(&wanted, &args.merge)? };
+    let (found, kept) = if args.merge.is_empty() {
+        searched(&wanted, args.longest.as_ref().map(|longest| longest.0))?
+    } else {
+        shards::merged(&wanted, &args.merge)?
+    };
     let ended = || Failure::Interrupted("the search was ended before it was complete".into());
     if found.found == 0 && !found.complete {
         return Err(ended());
@@ -271,14 +280,17 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The search, ended early by Ctrl-C.
-fn searched(wanted: &Wanted) -> Result<(Synthesis, Vec<Kept>), Failure> {
+fn searched(wanted: &Wanted, longest: Option<Time>) -> Result<(Synthesis, Vec<Kept>), Failure> {
     let hearing = Hearing::new();
-    let shown = Progress::new();
-    solve(wanted, &|_, at| {
-        shown.at(at.done as f64 / at.of.max(1) as f64);
-        if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    solve_by(wanted, &mut |searching, wish| {
+        size::check(searching, wish, longest)?;
+        let shown = Progress::new();
+        search(searching.class, wish, Share::WHOLE, &|at| {
+            shown.at(at.done as f64 / at.of.max(1) as f64);
+            if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+        .map_err(|error| refused(error.into()))
     })
-    .map_err(refused)
 }
 
 /// A refusal, at the option that it is about.

@@ -13,6 +13,7 @@
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
 //! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
 //! | [`run`], [`work`] | a search through a class or a share of it on several threads, broken off and gone on with |
+//! | [`estimate`] | how long a search will take, from a sample |
 //! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
@@ -34,6 +35,7 @@ pub mod class;
 pub mod count;
 pub mod enumerate;
 mod error;
+pub mod estimate;
 pub mod exterior;
 pub mod gearbox;
 pub mod judge;

@@ -110,6 +110,12 @@ impl<W: Word> Search<W> {
         std::mem::take(&mut self.tally)
     }
 
+    /// About how many bytes it holds of what it learned.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.library.bytes()
+    }
+
     /// All solutions of a structure; of those that an automorphism makes equal, one.
     pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
         self.tally.structures += 1;
