@@ -24,7 +24,7 @@ use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::rank::{self, front};
-use epicyclic_synthesis::run::{Found, Progress, Share, search};
+use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::teeth::{Choice, Design};
 use epicyclic_synthesis::wish::Wish;
@@ -253,9 +253,23 @@ pub fn solve(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(Synthesis, Vec<Kept>), Error> {
-    let choice = wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose()?;
+    solve_by(wanted, &mut |searching, wish| {
+        Ok(search(searching.class, wish, Share::WHOLE, &|at| progress(searching, at))?)
+    })
+}
+
+/// The same where each class is searched by other means.
+///
+/// # Errors
+/// As [`solve`], and those of the search.
+pub fn solve_by<E: From<Error>>(
+    wanted: &Wanted,
+    search: &mut dyn FnMut(&Searching, &Wish) -> Result<run::Answer, E>,
+) -> Result<(Synthesis, Vec<Kept>), E> {
+    let choice =
+        wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose().map_err(Error::from)?;
     let order = rank::Objective::order(&wanted.order);
-    let gears: Vec<Bounds> = wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect();
+    let gears = bounds(wanted);
     let mut answer = Synthesis {
         wanted_ratios: wanted.ratios.clone(),
         tolerance: wanted.tolerance,
@@ -271,54 +285,39 @@ pub fn solve(
         explanation: None,
         solutions: Vec::new(),
     };
-    let mut refused = None;
     let mut kept: Vec<Kept> = Vec::new();
-    'classes: for sets in wanted.sets.clone() {
-        for shift_elements in wanted.elements.clone() {
-            for engaged in wanted.engaged.clone() {
-                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
-                let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
-                    .and_then(|class| wish.check(class).map(|()| class))
-                {
-                    Ok(class) => class,
-                    Err(error) => {
-                        refused.get_or_insert(error);
-                        continue;
-                    }
-                };
-                let searching = Searching { class, shift_elements };
-                let found = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
-                answer.complete &= found.complete;
-                answer.searched.push(Searched {
-                    class: ClassName::of(class.kind()),
-                    sets,
-                    links: class.links(),
-                    shift_elements,
-                    engaged,
-                    structures: found.class_size,
-                    space: searching.space(found.class_size),
-                    structures_searched: found.tally.structures,
-                    structures_in_reach: found.tally.in_reach,
-                    solutions: found.found.len(),
-                    reducible: found.tally.reducible,
-                    undecided: found.tally.undecided,
-                });
-                let judgements = judge_all(&found.found, &wish, wanted.efficiency)?;
-                for (found, judged) in found.found.into_iter().zip(judgements) {
-                    let rating = rank::Rating::of(&judged)?;
-                    kept.push(Kept { found, judged, rating, teeth: Vec::new() });
-                }
-                if !found.complete {
-                    break 'classes;
-                }
-            }
-            if !kept.is_empty() {
-                break 'classes;
-            }
+    let mut before = None;
+    for (searching, wish) in tried(wanted)? {
+        let Searching { class, shift_elements } = searching;
+        // All that engage another number of as many elements are searched, too.
+        if before.is_some_and(|before| before != (class.sets(), shift_elements)) && !kept.is_empty() {
+            break;
         }
-    }
-    if let (true, Some(error)) = (answer.searched.is_empty(), refused) {
-        return Err(error.into());
+        before = Some((class.sets(), shift_elements));
+        let found = search(&searching, &wish)?;
+        answer.complete &= found.complete;
+        answer.searched.push(Searched {
+            class: ClassName::of(class.kind()),
+            sets: class.sets(),
+            links: class.links(),
+            shift_elements,
+            engaged: class.engaged(),
+            structures: found.class_size,
+            space: searching.space(found.class_size as f64),
+            structures_searched: found.tally.structures,
+            structures_in_reach: found.tally.in_reach,
+            solutions: found.found.len(),
+            reducible: found.tally.reducible,
+            undecided: found.tally.undecided,
+        });
+        let judgements = judge_all(&found.found, &wish, wanted.efficiency).map_err(Error::from)?;
+        for (found, judged) in found.found.into_iter().zip(judgements) {
+            let rating = rank::Rating::of(&judged).map_err(Error::from)?;
+            kept.push(Kept { found, judged, rating, teeth: Vec::new() });
+        }
+        if !found.complete {
+            break;
+        }
     }
     kept.sort_by(|one, other| one.rating.compare(&other.rating, &order));
     let ratings: Vec<&rank::Rating> = kept.iter().map(|kept| &kept.rating).collect();
@@ -352,6 +351,38 @@ pub fn solve(
     Ok((answer, kept))
 }
 
+/// The bounds of each gear.
+fn bounds(wanted: &Wanted) -> Vec<Bounds> {
+    wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect()
+}
+
+/// The classes that may be searched, in their order, and what is wished in each. Those that cannot have the ratios are left out.
+///
+/// # Errors
+/// [`Error::Synthesis`] where there is none.
+pub fn tried(wanted: &Wanted) -> Result<Vec<(Searching, Wish)>, Error> {
+    let gears = bounds(wanted);
+    let (mut tried, mut refused) = (Vec::new(), None);
+    for sets in wanted.sets.clone() {
+        for shift_elements in wanted.elements.clone() {
+            for engaged in wanted.engaged.clone() {
+                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
+                let class = Class::new(wanted.kind, sets, sets + engaged + 1);
+                match class.and_then(|class| wish.check(class).map(|()| class)) {
+                    Ok(class) => tried.push((Searching { class, shift_elements }, wish)),
+                    Err(error) => {
+                        refused.get_or_insert(error);
+                    }
+                }
+            }
+        }
+    }
+    match refused {
+        Some(error) if tried.is_empty() => Err(error.into()),
+        _ => Ok(tried),
+    }
+}
+
 /// A class that is being searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Searching {
@@ -362,12 +393,12 @@ pub struct Searching {
 }
 
 impl Searching {
-    /// Structures times sets of shift elements.
-    fn space(&self, structures: usize) -> f64 {
+    /// Structures, so many, times sets of shift elements.
+    #[must_use]
+    pub fn space(&self, structures: f64) -> f64 {
         let pairs = elements(self.class.links()).len();
-        (0..self.shift_elements).fold(structures as f64, |all, place| {
-            all * pairs.saturating_sub(place) as f64 / (place + 1) as f64
-        })
+        (0..self.shift_elements)
+            .fold(structures, |all, place| all * pairs.saturating_sub(place) as f64 / (place + 1) as f64)
     }
 }
 

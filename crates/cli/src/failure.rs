@@ -6,7 +6,9 @@
 //! | 1 | nothing found: the question is sound and has no answer within its bounds |
 //! | 2 | wrong usage, or an input that cannot be |
 //! | 3 | a file or stream that cannot be read or written |
+//! | 130 | ended by Ctrl-C |
 
+use crate::interrupt::INTERRUPTED;
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::visible::one_line;
@@ -30,7 +32,9 @@ Exit codes:
      the requirements
   2  wrong usage, or an input that cannot be
   3  a file or stream that cannot be read or written; a reader that
-     leaves before the end, as head does, is told nothing";
+     leaves before the end, as head does, is told nothing
+  130  ended by Ctrl-C; a search through classes of gearboxes tells first what
+     it has found";
 
 /// A refusal, shown after `error: `.
 #[derive(Debug, thiserror::Error)]
@@ -93,6 +97,15 @@ pub(crate) enum Failure {
     /// An answer that says that there is none.
     #[error("{0}")]
     NothingFound(String),
+    /// A search that Ctrl-C ended.
+    #[error("{0}")]
+    Interrupted(String),
+    /// A search that takes too long here, with the commands to divide it.
+    #[error("{0}")]
+    TooLong(String),
+    /// A table of a search that cannot be used.
+    #[error(transparent)]
+    Table(#[from] epicyclic_tables::Error),
     /// A hydromotor that cannot be.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),
@@ -145,6 +158,7 @@ impl Failure {
             | Self::SelfCrossing { .. }
             | Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => NOTHING_FOUND,
             Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
+            Self::Interrupted(_) => INTERRUPTED,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {
                 INPUT_OUTPUT
             }
@@ -156,7 +170,7 @@ impl Failure {
     pub(crate) fn told(&self) -> String {
         let text = self.to_string();
         match self {
-            Self::SelfCrossing { .. } | Self::NothingFound(_) => text,
+            Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::TooLong(_) => text,
             // Names to choose from stand below each other, set in.
             Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
             _ => one_line(&text).into_owned(),

@@ -7,6 +7,9 @@
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
+//! | [`shards`] | `synthesize` in parts on many machines, and all parts together |
+//! | [`atlas`] | the command `atlas`: all gearboxes of two and three sets as tables |
+//! | [`size`] | how large a synthesis is, and which are refused |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
@@ -22,17 +25,20 @@
 //! | [`apart`] | that no output is the input or another output |
 //! | [`ratios`] | lists of ratios as people write them |
 //! | [`progress`] | how far a long search is, on a terminal |
+//! | [`interrupt`] | Ctrl-C |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
 //! Exit codes: see [`failure`].
 
 mod analyze;
 mod apart;
+mod atlas;
 mod completions;
 mod draw;
 mod drive;
 mod failure;
 mod input;
+mod interrupt;
 mod lists;
 mod machine;
 mod man;
@@ -48,6 +54,8 @@ mod robustness;
 mod schema;
 mod schemes;
 mod select;
+mod shards;
+mod size;
 mod synthesize;
 mod teeth;
 mod writing;
@@ -74,6 +82,7 @@ enum Command {
     Analyze(analyze::Args),
     Select(Box<select::Args>),
     Synthesize(synthesize::Args),
+    Atlas(atlas::Args),
     Schemes(schemes::Args),
     Machine(machine::Args),
     Motor(Box<motor::Args>),
@@ -150,6 +159,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Analyze(args) => analyze::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),
+        Command::Atlas(args) => atlas::run(&args),
         Command::Schemes(args) => schemes::run(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Motor(args) => motor::run(&args),

@@ -8,7 +8,7 @@ use epicyclic_formats::visible;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
 use std::io::{self, IsTerminal as _, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// How the answer is written and where.
 #[derive(Debug, clap::Args)]
@@ -41,6 +41,11 @@ pub(crate) enum Format {
 }
 
 impl OutputArgs {
+    /// The file that the answer goes to.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.target.output.as_deref()
+    }
+
     /// Whether the answer goes to a file, out of sight.
     pub(crate) fn is_file(&self) -> bool {
         self.target.output.is_some()

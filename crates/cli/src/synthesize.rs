@@ -2,28 +2,33 @@
 
 use crate::failure::Failure;
 use crate::input;
+use crate::interrupt::Hearing;
 use crate::lists::List;
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use crate::ratios::Ratios;
+use crate::shards;
+use crate::size;
 use crate::writing::Content;
 use epicyclic_answers as answers;
 use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
-use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve};
+use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve_by};
 use epicyclic_formats::{Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::rank::Objective;
+use epicyclic_synthesis::run::search;
 use epicyclic_synthesis::teeth::{Aim, Alike};
+use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
 use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
-use uom::si::f64::Ratio;
+use uom::si::f64::{Ratio, Time};
 
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -92,6 +97,18 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
+    /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table, in the file of --output. If
+    /// it is ended, the same command goes on from --output with .progress at its end.
+    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
+    shard: Option<Share>,
+
+    /// Begin a search only if it is estimated to take at most this long. Default: 1 h, and at most 4 GB.
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["shard", "merge"])]
+    longest: Option<Quantity<Time>>,
+
+    /// Take what was found from these parts of a search, all of its shares, instead of searching.
+    #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
+    merge: Vec<PathBuf>,
     /// The objectives that decide first which gearbox is the best; the others follow.
     #[arg(
         long,
@@ -221,22 +238,18 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         teeth: args.teeth.wanted()?,
         explain: given(args)?,
     };
-    let shown = Progress::new();
-    let (found, kept) = solve(&wanted, &|_, at| {
-        shown.at(at.done as f64 / at.of.max(1) as f64);
-        ControlFlow::Continue(())
-    })
-    .map_err(|error| match error {
-        answers::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {
-            let option = options::of_teeth(&error, "--planet-count").unwrap_or("--teeth");
-            Failure::Option { option, message: error.to_string() }
-        }
-        answers::Error::Synthesis(error) => {
-            Failure::Option { option: "--ratios", message: error.to_string() }
-        }
-        error => error.into(),
-    })?;
-    drop(shown);
+    if let (Some(share), Some(file)) = (args.shard, args.output.file()) {
+        return shards::search(&wanted, share, file);
+    }
+    let (found, kept) = if args.merge.is_empty() {
+        searched(&wanted, args.longest.as_ref().map(|longest| longest.0))?
+    } else {
+        shards::merged(&wanted, &args.merge)?
+    };
+    let ended = || Failure::Interrupted("the search was ended before it was complete".into());
+    if found.found == 0 && !found.complete {
+        return Err(ended());
+    }
     if found.found == 0 && found.explanation.is_none() {
         let searched: Vec<String> = found
             .searched
@@ -263,7 +276,35 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if format != Format::Table && found.shown < found.found {
         complain(&format!("note: {}", epicyclic_views::synthesize::count(&found)));
     }
-    Ok(())
+    if found.complete { Ok(()) } else { Err(ended()) }
+}
+
+/// The search, ended early by Ctrl-C.
+fn searched(wanted: &Wanted, longest: Option<Time>) -> Result<(Synthesis, Vec<Kept>), Failure> {
+    let hearing = Hearing::new();
+    solve_by(wanted, &mut |searching, wish| {
+        size::check(searching, wish, longest)?;
+        let shown = Progress::new();
+        search(searching.class, wish, Share::WHOLE, &|at| {
+            shown.at(at.done as f64 / at.of.max(1) as f64);
+            if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+        .map_err(|error| refused(error.into()))
+    })
+}
+
+/// A refusal, at the option that it is about.
+pub(crate) fn refused(error: answers::Error) -> Failure {
+    match error {
+        answers::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {
+            let option = options::of_teeth(&error, "--planet-count").unwrap_or("--teeth");
+            Failure::Option { option, message: error.to_string() }
+        }
+        answers::Error::Synthesis(error) => {
+            Failure::Option { option: "--ratios", message: error.to_string() }
+        }
+        error => error.into(),
+    }
 }
 
 fn counts(

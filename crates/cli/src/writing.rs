@@ -7,19 +7,19 @@
 //! a killed program left behind has no lock any more, and the next call that writes into the folder removes it.
 
 use crate::failure::Failure;
+use crate::interrupt::{hear, pending};
 use std::collections::VecDeque;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::hash::{BuildHasher as _, RandomState};
 use std::io::{self, ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A file that is to be written, and all of its content.
 pub(crate) type Content = (PathBuf, Vec<u8>);
 
 /// Writes files: all of them whole, or none.
 pub(crate) fn write_files(files: &[Content]) -> Result<(), Failure> {
-    hear_ctrl_c();
+    hear();
     let mut prepared = Prepared::default();
     let mut devices = vec![];
     for (file, content) in files {
@@ -245,29 +245,6 @@ impl Drop for Prepared {
             pending.retain(|path| *path != temporary.path);
         }
     }
-}
-
-/// Temporary files of this program.
-static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
-fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
-    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// The exit code of a program that Ctrl-C ends.
-const INTERRUPTED: i32 = 130;
-
-/// From here Ctrl-C and a request to end remove the temporary files first. What comes earlier finds none and ends the program at
-/// once.
-fn hear_ctrl_c() {
-    let remove_and_end = || {
-        for path in pending().iter() {
-            let _ = fs::remove_file(path);
-        }
-        std::process::exit(INTERRUPTED);
-    };
-    // Where no handler can be set, a temporary file may be left, for the next call to remove.
-    let _ = ctrlc::set_handler(remove_and_end);
 }
 
 #[cfg(test)]

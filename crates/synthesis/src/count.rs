@@ -35,6 +35,14 @@ pub fn enumerated(class: Class) -> Counts {
     counts
 }
 
+/// How many structures, counted one by one.
+#[must_use]
+pub fn structures(class: Class) -> usize {
+    let mut count = 0;
+    enumerate::for_each(class, &mut |_| count += 1);
+    count
+}
+
 /// How many words there are, counted one by one.
 #[must_use]
 pub fn words(class: Class) -> u64 {

@@ -36,6 +36,20 @@ pub enum Error {
         /// What is wrong.
         why: &'static str,
     },
+    /// A share that is none.
+    #[error("{text:?} is no share: write 1/8 for the first of eight, up to 8/8")]
+    Share {
+        /// As given.
+        text: String,
+    },
+    /// Work that was done on other structures.
+    #[error("the work was done on a share of {given} structures, this one has {structures}")]
+    OtherWork {
+        /// Structures of the work.
+        given: usize,
+        /// Structures of the share.
+        structures: usize,
+    },
     /// A wish that no gearbox of the class can have.
     #[error("{why}")]
     Wish {

@@ -1,7 +1,7 @@
 //! A structure with elements and ring-to-sun ratios as a gearbox of the solver.
 
 use crate::motion::Element;
-use crate::structure::{HOUSING, INPUT, Link, OUTPUT, Structure, link_name};
+use crate::structure::{HOUSING, INPUT, Link, OUTPUT, Structure, link_name, link_of_name};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::set::{MeshLoss, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
@@ -24,6 +24,21 @@ pub fn element_name(element: Element) -> String {
         [HOUSING, link] => link_name(link).to_string(),
         [one, other] => format!("{}-{}", link_name(one), link_name(other)),
     }
+}
+
+/// The element with a name, as [`element_name`] gives it.
+#[must_use]
+pub fn element_of_name(name: &str) -> Option<Element> {
+    let mut links = name.split('-').map(|name| {
+        let mut characters = name.chars();
+        characters.next().filter(|_| characters.next().is_none()).and_then(link_of_name)
+    });
+    match (links.next()?, links.next(), links.next()) {
+        (Some(link), None, None) => Some([HOUSING, link]),
+        (Some(one), Some(Some(other)), None) => Some([one, other]),
+        _ => None,
+    }
+    .filter(|[one, other]| one < other)
 }
 
 /// The gearbox with these elements and this efficiency of each set's two meshes together, by the gears that each engages some of them (by their places).
@@ -60,4 +75,20 @@ pub fn gearbox(
         builder = builder.gear(&(place + 1).to_string(), engaged);
     }
     builder.build()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::elements;
+
+    #[test]
+    fn every_element_is_known_by_its_name() {
+        for element in elements(crate::class::MOST_LINKS) {
+            assert_eq!(element_of_name(&element_name(element)), Some(element));
+        }
+        for name in ["", "-", "a-", "a-b-c", "ab", "b-a", "a-a", "A", "0", "1-é"] {
+            assert_eq!(element_of_name(name), None, "{name}");
+        }
+    }
 }

@@ -12,7 +12,9 @@
 //! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
 //! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
-//! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
+//! | [`run`], [`work`] | a search through a class or a share of it on several threads, broken off and gone on with |
+//! | [`estimate`] | how long a search will take, from a sample |
+//! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
@@ -27,11 +29,13 @@
 //! # Source
 //! multispeed-gearboxes tries a list of schemes of two sets; its 111 structures are class core of two sets and four links.
 
+pub mod asked;
 mod choices;
 pub mod class;
 pub mod count;
 pub mod enumerate;
 mod error;
+pub mod estimate;
 pub mod exterior;
 pub mod gearbox;
 pub mod judge;
@@ -57,6 +61,7 @@ pub mod teeth;
 pub mod ternary;
 mod tolerance;
 pub mod wish;
+pub mod work;
 
 pub use class::Class;
 pub use error::Error;

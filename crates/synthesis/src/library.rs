@@ -60,6 +60,16 @@ impl<W: Word> Library<W> {
         &self.grid
     }
 
+    /// About how many bytes it holds: what is allotted, and a byte more for each place of a hash table.
+    pub(crate) fn bytes(&self) -> usize {
+        let Self { by_speeds, by_ratio, families, of_families, records, reach, .. } = self;
+        by_speeds.capacity() * (size_of::<(Speeds<W>, Number)>() + 1)
+            + by_ratio.capacity() * (size_of::<(Ratio, Number)>() + 1)
+            + families.capacity() * (size_of::<(Ratio, (u32, usize))>() + 1)
+            + (of_families.capacity() + reach.capacity()) * size_of::<Parts>()
+            + records.capacity() * size_of::<Record>()
+    }
+
     /// The number of the function with these speeds, or [`USELESS`].
     pub(crate) fn number(&mut self, speeds: Speeds<W>) -> Number {
         if let Some(number) = self.by_speeds.get(&speeds) {

@@ -1,51 +1,16 @@
 //! A search through a whole class, or a share of it: on all threads of the pool with the feature `parallel`, else on one.
 
 use crate::class::Class;
-use crate::enumerate;
 use crate::error::Error;
-use crate::search::{Search, Solution};
-use crate::structure::Structure;
+use crate::search::Search;
 use crate::tally::Tally;
 use crate::ternary::Word;
 use crate::wish::Wish;
+use crate::work::Work;
+pub use crate::work::{Found, Progress, Share};
 use std::ops::ControlFlow;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
-/// A solution and its structure.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Found {
-    /// The structure.
-    pub structure: Structure,
-    /// Elements, ring-to-sun ratios and gears.
-    pub solution: Solution,
-}
-
-/// How far a search is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Structures that were searched.
-    pub done: usize,
-    /// Structures to search.
-    pub of: usize,
-    /// Solutions so far.
-    pub found: usize,
-}
-
-/// Which structures of a class are searched: of `of` shares the one with this number, from 0. The structures are dealt out in
-/// turn in the order of their canonical words.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Share {
-    /// The number of the share.
-    pub number: usize,
-    /// How many shares there are.
-    pub of: usize,
-}
-
-impl Share {
-    /// The whole class.
-    pub const WHOLE: Self = Self { number: 0, of: 1 };
-}
+use std::sync::{Mutex, PoisonError};
 
 /// What a search found.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,78 +56,92 @@ pub fn search(
     share: Share,
     progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Answer, Error> {
-    wish.check(class)?;
-    Ok(match class.sets() {
-        1..=3 => search_with::<u8>(class, wish, share, progress),
-        4 => search_with::<u16>(class, wish, share, progress),
-        5 => search_with::<u32>(class, wish, share, progress),
-        _ => search_with::<u64>(class, wish, share, progress),
+    let work = go_on(class, wish, share, Work::default(), &|work| progress(work.progress()))?;
+    Ok(Answer {
+        class_size: work.class_size,
+        complete: work.is_complete(),
+        tally: work.tally,
+        found: work.found.into_iter().map(|(_, found)| found).collect(),
     })
 }
 
-/// After how many structures of a thread progress is told and a break is seen.
-const CHUNK: usize = 16;
-
-fn search_with<W: Word + Send>(
+/// Goes on with a search from what is done of it: structures that were searched are not searched again.
+///
+/// `kept` is called by one thread at a time with all that is done, after some structures; a break ends the search. What is found
+/// in a structure depends on the class, the wish and the structure alone, so the work that is complete is the same whether it was
+/// broken off or not, and on any number of threads.
+///
+/// # Errors
+/// As [`search`], and [`Error::OtherWork`] where `before` is not work on this share.
+pub fn go_on(
     class: Class,
     wish: &Wish,
     share: Share,
-    progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
-) -> Answer {
-    let all = enumerate::all(class);
-    let class_size = all.len();
-    let structures: Vec<Structure> = all.into_iter().skip(share.number).step_by(share.of.max(1)).collect();
+    before: Work,
+    kept: &(dyn Fn(&Work) -> ControlFlow<()> + Sync),
+) -> Result<Work, Error> {
+    wish.check(class)?;
+    match class.sets() {
+        1..=3 => go_on_with::<u8>(class, wish, share, before, kept),
+        4 => go_on_with::<u16>(class, wish, share, before, kept),
+        5 => go_on_with::<u32>(class, wish, share, before, kept),
+        _ => go_on_with::<u64>(class, wish, share, before, kept),
+    }
+}
+
+/// How many structures a thread searches before it tells and a break is seen.
+const CHUNK: usize = 16;
+
+fn go_on_with<W: Word + Send>(
+    class: Class,
+    wish: &Wish,
+    share: Share,
+    before: Work,
+    kept: &(dyn Fn(&Work) -> ControlFlow<()> + Sync),
+) -> Result<Work, Error> {
+    let (structures, class_size) = share.structures(class);
+    let work = before.on(class_size, structures.len())?;
+    let left: Vec<usize> = work.left().collect();
     let next = AtomicUsize::new(0);
     let ended = AtomicBool::new(false);
-    let told = Mutex::new(Progress { done: 0, of: structures.len(), found: 0 });
-    let work = || {
+    let work = Mutex::new(work);
+    let on_a_thread = || {
         let mut search = Search::<W>::new(wish.clone(), class.links());
-        let mut found: Vec<(usize, Solution)> = Vec::new();
         while !ended.load(Ordering::Relaxed) {
             let from = next.fetch_add(CHUNK, Ordering::Relaxed);
-            let chunk = from..structures.len().min(from + CHUNK);
-            if chunk.is_empty() {
+            let Some(chunk) = left.get(from..left.len().min(from + CHUNK)).filter(|chunk| !chunk.is_empty())
+            else {
                 break;
-            }
-            let (length, before) = (chunk.len(), found.len());
+            };
+            let mut found = Vec::new();
             for place in chunk {
+                let structure = &structures[*place];
+                let solutions = search.structure(structure).into_iter();
                 found.extend(
-                    search.structure(&structures[place]).into_iter().map(|solution| (place, solution)),
+                    solutions.map(|solution| (*place, Found { structure: structure.clone(), solution })),
                 );
             }
-            let mut told = told.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            told.done += length;
-            told.found += found.len() - before;
-            if progress(*told).is_break() {
+            let mut work = work.lock().unwrap_or_else(PoisonError::into_inner);
+            work.add(chunk, found, search.take_tally());
+            if kept(&work).is_break() {
                 ended.store(true, Ordering::Relaxed);
             }
         }
-        (found, search.tally())
     };
-    let results = on_each_thread(work);
-    let mut tally = Tally::default();
-    let mut found = Vec::new();
-    for (part, counts) in results {
-        found.extend(part);
-        tally += counts;
-    }
-    found.sort_by(|one, other| (one.0, &one.1.elements).cmp(&(other.0, &other.1.elements)));
-    let found = found
-        .into_iter()
-        .map(|(place, solution)| Found { structure: structures[place].clone(), solution })
-        .collect();
-    let complete = tally.structures == structures.len() as u64;
-    Answer { class_size, found, tally, complete }
+    on_each_thread(on_a_thread);
+    let mut work = work.into_inner().unwrap_or_else(PoisonError::into_inner);
+    work.sort();
+    Ok(work)
 }
 
-/// What each thread of the pool comes to, each working until nothing is left.
+/// Works on each thread of the pool until nothing is left.
 #[cfg(feature = "parallel")]
-fn on_each_thread<T: Send>(work: impl Fn() -> T + Sync) -> Vec<T> {
-    rayon::broadcast(|_| work())
+fn on_each_thread(work: impl Fn() + Sync) {
+    rayon::broadcast(|_| work());
 }
 
-/// What one thread comes to.
+/// Works on one thread.
 #[cfg(not(feature = "parallel"))]
-fn on_each_thread<T>(work: impl Fn() -> T) -> Vec<T> {
-    vec![work()]
+fn on_each_thread(work: impl Fn()) {
+    work();
 }

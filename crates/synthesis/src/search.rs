@@ -105,10 +105,15 @@ impl<W: Word> Search<W> {
         }
     }
 
-    /// What was searched so far.
+    /// What was searched since the last call.
+    pub fn take_tally(&mut self) -> Tally {
+        std::mem::take(&mut self.tally)
+    }
+
+    /// About how many bytes it holds of what it learned.
     #[must_use]
-    pub fn tally(&self) -> Tally {
-        self.tally
+    pub fn bytes(&self) -> usize {
+        self.library.bytes()
     }
 
     /// All solutions of a structure; of those that an automorphism makes equal, one.

@@ -40,6 +40,12 @@ pub fn link_name(link: Link) -> char {
     }
 }
 
+/// The link with a name, as [`link_name`] gives it.
+#[must_use]
+pub fn link_of_name(name: char) -> Option<Link> {
+    (0..=Link::try_from(crate::class::MOST_LINKS).ok()?).find(|link| link_name(*link) == name)
+}
+
 impl Structure {
     /// The structure of these sets with so many moving links, in its canonical word.
     ///

@@ -19,14 +19,47 @@ pub struct Tally {
     pub undecided: u64,
 }
 
+impl Tally {
+    /// What is counted, in the order of [`Tally::counts`].
+    pub const NAMES: [&str; 7] = [
+        "structures",
+        "in reach",
+        "candidates",
+        "reducible",
+        "without direct gear",
+        "without single shifts",
+        "undecided",
+    ];
+
+    /// All counts.
+    #[must_use]
+    pub const fn counts(self) -> [u64; Self::NAMES.len()] {
+        // Field by field, so that a new one is not forgotten.
+        let Self {
+            structures,
+            in_reach,
+            candidates,
+            reducible,
+            without_direct,
+            without_single_shifts,
+            undecided,
+        } = self;
+        [structures, in_reach, candidates, reducible, without_direct, without_single_shifts, undecided]
+    }
+
+    /// From all counts.
+    #[must_use]
+    pub const fn of_counts(counts: [u64; Self::NAMES.len()]) -> Self {
+        let [structures, in_reach, candidates, reducible, without_direct, without_single_shifts, undecided] =
+            counts;
+        Self { structures, in_reach, candidates, reducible, without_direct, without_single_shifts, undecided }
+    }
+}
+
 impl std::ops::AddAssign for Tally {
     fn add_assign(&mut self, other: Self) {
-        self.structures += other.structures;
-        self.in_reach += other.in_reach;
-        self.candidates += other.candidates;
-        self.reducible += other.reducible;
-        self.without_direct += other.without_direct;
-        self.without_single_shifts += other.without_single_shifts;
-        self.undecided += other.undecided;
+        let mut counts = self.counts();
+        counts.iter_mut().zip(other.counts()).for_each(|(count, more)| *count += more);
+        *self = Self::of_counts(counts);
     }
 }

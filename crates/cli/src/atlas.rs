@@ -1,0 +1,41 @@
+//! The command `atlas`: all gearboxes of two and three sets as tables.
+
+use crate::failure::Failure;
+use crate::output::say;
+use crate::writing::write_files;
+use epicyclic_tables::atlas::{Table, atlas, classes};
+use std::fs;
+use std::path::PathBuf;
+
+/// All gearboxes of two and three simple planet sets as Parquet tables: structures, gears, and ratios as functions.
+///
+/// No ratios are asked for: every structure is there, with every set of engaged shift elements that drives the output. Two sets with
+/// four and five links, and three sets with five, of class all sparse; three sets with six and seven links of class core.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  epicyclic atlas -o atlas")]
+pub(crate) struct Args {
+    /// Folder for the tables, made if it is not there. Each is written whole, all of them or none.
+    #[arg(short, long, value_name = "FOLDER", value_hint = clap::ValueHint::DirPath)]
+    output: PathBuf,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let folder = &args.output;
+    if !folder.is_dir() {
+        fs::create_dir(folder).map_err(|source| Failure::Write { file: folder.clone(), source })?;
+    }
+    let made = atlas(&classes().map_err(epicyclic_answers::Error::from)?, env!("CARGO_PKG_VERSION"))?;
+    let tables = [("structures", made.structures), ("functions", made.functions), ("gears", made.gears)];
+    let mut told = String::new();
+    let mut files = Vec::new();
+    for (name, Table { bytes, rows }) in tables {
+        let file = folder.join(name).with_extension("parquet");
+        told += &format!("{}: {rows} rows, {} bytes\n", file.display(), bytes.len());
+        files.push((file, bytes));
+    }
+    write_files(&files)?;
+    say(&told)
+}

@@ -1,0 +1,175 @@
+//! `synthesize` in parts on many machines: the search through one share, and all shares together.
+//!
+//! A share in work keeps what is done beside its part, in a file with `.progress` at the end of its name: a part that is not complete.
+//! It is written whole or not at all. The same command goes on from there, and the part it ends with is byte for byte that of a run
+//! that was never ended: what is found in a structure depends on nothing but the question.
+
+use crate::failure::Failure;
+use crate::interrupt::Hearing;
+use crate::output::complain;
+use crate::progress::Progress;
+use crate::synthesize::refused;
+use crate::writing::write_files;
+use epicyclic_answers::synthesize::{Kept, Searching, Synthesis, Wanted, solve_by, tried};
+use epicyclic_synthesis::asked::{Asked, asked};
+use epicyclic_synthesis::run::go_on;
+use epicyclic_synthesis::wish::Wish;
+use epicyclic_synthesis::work::{Share, Work};
+use epicyclic_tables::merge::{merge, same_question};
+use epicyclic_tables::part::Part;
+use std::fs;
+use std::io::ErrorKind;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// How often what is done is kept at most.
+const KEPT_EVERY: Duration = Duration::from_millis(200);
+
+/// Keeping takes at most one part in so many of the time.
+const KEPT_SHARE: u32 = 20;
+
+/// Searches a share of all classes that may have to be searched, and writes what it finds. Whether a class has solutions in other
+/// shares is not known here, so all of them are searched.
+pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), Failure> {
+    let questions = tried(wanted).map_err(refused)?;
+    let asked = asked_of(&questions);
+    if let Some(part) = read(file)?.filter(|part| part.is_complete() && is_same(part, share, &asked)) {
+        complain(&format!("note: {} is complete already: {}", file.display(), told(&part)));
+        return Ok(());
+    }
+    let progress = in_work(file);
+    let mut part = match read(&progress)? {
+        Some(part) => {
+            let name = progress.display().to_string();
+            if part.version != VERSION || part.share != share {
+                let (given, version) = (&part.version, &part.share);
+                let message = format!(
+                    "{name} is of share {version} and version {given}, not of share {share} and version {VERSION}: remove it, or \
+                     name another file"
+                );
+                return Err(Failure::Option { option: "--shard", message });
+            }
+            same_question(&name, &part, &asked)?;
+            complain(&format!("note: going on with {name}"));
+            part
+        }
+        None => {
+            let searches = asked.into_iter().map(|asked| (asked, Work::default())).collect();
+            Part { version: VERSION.into(), share, searches }
+        }
+    };
+    let hearing = Hearing::new();
+    for (number, (Searching { class, .. }, wish)) in questions.iter().enumerate() {
+        let before = std::mem::take(&mut part.searches[number].1);
+        let at = before.progress();
+        let shown = Progress::from(at.done as f64 / at.of.max(1) as f64);
+        let keeping = Mutex::new(Keeping { part: part.clone(), next: Instant::now(), failed: None });
+        let work = go_on(*class, wish, share, before, &|work| {
+            let at = work.progress();
+            shown.at(at.done as f64 / at.of.max(1) as f64);
+            let mut keeping = keeping.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            keeping.keep(number, work, &progress);
+            if keeping.failed.is_some() || hearing.is_asked() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        part.searches[number].1 = work.map_err(|error| refused(error.into()))?;
+        if let Some(failed) = keeping.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).failed {
+            return Err(failed);
+        }
+        if !part.searches[number].1.is_complete() {
+            write_files(&[(progress.clone(), part.to_parquet()?)])?;
+            return Err(Failure::Interrupted(format!(
+                "ended with {}; what is done is kept in {}, and the same command goes on from there",
+                told(&part),
+                progress.display()
+            )));
+        }
+    }
+    write_files(&[(file.to_owned(), part.to_parquet()?)])?;
+    match fs::remove_file(&progress) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            return Err(Failure::Write { file: progress, source: error });
+        }
+        _ => {}
+    }
+    complain(&format!("note: {} is complete: {}", file.display(), told(&part)));
+    Ok(())
+}
+
+/// Keeps what is done, now and then.
+struct Keeping {
+    part: Part,
+    next: Instant,
+    failed: Option<Failure>,
+}
+
+impl Keeping {
+    fn keep(&mut self, number: usize, work: &Work, file: &Path) {
+        let begun = Instant::now();
+        if begun < self.next || self.failed.is_some() {
+            return;
+        }
+        self.part.searches[number].1 = work.clone();
+        let written = self.part.to_parquet().map_err(Failure::from);
+        self.failed = written.and_then(|bytes| write_files(&[(file.to_owned(), bytes)])).err();
+        self.next = Instant::now() + KEPT_EVERY.max(KEPT_SHARE * begun.elapsed());
+    }
+}
+
+/// The answer to a question from all parts of its search.
+pub(crate) fn merged(wanted: &Wanted, files: &[PathBuf]) -> Result<(Synthesis, Vec<Kept>), Failure> {
+    let asked = asked_of(&tried(wanted).map_err(refused)?);
+    let mut parts = Vec::new();
+    for file in files {
+        let part = read(file)?
+            .ok_or_else(|| Failure::Read { file: file.clone(), source: ErrorKind::NotFound.into() })?;
+        parts.push((file.display().to_string(), part));
+    }
+    let mut answers = merge(&parts, VERSION, &asked)?.into_iter();
+    drop(parts);
+    solve_by(wanted, &mut |_, _| {
+        // The classes come in the order of the questions.
+        answers.next().ok_or_else(|| Failure::NothingFound("the parts have no such class".into()))
+    })
+}
+
+fn asked_of(questions: &[(Searching, Wish)]) -> Vec<Asked> {
+    questions.iter().map(|(searching, wish)| asked(searching.class, wish)).collect()
+}
+
+fn is_same(part: &Part, share: Share, asked: &[Asked]) -> bool {
+    part.version == VERSION && part.share == share && same_question("", part, asked).is_ok()
+}
+
+/// The part in a file, if there is one.
+fn read(file: &Path) -> Result<Option<Part>, Failure> {
+    match fs::read(file) {
+        Ok(bytes) => Part::from_parquet(bytes).map(Some).map_err(|error| {
+            let source = std::io::Error::new(ErrorKind::InvalidData, error.to_string());
+            Failure::Read { file: file.to_owned(), source }
+        }),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(source) => Err(Failure::Read { file: file.to_owned(), source }),
+    }
+}
+
+/// Where the work on a part is kept.
+fn in_work(file: &Path) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(".progress");
+    name.into()
+}
+
+/// How many structures were searched, and what was found.
+fn told(part: &Part) -> String {
+    let sum = |of: fn(&Work) -> usize| part.searches.iter().map(|(_, work)| of(work)).sum::<usize>();
+    let (done, found) = (sum(|work| work.progress().done), sum(|work| work.found.len()));
+    format!("share {}, {done} structures searched, {found} gearboxes found", part.share)
+}

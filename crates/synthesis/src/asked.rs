@@ -1,0 +1,33 @@
+//! What was asked of a search, as text: two searches ask the same where the texts are equal, and then they find the same.
+//!
+//! Numbers have as many digits as tell them from every other, so that equal texts are equal numbers, bit by bit.
+
+use crate::class::Class;
+use crate::rules::Rules;
+use crate::wish::Wish;
+
+/// What was asked, by names.
+pub type Asked = Vec<(String, String)>;
+
+/// What a search through a class for a wish is asked.
+#[must_use]
+pub fn asked(class: Class, wish: &Wish) -> Asked {
+    // Field by field, so that a new one is not forgotten.
+    let Wish { gears, elements, k, rules } = wish;
+    let Rules { brakes, clutches, shifts, direct } = rules;
+    let gears = gears.iter().map(|gear| format!("{}..{}", gear.least, gear.most));
+    let ranges = k.iter().map(|range| format!("{}..{}", range.start(), range.end()));
+    let text = |parts: &mut dyn Iterator<Item = String>| parts.collect::<Vec<_>>().join(", ");
+    [
+        ("class", class.to_string()),
+        ("gears", text(&mut gears.into_iter())),
+        ("shift elements", elements.to_string()),
+        ("k", text(&mut ranges.into_iter())),
+        ("brakes", format!("{brakes:?}")),
+        ("clutches", format!("{clutches:?}")),
+        ("shifts", format!("{shifts:?}")),
+        ("direct gear", direct.to_string()),
+    ]
+    .map(|(name, value)| (name.to_owned(), value))
+    .into()
+}

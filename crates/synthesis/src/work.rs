@@ -1,0 +1,205 @@
+//! Work on a share of a class: which structures were searched, and what was found in them.
+
+use crate::class::Class;
+use crate::enumerate;
+use crate::error::Error;
+use crate::search::Solution;
+use crate::structure::Structure;
+use crate::tally::Tally;
+use std::fmt;
+use std::ops::Range;
+use std::str::FromStr;
+
+/// A solution and its structure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The structure.
+    pub structure: Structure,
+    /// Elements, ring-to-sun ratios and gears.
+    pub solution: Solution,
+}
+
+/// How far a search is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Structures that were searched.
+    pub done: usize,
+    /// Structures to search.
+    pub of: usize,
+    /// Solutions so far.
+    pub found: usize,
+}
+
+/// Which structures of a class are searched: of `of` shares the one with this number, from 0. The structures are dealt out in
+/// turn in the order of their canonical words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Share {
+    /// The number of the share.
+    pub number: usize,
+    /// How many shares there are.
+    pub of: usize,
+}
+
+impl Share {
+    /// The whole class.
+    pub const WHOLE: Self = Self { number: 0, of: 1 };
+
+    /// Its structures in the order of their canonical words, and how many the class has.
+    #[must_use]
+    pub fn structures(self, class: Class) -> (Vec<Structure>, usize) {
+        let (mut structures, mut count) = (Vec::new(), 0);
+        enumerate::for_each(class, &mut |sets| {
+            if count % self.of.max(1) == self.number {
+                structures.push(Structure::of_canonical_word(sets.to_vec(), class.links()));
+            }
+            count += 1;
+        });
+        (structures, count)
+    }
+
+    /// The place in the class of the structure at a place of the share, both from 0.
+    #[must_use]
+    pub const fn place_in_class(self, place: usize) -> usize {
+        self.number + place * self.of
+    }
+}
+
+impl fmt::Display for Share {
+    /// `1/8`: the first of eight.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.number + 1, self.of)
+    }
+}
+
+impl FromStr for Share {
+    type Err = Error;
+
+    /// Reads `1/8`, the first of eight.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let fault = || Error::Share { text: text.into() };
+        let (number, of) = text.split_once('/').ok_or_else(fault)?;
+        let [number, of] = [number, of].map(|part| part.trim().parse::<usize>());
+        let (Ok(number), Ok(of)) = (number, of) else { return Err(fault()) };
+        if (1..=of).contains(&number) { Ok(Self { number: number - 1, of }) } else { Err(fault()) }
+    }
+}
+
+/// What is done of a search through a share.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Work {
+    /// Structures in the class; 0 before the search begins.
+    pub class_size: usize,
+    /// Structures of the share.
+    pub structures: usize,
+    /// Places in the share of those that were searched: ranges in rising order that neither touch nor overlap.
+    pub done: Vec<Range<usize>>,
+    /// What was found, with the place of its structure in the share; in the order of places and elements once the search ends.
+    pub found: Vec<(usize, Found)>,
+    /// Counts.
+    pub tally: Tally,
+}
+
+impl Work {
+    /// Whether all structures of the share were searched. No class is empty, so a search that has not begun is not complete.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.class_size > 0 && self.done_count() == self.structures
+    }
+
+    /// How far the search is.
+    #[must_use]
+    pub fn progress(&self) -> Progress {
+        Progress { done: self.done_count(), of: self.structures, found: self.found.len() }
+    }
+
+    fn done_count(&self) -> usize {
+        self.done.iter().map(ExactSizeIterator::len).sum()
+    }
+
+    /// The same for a share with so many structures, as new or if it is of such a share.
+    pub(crate) fn on(mut self, class_size: usize, structures: usize) -> Result<Self, Error> {
+        if self == Self::default() {
+            (self.class_size, self.structures) = (class_size, structures);
+        }
+        let ordered = self.done.windows(2).all(|pair| pair[0].end < pair[1].start)
+            && self.done.iter().all(|range| range.start < range.end);
+        let within = self.done.last().is_none_or(|range| range.end <= structures);
+        if (self.class_size, self.structures) == (class_size, structures) && ordered && within {
+            Ok(self)
+        } else {
+            Err(Error::OtherWork { given: self.structures, structures })
+        }
+    }
+
+    /// Places of the share that were not searched.
+    pub(crate) fn left(&self) -> impl Iterator<Item = usize> {
+        let ends = self.done.iter().map(|range| range.start).chain([self.structures]);
+        let starts = [0].into_iter().chain(self.done.iter().map(|range| range.end));
+        starts.zip(ends).flat_map(|(start, end)| start..end)
+    }
+
+    /// Adds what was found at some places in rising order, and what was counted there.
+    pub(crate) fn add(&mut self, places: &[usize], found: Vec<(usize, Found)>, tally: Tally) {
+        for place in places {
+            let at = self.done.partition_point(|range| range.end < *place);
+            match self.done.get_mut(at) {
+                Some(range) if range.end == *place => range.end += 1,
+                Some(range) if range.start == place + 1 => range.start = *place,
+                _ => self.done.insert(at, *place..place + 1),
+            }
+            if self.done.get(at + 1).is_some_and(|next| next.start == self.done[at].end) {
+                self.done[at].end = self.done.remove(at + 1).end;
+            }
+        }
+        self.found.extend(found);
+        self.tally += tally;
+    }
+
+    pub(crate) fn sort(&mut self) {
+        self.found.sort_by(|(place, one), (other_place, other)| {
+            (place, &one.solution.elements).cmp(&(other_place, &other.solution.elements))
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_numbered_from_one() {
+        assert_eq!("3/8".parse(), Ok(Share { number: 2, of: 8 }));
+        assert_eq!("1/1".parse(), Ok(Share::WHOLE));
+        assert_eq!(Share { number: 2, of: 8 }.to_string(), "3/8");
+        for text in ["0/3", "4/3", "1/0", "1", "a/b", "-1/3", "1/3/5", ""] {
+            let error = text.parse::<Share>().unwrap_err().to_string();
+            assert!(error.contains("is no share: write 1/8"), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn places_that_are_done_are_kept_as_ranges() {
+        let mut work = Work::default().on(40, 20).unwrap();
+        for places in [&[4, 5, 6][..], &[0, 1], &[9], &[2, 3], &[8], &[7]] {
+            work.add(places, Vec::new(), Tally::default());
+        }
+        assert_eq!(work.done, [0..10]);
+        work.add(&[12, 14], Vec::new(), Tally::default());
+        assert_eq!(work.done, [0..10, 12..13, 14..15]);
+        assert_eq!(work.left().collect::<Vec<_>>(), [10, 11, 13, 15, 16, 17, 18, 19]);
+        assert_eq!(work.progress(), Progress { done: 12, of: 20, found: 0 });
+        assert!(!work.is_complete());
+        work.add(&[10, 11, 13, 15, 16, 17, 18, 19], Vec::new(), Tally::default());
+        assert!(work.is_complete() && work.left().next().is_none());
+        assert!(work.on(40, 21).is_err());
+    }
+
+    #[test]
+    fn work_beyond_its_share_is_refused() {
+        let of = |done: Vec<Range<usize>>| Work { class_size: 40, structures: 20, done, ..Work::default() };
+        assert!(of(vec![0..4, 5..20]).on(40, 20).is_ok());
+        for done in [vec![0..4, 4..20], vec![3..3], vec![5..6, 0..2], vec![0..21]] {
+            assert!(of(done.clone()).on(40, 20).is_err(), "{done:?}");
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! What may be wrong with a table.
+
+use parquet::errors::ParquetError;
+
+/// Why there is no table, or nothing to be had from one.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// What the reader or writer of Parquet refuses.
+    #[error("Parquet: {0}")]
+    Parquet(#[from] ParquetError),
+    /// More sets than the atlas has.
+    #[error("{sets} planet sets: the atlas has at most {most}")]
+    Sets {
+        /// How many.
+        sets: usize,
+        /// The most.
+        most: usize,
+    },
+    /// A table that is not part of a search, or not as it was written.
+    #[error("{0}")]
+    NoPart(String),
+    /// Parts of different versions of the program.
+    #[error("{file} is of version {given}, not {version}: all parts have to be of one version")]
+    Version {
+        /// The part.
+        file: String,
+        /// Its version.
+        given: String,
+        /// The version due.
+        version: String,
+    },
+    /// A part of another search.
+    #[error("{file} is of another search: its {what} {given}, here {here}")]
+    OtherSearch {
+        /// The part.
+        file: String,
+        /// What differs.
+        what: String,
+        /// In the part.
+        given: String,
+        /// In this search.
+        here: String,
+    },
+    /// Parts of which the shares are not of one number.
+    #[error("{one} is of {one_of} shares, {other} of {other_of}: all parts have to be of one division")]
+    Division {
+        /// A part.
+        one: String,
+        /// Its number of shares.
+        one_of: usize,
+        /// Another.
+        other: String,
+        /// Its number of shares.
+        other_of: usize,
+    },
+    /// A share that is there twice.
+    #[error("{one} and {other} are both share {share}; give one of them")]
+    Double {
+        /// The share.
+        share: String,
+        /// A part of it.
+        one: String,
+        /// The other.
+        other: String,
+    },
+    /// Shares that are not there.
+    #[error("missing: {} of {of}", missing(shares))]
+    Missing {
+        /// Which.
+        shares: Vec<usize>,
+        /// Of how many.
+        of: usize,
+    },
+    /// A part in work.
+    #[error(
+        "{file} is not complete: {done} of {structures} structures searched; go on with it by its own command"
+    )]
+    Incomplete {
+        /// The part.
+        file: String,
+        /// Structures that were searched.
+        done: usize,
+        /// Structures of its share.
+        structures: usize,
+    },
+}
+
+/// `shares 2, 3, 5`; of many the first.
+fn missing(shares: &[usize]) -> String {
+    /// So many are named.
+    const NAMED: usize = 20;
+    let named: Vec<String> = shares.iter().take(NAMED).map(usize::to_string).collect();
+    let more = match shares.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!("share{} {}{more}", if shares.len() == 1 { "" } else { "s" }, named.join(", "))
+}
