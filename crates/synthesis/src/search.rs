@@ -13,7 +13,7 @@
 //! reach all gears, any further element is tried.
 
 use crate::choices::choose;
-use crate::library::{Library, Number};
+use crate::library::Library;
 use crate::motion::{Element, Motion, elements};
 use crate::parts::{Grid, Parts};
 use crate::ratio::Ratio;
@@ -21,7 +21,7 @@ use crate::rules::may_be;
 use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
-use crate::table::{Functions, Table};
+use crate::table::{Functions, Local, Table, members};
 use crate::tally::Tally;
 use crate::ternary::Word;
 use crate::wish::{Wish, forward};
@@ -307,7 +307,8 @@ impl<W: Word> Search<W> {
             parts = parts.and(self.table.covered(functions, *gear));
         }
         let matched = |part: &usize| {
-            self.table.reached_in(functions, *part, &mut self.reached);
+            self.reached.clear();
+            self.reached.extend(members(functions).map(|function| self.table.reached_in(function, *part)));
             can_match(&self.reached, gears)
         };
         parts.iter().filter(matched).collect()
@@ -316,21 +317,22 @@ impl<W: Word> Search<W> {
     /// The solution of a candidate, if it has all gears at one point.
     fn decide(&mut self, chosen: u64, parts: Parts) -> Option<Solution> {
         self.tally.candidates += 1;
-        let mut numbers: Vec<Number> = Vec::new();
+        let mut locals: Vec<Local> = Vec::new();
         let mut choices: Vec<Vec<u64>> = Vec::new();
-        self.table.for_each_choice(chosen, &mut |local, choice| {
-            let function = self.table.number(local);
-            match numbers.iter().position(|known| *known == function) {
-                Some(place) => choices[place].push(choice),
-                None => {
-                    numbers.push(function);
-                    choices.push(vec![choice]);
-                }
+        self.table.for_each_choice(chosen, &mut |function, choice| match locals
+            .iter()
+            .position(|known| *known == function)
+        {
+            Some(place) => choices[place].push(choice),
+            None => {
+                locals.push(function);
+                choices.push(vec![choice]);
             }
         });
         let sets = self.wish.k.len();
+        let ratio = |function: &Local| self.library.ratio(self.table.number(*function));
         let functions: Vec<Function> =
-            numbers.iter().map(|number| Function::new(self.library.ratio(*number), sets)).collect();
+            locals.iter().map(|function| Function::new(ratio(function), sets)).collect();
         let functions: Vec<&Function> = functions.iter().collect();
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
@@ -367,12 +369,15 @@ impl<W: Word> Search<W> {
                     }
                 };
             let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept);
-            let found = parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
-                Outcome::Found { k, functions } => Some((k, functions)),
-                Outcome::None => None,
-                Outcome::Undecided => {
-                    undecided = true;
-                    None
+            let found = parts.iter().find_map(|part| {
+                let gears = locals.iter().map(|function| self.table.reached_in(*function, part));
+                match solver.search_among(&self.library.grid().part(part), gears) {
+                    Outcome::Found { k, functions } => Some((k, functions)),
+                    Outcome::None => None,
+                    Outcome::Undecided => {
+                        undecided = true;
+                        None
+                    }
                 }
             });
             (found, missed)
