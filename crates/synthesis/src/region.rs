@@ -21,7 +21,7 @@
 use crate::linear::{MOST, Optimum, Programme, Row};
 use crate::parts::{Bounds, Cuboid, coefficients, corner_values};
 use crate::ratio::Ratio;
-use crate::tolerance::{LAST, NO_WIDTH, SMALLEST, WIDENING};
+use crate::tolerance::{LAST, NEAR, NO_WIDTH, SMALLEST, WIDENING};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -40,6 +40,9 @@ const COVER: usize = 512;
 /// After how many ranges an outermost point is sought half as closely.
 const MANY: usize = 128;
 
+/// How far about a point, as a part of each `k`, gears that keep others from being nearer are sought.
+const ABOUT: f64 = 0.003;
+
 /// The most steps of one width towards an outermost point.
 const STEPS: usize = 4;
 
@@ -47,6 +50,8 @@ const STEPS: usize = 4;
 struct Form {
     coefficients: [Vec<f64>; 2],
     gear: Bounds,
+    /// Its deviation is no more to be made less, but may not exceed this.
+    settled: Option<f64>,
 }
 
 /// A linear inequality over a range.
@@ -55,6 +60,8 @@ struct Edge {
     bends: [f64; MOST],
     /// The row's unit, over half the width of the gear's bounds.
     unit: f64,
+    /// The place of its gear.
+    form: usize,
 }
 
 /// The points where each gear is within its bounds by its function.
@@ -66,6 +73,8 @@ pub(crate) struct Region {
     edges: Vec<Edge>,
     /// Whether an output may stand still in the range, so that its gear has no inequality.
     stands: bool,
+    /// Whether the inequalities are those of the planes that touch in the middle of the range: they prove nothing, but lead on.
+    tangent: bool,
     values: [Vec<f64>; 2],
     products: Vec<f64>,
 }
@@ -122,6 +131,7 @@ impl Region {
         let form = |(ratio, gear): (&Ratio, &Bounds)| Form {
             coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)),
             gear: *gear,
+            settled: None,
         };
         Self {
             sets,
@@ -130,19 +140,25 @@ impl Region {
             rows: Vec::new(),
             edges: Vec::new(),
             stands: false,
+            tangent: false,
             values: [Vec::new(), Vec::new()],
             products: Vec::new(),
         }
     }
 
-    /// The greatest deviation of a gear, by half the width of its bounds; infinite or not a number where an output stands still.
+    /// The greatest deviation of a gear that is not settled, by half the width of its bounds; infinite or not a number where an
+    /// output stands still, infinite where a settled one exceeds its own.
     pub(crate) fn deviation(&mut self, k: &[f64]) -> f64 {
         let [above, below] = &mut self.values;
         let mut most: f64 = 0.0;
         for form in &self.forms {
             let [middle, half] = form.gear.middle_and_half();
             let ratio = value(&form.coefficients[0], k, above) / value(&form.coefficients[1], k, below);
-            let deviation = (ratio - middle).abs() / half;
+            let deviation = match ((ratio - middle).abs() / half, form.settled) {
+                (deviation, None) => deviation,
+                (deviation, Some(settled)) if deviation <= settled => 0.0,
+                _ => f64::INFINITY,
+            };
             most = if deviation <= most { most } else { deviation };
         }
         most
@@ -180,6 +196,38 @@ impl Region {
         cover.iter_mut().for_each(|range| range[self.sets] = [0.0, known.value]);
         let sought = Sought { coordinate: self.sets, side: -1.0, within: None };
         self.outermost(&cover, &sought, known, close)
+    }
+
+    /// Of the points about one with the least greatest deviation that where the deviations of the other gears are least, too: the gears
+    /// that keep the greatest from being less are settled, and the greatest of the others is made least, until none is left.
+    pub(crate) fn least_of_others(&mut self, range_of_k: &Cuboid, best: &Outermost) -> Vec<f64> {
+        let mut whole = [[0.0; 2]; MOST];
+        whole[..self.sets].copy_from_slice(range_of_k);
+        let sought = Sought { coordinate: self.sets, side: -1.0, within: None };
+        let mut best = best.clone();
+        while self.forms.iter().any(|form| form.settled.is_none()) {
+            whole[self.sets] = [0.0, best.value];
+            let about = about(&whole, &best.k, ABOUT);
+            if !self.straighten(&about) || self.promised(&about, &sought).is_none() {
+                break;
+            }
+            let least = best.value + NEAR;
+            let mut settles = false;
+            for (edge, weight) in self.edges.iter().zip(self.programme.weights()) {
+                if *weight > NEAR && self.forms[edge.form].settled.is_none() {
+                    self.forms[edge.form].settled = Some(least);
+                    settles = true;
+                }
+            }
+            if !settles {
+                break;
+            }
+            best.value = self.deviation(&best.k);
+            whole[self.sets] = [0.0, best.value];
+            self.polish(&whole, &sought, &mut best);
+        }
+        self.forms.iter_mut().for_each(|form| form.settled = None);
+        best.k
     }
 
     /// The greatest or least value of a `k`, up to `close`, from a point within the bounds.
@@ -297,22 +345,20 @@ impl Region {
         improves
     }
 
-    /// Improves the best point step by step, by the inequalities of ever smaller ranges about it.
+    /// Improves the best point step by step, by the planes that touch in it, over ever smaller ranges.
     fn polish(&mut self, whole: &Range, sought: &Sought<'_>, best: &mut Outermost) {
+        self.tangent = true;
         for width in [0.03, 0.003, 0.0003, 0.00003] {
             for _ in 0..STEPS {
-                let mut about = *whole;
-                for (about, k) in about.iter_mut().zip(&best.k) {
-                    *about = [about[0].max(k * (1.0 - width)), about[1].min(k * (1.0 + width))];
-                }
-                let before = best.value;
+                let about = about(whole, &best.k, width);
                 let improved = self.straighten(&about)
                     && self.promised(&about, sought).is_some_and(|(_, k)| self.improve(sought, k, best));
-                if !improved || (best.value - before).abs() < width * width {
+                if !improved {
                     break;
                 }
             }
         }
+        self.tangent = false;
     }
 
     /// Contracts a range to what its inequalities leave, and sets up those of what is left. Whether it may hold a point.
@@ -378,6 +424,8 @@ impl Region {
             let sign = if least > 0.0 { 1.0 } else { -1.0 };
             let unit = half * least.abs().min(most.abs());
             let widening = WIDENING * middle.abs() * least.abs().max(most.abs());
+            // Some room for what bends.
+            let t = form.settled.map_or(t, |settled| [settled - 0.5 * NEAR; 2]);
             for side in [-1.0, 1.0] {
                 self.products.clear();
                 for t in t {
@@ -385,7 +433,7 @@ impl Region {
                     let corners = self.values[0].iter().zip(&self.values[1]);
                     self.products.extend(corners.map(|(above, below)| sign * side * (bound * below - above)));
                 }
-                if !self.add_row(unit, widening) {
+                if !self.add_row(place, unit, widening) {
                     return false;
                 }
             }
@@ -394,7 +442,7 @@ impl Region {
     }
 
     /// Adds the linear inequality of one whose values at the corners are given, unless it always holds; whether it can be kept.
-    fn add_row(&mut self, unit: f64, widening: f64) -> bool {
+    fn add_row(&mut self, form: usize, unit: f64, widening: f64) -> bool {
         let corners = self.products.len();
         let values = self.products.as_mut_slice();
         if values.iter().all(|value| *value < -widening) {
@@ -442,7 +490,9 @@ impl Region {
             }
             step *= 2;
         }
-        constant += values.iter().copied().fold(0.0, f64::max);
+        if !self.tangent {
+            constant += values.iter().copied().fold(0.0, f64::max);
+        }
         let steepest = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
         if steepest == 0.0 {
             return constant >= 0.0;
@@ -450,7 +500,7 @@ impl Region {
         slopes.iter_mut().chain(&mut bends).for_each(|value| *value /= steepest);
         constant /= steepest;
         self.rows.push(Row { slopes, constant });
-        self.edges.push(Edge { bends, unit: steepest / unit });
+        self.edges.push(Edge { bends, unit: steepest / unit, form });
         true
     }
 
@@ -459,6 +509,15 @@ impl Region {
         let widths = range[..self.sets].iter().map(|[least, most]| most / least - 1.0).enumerate();
         widths.fold((0, 0.0), |most, other| if other.1 > most.1 { other } else { most })
     }
+}
+
+/// A range of so many times each `k` about a point, within a whole.
+fn about(whole: &Range, k: &[f64], width: f64) -> Range {
+    let mut about = *whole;
+    for (about, k) in about.iter_mut().zip(k) {
+        *about = [about[0].max(k * (1.0 - width)), about[1].min(k * (1.0 + width))];
+    }
+    about
 }
 
 /// The place of the largest value, and this.
