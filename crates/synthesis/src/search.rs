@@ -68,7 +68,7 @@ pub struct Search<W> {
     order: Vec<usize>,
     /// Chosen elements, and the parts in which they were gone on from.
     visited: FxHashMap<u64, Parts>,
-    /// Full sets of elements that reach all gears and were looked at.
+    /// Full sets of elements that were looked at.
     seen: FxHashSet<u64>,
     /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
@@ -185,10 +185,15 @@ impl<W: Word> Search<W> {
     fn grow(&mut self, chosen: u64, parts: Parts) {
         let missing = self.wish.elements - chosen.count_ones() as usize;
         if missing == 0 {
-            let mut functions = self.room.pop().unwrap_or_default();
-            self.table.functions_of(chosen, &mut functions);
-            self.complete(chosen, &functions);
-            return self.room.push(functions);
+            if self.seen.insert(chosen) {
+                let mut functions = self.room.pop().unwrap_or_default();
+                self.table.functions_of(chosen, &mut functions);
+                if self.table.may_have_all(&functions) {
+                    self.complete(chosen, &functions);
+                }
+                self.room.push(functions);
+            }
+            return;
         }
         if !self.keeps_rules(chosen) {
             return;
@@ -268,7 +273,7 @@ impl<W: Word> Search<W> {
             let functions = &mut functions[..known.len()];
             functions.iter_mut().zip(&known).for_each(|(one, other)| *one |= other);
             let with = chosen | 1 << element;
-            if with != chosen {
+            if with != chosen && self.table.may_have_all(functions) && self.seen.insert(with) {
                 self.complete(with, functions);
             }
         }
@@ -286,7 +291,7 @@ impl<W: Word> Search<W> {
 
     /// Notes a full set of elements, with these functions, as a candidate, where some parts have all gears.
     fn complete(&mut self, chosen: u64, functions: &[u64]) {
-        if !self.table.may_have_all(functions) || !self.keeps_rules(chosen) || !self.seen.insert(chosen) {
+        if !self.keeps_rules(chosen) {
             return;
         }
         let parts = self.parts_with_all(functions);
