@@ -13,7 +13,7 @@
 //! *undecided*, and counted.
 
 use crate::class::MOST_SETS;
-use crate::parts::{Bounds, Cuboid, coefficients, corner_values};
+use crate::parts::{Bounds, coefficients, corner_values};
 use crate::ratio::Ratio;
 use crate::tolerance::{DAMPING, SMALLEST, WIDENING};
 
@@ -105,9 +105,9 @@ impl<'a> Solver<'a> {
     }
 
     /// Searches a box.
-    pub fn search(&mut self, cuboid: Cuboid) -> Outcome {
+    pub fn search(&mut self, cuboid: &[[f64; 2]]) -> Outcome {
         let every = (1u32 << self.gears.len()) - 1;
-        self.start(&cuboid, std::iter::repeat_n(every, self.functions.len()), false)
+        self.start(cuboid, std::iter::repeat_n(every, self.functions.len()), false)
     }
 
     /// Searches a box in which the functions can reach these gears alone, as bits.
