@@ -4,7 +4,7 @@
 //! the next greatest, and so on. The range of a `k` ends at the
 //! outermost points with all gears within their bounds. Both are proved for the gears' functions as found: a better point, or one
 //! farther out, there is not, up to 10⁻⁶. Where the points with the least deviation, or the outermost, fill whole surfaces, the proof
-//! would take long; so it is sought half as closely after every 128 ranges ([`region`](crate::region)).
+//! would take long; so it is sought half as closely after every 1024 ranges ([`region`](crate::region)).
 
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::Ratio;

@@ -38,7 +38,7 @@ const STRAIGHT: f64 = 0.5;
 const COVER: usize = 512;
 
 /// After how many ranges an outermost point is sought half as closely.
-const MANY: usize = 128;
+const MANY: usize = 1024;
 
 /// How far about a point, as a part of each `k`, gears that keep others from being nearer are sought.
 const ABOUT: f64 = 0.003;
