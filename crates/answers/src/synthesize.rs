@@ -1,18 +1,41 @@
 //! All gearboxes that have a list of ratios.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`explain`] | a given gearbox beside the search |
+//! | [`page`] | what a page of a search draws |
+//! | [`rating`] | what a solution is worth by the solver |
+//! | [`teeth`] | tooth numbers of a solution |
+//! | [`saved`] | a solution as a file |
+//! | `scheme` | which scheme of the document a solution is |
+
+pub mod explain;
+pub mod page;
+pub mod rating;
+pub mod saved;
+mod scheme;
+pub mod teeth;
 
 use crate::{Answer, Error};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::element_name;
 use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::parts::Bounds;
+use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
+use epicyclic_synthesis::teeth::{Choice, Design};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind};
+use epicyclic_train::Gearbox;
+use explain::Explanation;
+use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
+use teeth::{Teeth, TeethWanted};
 
 /// The most solutions that are told: each is judged by the solver.
 pub const MOST_SOLUTIONS: usize = 10_000;
@@ -38,6 +61,14 @@ pub struct Wanted {
     pub efficiency: MeshEfficiency,
     /// How many solutions are told at most.
     pub most: usize,
+    /// Which objectives decide first which solution is the best; the others follow.
+    pub order: Vec<rank::Objective>,
+    /// The objectives of the Pareto front.
+    pub objectives: Vec<rank::Objective>,
+    /// Tooth numbers, if any are wanted.
+    pub teeth: Option<TeethWanted>,
+    /// A gearbox to be placed beside the search.
+    pub explain: Option<Gearbox>,
 }
 
 /// All gearboxes of some planet sets, brakes and clutches that have a list of ratios.
@@ -58,7 +89,17 @@ pub struct Synthesis {
     pub found: usize,
     /// How many of them are told here.
     pub shown: usize,
-    /// These: those with the fewest multiple shifts first, of equal ones those with the higher least efficiency.
+    /// The objectives by which they are ordered, the first decides first.
+    pub order: Vec<Objective>,
+    /// The objectives of the Pareto front.
+    pub objectives: Vec<Objective>,
+    /// How many of the solutions found no other dominates.
+    pub non_dominated: usize,
+    /// The objective by which the first is ahead of others; `null` where there are no others, or all are equal.
+    pub decided_by: Option<Objective>,
+    /// A given gearbox beside the search; `null` where none was given.
+    pub explanation: Option<Explanation>,
+    /// These, the best first.
     pub solutions: Vec<Solution>,
 }
 
@@ -106,6 +147,8 @@ pub enum ClassName {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Solution {
+    /// The scheme of the document that it is; `null` where it is none.
+    pub scheme: Option<&'static str>,
     /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others.
     pub structure: String,
     /// The sets.
@@ -120,6 +163,10 @@ pub struct Solution {
     pub multiple_shifts: usize,
     /// The least efficiency of a gear.
     pub least_efficiency: f64,
+    /// What it is worth.
+    pub rating: Rating,
+    /// Tooth numbers; `null` where none were asked for.
+    pub teeth: Option<Teeth>,
 }
 
 /// A planet set of a solution.
@@ -173,15 +220,41 @@ impl Answer for Synthesis {
     const NAME: &'static str = "synthesize";
 }
 
-/// All gearboxes that have the wanted ratios. Before each class is searched `progress` is told of it; a break ends the search,
-/// and what was found is kept.
+/// A solution that is told, as the search has it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// Its structure, shift elements and ratios.
+    pub found: Found,
+    /// Its best ring-to-sun ratios and its gearbox.
+    pub judged: Judged,
+    /// What it is worth.
+    pub rating: rank::Rating,
+    /// The best tooth numbers, where any were asked for.
+    pub teeth: Vec<Design>,
+}
+
+/// All gearboxes that have the wanted ratios.
 ///
 /// # Errors
-/// [`Error::Synthesis`] where no class can have the ratios.
+/// As [`solve`].
 pub fn answer(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Synthesis, Error> {
+    solve(wanted, progress).map(|(answer, _)| answer)
+}
+
+/// The same, with the solutions that are told as the search has them. Before each class is searched `progress` is told of it; a
+/// break ends the search, and what was found is kept.
+///
+/// # Errors
+/// [`Error::Synthesis`] where no class can have the ratios, and for limits of teeth that nothing can keep.
+pub fn solve(
+    wanted: &Wanted,
+    progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
+) -> Result<(Synthesis, Vec<Kept>), Error> {
+    let choice = wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose()?;
+    let order = rank::Objective::order(&wanted.order);
     let gears: Vec<Bounds> = wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect();
     let mut answer = Synthesis {
         wanted_ratios: wanted.ratios.clone(),
@@ -191,10 +264,15 @@ pub fn answer(
         complete: true,
         found: 0,
         shown: 0,
+        order: order.iter().map(|objective| Objective::of(*objective)).collect(),
+        objectives: wanted.objectives.iter().map(|objective| Objective::of(*objective)).collect(),
+        non_dominated: 0,
+        decided_by: None,
+        explanation: None,
         solutions: Vec::new(),
     };
     let mut refused = None;
-    let mut judged: Vec<(Found, Judged)> = Vec::new();
+    let mut kept: Vec<Kept> = Vec::new();
     'classes: for sets in wanted.sets.clone() {
         for shift_elements in wanted.elements.clone() {
             for engaged in wanted.engaged.clone() {
@@ -226,12 +304,15 @@ pub fn answer(
                     undecided: found.tally.undecided,
                 });
                 let judgements = judge_all(&found.found, &wish, wanted.efficiency)?;
-                judged.extend(found.found.into_iter().zip(judgements));
+                for (found, judged) in found.found.into_iter().zip(judgements) {
+                    let rating = rank::Rating::of(&judged)?;
+                    kept.push(Kept { found, judged, rating, teeth: Vec::new() });
+                }
                 if !found.complete {
                     break 'classes;
                 }
             }
-            if !judged.is_empty() {
+            if !kept.is_empty() {
                 break 'classes;
             }
         }
@@ -239,17 +320,36 @@ pub fn answer(
     if let (true, Some(error)) = (answer.searched.is_empty(), refused) {
         return Err(error.into());
     }
-    judged.sort_by(|(_, one), (_, other)| {
-        let efficiency = other.least_efficiency().total_cmp(&one.least_efficiency());
-        one.multiple_shifts.cmp(&other.multiple_shifts).then(efficiency)
-    });
-    answer.found = judged.len();
-    answer.shown = judged.len().min(wanted.most).min(MOST_SOLUTIONS);
-    answer.solutions = judged[..answer.shown]
-        .iter()
-        .map(|(found, judged)| Solution::of(found, judged, &wanted.ratios))
+    kept.sort_by(|one, other| one.rating.compare(&other.rating, &order));
+    let ratings: Vec<&rank::Rating> = kept.iter().map(|kept| &kept.rating).collect();
+    let on_front = front(&ratings, &wanted.objectives);
+    let behind = |place: usize| ratings[place].decides(ratings[0], &order);
+    let first_of = |objectives: &mut dyn Iterator<Item = rank::Objective>| {
+        objectives.min_by_key(|objective| order.iter().position(|other| other == objective))
+    };
+    answer.found = kept.len();
+    answer.non_dominated = on_front.len();
+    answer.decided_by = first_of(&mut (1..kept.len()).filter_map(behind)).map(Objective::of);
+    answer.shown = kept.len().min(wanted.most).min(MOST_SOLUTIONS);
+    answer.solutions = (0..answer.shown)
+        .map(|place| {
+            let Kept { found, judged, rating, .. } = &kept[place];
+            let rating = Rating::of(rating, judged, on_front.binary_search(&place).is_ok(), behind(place));
+            Solution::of(found, judged, &wanted.ratios, rating)
+        })
         .collect();
-    Ok(answer)
+    if let Some(gearbox) = &wanted.explain {
+        answer.explanation = Some(explain::explain(gearbox, wanted, &answer, &kept)?);
+    }
+    kept.truncate(answer.shown);
+    if let (Some(teeth), Some(choice)) = (&wanted.teeth, &choice) {
+        for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
+            let k = vec![wanted.k.clone(); solution.sets.len()];
+            let (told, best) = Teeth::of(&kept.found, &gears, &wanted.ratios, &k, choice, teeth);
+            (solution.teeth, kept.teeth) = (Some(told), best);
+        }
+    }
+    Ok((answer, kept))
 }
 
 /// A class that is being searched.
@@ -285,7 +385,7 @@ impl ClassName {
 }
 
 impl Solution {
-    fn of(found: &Found, judged: &Judged, wanted: &[f64]) -> Self {
+    fn of(found: &Found, judged: &Judged, wanted: &[f64], rating: Rating) -> Self {
         let solution = &found.solution;
         let sets = found.structure.sets().iter().zip(&judged.refined.k).zip(&judged.refined.ranges);
         let sets = sets.map(|((members, k), range)| {
@@ -309,6 +409,7 @@ impl Solution {
             })
             .collect();
         Self {
+            scheme: scheme::of(found).map(Scheme::name),
             structure: found.structure.to_string(),
             sets: sets.collect(),
             shift_elements: shift_elements.collect(),
@@ -316,6 +417,8 @@ impl Solution {
             gears,
             multiple_shifts: judged.multiple_shifts,
             least_efficiency: judged.least_efficiency(),
+            rating,
+            teeth: None,
         }
     }
 }

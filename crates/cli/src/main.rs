@@ -37,6 +37,7 @@ mod lists;
 mod machine;
 mod man;
 mod motor;
+mod named;
 mod options;
 mod output;
 mod page;

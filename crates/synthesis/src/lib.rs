@@ -15,6 +15,7 @@
 //! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
+//! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -52,6 +53,7 @@ pub mod solve;
 pub mod structure;
 mod table;
 pub mod tally;
+pub mod teeth;
 pub mod ternary;
 mod tolerance;
 pub mod wish;

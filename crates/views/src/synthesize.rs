@@ -1,5 +1,9 @@
 //! Gearboxes for a list of ratios, as tables.
 
+mod explain;
+mod rating;
+mod teeth;
+
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
@@ -24,15 +28,17 @@ impl AsReport for Synthesis {
             Part::Records(searched(&self.searched)),
             Part::Text(Text::paragraph(count(self))),
         ];
-        if !self.solutions.is_empty() {
+        parts.extend(self.explanation.as_ref().map(explain::explained).map(Part::Text));
+        if let Some(first) = self.solutions.first() {
             parts.push(Part::Records(solutions(&self.solutions)));
-            parts.extend(
-                self.solutions
-                    .iter()
-                    .take(SHOWN_IN_FULL)
-                    .enumerate()
-                    .map(|(place, found)| Part::Text(gears(place + 1, found))),
-            );
+            parts.push(Part::Records(rating::ratings(&self.solutions)));
+            parts.extend(rating::why(self).map(Part::Text));
+            parts.extend(schemes(self).map(Part::Text));
+            for (place, found) in self.solutions.iter().enumerate().take(SHOWN_IN_FULL) {
+                parts.push(Part::Text(gears(place + 1, found)));
+                parts.extend(teeth::teeth(place + 1, found).map(Part::Text));
+            }
+            parts.push(Part::Text(rating::gears(1, first)));
             parts.push(Part::Text(Text::paragraph(LEGEND)));
         }
         Report { title: Some("Gearboxes for a list of ratios".into()), parts, warnings: Some(warnings(self)) }
@@ -41,7 +47,8 @@ impl AsReport for Synthesis {
 
 const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
     of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
-    element. Least η: the least efficiency of a gear.";
+    element. Least η: the least efficiency of a gear. T_e, T_m: the greatest torque of a shift element, of a member of a \
+    set. Link, planet: the greatest speed of a link, of a planet relative to its carrier. Circ.: circulating power over what enters.";
 
 /// How many were found, how many shown.
 #[must_use]
@@ -52,6 +59,22 @@ pub fn count(answer: &Synthesis) -> String {
         shown if shown == answer.found => format!("{} {gearboxes} found{ended}.", answer.found),
         shown => format!("{} {gearboxes} found{ended}, {shown} shown; --limit shows more.", answer.found),
     }
+}
+
+/// Which of the solutions are schemes of the document.
+fn schemes(answer: &Synthesis) -> Option<Text> {
+    let named = |(place, found): (usize, &Solution)| {
+        found.scheme.map(|scheme| format!("gearbox {} is scheme {scheme}", place + 1))
+    };
+    let mut points: Vec<String> = answer.solutions.iter().enumerate().filter_map(named).collect();
+    if points.is_empty() {
+        return None;
+    }
+    points.push(
+        "select searches these schemes for two and three speeds and judges them by the document's criteria"
+            .to_owned(),
+    );
+    Some(Text::list("Schemes of the catalogue", points))
 }
 
 fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
