@@ -46,8 +46,16 @@ impl Choices {
         choose(elements, self.terms.len() - 1)
     }
 
-    /// Calls `visit` with the number of each choice of one less.
+    /// Calls `visit` with the number of each choice of one less: without a call a choice where three are engaged.
     pub(crate) fn for_each_of_one_less(&self, elements: u64, visit: &mut impl FnMut(usize)) {
+        if let [first, second, _] = self.terms.as_slice() {
+            for high in places(elements) {
+                for low in places(elements & !(!0 << high)) {
+                    visit(first[low] + second[high]);
+                }
+            }
+            return;
+        }
         go(&self.terms[..self.terms.len() - 1], elements, 0, 0, &mut |number, _| visit(number));
     }
 

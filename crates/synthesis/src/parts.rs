@@ -310,14 +310,35 @@ impl Grid {
 pub(crate) fn corner_values(coefficients: &[f64], cuboid: &[[f64; 2]], values: &mut Vec<f64>) {
     values.clear();
     values.extend_from_slice(coefficients);
+    // With a number of corners that is known beforehand the loops need no counters.
+    if let (Ok(values), [one, two, three, four]) = (<&mut [f64; 16]>::try_from(values.as_mut_slice()), cuboid)
+    {
+        bounds_of::<1>(values, one);
+        bounds_of::<2>(values, two);
+        bounds_of::<4>(values, three);
+        bounds_of::<8>(values, four);
+        return;
+    }
     for (set, [least, most]) in cuboid.iter().enumerate() {
-        let step = 1 << set;
-        for block in values.chunks_exact_mut(2 * step) {
-            let (constant, slope) = block.split_at_mut(step);
-            for (constant, slope) in constant.iter_mut().zip(slope) {
-                (*constant, *slope) = (*constant + *slope * least, *constant + *slope * most);
-            }
+        for block in values.chunks_exact_mut(2 << set) {
+            at_bounds(block, 1 << set, *least, *most);
         }
+    }
+}
+
+/// Puts the bounds of one of four `k` in its place.
+#[inline]
+fn bounds_of<const STEP: usize>(values: &mut [f64; 16], [least, most]: &[f64; 2]) {
+    for block in values.chunks_exact_mut(2 * STEP) {
+        at_bounds(block, STEP, *least, *most);
+    }
+}
+
+#[inline]
+fn at_bounds(block: &mut [f64], step: usize, least: f64, most: f64) {
+    let (constant, slope) = block.split_at_mut(step);
+    for (constant, slope) in constant.iter_mut().zip(slope) {
+        (*constant, *slope) = (*constant + *slope * least, *constant + *slope * most);
     }
 }
 

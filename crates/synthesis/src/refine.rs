@@ -1,8 +1,10 @@
 //! The best ring-to-sun ratios of a solution, and the range that each may have.
 //!
-//! *Best* is where the greatest deviation of a gear, by the half of its bounds' width, is least. The range of a `k` ends at the
+//! *Best* is where the greatest deviation of a gear, by the half of its bounds' width, is least, and where the others leave a choice
+//! the next greatest, and so on. The range of a `k` ends at the
 //! outermost points with all gears within their bounds. Both are proved for the gears' functions as found: a better point, or one
-//! farther out, there is not (`region`).
+//! farther out, there is not, up to 10⁻⁶. Where the points with the least deviation, or the outermost, fill whole surfaces, the proof
+//! would take long; so it is sought half as closely after every 1024 ranges (`region`).
 
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::Ratio;
@@ -16,7 +18,7 @@ pub struct Refined {
     pub k: Vec<f64>,
     /// The greatest deviation there, as a part of the bounds' half width: 0 in the middle of all bounds, 1 at one.
     pub deviation: f64,
-    /// The range of each `k` in which points with all gears are found, the others moving along; outermost to 10⁻⁶.
+    /// The range of each `k` in which points with all gears are found, the others moving along; outermost to 10⁻⁶ as a rule.
     pub ranges: Vec<[f64; 2]>,
 }
 
@@ -26,9 +28,9 @@ pub fn refine(ratios: &[Ratio], gears: &[Bounds], range_of_k: &Cuboid, point: &[
     let sets = range_of_k.len();
     let mut region = Region::new(ratios, gears, sets);
     let cover = region.cover(range_of_k);
-    let best = region.least_deviation(&cover, point, NEAR);
-    let mut end =
-        |set: usize, upper: bool| region.outermost_k(&cover, set, upper, &best.k, NEAR * best.k[set]);
+    let least = region.least_deviation(&cover, point, NEAR);
+    let k = region.least_of_others(range_of_k, &least);
+    let mut end = |set: usize, upper: bool| region.outermost_k(&cover, set, upper, &k, NEAR * k[set]);
     let ranges = (0..sets).map(|set| [end(set, false), end(set, true)]).collect();
-    Refined { deviation: best.value, k: best.k, ranges }
+    Refined { deviation: region.deviation(&k), k, ranges }
 }

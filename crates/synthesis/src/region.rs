@@ -15,12 +15,15 @@
 //!
 //! # Complete
 //! A range is given up where the programme, or the signs at the corners, prove that it holds no point with more than was
-//! found. One that is below 10⁻⁷ of each `k` is given up as well.
+//! found. One that is below 10⁻⁷ of each `k` is given up as well. Where the outermost points fill a surface, ranges along all of
+//! it promise hardly more than was found; then the search for them ends sooner ([`Region::least_deviation`]).
 
 use crate::linear::{MOST, Optimum, Programme, Row};
 use crate::parts::{Bounds, Cuboid, coefficients, corner_values};
 use crate::ratio::Ratio;
-use crate::tolerance::{LAST, NO_WIDTH, SMALLEST, WIDENING};
+use crate::tolerance::{LAST, NEAR, NO_WIDTH, SMALLEST, WIDENING};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 /// A range of each `k`, and after them of `t`.
 type Range = [[f64; 2]; MOST];
@@ -31,10 +34,24 @@ const WORTH_MORE: f64 = 0.8;
 /// The part of half the width of a gear's bounds by which the linear inequalities of a covering range may be wrong.
 const STRAIGHT: f64 = 0.5;
 
+/// The most ranges of a cover, as long as no function's output stands still in them.
+const COVER: usize = 512;
+
+/// After how many ranges an outermost point is sought half as closely.
+const MANY: usize = 1024;
+
+/// How far about a point, as a part of each `k`, gears that keep others from being nearer are sought.
+const ABOUT: f64 = 0.003;
+
+/// The most steps of one width towards an outermost point.
+const STEPS: usize = 4;
+
 /// A function and the gear that it has.
 struct Form {
     coefficients: [Vec<f64>; 2],
     gear: Bounds,
+    /// Its deviation is no more to be made less, but may not exceed this.
+    settled: Option<f64>,
 }
 
 /// A linear inequality over a range.
@@ -43,6 +60,8 @@ struct Edge {
     bends: [f64; MOST],
     /// The row's unit, over half the width of the gear's bounds.
     unit: f64,
+    /// The place of its gear.
+    form: usize,
 }
 
 /// The points where each gear is within its bounds by its function.
@@ -54,6 +73,8 @@ pub(crate) struct Region {
     edges: Vec<Edge>,
     /// Whether an output may stand still in the range, so that its gear has no inequality.
     stands: bool,
+    /// Whether the inequalities are those of the planes that touch in the middle of the range: they prove nothing, but lead on.
+    tangent: bool,
     values: [Vec<f64>; 2],
     products: Vec<f64>,
 }
@@ -67,12 +88,50 @@ pub(crate) struct Outermost {
     pub(crate) k: Vec<f64>,
 }
 
+/// A coordinate of which the most is sought, `t` after the `k`.
+struct Sought<'a> {
+    coordinate: usize,
+    /// 1 for the greatest, −1 for the least.
+    side: f64,
+    /// For a `k` a point within the bounds.
+    within: Option<&'a [f64]>,
+}
+
+/// A range, and the most that it can have. Of those with equal promises the one that was halved more often is the greater: it leads
+/// to a point sooner.
+struct Promise {
+    most: f64,
+    halved: u32,
+    range: Range,
+}
+
+impl Ord for Promise {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.most.total_cmp(&other.most).then(self.halved.cmp(&other.halved))
+    }
+}
+
+impl PartialOrd for Promise {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Promise {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Promise {}
+
 impl Region {
     /// Of these functions and gears, in turn.
     pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], sets: usize) -> Self {
         let form = |(ratio, gear): (&Ratio, &Bounds)| Form {
             coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)),
             gear: *gear,
+            settled: None,
         };
         Self {
             sets,
@@ -81,25 +140,31 @@ impl Region {
             rows: Vec::new(),
             edges: Vec::new(),
             stands: false,
+            tangent: false,
             values: [Vec::new(), Vec::new()],
             products: Vec::new(),
         }
     }
 
-    /// The greatest deviation of a gear, by half the width of its bounds; infinite or not a number where an output stands still.
+    /// The greatest deviation of a gear that is not settled, by half the width of its bounds; infinite or not a number where an
+    /// output stands still, infinite where a settled one exceeds its own.
     pub(crate) fn deviation(&mut self, k: &[f64]) -> f64 {
         let [above, below] = &mut self.values;
         let mut most: f64 = 0.0;
         for form in &self.forms {
             let [middle, half] = form.gear.middle_and_half();
             let ratio = value(&form.coefficients[0], k, above) / value(&form.coefficients[1], k, below);
-            let deviation = (ratio - middle).abs() / half;
+            let deviation = match ((ratio - middle).abs() / half, form.settled) {
+                (deviation, None) => deviation,
+                (deviation, Some(settled)) if deviation <= settled => 0.0,
+                _ => f64::INFINITY,
+            };
             most = if deviation <= most { most } else { deviation };
         }
         most
     }
 
-    /// Ranges that together hold every point, each so small that its inequalities are nearly straight.
+    /// Ranges that together hold every point, as long as they are not too many each so small that its inequalities are nearly straight.
     pub(crate) fn cover(&mut self, range_of_k: &Cuboid) -> Vec<Range> {
         let mut whole = [[0.0; 2]; MOST];
         whole[..self.sets].copy_from_slice(range_of_k);
@@ -115,7 +180,7 @@ impl Region {
             }
             let (bent, most) = largest(&bends);
             let (widest, width) = self.widest(&range);
-            if !self.stands && most < STRAIGHT {
+            if !self.stands && (most < STRAIGHT || cover.len() + left.len() >= COVER) {
                 cover.push(range);
             } else if width > SMALLEST {
                 left.extend(halves(&range, if self.stands { widest } else { bent }));
@@ -124,17 +189,48 @@ impl Region {
         cover
     }
 
-    /// The point with the least greatest deviation, up to `close`, and this deviation, if it is below that of a point that is known.
+    /// The point with the least greatest deviation and this deviation, up to `close`, from a point that is known.
     pub(crate) fn least_deviation(&mut self, cover: &[Range], known: &[f64], close: f64) -> Outermost {
         let known = Outermost { value: self.deviation(known), k: known.to_vec() };
         let mut cover = cover.to_vec();
         cover.iter_mut().for_each(|range| range[self.sets] = [0.0, known.value]);
-        self.outermost(&cover, self.sets, -1.0, known, close, &mut |region, k| {
-            Some(Outermost { value: region.deviation(&k), k })
-        })
+        let sought = Sought { coordinate: self.sets, side: -1.0, within: None };
+        self.outermost(&cover, &sought, known, close)
     }
 
-    /// The greatest or least value of a `k`, up to `close`, seen from a point within: what lies beyond is found along the line to it.
+    /// Of the points about one with the least greatest deviation that where the deviations of the other gears are least, too: the gears
+    /// that keep the greatest from being less are settled, and the greatest of the others is made least, until none is left.
+    pub(crate) fn least_of_others(&mut self, range_of_k: &Cuboid, best: &Outermost) -> Vec<f64> {
+        let mut whole = [[0.0; 2]; MOST];
+        whole[..self.sets].copy_from_slice(range_of_k);
+        let sought = Sought { coordinate: self.sets, side: -1.0, within: None };
+        let mut best = best.clone();
+        while self.forms.iter().any(|form| form.settled.is_none()) {
+            whole[self.sets] = [0.0, best.value];
+            let about = about(&whole, &best.k, ABOUT);
+            if !self.straighten(&about) || self.promised(&about, &sought).is_none() {
+                break;
+            }
+            let least = best.value + NEAR;
+            let mut settles = false;
+            for (edge, weight) in self.edges.iter().zip(self.programme.weights()) {
+                if *weight > NEAR && self.forms[edge.form].settled.is_none() {
+                    self.forms[edge.form].settled = Some(least);
+                    settles = true;
+                }
+            }
+            if !settles {
+                break;
+            }
+            best.value = self.deviation(&best.k);
+            whole[self.sets] = [0.0, best.value];
+            self.polish(&whole, &sought, &mut best);
+        }
+        self.forms.iter_mut().for_each(|form| form.settled = None);
+        best.k
+    }
+
+    /// The greatest or least value of a `k`, up to `close`, from a point within the bounds.
     pub(crate) fn outermost_k(
         &mut self,
         cover: &[Range],
@@ -145,44 +241,38 @@ impl Region {
     ) -> f64 {
         let known = Outermost { value: within[set], k: within.to_vec() };
         let side = if upper { 1.0 } else { -1.0 };
-        let found = self.outermost(cover, set, side, known, close, &mut |region, k| {
-            let mut part = [0.0, 1.0];
-            let at = |part: f64| -> Vec<f64> {
-                within.iter().zip(&k).map(|(from, to)| from + part * (to - from)).collect()
-            };
-            if region.deviation(&k) <= 1.0 {
-                part = [1.0; 2];
-            }
-            while part[1] - part[0] > LAST {
-                let middle = 0.5 * (part[0] + part[1]);
-                let holds = region.deviation(&at(middle)) <= 1.0;
-                part[usize::from(!holds)] = middle;
-            }
-            let k = at(part[0]);
-            Some(Outermost { value: k[set], k })
-        });
-        found.value
+        let sought = Sought { coordinate: set, side, within: Some(within) };
+        self.outermost(cover, &sought, known, close).value
     }
 
-    /// The outermost point of some ranges along a coordinate. `reached` makes a point of those that the linear programmes give.
+    /// The outermost point of some ranges, up to `close`: where many ranges promise hardly more, up to twice as much after so many
+    /// of them.
     fn outermost(
         &mut self,
         ranges: &[Range],
-        coordinate: usize,
-        side: f64,
+        sought: &Sought<'_>,
         mut best: Outermost,
-        close: f64,
-        reached: &mut dyn FnMut(&mut Self, Vec<f64>) -> Option<Outermost>,
+        mut close: f64,
     ) -> Outermost {
+        let Sought { coordinate, side, .. } = *sought;
         let end = usize::from(side > 0.0);
-        let mut left: Vec<Range> = ranges.to_vec();
+        let mut whole: Range = [[f64::INFINITY, f64::NEG_INFINITY]; MOST];
+        for range in ranges {
+            for (whole, range) in whole.iter_mut().zip(range) {
+                *whole = [whole[0].min(range[0]), whole[1].max(range[1])];
+            }
+        }
         // Those that promise the most first: with their points many of the others are given up at once.
-        while let Some(place) = (0..left.len()).max_by(|one, other| {
-            (side * left[*one][coordinate][end]).total_cmp(&(side * left[*other][coordinate][end]))
-        }) {
-            let mut range = left.swap_remove(place);
+        let promise = |range: Range, halved| Promise { most: side * range[coordinate][end], halved, range };
+        let mut left: BinaryHeap<Promise> = ranges.iter().map(|range| promise(*range, 0)).collect();
+        let mut searched = 0;
+        while let Some(Promise { most, halved, mut range }) = left.pop() {
+            searched += 1;
+            if searched % MANY == 0 {
+                close *= 2.0;
+            }
             let beyond = best.value + side * close;
-            if side * range[coordinate][end] <= side * beyond {
+            if most <= side * beyond {
                 break;
             }
             range[coordinate][1 - end] =
@@ -190,35 +280,85 @@ impl Region {
             if !self.contract(&mut range) {
                 continue;
             }
-            let mut objective = [0.0; MOST];
-            objective[coordinate] = side;
-            let (bound, point) = match self.programme.most(&self.rows, &objective, self.sets + 1) {
-                Optimum::None => continue,
-                Optimum::Most { bound, point } => (bound, point),
-            };
+            let Some((bound, k)) = self.promised(&range, sought) else { continue };
             let mut bends = [0.0; MOST];
             for (edge, weight) in self.edges.iter().zip(self.programme.weights()) {
                 bends.iter_mut().zip(edge.bends).for_each(|(sum, bend)| *sum += weight * bend);
             }
-            let k = range[..self.sets].iter().zip(point).map(|(range, x)| across(*range, x)).collect();
-            if let Some(found) = reached(self, k)
-                && side * found.value > side * best.value
-            {
-                best = found;
+            let stands = self.stands;
+            if self.improve(sought, k, &mut best) {
+                self.polish(&whole, sought, &mut best);
             }
-            let limit = across(range[coordinate], (side * bound).clamp(-1.0, 1.0));
-            range[coordinate][end] = limit + side * WIDENING * limit.abs();
-            if side * range[coordinate][end] <= side * (best.value + side * close) {
-                continue;
-            }
+            range[coordinate][end] = side * (side * range[coordinate][end]).min(bound);
             let (bent, most) = largest(&bends);
             let (widest, width) = self.widest(&range);
-            if width > SMALLEST {
-                let place = if self.stands || most == 0.0 { widest } else { bent };
-                left.extend(halves(&range, place));
+            if width > SMALLEST && side * (range[coordinate][end] - best.value) > close {
+                let place = if stands || most == 0.0 { widest } else { bent };
+                left.extend(halves(&range, place).map(|half| promise(half, halved + 1)));
             }
         }
         best
+    }
+
+    /// What no point of a range exceeds, by its inequalities, and the point that keeps them with the most.
+    fn promised(&mut self, range: &Range, sought: &Sought<'_>) -> Option<(f64, Vec<f64>)> {
+        let mut objective = [0.0; MOST];
+        objective[sought.coordinate] = sought.side;
+        let Optimum::Most { bound, point } = self.programme.most(&self.rows, &objective, self.sets + 1)
+        else {
+            return None;
+        };
+        let limit = sought.side * across(range[sought.coordinate], (sought.side * bound).clamp(-1.0, 1.0));
+        let k = range[..self.sets].iter().zip(point).map(|(range, x)| across(*range, x)).collect();
+        Some((limit + WIDENING * limit.abs(), k))
+    }
+
+    /// Takes a point in the place of the best known, if it has more within the bounds.
+    fn improve(&mut self, sought: &Sought<'_>, mut k: Vec<f64>, best: &mut Outermost) -> bool {
+        let value = match sought.within {
+            None => self.deviation(&k),
+            Some(within) => {
+                // The last point within the bounds on the line to it.
+                let (mut inner, mut outer) = (0.0, 1.0);
+                let at = |part: f64| -> Vec<f64> {
+                    within.iter().zip(&k).map(|(from, to)| from + part * (to - from)).collect()
+                };
+                if self.deviation(&k) <= 1.0 {
+                    inner = 1.0;
+                }
+                while outer - inner > LAST {
+                    let middle = 0.5 * (inner + outer);
+                    if self.deviation(&at(middle)) <= 1.0 {
+                        inner = middle;
+                    } else {
+                        outer = middle;
+                    }
+                }
+                k = at(inner);
+                k[sought.coordinate]
+            }
+        };
+        let improves = sought.side * value > sought.side * best.value;
+        if improves {
+            *best = Outermost { value, k };
+        }
+        improves
+    }
+
+    /// Improves the best point step by step, by the planes that touch in it, over ever smaller ranges.
+    fn polish(&mut self, whole: &Range, sought: &Sought<'_>, best: &mut Outermost) {
+        self.tangent = true;
+        for width in [0.03, 0.003, 0.0003, 0.00003] {
+            for _ in 0..STEPS {
+                let about = about(whole, &best.k, width);
+                let improved = self.straighten(&about)
+                    && self.promised(&about, sought).is_some_and(|(_, k)| self.improve(sought, k, best));
+                if !improved {
+                    break;
+                }
+            }
+        }
+        self.tangent = false;
     }
 
     /// Contracts a range to what its inequalities leave, and sets up those of what is left. Whether it may hold a point.
@@ -284,6 +424,8 @@ impl Region {
             let sign = if least > 0.0 { 1.0 } else { -1.0 };
             let unit = half * least.abs().min(most.abs());
             let widening = WIDENING * middle.abs() * least.abs().max(most.abs());
+            // Some room for what bends.
+            let t = form.settled.map_or(t, |settled| [settled - 0.5 * NEAR; 2]);
             for side in [-1.0, 1.0] {
                 self.products.clear();
                 for t in t {
@@ -291,7 +433,7 @@ impl Region {
                     let corners = self.values[0].iter().zip(&self.values[1]);
                     self.products.extend(corners.map(|(above, below)| sign * side * (bound * below - above)));
                 }
-                if !self.add_row(unit, widening) {
+                if !self.add_row(place, unit, widening) {
                     return false;
                 }
             }
@@ -300,7 +442,7 @@ impl Region {
     }
 
     /// Adds the linear inequality of one whose values at the corners are given, unless it always holds; whether it can be kept.
-    fn add_row(&mut self, unit: f64, widening: f64) -> bool {
+    fn add_row(&mut self, form: usize, unit: f64, widening: f64) -> bool {
         let corners = self.products.len();
         let values = self.products.as_mut_slice();
         if values.iter().all(|value| *value < -widening) {
@@ -348,7 +490,9 @@ impl Region {
             }
             step *= 2;
         }
-        constant += values.iter().copied().fold(0.0, f64::max);
+        if !self.tangent {
+            constant += values.iter().copied().fold(0.0, f64::max);
+        }
         let steepest = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
         if steepest == 0.0 {
             return constant >= 0.0;
@@ -356,7 +500,7 @@ impl Region {
         slopes.iter_mut().chain(&mut bends).for_each(|value| *value /= steepest);
         constant /= steepest;
         self.rows.push(Row { slopes, constant });
-        self.edges.push(Edge { bends, unit: steepest / unit });
+        self.edges.push(Edge { bends, unit: steepest / unit, form });
         true
     }
 
@@ -365,6 +509,15 @@ impl Region {
         let widths = range[..self.sets].iter().map(|[least, most]| most / least - 1.0).enumerate();
         widths.fold((0, 0.0), |most, other| if other.1 > most.1 { other } else { most })
     }
+}
+
+/// A range of so many times each `k` about a point, within a whole.
+fn about(whole: &Range, k: &[f64], width: f64) -> Range {
+    let mut about = *whole;
+    for (about, k) in about.iter_mut().zip(k) {
+        *about = [about[0].max(k * (1.0 - width)), about[1].min(k * (1.0 + width))];
+    }
+    about
 }
 
 /// The place of the largest value, and this.

@@ -13,7 +13,7 @@
 //! reach all gears, any further element is tried.
 
 use crate::choices::choose;
-use crate::library::{Library, Number};
+use crate::library::Library;
 use crate::motion::{Element, Motion, elements};
 use crate::parts::{Grid, Parts};
 use crate::ratio::Ratio;
@@ -21,7 +21,7 @@ use crate::rules::may_be;
 use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
-use crate::table::{Functions, Table};
+use crate::table::{Functions, Local, Table, members};
 use crate::tally::Tally;
 use crate::ternary::Word;
 use crate::wish::{Wish, forward};
@@ -68,7 +68,7 @@ pub struct Search<W> {
     order: Vec<usize>,
     /// Chosen elements, and the parts in which they were gone on from.
     visited: FxHashMap<u64, Parts>,
-    /// Full sets of elements that reach all gears and were looked at.
+    /// Full sets of elements that were looked at.
     seen: FxHashSet<u64>,
     /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
@@ -190,10 +190,15 @@ impl<W: Word> Search<W> {
     fn grow(&mut self, chosen: u64, parts: Parts) {
         let missing = self.wish.elements - chosen.count_ones() as usize;
         if missing == 0 {
-            let mut functions = self.room.pop().unwrap_or_default();
-            self.table.functions_of(chosen, &mut functions);
-            self.complete(chosen, &functions);
-            return self.room.push(functions);
+            if self.seen.insert(chosen) {
+                let mut functions = self.room.pop().unwrap_or_default();
+                self.table.functions_of(chosen, &mut functions);
+                if self.table.may_have_all(&functions) {
+                    self.complete(chosen, &functions);
+                }
+                self.room.push(functions);
+            }
+            return;
         }
         if !self.keeps_rules(chosen) {
             return;
@@ -273,7 +278,7 @@ impl<W: Word> Search<W> {
             let functions = &mut functions[..known.len()];
             functions.iter_mut().zip(&known).for_each(|(one, other)| *one |= other);
             let with = chosen | 1 << element;
-            if with != chosen {
+            if with != chosen && self.table.may_have_all(functions) && self.seen.insert(with) {
                 self.complete(with, functions);
             }
         }
@@ -291,7 +296,7 @@ impl<W: Word> Search<W> {
 
     /// Notes a full set of elements, with these functions, as a candidate, where some parts have all gears.
     fn complete(&mut self, chosen: u64, functions: &[u64]) {
-        if !self.table.may_have_all(functions) || !self.keeps_rules(chosen) || !self.seen.insert(chosen) {
+        if !self.keeps_rules(chosen) {
             return;
         }
         let parts = self.parts_with_all(functions);
@@ -312,7 +317,8 @@ impl<W: Word> Search<W> {
             parts = parts.and(self.table.covered(functions, *gear));
         }
         let matched = |part: &usize| {
-            self.table.reached_in(functions, *part, &mut self.reached);
+            self.reached.clear();
+            self.reached.extend(members(functions).map(|function| self.table.reached_in(function, *part)));
             can_match(&self.reached, gears)
         };
         parts.iter().filter(matched).collect()
@@ -321,21 +327,22 @@ impl<W: Word> Search<W> {
     /// The solution of a candidate, if it has all gears at one point.
     fn decide(&mut self, chosen: u64, parts: Parts) -> Option<Solution> {
         self.tally.candidates += 1;
-        let mut numbers: Vec<Number> = Vec::new();
+        let mut locals: Vec<Local> = Vec::new();
         let mut choices: Vec<Vec<u64>> = Vec::new();
-        self.table.for_each_choice(chosen, &mut |local, choice| {
-            let function = self.table.number(local);
-            match numbers.iter().position(|known| *known == function) {
-                Some(place) => choices[place].push(choice),
-                None => {
-                    numbers.push(function);
-                    choices.push(vec![choice]);
-                }
+        self.table.for_each_choice(chosen, &mut |function, choice| match locals
+            .iter()
+            .position(|known| *known == function)
+        {
+            Some(place) => choices[place].push(choice),
+            None => {
+                locals.push(function);
+                choices.push(vec![choice]);
             }
         });
         let sets = self.wish.k.len();
+        let ratio = |function: &Local| self.library.ratio(self.table.number(*function));
         let functions: Vec<Function> =
-            numbers.iter().map(|number| Function::new(self.library.ratio(*number), sets)).collect();
+            locals.iter().map(|function| Function::new(ratio(function), sets)).collect();
         let functions: Vec<&Function> = functions.iter().collect();
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
@@ -372,12 +379,15 @@ impl<W: Word> Search<W> {
                     }
                 };
             let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept);
-            let found = parts.iter().find_map(|part| match solver.search(self.library.grid().part(part)) {
-                Outcome::Found { k, functions } => Some((k, functions)),
-                Outcome::None => None,
-                Outcome::Undecided => {
-                    undecided = true;
-                    None
+            let found = parts.iter().find_map(|part| {
+                let gears = locals.iter().map(|function| self.table.reached_in(*function, part));
+                match solver.search_among(&self.library.grid().part(part), gears) {
+                    Outcome::Found { k, functions } => Some((k, functions)),
+                    Outcome::None => None,
+                    Outcome::Undecided => {
+                        undecided = true;
+                        None
+                    }
                 }
             });
             (found, missed)

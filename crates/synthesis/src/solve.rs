@@ -12,7 +12,8 @@
 //! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither a solution nor a proof is
 //! *undecided*, and counted.
 
-use crate::parts::{Bounds, Cuboid, coefficients, corner_values};
+use crate::class::MOST_SETS;
+use crate::parts::{Bounds, coefficients, corner_values};
 use crate::ratio::Ratio;
 use crate::tolerance::{DAMPING, SMALLEST, WIDENING};
 
@@ -20,6 +21,9 @@ use crate::tolerance::{DAMPING, SMALLEST, WIDENING};
 /// combinations are more than the boxes: with 0.1 a search for ten gears took a tenth of the time that it took with no
 /// bound, with 0.005 thirty times as long as with 0.1.
 const NARROW: f64 = 0.1;
+
+/// What is left of the sum of a box's logarithmic widths at most for shrinking it once more.
+const WORTH_MORE: f64 = 0.8;
 
 /// A function that some of the elements engage.
 #[derive(Debug, Clone)]
@@ -66,11 +70,18 @@ pub struct Solver<'a> {
     /// Which functions together are an answer.
     accept: &'a mut dyn FnMut(&[usize]) -> bool,
     values: [Vec<f64>; 2],
+    sets: usize,
     undecided: bool,
+    /// Lists of functions, and of the gears that they reach, used again.
+    room: Vec<Left>,
+    masks: Vec<u32>,
 }
 
 /// Functions that a box leaves, each with the gears that it may have, as bits.
 type Left = Vec<(usize, u32)>;
+
+/// A box with room for the most sets.
+type Range = [[f64; 2]; MOST_SETS];
 
 impl<'a> Solver<'a> {
     /// A search for a point where each gear is within its bounds by a function of its own, and `accept` takes the functions.
@@ -86,50 +97,75 @@ impl<'a> Solver<'a> {
             widened,
             accept,
             values: [Vec::new(), Vec::new()],
+            sets: 0,
             undecided: false,
+            room: Vec::new(),
+            masks: Vec::new(),
         }
     }
 
     /// Searches a box.
-    pub fn search(&mut self, cuboid: Cuboid) -> Outcome {
-        self.undecided = false;
+    pub fn search(&mut self, cuboid: &[[f64; 2]]) -> Outcome {
         let every = (1u32 << self.gears.len()) - 1;
-        let left = (0..self.functions.len()).map(|function| (function, every)).collect();
-        match self.go(cuboid, left) {
+        self.start(cuboid, std::iter::repeat_n(every, self.functions.len()), false)
+    }
+
+    /// Searches a box in which the functions can reach these gears alone, as bits.
+    pub(crate) fn search_among(&mut self, cuboid: &[[f64; 2]], gears: impl Iterator<Item = u32>) -> Outcome {
+        self.start(cuboid, gears, true)
+    }
+
+    fn start(&mut self, cuboid: &[[f64; 2]], gears: impl Iterator<Item = u32>, known: bool) -> Outcome {
+        self.undecided = false;
+        self.sets = cuboid.len();
+        let mut range = [[1.0; 2]; MOST_SETS];
+        range[..self.sets].copy_from_slice(cuboid);
+        let mut left = self.room.pop().unwrap_or_default();
+        left.clear();
+        left.extend(gears.enumerate().filter(|(_, gears)| *gears != 0));
+        let found = self.settle(&mut left).and_then(|()| self.go(range, &mut left, known));
+        self.room.push(left);
+        match found {
             Some((k, functions)) => Outcome::Found { k, functions },
             None if self.undecided => Outcome::Undecided,
             None => Outcome::None,
         }
     }
 
-    fn go(&mut self, mut cuboid: Cuboid, mut left: Left) -> Option<(Vec<f64>, Vec<usize>)> {
+    /// Searches a box; `known` where the gears of its functions are those that they reach in it.
+    fn go(&mut self, mut range: Range, left: &mut Left, mut known: bool) -> Option<(Vec<f64>, Vec<usize>)> {
+        let sets = self.sets;
         loop {
-            self.reduce(&cuboid, &mut left)?;
-            let before = size(&cuboid);
-            for (function, gears) in &left {
+            let cuboid = &mut range[..sets];
+            if !known {
+                self.reduce(cuboid, left)?;
+            }
+            known = false;
+            let before = spread(cuboid);
+            for (function, gears) in left.iter() {
                 if gears.count_ones() == 1 && left.iter().filter(|(_, other)| other & gears != 0).count() == 1
                 {
-                    self.shrink(&mut cuboid, *function, gears.trailing_zeros() as usize)?;
+                    self.shrink(cuboid, *function, gears.trailing_zeros() as usize)?;
                 }
             }
-            if size(&cuboid) < 0.8 * before {
+            let after = spread(cuboid);
+            if after < before && after.ln() < WORTH_MORE * before.ln() {
                 continue;
             }
-            let (widest, width) = widest(&cuboid)?;
-            let open = self.most_settled(&left);
+            let (widest, width) = widest(cuboid)?;
+            let open = self.most_settled(left);
             if let Some(gear) = open.filter(|_| width < NARROW) {
-                for (function, gears) in &left {
-                    if gears >> gear & 1 == 0 {
-                        continue;
-                    }
-                    let chosen = left.iter().map(|(other, gears)| {
+                let mut chosen = self.room.pop().unwrap_or_default();
+                let having = left.iter().filter(|(_, gears)| gears >> gear & 1 == 1);
+                let found = having.clone().find_map(|(function, _)| {
+                    chosen.clear();
+                    chosen.extend(left.iter().map(|(other, gears)| {
                         (*other, if other == function { 1 << gear } else { gears & !(1 << gear) })
-                    });
-                    if let Some(found) = self.go(cuboid.clone(), chosen.collect()) {
-                        return Some(found);
-                    }
-                }
-                return None;
+                    }));
+                    self.go(range, &mut chosen, false)
+                });
+                self.room.push(chosen);
+                return found;
             }
             if open.is_none() {
                 let functions: Vec<usize> = (0..self.gears.len())
@@ -139,7 +175,7 @@ impl<'a> Solver<'a> {
                 if !(self.accept)(&functions) {
                     return None;
                 }
-                if let Some(k) = self.point(&cuboid, &functions) {
+                if let Some(k) = self.point(cuboid, &functions) {
                     return Some((k, functions));
                 }
                 if width < SMALLEST {
@@ -147,19 +183,23 @@ impl<'a> Solver<'a> {
                     return None;
                 }
             }
-            let [least, most] = cuboid[widest];
+            let [least, most] = range[widest];
             let middle = (least * most).sqrt();
-            let mut lower = cuboid.clone();
+            let mut lower = range;
             lower[widest] = [least, middle];
-            if let Some(found) = self.go(lower, left.clone()) {
-                return Some(found);
+            let mut of_lower = self.room.pop().unwrap_or_default();
+            of_lower.clone_from(left);
+            let found = self.go(lower, &mut of_lower, false);
+            self.room.push(of_lower);
+            if found.is_some() {
+                return found;
             }
-            cuboid[widest] = [middle, most];
+            range[widest] = [middle, most];
         }
     }
 
     /// Of the gears with several functions the one with the fewest.
-    fn most_settled(&self, left: &Left) -> Option<usize> {
+    fn most_settled(&self, left: &[(usize, u32)]) -> Option<usize> {
         let counts =
             (0..self.gears.len()).map(|gear| left.iter().filter(|(_, gears)| gears >> gear & 1 == 1).count());
         counts
@@ -181,26 +221,40 @@ impl<'a> Solver<'a> {
         if reached.count_ones() as usize != gears || left.len() < gears {
             return None;
         }
-        // A gear with one function takes it from the others.
+        self.settle(left)
+    }
+
+    /// Takes from functions the gears that are another's alone; nothing where the gears cannot each have their own.
+    fn settle(&mut self, left: &mut Left) -> Option<()> {
+        let gears = self.gears.len();
+        // Gears of one function, and of several.
+        let mut settled = 0u32;
         loop {
-            let mut changed = false;
-            for gear in 0..gears {
-                let mut having = (0..left.len()).filter(|place| left[*place].1 >> gear & 1 == 1);
-                match (having.next(), having.next()) {
-                    (None, _) => return None,
-                    (Some(only), None) if left[only].1 != 1 << gear => {
-                        left[only].1 = 1 << gear;
-                        changed = true;
-                    }
-                    _ => {}
-                }
+            let (mut once, mut twice) = (0u32, 0u32);
+            for (_, mask) in left.iter() {
+                twice |= once & mask;
+                once |= mask;
             }
-            if !changed {
+            if once.count_ones() as usize != gears {
+                return None;
+            }
+            let alone = once & !twice & !settled;
+            if alone == 0 {
                 break;
             }
+            settled |= alone;
+            for (_, mask) in left.iter_mut().filter(|(_, mask)| mask & alone != 0) {
+                // A function with two gears of its own alone has too many.
+                let own = *mask & alone;
+                if own.count_ones() > 1 {
+                    return None;
+                }
+                *mask = own;
+            }
         }
-        let masks: Vec<u32> = left.iter().map(|(_, mask)| *mask).collect();
-        can_match(&masks, gears).then_some(())
+        self.masks.clear();
+        self.masks.extend(left.iter().map(|(_, mask)| *mask));
+        can_match(&self.masks, gears).then_some(())
     }
 
     /// Those of some gears whose bounds a function may reach in a box.
@@ -253,12 +307,15 @@ impl<'a> Solver<'a> {
                 let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
                 for corner in (0..above.len()).filter(|corner| corner >> set & 1 == 0) {
                     let (begin, end) = (value(corner), value(corner | 1 << set));
-                    if begin < 0.0 && end < 0.0 {
-                        continue;
+                    match (begin >= 0.0, end >= 0.0) {
+                        (true, true) => (first, last) = (0.0, 1.0),
+                        (true, false) => (first, last) = (0.0, last.max(begin / (begin - end))),
+                        (false, true) => (first, last) = (first.min(begin / (begin - end)), 1.0),
+                        (false, false) => {}
                     }
-                    let root = begin / (begin - end);
-                    first = first.min(if begin >= 0.0 { 0.0 } else { root });
-                    last = last.max(if end >= 0.0 { 1.0 } else { root });
+                    if first <= 0.0 && last >= 1.0 {
+                        break;
+                    }
                 }
                 if first > last {
                     return None;
@@ -327,9 +384,9 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// The sum of the logarithmic widths of a box.
-fn size(cuboid: &[[f64; 2]]) -> f64 {
-    cuboid.iter().map(|[least, most]| (most / least).ln()).sum()
+/// The product of the upper bounds of a box over the lower.
+fn spread(cuboid: &[[f64; 2]]) -> f64 {
+    cuboid.iter().map(|[least, most]| most / least).product()
 }
 
 /// The `k` whose bounds differ most, and by which part of the lower.

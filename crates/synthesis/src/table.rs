@@ -264,27 +264,19 @@ impl<W: Word> Table<W> {
 
     /// For each of some functions the parts within reach of some gear.
     pub(crate) fn useful(&self, functions: &[u64]) -> impl Iterator<Item = Parts> {
-        members(functions).map(|local| self.useful[local])
+        members(functions).map(|local| self.useful[local as usize])
     }
 
-    /// For each of some functions the gears that it reaches in a part, as bits.
-    pub(crate) fn reached_in(&self, functions: &[u64], part: usize, reached: &mut Vec<u32>) {
-        reached.clear();
-        reached.extend(members(functions).map(|local| {
-            let reach = &self.reach[local * self.gears..][..self.gears];
-            let mut left = self.reached[local];
-            let mut gears = 0;
-            while left != 0 {
-                let gear = left.trailing_zeros();
-                left &= left - 1;
-                gears |= u32::from(reach[gear as usize].contains(part)) << gear;
-            }
-            gears
-        }));
+    /// The gears that a function reaches in a part, as bits.
+    pub(crate) fn reached_in(&self, function: Local, part: usize) -> u32 {
+        let reach = &self.reach[function as usize * self.gears..][..self.gears];
+        let gears = places(self.reached[function as usize].into());
+        gears.fold(0, |all, gear| all | u32::from(reach[gear].contains(part)) << gear)
     }
 }
 
 /// The members of a set of functions.
-fn members(functions: &[u64]) -> impl Iterator<Item = usize> {
-    functions.iter().enumerate().flat_map(|(place, word)| places(*word).map(move |bit| place * 64 + bit))
+pub(crate) fn members(functions: &[u64]) -> impl Iterator<Item = Local> {
+    let of_word = |(from, word): (Local, &u64)| places(*word).map(move |bit| from + bit as Local);
+    (0..).step_by(64).zip(functions).flat_map(of_word)
 }

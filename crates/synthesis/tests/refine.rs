@@ -8,7 +8,7 @@ mod common;
 
 use common::Random;
 use epicyclic_synthesis::parts::{Bounds, Cuboid};
-use epicyclic_synthesis::ratio::Ratio;
+use epicyclic_synthesis::ratio::{Polynomial, Ratio};
 use epicyclic_synthesis::refine::{Refined, refine};
 use epicyclic_synthesis::run::{Share, search};
 use epicyclic_synthesis::search::Search;
@@ -50,6 +50,21 @@ fn six_speeds_of_three_sets_are_refined_as_by_bisection() {
         let ratios: Vec<Ratio> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
         agrees(&ratios, &six_speed, &found.solution.k);
     }
+}
+
+#[test]
+fn gears_that_do_not_bound_the_deviation_come_as_near_as_they_can() {
+    // 1 + k₁ can have its ratio wherever the others, of k₂ alone, contradict each other.
+    let wish = wish(&[3.059, 0.696, -2.294], 0.01, 2, 5);
+    let polynomial = |plus: u64, minus: u64| Polynomial { plus, minus };
+    let ratios = [
+        (polynomial(0b11, 0), polynomial(1, 0)),
+        (polynomial(0b100, 0), polynomial(0b101, 0)),
+        (polynomial(0, 0b100), polynomial(1, 0)),
+    ]
+    .map(|(above, below)| Ratio::new(above, below).unwrap());
+    let refined = agrees(&ratios, &wish, &[2.04, 2.29]);
+    assert!((refined.k[0] - 2.059).abs() < 1e-5, "{refined:?}");
 }
 
 #[test]

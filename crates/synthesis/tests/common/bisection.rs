@@ -9,7 +9,7 @@ use epicyclic_synthesis::solve::{Function, Outcome, Solver};
 pub(crate) const CLOSE: f64 = 1e-4;
 
 /// A point in a range of `k` where each function has its gear, or the proof that there is none.
-fn seek(functions: &[&Function], gears: &[Bounds], cuboid: Cuboid) -> Option<Vec<f64>> {
+fn seek(functions: &[&Function], gears: &[Bounds], cuboid: &Cuboid) -> Option<Vec<f64>> {
     let mut own = |assigned: &[usize]| assigned.iter().enumerate().all(|(gear, function)| gear == *function);
     match Solver::new(functions, gears, &mut own).search(cuboid) {
         Outcome::Found { k, .. } => Some(k),
@@ -41,7 +41,7 @@ pub(crate) fn refine(ratios: &[Ratio], gears: &[Bounds], range_of_k: &Cuboid, po
                 Bounds { least: middle - half, most: middle + half }
             })
             .collect();
-        match seek(&functions, &shrunk, range_of_k.clone()) {
+        match seek(&functions, &shrunk, range_of_k) {
             Some(k) => {
                 known = deviation(ratios, gears, &k).min(factor);
                 best = k;
@@ -55,7 +55,7 @@ pub(crate) fn refine(ratios: &[Ratio], gears: &[Bounds], range_of_k: &Cuboid, po
             let mut cuboid = range_of_k.clone();
             let middle = 0.5 * (outer + inner);
             cuboid[set] = if upper { [middle, outer] } else { [outer, middle] };
-            match seek(&functions, gears, cuboid) {
+            match seek(&functions, gears, &cuboid) {
                 Some(k) => inner = if upper { k[set].max(middle) } else { k[set].min(middle) },
                 None => outer = middle,
             }
