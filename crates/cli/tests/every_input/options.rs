@@ -86,7 +86,7 @@ synthesize: --ratios '2.56, 1.465' --format json
   --output boxes.json
   --merge none.parquet
   --longest '0.000001 s'
-synthesize: --ratios '2.56, 1.465' --output boxes
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --output boxes
   --shard 1/2
 atlas:
   --output .
