@@ -25,6 +25,20 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
     })
 }
 
+/// What a synthesis refuses, at its option.
+pub(crate) fn of_synthesis(error: epicyclic_answers::Error) -> Failure {
+    match error {
+        epicyclic_answers::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {
+            let option = of_teeth(&error, "--planet-count").unwrap_or("--teeth");
+            Failure::Option { option, message: error.to_string() }
+        }
+        epicyclic_answers::Error::Synthesis(error) => {
+            Failure::Option { option: "--ratios", message: error.to_string() }
+        }
+        error => error.into(),
+    }
+}
+
 /// A range of tooth numbers, its open ends closed as usual; a wheel has at least one tooth.
 pub(crate) fn of_wheel(
     option: &'static str,

@@ -6,9 +6,9 @@
 
 use crate::failure::Failure;
 use crate::interrupt::Hearing;
+use crate::options::of_synthesis;
 use crate::output::complain;
 use crate::progress::Progress;
-use crate::synthesize::refused;
 use crate::writing::write_files;
 use epicyclic_answers::synthesize::{Kept, Searching, Synthesis, Wanted, solve_by, tried};
 use epicyclic_synthesis::asked::{Asked, asked};
@@ -35,7 +35,7 @@ const KEPT_SHARE: u32 = 20;
 /// Searches a share of all classes that may have to be searched, and writes what it finds. Whether a class has solutions in other
 /// shares is not known here, so all of them are searched.
 pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), Failure> {
-    let questions = tried(wanted).map_err(refused)?;
+    let questions = tried(wanted).map_err(of_synthesis)?;
     let asked = asked_of(&questions);
     if let Some(part) = read(file)?.filter(|part| part.is_complete() && is_same(part, share, &asked)) {
         complain(&format!("note: {} is complete already: {}", file.display(), told(&part)));
@@ -79,7 +79,7 @@ pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), F
                 ControlFlow::Continue(())
             }
         });
-        part.searches[number].1 = work.map_err(|error| refused(error.into()))?;
+        part.searches[number].1 = work.map_err(|error| of_synthesis(error.into()))?;
         if let Some(failed) = keeping.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner).failed {
             return Err(failed);
         }
@@ -125,7 +125,7 @@ impl Keeping {
 
 /// The answer to a question from all parts of its search.
 pub(crate) fn merged(wanted: &Wanted, files: &[PathBuf]) -> Result<(Synthesis, Vec<Kept>), Failure> {
-    let asked = asked_of(&tried(wanted).map_err(refused)?);
+    let asked = asked_of(&tried(wanted).map_err(of_synthesis)?);
     let mut parts = Vec::new();
     for file in files {
         let part = read(file)?

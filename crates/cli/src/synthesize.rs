@@ -11,7 +11,6 @@ use crate::ratios::Ratios;
 use crate::shards;
 use crate::size;
 use crate::writing::Content;
-use epicyclic_answers as answers;
 use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
@@ -289,22 +288,8 @@ fn searched(wanted: &Wanted, longest: Option<Time>) -> Result<(Synthesis, Vec<Ke
             shown.at(at.done as f64 / at.of.max(1) as f64);
             if hearing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })
-        .map_err(|error| refused(error.into()))
+        .map_err(|error| options::of_synthesis(error.into()))
     })
-}
-
-/// A refusal, at the option that it is about.
-pub(crate) fn refused(error: answers::Error) -> Failure {
-    match error {
-        answers::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {
-            let option = options::of_teeth(&error, "--planet-count").unwrap_or("--teeth");
-            Failure::Option { option, message: error.to_string() }
-        }
-        answers::Error::Synthesis(error) => {
-            Failure::Option { option: "--ratios", message: error.to_string() }
-        }
-        error => error.into(),
-    }
 }
 
 fn counts(

@@ -103,7 +103,7 @@ fn every_structure_and_every_gear_of_it_is_there_once() {
             let told = gears.get(&(bits as i64)).map(|function| value(&functions[*function as usize - 1], k));
             match (ratio, told) {
                 (Some(ratio), Some(told)) => {
-                    assert!((ratio / told - 1.0).abs() < 1e-9, "{structure}: {ratio} {told}")
+                    assert!((ratio / told - 1.0).abs() < 1e-9, "{structure}: {ratio} {told}");
                 }
                 (None, None) => {}
                 other => panic!("{structure} {bits:b}: {other:?}"),

@@ -105,7 +105,7 @@ synthesize: --ratios '2.56, 1.465' --save one.yaml
   --nth 2
 synthesize: --ratios '4.714, 3.143' --explain real-transmissions.yaml --transmission 8HP
   --transmission 9G
-synthesize: --ratios '2.56, 1.465' --output boxes
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --output boxes
   --shard 1/2
 atlas:
   --output .
