@@ -1,57 +1,42 @@
 //! All gearboxes that have a list of ratios.
 
+mod drawn;
+mod wanted;
+
+pub use wanted::{MOST_OPTIONAL, Wanted, WantedGear};
+
+use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
-use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::gearbox::element_name;
 use epicyclic_synthesis::judge::{Judged, judge};
-use epicyclic_synthesis::motion::elements;
-use epicyclic_synthesis::parts::Bounds;
-use epicyclic_synthesis::run::{Found, Progress, Share, search};
+use epicyclic_synthesis::limits::Limit;
+use epicyclic_synthesis::motion::{Element, elements};
+use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::wish::Wish;
-use epicyclic_synthesis::{Class, Kind};
+use epicyclic_synthesis::{Class, Kind, Structure};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, RangeInclusive};
 
 /// The most solutions that are told: each is judged by the solver.
 pub const MOST_SOLUTIONS: usize = 10_000;
 
-/// What is wanted.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// The ratio of each gear; negative for reverse.
-    pub ratios: Vec<f64>,
-    /// How far each may be off, as a share of it.
-    pub tolerance: f64,
-    /// Which structures are searched.
-    pub kind: Kind,
-    /// How many planet sets; those given are tried from the fewest up, until a number has solutions.
-    pub sets: RangeInclusive<usize>,
-    /// How many shift elements, tried alike.
-    pub elements: RangeInclusive<usize>,
-    /// How many shift elements a gear engages.
-    pub engaged: RangeInclusive<usize>,
-    /// The range of the ring-to-sun ratios.
-    pub k: RangeInclusive<f64>,
-    /// Efficiency of a set's meshes.
-    pub efficiency: MeshEfficiency,
-    /// How many solutions are told at most.
-    pub most: usize,
-}
-
 /// All gearboxes of some planet sets, brakes and clutches that have a list of ratios.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Synthesis {
-    /// The ratios wanted, input speed over output speed.
-    pub wanted_ratios: Vec<f64>,
-    /// How far each may be off, as a share of it.
+    /// The gears wanted.
+    pub wanted: Vec<WantedGear>,
+    /// How far each ratio may be off that has no tolerance of its own, as a share of it.
     pub tolerance: f64,
     /// The range of the ring-to-sun ratios k of every set.
     pub k_range: [f64; 2],
     /// What was searched, in this order.
     pub searched: Vec<Searched>,
+    /// Sets of shift elements that have all gears, and what left them out.
+    pub left_out: Vec<LeftOut>,
     /// Whether every structure of these classes was searched.
     pub complete: bool,
     /// How many solutions there are.
@@ -76,6 +61,8 @@ pub struct Searched {
     pub shift_elements: usize,
     /// How many of them a gear engages.
     pub engaged: usize,
+    /// How many gears were asked for: without some of those that may be missing.
+    pub gears: usize,
     /// Structures in the class, each once.
     pub structures: usize,
     /// Structures times sets of shift elements, as pairs of links: the space that was searched.
@@ -90,6 +77,38 @@ pub struct Searched {
     pub reducible: u64,
     /// Sets for which neither a solution was found nor its absence proved.
     pub undecided: u64,
+}
+
+/// Solutions that something left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeftOut {
+    /// What left them out; each is counted at the first.
+    pub by: Reason,
+    /// How many.
+    pub solutions: u64,
+}
+
+/// What leaves out solutions that have all gears.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reason {
+    /// No choice of functions has a direct gear.
+    Direct,
+    /// No choice of functions and engaged elements has the single shifts.
+    Shifts,
+    /// A link would cross another, whichever of the elements that lock the same are taken.
+    Drawable,
+    /// A ratio step is out of its range.
+    Steps,
+    /// A ratio step is larger than the one before it.
+    FallingSteps,
+    /// An open element slips faster.
+    Slip,
+    /// A link turns faster.
+    LinkSpeed,
+    /// A planet turns faster on its carrier.
+    PlanetSpeed,
 }
 
 /// Which structures a class has.
@@ -114,12 +133,20 @@ pub struct Solution {
     pub shift_elements: Vec<ShiftElement>,
     /// The gears, in the order of the wish.
     pub gears: Vec<Gear>,
-    /// The greatest deviation of a ratio from the one wanted, as a share of it.
+    /// Numbers in the wish, from 1, of the gears that it has not.
+    pub missing_gears: Vec<usize>,
+    /// The greatest deviation of a ratio from the one wanted, as a share of it; 0 where all are ranges.
     pub greatest_deviation: f64,
     /// How many shifts between neighbouring forward gears exchange more than one shift element.
     pub multiple_shifts: usize,
     /// The least efficiency of a gear.
     pub least_efficiency: f64,
+    /// The greatest slip of an open shift element in a gear, over the input's speed.
+    pub greatest_slip: f64,
+    /// The greatest speed of a link in a gear, over the input's.
+    pub greatest_link_speed: f64,
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's.
+    pub greatest_planet_speed: f64,
 }
 
 /// A planet set of a solution.
@@ -136,6 +163,19 @@ pub struct Set {
     pub k: f64,
     /// The range of k that keeps all tolerances, the other sets' k moving along.
     pub k_range: [f64; 2],
+    /// The end of the range searched at which k is, if it is at one: a wider range may have better solutions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_edge: Option<Edge>,
+}
+
+/// An end of a range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Edge {
+    /// The lower.
+    Lower,
+    /// The upper.
+    Upper,
 }
 
 /// A brake or clutch of a solution.
@@ -154,12 +194,14 @@ pub struct ShiftElement {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// The ratio wanted.
-    pub wanted_ratio: f64,
+    /// The ratio wanted; none where any within bounds will do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wanted_ratio: Option<f64>,
     /// The ratio at the sets' k, by the solver.
     pub ratio: f64,
     /// How far it is from the one wanted, as a share of it.
-    pub deviation: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deviation: Option<f64>,
     /// The ratio as a formula in the sets' k.
     pub formula: String,
     /// The shift elements that it engages.
@@ -182,58 +224,70 @@ pub fn answer(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Synthesis, Error> {
-    let gears: Vec<Bounds> = wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect();
+    let gears = wanted.gears()?;
     let mut answer = Synthesis {
-        wanted_ratios: wanted.ratios.clone(),
+        wanted: gears.clone(),
         tolerance: wanted.tolerance,
         k_range: [*wanted.k.start(), *wanted.k.end()],
         searched: Vec::new(),
+        left_out: Vec::new(),
         complete: true,
         found: 0,
         shown: 0,
         solutions: Vec::new(),
     };
     let mut refused = None;
-    let mut judged: Vec<(Found, Judged)> = Vec::new();
-    'classes: for sets in wanted.sets.clone() {
-        for shift_elements in wanted.elements.clone() {
-            for engaged in wanted.engaged.clone() {
-                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
-                let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
-                    .and_then(|class| wish.check(class).map(|()| class))
-                {
-                    Ok(class) => class,
-                    Err(error) => {
-                        refused.get_or_insert(error);
-                        continue;
-                    }
-                };
-                let searching = Searching { class, shift_elements };
-                let found = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
-                answer.complete &= found.complete;
-                answer.searched.push(Searched {
-                    class: ClassName::of(class.kind()),
-                    sets,
-                    links: class.links(),
-                    shift_elements,
-                    engaged,
-                    structures: found.class_size,
-                    space: searching.space(found.class_size),
-                    structures_searched: found.tally.structures,
-                    structures_in_reach: found.tally.in_reach,
-                    solutions: found.found.len(),
-                    reducible: found.tally.reducible,
-                    undecided: found.tally.undecided,
-                });
-                for solution in found.found {
-                    let judgement = judge(&solution, &wish, wanted.efficiency)?;
-                    judged.push((solution, judgement));
+    let mut left_out = BTreeMap::new();
+    let mut judged: Vec<Kept> = Vec::new();
+    'classes: for (sets, shift_elements, engaged) in wanted.tried() {
+        // A number of sets and elements is tried with all numbers of engaged ones.
+        if judged.last().is_some_and(|kept| kept.tried != (sets, shift_elements)) {
+            break;
+        }
+        let mut known = BTreeSet::new();
+        for selection in wanted.selections() {
+            let bounds = selection.iter().map(|gear| gears[*gear].bounds()).collect();
+            let mut wish = Wish::new(bounds, shift_elements, vec![wanted.k.clone(); sets]);
+            wish.rules = wanted.rules.clone();
+            let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
+                .and_then(|class| wish.check(class).map(|()| class))
+            {
+                Ok(class) => class,
+                Err(error) => {
+                    refused.get_or_insert(error);
+                    continue;
                 }
-                if !found.complete {
-                    break 'classes;
+            };
+            let searching = Searching { class, shift_elements };
+            let mut answered = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
+            // What has more gears is not told again with fewer.
+            answered.found.retain(|found| known.insert(identity(found)));
+            answer.complete &= answered.complete;
+            answer.searched.push(Searched::of(&searching, selection.len(), &answered));
+            let mut leave_out = |by: Reason, solutions: u64| {
+                if solutions > 0 {
+                    *left_out.entry(by).or_default() += solutions;
+                }
+            };
+            leave_out(Reason::Direct, answered.tally.without_direct);
+            leave_out(Reason::Shifts, answered.tally.without_single_shifts);
+            for mut found in answered.found {
+                if wanted.drawable && !drawn::choose(&mut found, &wish.rules)? {
+                    leave_out(Reason::Drawable, 1);
+                    continue;
+                }
+                let judgement = judge(&found, &wish, wanted.efficiency)?;
+                match wanted.limits.missed(&wish.gears, &judgement) {
+                    Some(limit) => leave_out(Reason::of(limit), 1),
+                    None => judged.push(Kept {
+                        found,
+                        judged: judgement,
+                        selection: selection.clone(),
+                        tried: (sets, shift_elements),
+                    }),
                 }
             }
-            if !judged.is_empty() {
+            if !answered.complete {
                 break 'classes;
             }
         }
@@ -241,17 +295,71 @@ pub fn answer(
     if let (true, Some(error)) = (answer.searched.is_empty(), refused) {
         return Err(error.into());
     }
-    judged.sort_by(|(_, one), (_, other)| {
-        let efficiency = other.least_efficiency().total_cmp(&one.least_efficiency());
-        one.multiple_shifts.cmp(&other.multiple_shifts).then(efficiency)
+    if answer.searched.is_empty() {
+        let why = "no number of sets, links, shift elements, engaged and open ones is within all ranges: links are sets, \
+                   engaged elements and 1, open elements those not engaged";
+        return Err(epicyclic_synthesis::Error::Wish { why: why.into() }.into());
+    }
+    judged.sort_by(|one, other| {
+        let efficiency = other.judged.least_efficiency().total_cmp(&one.judged.least_efficiency());
+        let missing = other.selection.len().cmp(&one.selection.len());
+        missing.then(one.judged.multiple_shifts.cmp(&other.judged.multiple_shifts)).then(efficiency)
     });
+    answer.left_out = left_out.into_iter().map(|(by, solutions)| LeftOut { by, solutions }).collect();
     answer.found = judged.len();
     answer.shown = judged.len().min(wanted.most).min(MOST_SOLUTIONS);
-    answer.solutions = judged[..answer.shown]
-        .iter()
-        .map(|(found, judged)| Solution::of(found, judged, &wanted.ratios))
-        .collect();
+    answer.solutions = judged[..answer.shown].iter().map(|kept| Solution::of(kept, wanted, &gears)).collect();
     Ok(answer)
+}
+
+/// A solution that is told.
+struct Kept {
+    found: Found,
+    judged: Judged,
+    /// The gears that it has, by their places in the wish.
+    selection: Vec<usize>,
+    /// How many sets and shift elements were tried.
+    tried: (usize, usize),
+}
+
+/// What makes two solutions the same gearbox: structure and elements.
+fn identity(found: &Found) -> (Structure, Vec<Vec<Element>>) {
+    let mut elements = found.solution.elements.clone();
+    elements.iter_mut().for_each(|pairs| pairs.sort_unstable());
+    (found.structure.clone(), elements)
+}
+
+impl Searched {
+    fn of(searching: &Searching, gears: usize, answered: &run::Answer) -> Self {
+        let class = searching.class;
+        Self {
+            class: ClassName::of(class.kind()),
+            sets: class.sets(),
+            links: class.links(),
+            shift_elements: searching.shift_elements,
+            engaged: class.engaged(),
+            gears,
+            structures: answered.class_size,
+            space: searching.space(answered.class_size),
+            structures_searched: answered.tally.structures,
+            structures_in_reach: answered.tally.in_reach,
+            solutions: answered.found.len(),
+            reducible: answered.tally.reducible,
+            undecided: answered.tally.undecided,
+        }
+    }
+}
+
+impl Reason {
+    fn of(limit: Limit) -> Self {
+        match limit {
+            Limit::Steps => Self::Steps,
+            Limit::FallingSteps => Self::FallingSteps,
+            Limit::Slip => Self::Slip,
+            Limit::LinkSpeed => Self::LinkSpeed,
+            Limit::PlanetSpeed => Self::PlanetSpeed,
+        }
+    }
 }
 
 /// A class that is being searched.
@@ -273,10 +381,6 @@ impl Searching {
     }
 }
 
-fn around(ratio: f64, tolerance: f64) -> Bounds {
-    Bounds { least: ratio - tolerance * ratio.abs(), most: ratio + tolerance * ratio.abs() }
-}
-
 impl ClassName {
     fn of(kind: Kind) -> Self {
         match kind {
@@ -287,12 +391,13 @@ impl ClassName {
 }
 
 impl Solution {
-    fn of(found: &Found, judged: &Judged, wanted: &[f64]) -> Self {
+    fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear]) -> Self {
+        let Kept { found, judged, selection, .. } = kept;
         let solution = &found.solution;
         let sets = found.structure.sets().iter().zip(&judged.refined.k).zip(&judged.refined.ranges);
         let sets = sets.map(|((members, k), range)| {
             let [sun, ring, carrier] = members.map(link_name);
-            Set { sun, ring, carrier, k: *k, k_range: *range }
+            Set { sun, ring, carrier, k: *k, k_range: *range, at_edge: Edge::of(*k, &wanted.k) }
         });
         let names: Vec<String> = solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
         let shift_elements = solution.elements.iter().zip(&names).map(|(pairs, name)| ShiftElement {
@@ -300,11 +405,13 @@ impl Solution {
             is_brake: pairs[0][0] == 0,
             instead: pairs[1..].iter().map(|pair| element_name(*pair)).collect(),
         });
-        let gears: Vec<Gear> = (0..wanted.len())
-            .map(|gear| Gear {
-                wanted_ratio: wanted[gear],
+        let gears: Vec<Gear> = selection
+            .iter()
+            .enumerate()
+            .map(|(gear, place)| Gear {
+                wanted_ratio: wished[*place].wanted_ratio,
                 ratio: judged.ratios[gear],
-                deviation: judged.ratios[gear] / wanted[gear] - 1.0,
+                deviation: wished[*place].wanted_ratio.map(|ratio| judged.ratios[gear] / ratio - 1.0),
                 formula: solution.gears[gear].ratio.to_string(),
                 engaged: judged.engaged[gear].iter().map(|element| names[*element].clone()).collect(),
                 efficiency: judged.efficiencies[gear],
@@ -314,10 +421,33 @@ impl Solution {
             structure: found.structure.to_string(),
             sets: sets.collect(),
             shift_elements: shift_elements.collect(),
-            greatest_deviation: gears.iter().map(|gear| gear.deviation.abs()).fold(0.0, f64::max),
+            greatest_deviation: gears
+                .iter()
+                .filter_map(|gear| gear.deviation)
+                .map(f64::abs)
+                .fold(0.0, f64::max),
             gears,
+            missing_gears: (0..wished.len())
+                .filter(|gear| !selection.contains(gear))
+                .map(|gear| gear + 1)
+                .collect(),
             multiple_shifts: judged.multiple_shifts,
             least_efficiency: judged.least_efficiency(),
+            greatest_slip: judged.slip,
+            greatest_link_speed: judged.link_speed,
+            greatest_planet_speed: judged.planet_speed,
+        }
+    }
+}
+
+impl Edge {
+    /// The end of a range at which a value is.
+    fn of(value: f64, range: &RangeInclusive<f64>) -> Option<Self> {
+        let near = |end: f64| (value - end).abs() <= AT_EDGE * end;
+        match (near(*range.start()), near(*range.end())) {
+            (true, _) => Some(Self::Lower),
+            (_, true) => Some(Self::Upper),
+            _ => None,
         }
     }
 }

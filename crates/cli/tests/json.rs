@@ -87,6 +87,25 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "synthesize",
+        &[
+            "synthesize",
+            "--ratios",
+            "3.059±0.1%, 1.6..1.7, ?, 0.696, (-2.8)",
+            "--sets",
+            "2",
+            "--elements",
+            "5",
+            "--engaged",
+            "2",
+            "--class",
+            "all-sparse",
+            "--k",
+            "2..2.1",
+            "--drawable",
+        ],
+    ),
+    (
         "select",
         &[
             "select",

@@ -14,6 +14,7 @@
 //! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
 //! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`limits`] | steps, slips and speeds that a solution has to keep |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -35,6 +36,7 @@ pub mod gearbox;
 pub mod judge;
 mod kind;
 mod library;
+pub mod limits;
 pub mod motion;
 pub mod parts;
 pub mod ratio;

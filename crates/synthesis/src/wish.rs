@@ -102,7 +102,8 @@ impl Wish {
 }
 
 /// The forward gears, the highest ratio first.
-pub(crate) fn forward(gears: &[Bounds]) -> Vec<usize> {
+#[must_use]
+pub fn forward(gears: &[Bounds]) -> Vec<usize> {
     let mut forward: Vec<usize> = (0..gears.len()).filter(|gear| gears[*gear].least > 0.0).collect();
     forward.sort_by(|one, other| gears[*other].most.total_cmp(&gears[*one].most));
     forward

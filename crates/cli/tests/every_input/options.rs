@@ -74,8 +74,22 @@ synthesize: --ratios '2.56, 1.465' --format json
   --k 2..4
   --efficiency 95%
   --limit 1
+  --links 5
+  --open 2
+  --direct
   --format csv
   --output boxes.json
+synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format json
+  --brakes 3
+  --clutches 3
+  --shifts single
+  --skip-shifts single
+  --step 1.58..
+  --falling-steps
+  --slip 3
+  --link-speed 3
+  --planet-speed 3
+  --drawable
 select: --speeds '0.8 m/s, 3.15 m/s'
   --speeds '1 m/s, 3.15 m/s'
 select: --ratios '1.465, 2.56' --format json
