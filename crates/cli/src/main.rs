@@ -20,6 +20,7 @@
 //! | [`output`] | formats of an answer, and where it goes |
 //! | [`writing`] | files written whole, and all of a call or none |
 //! | [`apart`] | that no output is the input or another output |
+//! | [`ratios`] | lists of ratios as people write them |
 //! | [`progress`] | how far a long search is, on a terminal |
 //! | [`failure`] | what ends the program, and with which exit code |
 //!
@@ -40,6 +41,7 @@ mod options;
 mod output;
 mod page;
 mod progress;
+mod ratios;
 #[cfg(test)]
 mod robustness;
 mod schema;

@@ -1,12 +1,12 @@
 //! The command `synthesize`: every gearbox that has a list of ratios.
 
 use crate::failure::Failure;
-use crate::lists::List;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use crate::ratios::Ratios;
 use epicyclic_answers as answers;
 use epicyclic_answers::synthesize::{MOST_SOLUTIONS, Wanted, answer};
-use epicyclic_formats::{Number, Physical as _, Quantity, Span, WantedRatio};
+use epicyclic_formats::{Number, Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
@@ -42,10 +42,10 @@ A gear of n sets and L moving links engages L - n - 1 shift elements: of four
 sets and eight links three. Class core takes a minute or two for four sets and
 five shift elements, and much longer for six.")]
 pub(crate) struct Args {
-    /// Wanted ratios, input speed over output speed; negative for reverse. Of a gear 4.714, 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between
-    /// its neighbours), or in brackets where it may be missing: (-3.295).
+    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them. Of a gear 4.714,
+    /// 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in brackets where it may be missing: (-3.295).
     #[arg(long, allow_hyphen_values = true)]
-    ratios: List<WantedRatio>,
+    ratios: Ratios,
 
     /// How far a ratio may be off that has no tolerance of its own: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]

@@ -63,9 +63,11 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Rat
 mod compound;
 mod place;
 mod transmissions;
+mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use place::{gear_place, located};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
+pub use written::{NotWritable, written};
 
 /// A description that is no gearbox.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

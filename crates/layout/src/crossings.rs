@@ -109,19 +109,10 @@ fn shared(first: &Segment, second: &Segment) -> Option<Point> {
 mod tests {
     use super::*;
     use crate::{Options, Verdict, draw};
-    use epicyclic_train::Gearbox;
-    use epicyclic_train::set::SetSpec;
 
     #[test]
     fn a_line_moved_across_others_is_found() {
-        let gearbox = Gearbox::builder("I")
-            .links(["D", "B", "T1"])
-            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
-            .brake("K1", "T1")
-            .input("D")
-            .output("B")
-            .build()
-            .unwrap();
+        let gearbox = crate::samples::scheme_one();
         let Verdict::Drawable(layout) = draw(&gearbox, Options::default()) else { panic!("I can be drawn") };
         let layout = *layout;
         assert_eq!(layout.crossings(), []);

@@ -369,14 +369,7 @@ mod tests {
 
     #[test]
     fn the_cost_of_a_drawing_by_hand() {
-        let gearbox = Gearbox::builder("I")
-            .links(["D", "B", "T1"])
-            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
-            .brake("K1", "T1")
-            .input("D")
-            .output("B")
-            .build()
-            .unwrap();
+        let gearbox = crate::samples::scheme_one();
         let scheme = Scheme::new(&gearbox, &[]);
         let map = Map::new(&scheme.graph(&[]), 0).unwrap();
         let Candidate { cost, layout } = candidate(&scheme, &gearbox, &map, 0, false);

@@ -94,6 +94,8 @@ pub mod layout;
 mod map;
 mod order;
 mod planar;
+#[cfg(test)]
+mod samples;
 mod scheme;
 mod stacks;
 
@@ -275,14 +277,7 @@ mod tests {
 
     #[test]
     fn direct_clutch_options_of_scheme_one_are_all_pairs() {
-        let gearbox = Gearbox::builder("I")
-            .links(["D", "B", "T1"])
-            .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
-            .brake("K1", "T1")
-            .input("D")
-            .output("B")
-            .build()
-            .unwrap();
+        let gearbox = crate::samples::scheme_one();
         let link = |name| gearbox.link(name).unwrap();
         let [d, b, t] = ["D", "B", "T1"].map(link);
         assert_eq!(direct_clutch_options(&gearbox), [[d, b], [d, t], [b, t]]);

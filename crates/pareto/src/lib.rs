@@ -112,6 +112,7 @@ const PART: usize = 1 << 10;
 const SAMPLE: usize = 32;
 
 /// Designs from which on the halves of a part are asked about at the same time.
+#[cfg(feature = "parallel")]
 const JOINT: usize = 1 << 10;
 
 #[derive(Clone, Copy)]
@@ -330,13 +331,15 @@ fn ends<'a, const N: usize>(designs: impl Iterator<Item = &'a Design<N>>) -> [[f
 
 /// The larger of two numbers, in one instruction.
 #[inline]
-fn larger(one: f64, other: f64) -> f64 {
+#[must_use]
+pub fn larger(one: f64, other: f64) -> f64 {
     if one > other { one } else { other }
 }
 
 /// The smaller of two numbers, in one instruction.
 #[inline]
-fn smaller(one: f64, other: f64) -> f64 {
+#[must_use]
+pub fn smaller(one: f64, other: f64) -> f64 {
     if one < other { one } else { other }
 }
 

@@ -8,6 +8,7 @@ use crate::shifts::{exchanged, fewest};
 use crate::tolerance::CONFIRMED;
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::Gearbox;
 
 /// A solution with its best ring-to-sun ratios, judged.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +30,8 @@ pub struct Judged {
     pub link_speed: f64,
     /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of planets known by `k`.
     pub planet_speed: f64,
+    /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish.
+    pub gearbox: Gearbox,
 }
 
 impl Judged {
@@ -89,6 +92,7 @@ pub fn judge(
         slip,
         link_speed,
         planet_speed,
+        gearbox,
     })
 }
 

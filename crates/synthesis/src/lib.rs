@@ -15,6 +15,7 @@
 //! | [`run`], [`tally`] | a search through a class on several threads, and its counts |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`limits`] | steps, slips and speeds that a solution has to keep |
+//! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -39,6 +40,7 @@ mod library;
 pub mod limits;
 pub mod motion;
 pub mod parts;
+pub mod rank;
 pub mod ratio;
 pub mod refine;
 pub mod rules;

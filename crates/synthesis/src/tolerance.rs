@@ -6,6 +6,7 @@
 //! | `SMALLEST` | the width of a range of `k` that is halved no more, over `k` | far above rounding, far below what teeth can realise |
 //! | `DAMPING` | what least squares add for a `k` that moves nothing | it stays where it is, the others hardly move |
 //! | `NO_WIDTH` | half the width of bounds, over the ratio | bounds without width still measure deviations |
+//! | `ALIKE` | the difference of two objectives | the best `k` are found to 10⁻⁴ of the deviation: below it they say nothing |
 //! | `CONFIRMED` | the difference of a formula and the solver, over the ratio | both round to 1e-12 |
 
 /// See the table.
@@ -18,3 +19,5 @@ pub(crate) const DAMPING: f64 = 1e-9;
 pub(crate) const NO_WIDTH: f64 = 1e-12;
 /// See the table.
 pub(crate) const CONFIRMED: f64 = 1e-9;
+/// See the table.
+pub(crate) const ALIKE: f64 = 1e-5;

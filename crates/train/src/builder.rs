@@ -198,6 +198,20 @@ impl GearboxBuilder {
         self
     }
 
+    /// Changes the gears described so far, their names for example.
+    #[must_use]
+    pub fn map_gears(mut self, change: impl FnMut(GearSpec) -> GearSpec) -> Self {
+        self.gears = self.gears.into_iter().map(change).collect();
+        self
+    }
+
+    /// Gives the gearbox this name.
+    #[must_use]
+    pub fn named(mut self, name: &str) -> Self {
+        name.clone_into(&mut self.name);
+        self
+    }
+
     /// Checks the description and returns the gearbox.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("schemes", &["train", "gears"]),
     ("pareto", &[]),
     ("selection", &["layout", "schemes", "train", "gears", "pareto"]),
-    ("synthesis", &["train", "gears"]),
+    ("synthesis", &["layout", "train", "gears", "pareto"]),
     ("dynamics", &["train", "schemes", "gears"]),
     ("hydromotor", &["pareto"]),
     ("formats", &["dynamics", "train", "gears", "hydromotor"]),

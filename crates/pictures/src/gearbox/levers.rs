@@ -274,9 +274,13 @@ impl Sheet<'_> {
         self.scene.add(layer, heading);
         let mut lines: Vec<String> =
             (0..self.gearbox.drawn_sets().len()).map(|place| words::set(self.gearbox, place, true)).collect();
-        // In two lines, so that the legend is no wider than most diagrams.
-        lines.push("along a lever: distances between links; 1 is the distance".into());
-        lines.push("from the carrier to the second central gear of its first set".into());
+        // In short lines, so that the legend is no wider than most diagrams in a wide font, too.
+        let scale = [
+            "along a lever: distances between",
+            "links; 1 is from the carrier to the second",
+            "central gear of its first set",
+        ];
+        lines.extend(scale.map(String::from));
         if let Some(gear) = self.gear {
             lines.push("across it: speeds over the input's".into());
             let shift_elements =

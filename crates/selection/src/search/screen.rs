@@ -17,6 +17,7 @@ use super::patch::{Allowed, Patch, Side};
 use crate::objective::Objective;
 use crate::objectives::{Costs, Order};
 use crate::tolerance::{BEHIND, CANCELLED, LOOK};
+use epicyclic_pareto::{larger, smaller};
 use epicyclic_schemes::structures::Role;
 
 const EFFICIENCY: usize = Objective::Efficiency as usize;
@@ -257,17 +258,6 @@ impl<'a> Screen<'a> {
         }
         [excess, behind]
     }
-}
-
-/// The larger of two numbers, in one instruction.
-#[inline]
-fn larger(one: f64, other: f64) -> f64 {
-    if one > other { one } else { other }
-}
-
-#[inline]
-fn smaller(one: f64, other: f64) -> f64 {
-    if one < other { one } else { other }
 }
 
 #[cfg(test)]

@@ -1,0 +1,248 @@
+//! A gearbox as the text of a file in our own format.
+//!
+//! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
+//! planets and losses, shift elements, permanent connections, gears with their inputs and outputs. A set described gear by gear has no short form and is refused.
+
+use epicyclic_train::planet_set::Description;
+use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec};
+use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
+use std::fmt::Write as _;
+
+/// A gearbox that has no short description.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("set `{set}` is described gear by gear; only sets with a sun, a ring and a carrier are written")]
+pub struct NotWritable {
+    /// The set.
+    pub set: String,
+}
+
+/// The file of a gearbox, below these lines of comment.
+///
+/// ```
+/// use epicyclic_formats::Document;
+/// use epicyclic_formats::gearbox::{GearboxFile, written};
+/// use epicyclic_train::{Gearbox, set::SetSpec};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let gearbox = Gearbox::builder("I")
+///     .links(["D", "B", "T1"])
+///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
+///     .brake("K1", "T1")
+///     .input("D")
+///     .output("B")
+///     .gear("slow", ["K1"])
+///     .build()?;
+/// let text = written(&gearbox, &[])?;
+/// let file: GearboxFile = Document::parse_one("i.yaml", text.as_bytes())?.read()?;
+/// assert_eq!(file.gearbox()?, gearbox);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// [`NotWritable`] for a set described gear by gear.
+pub fn written(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWritable> {
+    let mut text: String =
+        comment.iter().flat_map(|line| line.lines()).map(|line| format!("# {line}\n")).collect();
+    let link = |link: LinkId| scalar(gearbox.link_name(link));
+    let mut line = |line: String| {
+        let _ = writeln!(text, "{line}");
+    };
+    line(format!("gearbox: {}", scalar(gearbox.name())));
+    line(format!("input: {}", link(gearbox.input())));
+    line(format!("output: {}", link(gearbox.output())));
+    let on_no_member = |id: &LinkId| !gearbox.sets().iter().any(|set| set.members().contains(id));
+    let shafts: Vec<String> = gearbox.link_ids().skip(1).filter(on_no_member).map(link).collect();
+    if !shafts.is_empty() {
+        line(format!("links: [{}]", shafts.join(", ")));
+    }
+    line("sets:".to_owned());
+    for set in gearbox.sets() {
+        match set.description() {
+            Description::Short(spec) => line(format!("  - {{ {} }}", of_set(spec))),
+            Description::Compound(_) => return Err(NotWritable { set: set.id().to_owned() }),
+        }
+    }
+    let pair = |element: &ShiftElement| element.links().map(link).join(", ");
+    let (brakes, clutches): (Vec<&ShiftElement>, Vec<&ShiftElement>) =
+        gearbox.shift_elements().iter().partition(|element| element.is_brake() && !element.is_one_way());
+    if !brakes.is_empty() {
+        line("brakes:".to_owned());
+    }
+    for brake in brakes {
+        let [held, _] = brake.links();
+        line(format!("  - {{ id: {}, link: {} }}", scalar(brake.id()), link(held)));
+    }
+    if !clutches.is_empty() {
+        line("clutches:".to_owned());
+    }
+    for clutch in clutches {
+        let key = if clutch.is_one_way() { "one_way" } else { "links" };
+        line(format!("  - {{ id: {}, {key}: [{}] }}", scalar(clutch.id()), pair(clutch)));
+    }
+    if !gearbox.permanent().is_empty() {
+        line("ties:".to_owned());
+    }
+    for tie in gearbox.permanent() {
+        line(format!("  - [{}]", tie.map(link).join(", ")));
+    }
+    if !gearbox.gears().is_empty() {
+        line("gears:".to_owned());
+    }
+    for gear in gearbox.gears() {
+        line(format!("  - {{ {} }}", of_gear(gearbox, gear)));
+    }
+    Ok(text)
+}
+
+fn of_set(spec: &SetSpec) -> String {
+    let [sun, ring, carrier] = spec.members.each_ref().map(|member| scalar(member));
+    let mut keys = vec![format!("id: {}", scalar(&spec.id))];
+    if spec.kind != SetKind::Simple {
+        keys.push(format!("kind: {}", kind(spec.kind)));
+    }
+    keys.extend([format!("sun: {sun}"), format!("ring: {ring}")]);
+    if !spec.kind.is_pair() {
+        keys.push(format!("carrier: {carrier}"));
+    }
+    keys.push(match spec.gearing {
+        Gearing::BasicRatio(k) => format!("k: {k}"),
+        Gearing::Teeth(sun, ring) => format!("teeth: [{sun}, {ring}]"),
+    });
+    let planets: Vec<String> =
+        [spec.planet, spec.second_planet].iter().flatten().map(ToString::to_string).collect();
+    if !planets.is_empty() {
+        keys.push(format!("planet_teeth: [{}]", planets.join(", ")));
+    }
+    if let Some(count) = spec.planet_count {
+        keys.push(format!("planets: {count}"));
+    }
+    match spec.loss {
+        loss if loss == MeshLoss::IDEAL => {}
+        MeshLoss::Set(eta) => keys.push(format!("efficiency: {}", eta.get())),
+        MeshLoss::Meshes { first, between, second } => {
+            let meshes = match spec.kind {
+                SetKind::DoublePlanet | SetKind::MeshingSuns => vec![first, between, second],
+                _ => vec![first, second],
+            };
+            keys.push(format!("meshes: [{}]", list(meshes.iter().map(|eta| eta.get().to_string()))));
+        }
+    }
+    keys.join(", ")
+}
+
+fn of_gear(gearbox: &Gearbox, gear: &Gear) -> String {
+    let engaged = gear.engaged().iter().map(|&place| scalar(gearbox.shift_elements()[place].id()));
+    let mut keys = vec![format!("name: {}", scalar(gear.name())), format!("engaged: [{}]", list(engaged))];
+    let own = [("input", gear.input(), gearbox.input()), ("output", gear.output(), gearbox.output())];
+    let own = own.into_iter().filter(|(_, of_gear, usual)| of_gear != usual);
+    keys.extend(own.map(|(key, link, _)| format!("{key}: {}", scalar(gearbox.link_name(link)))));
+    keys.join(", ")
+}
+
+fn list(items: impl Iterator<Item = String>) -> String {
+    items.collect::<Vec<_>>().join(", ")
+}
+
+/// The word of the file for a kind.
+const fn kind(kind: SetKind) -> &'static str {
+    match kind {
+        SetKind::Simple => "simple",
+        SetKind::DoublePlanet => "double_planet",
+        SetKind::SteppedSunRing => "stepped_sun_ring",
+        SetKind::SteppedSuns => "stepped_suns",
+        SetKind::SteppedRings => "stepped_rings",
+        SetKind::MeshingSuns => "meshing_suns",
+        SetKind::Bevel => "bevel",
+        SetKind::ExternalPair => "external_pair",
+        SetKind::InternalPair => "internal_pair",
+    }
+}
+
+/// A text, quoted: a name such as `1`, `y` or `null` stays a text.
+fn scalar(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => quoted.extend(['\\', character]),
+            control if control.is_control() => {
+                let _ = write!(quoted, "\\U{:08x}", u32::from(control));
+            }
+            other => quoted.push(other),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Document;
+    use crate::gearbox::GearboxFile;
+    use crate::gearbox::KindEntry;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_gears::teeth::ToothCount;
+    use epicyclic_train::GearSpec;
+
+    fn read(text: &str) -> Gearbox {
+        let file: GearboxFile = Document::parse_one("box.yaml", text.as_bytes()).unwrap().read().unwrap();
+        file.gearbox().unwrap()
+    }
+
+    #[test]
+    fn what_is_read_back_is_the_same_gearbox() {
+        let eta = |value| MeshEfficiency::new(value).unwrap();
+        let z = |count| ToothCount::new(count).unwrap();
+        let teeth = SetSpec::teeth("2", SetKind::DoublePlanet, ["y", "in", "null"], 30, 72).unwrap();
+        let losses = MeshLoss::Meshes { first: eta(0.98), between: eta(0.97), second: eta(0.99) };
+        let gearbox = Gearbox::builder("a \"box\": #1\n\\")
+            .links(["in", "y", "out", "null", "free", "shaft"])
+            .set(SetSpec::simple("1", ["in", "y", "out"], 0.1 + 2.2).with_loss(MeshLoss::Set(eta(0.97))))
+            .set(teeth.planet_teeth(z(19), Some(z(20))).planet_count(3).with_loss(losses))
+            .set(SetSpec::pair("p", ["free", "out"], 20, 41).unwrap())
+            .brake("1", "y")
+            .clutch("in-y", "in", "shaft")
+            .one_way_clutch("f", "null", "ground")
+            .tie("null", "out")
+            .input("in")
+            .output("out")
+            .gear("1", ["1", "f"])
+            .gear_spec(GearSpec {
+                name: "~".into(),
+                engaged: vec!["in-y".into()],
+                input: Some("free".into()),
+                output: None,
+            })
+            .build()
+            .unwrap();
+        // Brakes stand before clutches in a file.
+        assert_eq!(read(&written(&gearbox, &["two".into(), "lines\nand three".into()]).unwrap()), gearbox);
+    }
+
+    #[test]
+    fn a_set_described_gear_by_gear_is_refused() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ravigneaux.yaml");
+        let gearbox = read(&std::fs::read_to_string(file).unwrap());
+        let refused = written(&gearbox, &[]).unwrap_err();
+        assert!(refused.to_string().contains("gear by gear"), "{refused}");
+    }
+
+    #[test]
+    fn every_kind_has_the_word_of_the_file() {
+        let kinds = [
+            SetKind::Simple,
+            SetKind::DoublePlanet,
+            SetKind::SteppedSunRing,
+            SetKind::SteppedSuns,
+            SetKind::SteppedRings,
+            SetKind::MeshingSuns,
+            SetKind::Bevel,
+            SetKind::ExternalPair,
+            SetKind::InternalPair,
+        ];
+        for one in kinds {
+            let entry: KindEntry = serde_yaml::from_str(kind(one)).unwrap();
+            assert_eq!(SetKind::from(entry), one);
+        }
+    }
+}

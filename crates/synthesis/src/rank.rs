@@ -1,0 +1,330 @@
+//! What a solution is worth: figures by the solver at its best ring-to-sun ratios, the Pareto front, the best by an order.
+//!
+//! | objective | better | meaning |
+//! |---|---|---|
+//! | [`Drawable`](Objective::Drawable) | 0 | 1 where links would cross in the scheme, with all shift elements ([`epicyclic_layout`]) |
+//! | [`Shifts`](Objective::Shifts) | less | shifts between neighbouring forward gears that exchange more than one shift element |
+//! | [`Efficiency`](Objective::Efficiency) | more | the least η of a gear, 0 where the losses hold one |
+//! | [`Drag`](Objective::Drag) | less | the mean over the forward gears of `Σ abs(ω_1 − ω_2)/ω_in` over the open shift elements |
+//! | [`Torque`](Objective::Torque) | less | the greatest torque of a shift element or a member of a set in any gear, over the input's, with losses |
+//! | [`Speed`](Objective::Speed) | less | the greatest speed of a link, or of a planet relative to its carrier, in any gear, over the input's |
+//! | [`Circulation`](Objective::Circulation) | less | the greatest circulating power of a gear, over what enters, with losses |
+//! | [`Progression`](Objective::Progression) | less | the greatest ratio of a step to the step before it; at or below 1 the steps fall throughout |
+//! | [`Deviation`](Objective::Deviation) | less | the greatest deviation of a ratio, by half its bounds' width |
+//!
+//! The drag measure has no torque of an open shift element in it, which depends on its size, oil and clearances: it compares
+//! gearboxes of the same shift elements. With fewer than two steps between forward gears there is no progression, and all are
+//! alike in it.
+//!
+//! Nothing is weighed against anything. A solution dominates another if it is nowhere worse and somewhere better; the front
+//! holds what nothing dominates. Objectives are compared in steps of 10⁻⁵, since the best `k` are found to 10⁻⁴ of the
+//! deviation.
+
+use crate::judge::Judged;
+use crate::tolerance::ALIKE;
+use epicyclic_layout::is_drawable;
+use epicyclic_train::Analysis;
+use std::cmp::Ordering;
+use std::fmt;
+use std::str::FromStr;
+
+/// What a solution is measured by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Objective {
+    /// Whether its scheme can be drawn without links that cross.
+    Drawable,
+    /// Shifts that exchange more than one shift element.
+    Shifts,
+    /// The least efficiency of a gear.
+    Efficiency,
+    /// Mean sum of the slips of the open shift elements.
+    Drag,
+    /// The greatest torque inside.
+    Torque,
+    /// The greatest speed of a link or of a planet relative to its carrier.
+    Speed,
+    /// The greatest circulating power.
+    Circulation,
+    /// The greatest ratio of a step to the step before.
+    Progression,
+    /// The greatest deviation of a ratio.
+    Deviation,
+}
+
+/// A name of no objective.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{name}` is no objective: there are {}", Objective::ALL.map(Objective::name).join(", "))]
+pub struct UnknownObjective {
+    /// The name.
+    pub name: String,
+}
+
+impl Objective {
+    /// All, in the order in which they decide unless said otherwise.
+    pub const ALL: [Self; 9] = [
+        Self::Drawable,
+        Self::Shifts,
+        Self::Efficiency,
+        Self::Drag,
+        Self::Torque,
+        Self::Speed,
+        Self::Circulation,
+        Self::Progression,
+        Self::Deviation,
+    ];
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Drawable => "drawable",
+            Self::Shifts => "shifts",
+            Self::Efficiency => "efficiency",
+            Self::Drag => "drag",
+            Self::Torque => "torque",
+            Self::Speed => "speed",
+            Self::Circulation => "circulation",
+            Self::Progression => "progression",
+            Self::Deviation => "deviation",
+        }
+    }
+
+    /// All objectives, these first in their order.
+    #[must_use]
+    pub fn order(first: &[Self]) -> Vec<Self> {
+        let mut order: Vec<Self> = Vec::new();
+        for objective in first.iter().copied().chain(Self::ALL) {
+            if !order.contains(&objective) {
+                order.push(objective);
+            }
+        }
+        order
+    }
+}
+
+impl fmt::Display for Objective {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Objective {
+    type Err = UnknownObjective;
+
+    fn from_str(name: &str) -> Result<Self, UnknownObjective> {
+        let known = Self::ALL.into_iter().find(|objective| objective.name() == name);
+        known.ok_or_else(|| UnknownObjective { name: name.into() })
+    }
+}
+
+/// Figures of a gear at the best ring-to-sun ratios, by the solver.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GearRating {
+    /// The greatest torque of a shift element over the input's, with losses.
+    pub shift_element_torque: f64,
+    /// The greatest torque of a member of a set over the input's, with losses.
+    pub member_torque: f64,
+    /// Slip of each shift element over the input's speed, `ω_1 − ω_2`: 0 where it is engaged, nothing where a speed does not follow.
+    pub slips: Vec<Option<f64>>,
+    /// The sum of the slips of the open shift elements.
+    pub drag: f64,
+    /// The greatest speed of a link over the input's.
+    pub link_speed: f64,
+    /// The greatest speed of a planet relative to its carrier, over the input's.
+    pub planet_speed: f64,
+    /// Circulating power over what enters, with losses.
+    pub circulation: f64,
+}
+
+/// What a solution is worth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rating {
+    /// The gears in the order of the wish.
+    pub gears: Vec<GearRating>,
+    /// The objectives in the order of [`Objective::ALL`].
+    values: [f64; 9],
+    /// The greatest ratio of a step to the step before; nothing of fewer than two steps.
+    pub progression: Option<f64>,
+}
+
+impl Rating {
+    /// Rates a solution.
+    ///
+    /// # Errors
+    /// Those of the solver; none are known for what [`judge`](crate::judge::judge) made.
+    pub fn of(judged: &Judged) -> Result<Self, epicyclic_train::Error> {
+        let gearbox = &judged.gearbox;
+        let gears: Vec<GearRating> = gearbox
+            .gears()
+            .iter()
+            .map(|gear| gearbox.analyze_gear(gear).map(|analysis| GearRating::of(&analysis)))
+            .collect::<Result<_, _>>()?;
+        let mut forward: Vec<usize> = (0..gears.len()).filter(|gear| judged.ratios[*gear] > 0.0).collect();
+        let drag = forward.iter().map(|gear| gears[*gear].drag).sum::<f64>() / forward.len().max(1) as f64;
+        forward.sort_by(|one, other| judged.ratios[*other].total_cmp(&judged.ratios[*one]));
+        let steps: Vec<f64> =
+            forward.windows(2).map(|pair| judged.ratios[pair[0]] / judged.ratios[pair[1]]).collect();
+        let progression = steps.windows(2).map(|pair| pair[1] / pair[0]).reduce(f64::max);
+        let greatest = |of: fn(&GearRating) -> f64| gears.iter().map(of).fold(0.0, f64::max);
+        let values = Objective::ALL.map(|objective| match objective {
+            Objective::Drawable => f64::from(u8::from(!is_drawable(gearbox))),
+            Objective::Shifts => judged.multiple_shifts as f64,
+            Objective::Efficiency => judged.least_efficiency(),
+            Objective::Drag => drag,
+            Objective::Torque => greatest(|gear| gear.shift_element_torque.max(gear.member_torque)),
+            Objective::Speed => greatest(|gear| gear.link_speed.max(gear.planet_speed)),
+            Objective::Circulation => greatest(|gear| gear.circulation),
+            Objective::Progression => progression.unwrap_or(0.0),
+            Objective::Deviation => judged.refined.deviation,
+        });
+        Ok(Self { gears, values, progression })
+    }
+
+    /// The value of an objective, as the table of the [module](self) has it.
+    #[must_use]
+    pub fn value(&self, objective: Objective) -> f64 {
+        self.values[objective as usize]
+    }
+
+    /// Whether the scheme can be drawn without links that cross.
+    #[must_use]
+    pub fn is_drawable(&self) -> bool {
+        self.value(Objective::Drawable) == 0.0
+    }
+
+    /// What is to be made small, in steps of what tells solutions apart.
+    fn cost(&self, objective: Objective) -> f64 {
+        let sign = if objective == Objective::Efficiency { -1.0 } else { 1.0 };
+        (sign * self.value(objective) / ALIKE).round()
+    }
+
+    /// Which of two comes first by an order of objectives.
+    #[must_use]
+    pub fn compare(&self, other: &Self, order: &[Objective]) -> Ordering {
+        let decides = self.decides(other, order);
+        decides.map_or(Ordering::Equal, |objective| self.cost(objective).total_cmp(&other.cost(objective)))
+    }
+
+    /// The first objective of an order in which two differ.
+    #[must_use]
+    pub fn decides(&self, other: &Self, order: &[Objective]) -> Option<Objective> {
+        order.iter().copied().find(|objective| self.cost(*objective) != other.cost(*objective))
+    }
+}
+
+/// Places of the ratings that no other dominates in these objectives, ascending.
+#[must_use]
+pub fn front(ratings: &[&Rating], objectives: &[Objective]) -> Vec<usize> {
+    let costs: Vec<[f64; 9]> = ratings
+        .iter()
+        .map(|rating| {
+            Objective::ALL
+                .map(|objective| if objectives.contains(&objective) { rating.cost(objective) } else { 0.0 })
+        })
+        .collect();
+    epicyclic_pareto::non_dominated(&costs).into_iter().map(|place| place as usize).collect()
+}
+
+impl GearRating {
+    fn of(analysis: &Analysis<'_>) -> Self {
+        let gearbox = analysis.gearbox();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+        let load = analysis.driving().or_else(|| analysis.ideal());
+        let slips = analysis.slips().to_vec();
+        let engaged = analysis.gear().engaged();
+        let open = (0..slips.len()).filter(|place| !engaged.contains(place));
+        let planets = analysis.sets().iter().flat_map(|set| set.planets.iter().flatten());
+        Self {
+            shift_element_torque: load
+                .map_or(0.0, |load| largest(&mut load.shift_elements.iter().flatten().copied())),
+            member_torque: load
+                .map_or(0.0, |load| largest(&mut load.members.iter().flatten().flatten().copied())),
+            drag: open.filter_map(|place| slips[place]).map(f64::abs).sum(),
+            link_speed: largest(&mut gearbox.link_ids().filter_map(|link| analysis.speed(link))),
+            planet_speed: largest(&mut planets.map(|planet| planet.relative)),
+            circulation: load.map_or(0.0, |load| load.power.circulating),
+            slips,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::judge::judge;
+    use crate::parts::Bounds;
+    use crate::run::{Found, Share, search};
+    use crate::wish::Wish;
+    use crate::{Class, Kind};
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use std::ops::ControlFlow;
+
+    fn rated() -> Vec<(String, Judged, Rating)> {
+        let gears = [3.059, 1.625, 1.0, 0.696, -2.294f64]
+            .map(|ratio| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() });
+        let wish = Wish::new(gears.into(), 5, vec![1.4..=4.5; 2]);
+        let class = Class::new(Kind::AllSparse, 2, 5).unwrap();
+        let found = search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap().found;
+        let eta = MeshEfficiency::new(0.97).unwrap();
+        let rated = |found: &Found| {
+            let judged = judge(found, &wish, eta).unwrap();
+            let rating = Rating::of(&judged).unwrap();
+            (found.structure.to_string(), judged, rating)
+        };
+        found.iter().map(rated).collect()
+    }
+
+    fn names(judged: &Judged) -> Vec<&str> {
+        judged.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::id).collect()
+    }
+
+    #[test]
+    fn figures_of_a_four_speed_are_those_by_hand() {
+        // 4L60-E, sets 1-a-2 and b-2-c: in the first gear the brake c and the clutch a-c hold the ring of the first set.
+        let all = rated();
+        let is_it = |(structure, judged, _): &&(String, Judged, Rating)| {
+            structure == "1-a-2 b-2-c" && names(judged) == ["b", "c", "1-b", "1-c", "a-c"]
+        };
+        let (_, judged, rating) = all.iter().find(is_it).unwrap();
+        let [k1, k2] = judged.refined.k[..] else { panic!("two sets") };
+        let first = &rating.gears[0];
+        // ω_out = 1/(1 + k₁); ω_a = ω_c = 0; set 2 (sun b, ring output, carrier c at rest): ω_b = −k₂·ω_out.
+        let out = 1.0 / (1.0 + k1);
+        let b = -k2 * out;
+        let slips = [b.abs(), 0.0, (1.0 - b).abs(), 1.0, 0.0];
+        assert!((first.drag - slips.iter().sum::<f64>()).abs() < 1e-9, "{first:?}");
+        assert_eq!(first.circulation, 0.0);
+        assert!(first.link_speed >= 1.0);
+        // Reverse: clutch 1-b, brake c: the sun b of set 2 drives, its ring is the output: T_carrier = 1 + k₂ without losses.
+        let reverse = &rating.gears[4];
+        assert!((reverse.member_torque / (1.0 + k2) - 1.0).abs() < 0.04, "{reverse:?}");
+    }
+
+    #[test]
+    fn nothing_dominates_the_front_and_the_best_is_on_it() {
+        let all = rated();
+        let ratings: Vec<&Rating> = all.iter().map(|(.., rating)| rating).collect();
+        let front = front(&ratings, &Objective::ALL);
+        let better = |one: &Rating, other: &Rating| {
+            let costs = |rating: &Rating| Objective::ALL.map(|objective| rating.cost(objective));
+            epicyclic_pareto::dominates(&costs(one), &costs(other))
+        };
+        for (place, rating) in ratings.iter().enumerate() {
+            assert_eq!(front.contains(&place), !ratings.iter().any(|other| better(other, rating)));
+        }
+        for first in Objective::ALL {
+            let order = Objective::order(&[first]);
+            let best = (0..ratings.len()).min_by(|a, b| ratings[*a].compare(ratings[*b], &order)).unwrap();
+            assert!(front.contains(&best), "the best by {first}");
+        }
+    }
+
+    #[test]
+    fn an_order_has_each_objective_once() {
+        let order = Objective::order(&[Objective::Torque, Objective::Drag, Objective::Torque]);
+        assert_eq!(order.len(), 9);
+        assert_eq!(order[..3], [Objective::Torque, Objective::Drag, Objective::Drawable]);
+        assert_eq!("speed".parse(), Ok(Objective::Speed));
+        assert!("mass".parse::<Objective>().unwrap_err().to_string().contains("drawable, shifts"));
+    }
+}
