@@ -46,8 +46,6 @@ pub struct Subject {
     pub sets: Vec<Set>,
     /// Shift elements of a gearbox; of a structure the direct-drive clutch stands between the first links that leave room for it.
     pub shift_elements: Vec<ShiftElement>,
-    /// Which parts of a structure have changed places against the name that was given; `null` of all else.
-    pub exchanged: Option<Exchanged>,
     /// Lobes, teeth and module of a motor.
     pub motor: Option<Numbers>,
 }
@@ -77,16 +75,6 @@ pub struct Set {
     /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second. `null` where it is not given,
     /// and of a set with more than two central gears.
     pub basic_ratio: Option<f64>,
-}
-
-/// Which parts of a structure have changed places against the name that was given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Exchanged {
-    /// Whether sets 1 and 2 have changed places.
-    pub sets: bool,
-    /// Whether T1 and T2 have changed places, and with them gears 1 and 2.
-    pub gears: bool,
 }
 
 /// How something is looked at.
@@ -150,12 +138,7 @@ impl Answer for Drawing {
 impl Subject {
     /// A gearbox; `has_sizes` unless its sets have any sizes because only the structure is drawn.
     #[must_use]
-    pub fn of_gearbox(
-        gearbox: &Gearbox,
-        origin: Origin,
-        has_sizes: bool,
-        exchanged: Option<Exchanged>,
-    ) -> Self {
+    pub fn of_gearbox(gearbox: &Gearbox, origin: Origin, has_sizes: bool) -> Self {
         let set = |set: &epicyclic_train::PlanetSet| Set {
             set: set.id().to_owned(),
             kind: Kind::of(set),
@@ -166,7 +149,6 @@ impl Subject {
             name: Some(gearbox.name().to_owned()),
             sets: gearbox.sets().iter().map(set).collect(),
             shift_elements: ShiftElement::all(gearbox),
-            exchanged,
             motor: None,
         }
     }
@@ -179,7 +161,6 @@ impl Subject {
             name: title,
             sets: vec![],
             shift_elements: vec![],
-            exchanged: None,
             motor: Some(Numbers::of(motor)),
         }
     }

@@ -1,24 +1,48 @@
 //! All gearboxes that have a list of ratios.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`explain`] | a given gearbox beside the search |
+//! | [`page`] | what a page of a search draws |
+//! | [`rating`] | what a solution is worth by the solver |
+//! | [`teeth`] | tooth numbers of a solution |
+//! | [`saved`] | a solution as a file |
+//! | `scheme` | which scheme of the document a solution is |
+
+pub mod explain;
+pub mod page;
+pub mod rating;
+pub mod saved;
+mod scheme;
+pub mod teeth;
 
 mod drawn;
+mod gear;
 mod wanted;
 
-pub use wanted::{MOST_OPTIONAL, Wanted, WantedGear};
+pub use gear::WantedGear;
+pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
+use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::element_name;
-use epicyclic_synthesis::judge::{Judged, judge};
+use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::limits::Limit;
 use epicyclic_synthesis::motion::{Element, elements};
+use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
+use epicyclic_synthesis::teeth::{Choice, Design};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
+use explain::Explanation;
+use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, RangeInclusive};
+use teeth::Teeth;
 
 /// The most solutions that are told: each is judged by the solver.
 pub const MOST_SOLUTIONS: usize = 10_000;
@@ -43,7 +67,17 @@ pub struct Synthesis {
     pub found: usize,
     /// How many of them are told here.
     pub shown: usize,
-    /// These: those with the fewest multiple shifts first, of equal ones those with the higher least efficiency.
+    /// The objectives by which they are ordered, the first decides first.
+    pub order: Vec<Objective>,
+    /// The objectives of the Pareto front.
+    pub objectives: Vec<Objective>,
+    /// How many of the solutions found no other dominates; of those with as many gears as the first.
+    pub non_dominated: usize,
+    /// The objective by which the first is ahead of others; `null` where there are no others, or all are equal.
+    pub decided_by: Option<Objective>,
+    /// A given gearbox beside the search; `null` where none was given.
+    pub explanation: Option<Explanation>,
+    /// These, the best first.
     pub solutions: Vec<Solution>,
 }
 
@@ -125,6 +159,8 @@ pub enum ClassName {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Solution {
+    /// The scheme of the document that it is; `null` where it is none.
+    pub scheme: Option<&'static str>,
     /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others.
     pub structure: String,
     /// The sets.
@@ -147,6 +183,10 @@ pub struct Solution {
     pub greatest_link_speed: f64,
     /// The greatest speed of a planet relative to its carrier in a gear, over the input's.
     pub greatest_planet_speed: f64,
+    /// What it is worth.
+    pub rating: Rating,
+    /// Tooth numbers; `null` where none were asked for.
+    pub teeth: Option<Teeth>,
 }
 
 /// A planet set of a solution.
@@ -215,15 +255,43 @@ impl Answer for Synthesis {
     const NAME: &'static str = "synthesize";
 }
 
-/// All gearboxes that have the wanted ratios. Before each class is searched `progress` is told of it; a break ends the search,
-/// and what was found is kept.
+/// A solution that is told, as the search has it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// Its structure, shift elements and ratios.
+    pub found: Found,
+    /// Its best ring-to-sun ratios and its gearbox.
+    pub judged: Judged,
+    /// The gears that it has, by their places in the wish.
+    pub selection: Vec<usize>,
+    /// What it is worth.
+    pub rating: rank::Rating,
+    /// The best tooth numbers, where any were asked for.
+    pub teeth: Vec<Design>,
+}
+
+/// All gearboxes that have the wanted ratios.
 ///
 /// # Errors
-/// [`Error::Synthesis`] where no class can have the ratios.
+/// As [`solve`].
 pub fn answer(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
 ) -> Result<Synthesis, Error> {
+    solve(wanted, progress).map(|(answer, _)| answer)
+}
+
+/// The same, with the solutions that are told as the search has them. Before each class is searched `progress` is told of it; a
+/// break ends the search, and what was found is kept.
+///
+/// # Errors
+/// [`Error::Synthesis`] where no class can have the ratios, and for limits of teeth that nothing can keep.
+pub fn solve(
+    wanted: &Wanted,
+    progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
+) -> Result<(Synthesis, Vec<Kept>), Error> {
+    let choice = wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose()?;
+    let order = rank::Objective::order(&wanted.order);
     let gears = wanted.gears()?;
     let mut answer = Synthesis {
         wanted: gears.clone(),
@@ -234,16 +302,23 @@ pub fn answer(
         complete: true,
         found: 0,
         shown: 0,
+        order: order.iter().map(|objective| Objective::of(*objective)).collect(),
+        objectives: wanted.objectives.iter().map(|objective| Objective::of(*objective)).collect(),
+        non_dominated: 0,
+        decided_by: None,
+        explanation: None,
         solutions: Vec::new(),
     };
     let mut refused = None;
-    let mut left_out = BTreeMap::new();
-    let mut judged: Vec<Kept> = Vec::new();
+    let mut left_out = LeftOuts::default();
+    let mut kept: Vec<Kept> = Vec::new();
+    let mut tried = None;
     'classes: for (sets, shift_elements, engaged) in wanted.tried() {
         // A number of sets and elements is tried with all numbers of engaged ones.
-        if judged.last().is_some_and(|kept| kept.tried != (sets, shift_elements)) {
+        if !kept.is_empty() && tried != Some((sets, shift_elements)) {
             break;
         }
+        tried = Some((sets, shift_elements));
         let mut known = BTreeSet::new();
         for selection in wanted.selections() {
             let bounds = selection.iter().map(|gear| gears[*gear].bounds()).collect();
@@ -264,29 +339,9 @@ pub fn answer(
             answered.found.retain(|found| known.insert(identity(found)));
             answer.complete &= answered.complete;
             answer.searched.push(Searched::of(&searching, selection.len(), &answered));
-            let mut leave_out = |by: Reason, solutions: u64| {
-                if solutions > 0 {
-                    *left_out.entry(by).or_default() += solutions;
-                }
-            };
-            leave_out(Reason::Direct, answered.tally.without_direct);
-            leave_out(Reason::Shifts, answered.tally.without_single_shifts);
-            for mut found in answered.found {
-                if wanted.drawable && !drawn::choose(&mut found, &wish.rules)? {
-                    leave_out(Reason::Drawable, 1);
-                    continue;
-                }
-                let judgement = judge(&found, &wish, wanted.efficiency)?;
-                match wanted.limits.missed(&wish.gears, &judgement) {
-                    Some(limit) => leave_out(Reason::of(limit), 1),
-                    None => judged.push(Kept {
-                        found,
-                        judged: judgement,
-                        selection: selection.clone(),
-                        tried: (sets, shift_elements),
-                    }),
-                }
-            }
+            left_out.add(Reason::Direct, answered.tally.without_direct);
+            left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
+            kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out)?);
             if !answered.complete {
                 break 'classes;
             }
@@ -300,26 +355,92 @@ pub fn answer(
                    engaged elements and 1, open elements those not engaged";
         return Err(epicyclic_synthesis::Error::Wish { why: why.into() }.into());
     }
-    judged.sort_by(|one, other| {
-        let efficiency = other.judged.least_efficiency().total_cmp(&one.judged.least_efficiency());
+    answer.left_out = left_out.told();
+    kept.sort_by(|one, other| {
         let missing = other.selection.len().cmp(&one.selection.len());
-        missing.then(one.judged.multiple_shifts.cmp(&other.judged.multiple_shifts)).then(efficiency)
+        missing.then_with(|| one.rating.compare(&other.rating, &order))
     });
-    answer.left_out = left_out.into_iter().map(|(by, solutions)| LeftOut { by, solutions }).collect();
-    answer.found = judged.len();
-    answer.shown = judged.len().min(wanted.most).min(MOST_SOLUTIONS);
-    answer.solutions = judged[..answer.shown].iter().map(|kept| Solution::of(kept, wanted, &gears)).collect();
-    Ok(answer)
+    // Worth compares what has as many gears.
+    let alike = kept.iter().filter(|one| one.selection.len() == kept[0].selection.len()).count();
+    let ratings: Vec<&rank::Rating> = kept[..alike].iter().map(|kept| &kept.rating).collect();
+    let on_front = front(&ratings, &wanted.objectives);
+    let behind = |place: usize| ratings.get(place)?.decides(ratings[0], &order);
+    let first_of = |objectives: &mut dyn Iterator<Item = rank::Objective>| {
+        objectives.min_by_key(|objective| order.iter().position(|other| other == objective))
+    };
+    answer.found = kept.len();
+    answer.non_dominated = on_front.len();
+    answer.decided_by = first_of(&mut (1..kept.len()).filter_map(behind)).map(Objective::of);
+    answer.shown = kept.len().min(wanted.most).min(MOST_SOLUTIONS);
+    answer.solutions = (0..answer.shown)
+        .map(|place| {
+            let Kept { judged, rating, .. } = &kept[place];
+            let rating = Rating::of(rating, judged, on_front.binary_search(&place).is_ok(), behind(place));
+            Solution::of(&kept[place], wanted, &gears, rating)
+        })
+        .collect();
+    if let Some(gearbox) = &wanted.explain {
+        answer.explanation = Some(explain::explain(gearbox, wanted, &answer, &kept)?);
+    }
+    kept.truncate(answer.shown);
+    if let (Some(teeth), Some(choice)) = (&wanted.teeth, &choice) {
+        for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
+            let k = vec![wanted.k.clone(); solution.sets.len()];
+            let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
+            let (told, best) = Teeth::of(&kept.found, &gears, &k, choice, teeth);
+            (solution.teeth, kept.teeth) = (Some(told), best);
+        }
+    }
+    Ok((answer, kept))
 }
 
-/// A solution that is told.
-struct Kept {
-    found: Found,
-    judged: Judged,
-    /// The gears that it has, by their places in the wish.
-    selection: Vec<usize>,
-    /// How many sets and shift elements were tried.
-    tried: (usize, usize),
+/// Judges solutions and keeps those within all limits; counts what leaves out the others.
+fn keep(
+    mut found: Vec<Found>,
+    wish: &Wish,
+    wanted: &Wanted,
+    selection: &[usize],
+    left_out: &mut LeftOuts,
+) -> Result<Vec<Kept>, Error> {
+    if wanted.drawable {
+        let mut drawable = Vec::new();
+        for mut one in found {
+            if drawn::choose(&mut one, &wish.rules)? {
+                drawable.push(one);
+            } else {
+                left_out.add(Reason::Drawable, 1);
+            }
+        }
+        found = drawable;
+    }
+    let mut kept = Vec::new();
+    let judgements = judge_all(&found, wish, wanted.efficiency)?;
+    for (found, judged) in found.into_iter().zip(judgements) {
+        match wanted.limits.missed(&wish.gears, &judged) {
+            Some(limit) => left_out.add(Reason::of(limit), 1),
+            None => {
+                let rating = rank::Rating::of(&judged)?;
+                kept.push(Kept { found, judged, selection: selection.to_vec(), rating, teeth: Vec::new() });
+            }
+        }
+    }
+    Ok(kept)
+}
+
+/// Counts of what was left out.
+#[derive(Default)]
+struct LeftOuts(BTreeMap<Reason, u64>);
+
+impl LeftOuts {
+    fn add(&mut self, by: Reason, solutions: u64) {
+        if solutions > 0 {
+            *self.0.entry(by).or_default() += solutions;
+        }
+    }
+
+    fn told(self) -> Vec<LeftOut> {
+        self.0.into_iter().map(|(by, solutions)| LeftOut { by, solutions }).collect()
+    }
 }
 
 /// What makes two solutions the same gearbox: structure and elements.
@@ -391,7 +512,7 @@ impl ClassName {
 }
 
 impl Solution {
-    fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear]) -> Self {
+    fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear], rating: Rating) -> Self {
         let Kept { found, judged, selection, .. } = kept;
         let solution = &found.solution;
         let sets = found.structure.sets().iter().zip(&judged.refined.k).zip(&judged.refined.ranges);
@@ -418,6 +539,7 @@ impl Solution {
             })
             .collect();
         Self {
+            scheme: scheme::of(found).map(Scheme::name),
             structure: found.structure.to_string(),
             sets: sets.collect(),
             shift_elements: shift_elements.collect(),
@@ -436,6 +558,8 @@ impl Solution {
             greatest_slip: judged.slip,
             greatest_link_speed: judged.link_speed,
             greatest_planet_speed: judged.planet_speed,
+            rating,
+            teeth: None,
         }
     }
 }

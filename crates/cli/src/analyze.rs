@@ -3,7 +3,8 @@
 mod several;
 
 use crate::failure::Failure;
-use crate::input;
+use crate::named::{self, Sizes};
+use crate::options::efficiency;
 use crate::output::OutputArgs;
 use epicyclic_answers::Error;
 use epicyclic_answers::analyze::inputs::Given;
@@ -11,12 +12,10 @@ use epicyclic_answers::analyze::{self as answers, Input, LoadQuantity};
 use epicyclic_answers::gearbox::{self, Content, Subject};
 use epicyclic_answers::transmissions;
 use epicyclic_formats::{Document, Quantity};
-use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
-use std::path::{Path, PathBuf};
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
-/// A planetary gearbox from a file: ratios, speeds, torques, powers and losses of its gears.
+/// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of its gears.
 ///
 /// Without --gear a table of all gears with their engagement table; with --gear everything about one. Speeds are
 /// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
@@ -35,6 +34,8 @@ Example:
   epicyclic analyze box.yaml
   epicyclic analyze box.yaml --gear slow --torque '500 N·m'
   epicyclic analyze box.yaml --steps
+  epicyclic analyze II-3 --formula
+  epicyclic analyze II-3 --k1 2.15 --k2 2.35 --gear 2
 
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
@@ -84,9 +85,12 @@ pub(crate) struct Args {
 /// Which gearbox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Choice {
-    /// The file, in YAML.
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
+    /// The file, in YAML; or a scheme of the catalogue (I … III-3) or a structure (D.T1.B+T2.B.T1) by its name.
+    #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    gearbox: String,
+
+    #[command(flatten)]
+    sizes: Sizes,
 
     /// One transmission of a list: its name, or a part that no other name has.
     #[arg(long, value_name = "NAME")]
@@ -102,33 +106,27 @@ impl Choice {
     /// An option that is given.
     pub(crate) fn given(&self) -> Option<&'static str> {
         let transmission = self.transmission.as_ref().map(|_| "--transmission");
-        transmission.or(self.efficiency.map(|_| "--efficiency"))
+        transmission.or(self.efficiency.map(|_| "--efficiency")).or(self.sizes.given())
     }
 
     /// One gearbox of a file, all of it as its options would say.
     pub(crate) fn new(
-        file: PathBuf,
+        gearbox: String,
         transmission: Option<String>,
         efficiency: Option<Quantity<Ratio>>,
     ) -> Self {
-        Self { file, transmission, efficiency }
+        Self { gearbox, transmission, efficiency, sizes: Sizes::default() }
     }
 
-    /// The file.
-    pub(crate) fn file(&self) -> &Path {
-        &self.file
+    /// The document of the gearbox, its text, and whether the sizes in it are known.
+    pub(crate) fn document(&self, any_size_will_do: bool) -> Result<named::Read, Failure> {
+        named::document(&self.gearbox, self.sizes, self.efficiency, any_size_will_do)
     }
 
     fn question(&self) -> Result<gearbox::Choice, Failure> {
         let efficiency = self.efficiency.map(efficiency).transpose()?;
         Ok(gearbox::Choice { transmission: self.transmission.clone(), efficiency })
     }
-}
-
-/// The efficiency of a set that `--efficiency` gives.
-pub(crate) fn efficiency(eta: Quantity<Ratio>) -> Result<MeshEfficiency, Failure> {
-    MeshEfficiency::new(eta.0.value)
-        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }
 
 /// What its input does.
@@ -163,7 +161,7 @@ impl Load {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let document = input::document(&args.choice.file)?;
+    let named::Read { document, is_sized, .. } = args.choice.document(args.formula && !args.steps)?;
     let choice = args.choice.question()?;
     let wants_formulas = args.formula || args.steps;
     let subject = if args.gear.is_some() || args.all_combinations || wants_formulas {
@@ -182,7 +180,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     if wants_formulas {
         let answer = answers::formulas::answer(&subject, args.gear.as_deref(), args.steps).map_err(refuse)?;
-        return args.output.deliver(&answer);
+        return args.output.deliver(&if is_sized { answer } else { answer.without_numbers() });
     }
     let input = args.load.input();
     match &args.gear {

@@ -1,13 +1,16 @@
 //! That no output is the input or another output: refused before anything is read or computed.
 //!
 //! The files of a call are found by what its arguments say of themselves, so that no command can forget the check: a positional
-//! argument that is a path is read, an option that is one is written.
+//! argument that is a path is read, an option that is one is written, but for those of [`READ`].
 
 use crate::failure::Failure;
 use crate::writing::are_one_file;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, ValueHint};
 use std::path::{Path, PathBuf};
+
+/// Options whose file is read.
+const READ: [&str; 1] = ["explain"];
 
 /// The files that a command line names.
 #[derive(Debug, Default)]
@@ -35,6 +38,7 @@ impl Files {
                 }
                 for value in matches.get_raw(id).into_iter().flatten() {
                     match arg.get_long() {
+                        Some(option) if READ.contains(&option) => files.read.push(value.into()),
                         Some(option) => files.written.push((format!("--{option}"), value.into())),
                         None => files.read.push(value.into()),
                     }
@@ -103,7 +107,8 @@ mod tests {
             "motor --dxf <FILE>",
             "motor --svg <FILE>",
         ];
+        let of_synthesis = ["synthesize --explain <FILE>", "synthesize --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        assert_eq!(options, [&drawings[..], &of_search].concat());
+        assert_eq!(options, [&drawings[..], &of_search, &of_synthesis].concat());
     }
 }

@@ -6,6 +6,7 @@ use crate::analyze::analysis;
 use crate::failure::Failure;
 use crate::input;
 use crate::motor;
+use crate::named;
 use crate::output::say;
 use crate::writing::write_files;
 use epicyclic_answers::answer::to_json;
@@ -14,7 +15,7 @@ use epicyclic_answers::draw::{Drawing, FileFormat, Sheet};
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::motor::of_file;
 use epicyclic_drawing::{Scene, dxf, svg};
-use epicyclic_formats::{self as formats, Document, Number, Quantity};
+use epicyclic_formats::{self as formats, Document, Quantity};
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
@@ -68,21 +69,8 @@ pub(crate) struct Args {
     #[arg(long)]
     same_side: bool,
 
-    /// Ring-to-sun ratio k of set 1 of a catalogue scheme.
-    #[arg(long, allow_negative_numbers = true)]
-    k1: Option<Number>,
-
-    /// Ring-to-sun ratio k of set 2.
-    #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_negative_numbers = true)]
-    k2: Option<Number>,
-
-    /// Ratio of gear 1, in place of --k1.
-    #[arg(long, conflicts_with = "k1", allow_negative_numbers = true)]
-    ratio1: Option<Number>,
-
-    /// Ratio of gear 2, in place of --k2.
-    #[arg(long, allow_negative_numbers = true)]
-    ratio2: Option<Number>,
+    #[command(flatten)]
+    sizes: named::Sizes,
 
     /// With --power: efficiency with the carrier fixed of each set for which no losses are stated. Default: no losses.
     #[arg(long, value_name = "NUMBER", requires = "power", allow_hyphen_values = true)]
@@ -251,13 +239,11 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
         ("--power", args.power),
         ("--whole", args.whole),
         ("--same-side", args.same_side),
-        ("--k1", args.k1.is_some()),
-        ("--ratio1", args.ratio1.is_some()),
-        ("--ratio2", args.ratio2.is_some()),
         ("--efficiency", args.efficiency.is_some()),
         ("--title", args.title.is_some()),
     ];
-    if let Some((option, _)) = of_gearboxes.into_iter().find(|(_, is_given)| *is_given) {
+    let given = of_gearboxes.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option);
+    if let Some(option) = given.or(args.sizes.given()) {
         return Err(Failure::Option { option, message: "it is for gearboxes; this is a motor".to_owned() });
     }
     let view = args.view.unwrap_or(View::Motor);
@@ -276,8 +262,7 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
 fn of_gearbox(args: &Args, document: Option<&Document>) -> Result<Picture, Failure> {
     consistent(args)?;
     let subject = subject::read(args, document)?;
-    let gear = args.gear.as_deref().map(|gear| subject.gear_name(gear));
-    let drawing = drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), gear);
+    let drawing = drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), args.gear.as_deref());
     Ok(Picture { drawing, scene: scene(args, &subject), base: subject.base })
 }
 
@@ -302,7 +287,7 @@ fn consistent(args: &Args) -> Result<(), Failure> {
 fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
     let gearbox = &subject.gearbox;
     let title = args.title.as_deref();
-    let gear = args.gear.as_deref().map(|gear| analysis(gearbox, subject.gear_name(gear))).transpose()?;
+    let gear = args.gear.as_deref().map(|gear| analysis(gearbox, gear)).transpose()?;
     Ok(match (args.view.unwrap_or(View::Scheme), &gear) {
         (View::Scheme, gear) => kinematic(args, subject, gear.as_ref())?,
         (View::Speeds, Some(gear)) => speeds::scene(gearbox, gear, title)?,

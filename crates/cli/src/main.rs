@@ -37,6 +37,7 @@ mod lists;
 mod machine;
 mod man;
 mod motor;
+mod named;
 mod options;
 mod output;
 mod page;
@@ -72,7 +73,7 @@ enum Command {
     Drive(drive::Args),
     Analyze(analyze::Args),
     Select(Box<select::Args>),
-    Synthesize(synthesize::Args),
+    Synthesize(Box<synthesize::Args>),
     Schemes(schemes::Args),
     Machine(machine::Args),
     Motor(Box<motor::Args>),

@@ -1,10 +1,12 @@
 //! The option that a refusal speaks of.
 
 use crate::failure::Failure;
-use epicyclic_formats::Span;
+use epicyclic_formats::{Quantity as Given, Span};
+use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::{Error, Quantity};
 use std::ops::RangeInclusive;
+use uom::si::f64::Ratio;
 
 /// The option that a search for tooth numbers refuses; the number of planets has its own name in each command.
 pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static str> {
@@ -35,4 +37,10 @@ pub(crate) fn of_wheel(
         return Err(Failure::Option { option, message });
     }
     Ok(range)
+}
+
+/// The efficiency of a set that `--efficiency` gives.
+pub(crate) fn efficiency(eta: Given<Ratio>) -> Result<MeshEfficiency, Failure> {
+    MeshEfficiency::new(eta.0.value)
+        .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })
 }

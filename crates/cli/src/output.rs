@@ -46,6 +46,12 @@ impl OutputArgs {
         self.target.output.is_some()
     }
 
+    /// Whether a page is asked for: tables into a file whose name ends in `.html`.
+    pub(crate) fn is_page(&self) -> bool {
+        let is_html = |file: &PathBuf| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("html"));
+        self.format == Format::Table && self.target.output.as_ref().is_some_and(is_html)
+    }
+
     /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown
     /// as well.
     pub(crate) fn deliver<A: Answer + AsReport>(&self, answer: &A) -> Result<(), Failure> {

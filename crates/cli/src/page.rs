@@ -2,7 +2,7 @@
 
 use crate::analyze::{Choice, Load, refuse, subject};
 use crate::failure::Failure;
-use crate::input;
+use crate::named::Read;
 use crate::output::Target;
 use epicyclic_answers as answers;
 use epicyclic_answers::answer::to_json;
@@ -47,8 +47,7 @@ enum Format {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let file = args.choice.file();
-    let (document, bytes) = input::with_bytes(file)?;
+    let Read { document, bytes, .. } = args.choice.document(false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
     let for_gearboxes = |what: &str| match args.choice.given().or(args.load.given()) {

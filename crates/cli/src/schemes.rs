@@ -60,23 +60,6 @@ pub(crate) struct Args {
     output: OutputArgs,
 }
 
-/// What says how large the sets of a scheme are: the options of these names.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct SizeOptions {
-    pub(crate) k1: Option<Number>,
-    pub(crate) k2: Option<Number>,
-    pub(crate) ratio1: Option<Number>,
-    pub(crate) ratio2: Option<Number>,
-}
-
-impl SizeOptions {
-    fn sizes(self) -> Sizes {
-        let [k1, k2, ratio1, ratio2] =
-            [self.k1, self.k2, self.ratio1, self.ratio2].map(|number| number.map(Number::get));
-        Sizes { k1, k2, ratio1, ratio2 }
-    }
-}
-
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let usual = RingToSunRange::USED;
@@ -85,18 +68,15 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let range = RingToSunRange::new(*span.start(), *span.end()).map_err(of_option("--k"))?;
     let eta0 = MeshEfficiency::new(args.efficiency.0.si()).map_err(of_option("--efficiency"))?;
     let Some(name) = &args.scheme else { return args.output.deliver(&schemes::list(range)) };
-    let options = SizeOptions { k1: args.k1, k2: args.k2, ratio1: args.ratio1, ratio2: args.ratio2 };
-    let found = schemes::one(name.parse()?, range, options.sizes(), eta0);
+    let [k1, k2, ratio1, ratio2] =
+        [args.k1, args.k2, args.ratio1, args.ratio2].map(|number| number.map(Number::get));
+    let found = schemes::one(name.parse()?, range, Sizes { k1, k2, ratio1, ratio2 }, eta0);
     args.output.deliver(&found.map_err(refuse)?)
 }
 
 /// The scheme with the ring-to-sun ratios or ratios that were given, if any were.
-pub(crate) fn sized(
-    options: SizeOptions,
-    scheme: Scheme,
-    eta0: MeshEfficiency,
-) -> Result<Option<Sized>, Failure> {
-    schemes::sized(scheme, options.sizes(), eta0).map_err(refuse)
+pub(crate) fn sized(sizes: Sizes, scheme: Scheme, eta0: MeshEfficiency) -> Result<Option<Sized>, Failure> {
+    schemes::sized(scheme, sizes, eta0).map_err(refuse)
 }
 
 fn of_option<E: ToString>(option: &'static str) -> impl Fn(E) -> Failure {

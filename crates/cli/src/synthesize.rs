@@ -1,18 +1,31 @@
 //! The command `synthesize`: every gearbox that has a list of ratios.
 
 use crate::failure::Failure;
+use crate::input;
+use crate::lists::List;
+use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use crate::ratios::Ratios;
+use crate::writing::Content;
 use epicyclic_answers as answers;
-use epicyclic_answers::synthesize::{MOST_SOLUTIONS, Wanted, answer};
+use epicyclic_answers::gearbox::{Choice, one};
+use epicyclic_answers::synthesize::page::drawn;
+use epicyclic_answers::synthesize::teeth::TeethWanted;
+use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve};
 use epicyclic_formats::{Number, Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
+use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::shifts::Shifts;
+use epicyclic_synthesis::teeth::{Aim, Alike};
+use epicyclic_train::Gearbox;
+use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
+use std::path::PathBuf;
 use uom::si::f64::Ratio;
 
 /// The most shift elements that are searched.
@@ -23,6 +36,9 @@ const MOST_ENGAGED: u32 = 4;
 
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
+
+/// Schemes drawn on a page.
+const DRAWN: usize = 10;
 
 /// The k that may be asked for: below, planets have no teeth; above, no ring is that large.
 const ANY_K: RangeInclusive<f64> = 1.05..=20.0;
@@ -37,6 +53,13 @@ Examples:
   epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1
   epicyclic synthesize --ratios '3.059, 1.625, 1, 0.696, -2.294' --sets 2 \\
       --elements 5 --engaged 2 --class all-sparse
+  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --elements 2 --save best.yaml
+
+Objectives of --order and --objectives: drawable, shifts (that exchange several
+shift elements), efficiency (the least of a gear), drag (slips of the open shift
+elements), torque (the greatest inside), speed (the greatest of a link or
+planet), circulation (power), progression (of the steps), deviation (of the
+ratios).
 
 A gear of n sets and L moving links engages L - n - 1 shift elements: of four
 sets and eight links three. Class core takes a minute or two for four sets and
@@ -80,7 +103,7 @@ pub(crate) struct Args {
     k: Span<f64>,
 
     #[command(flatten)]
-    kept: Kept,
+    wishes: Wishes,
 
     /// Efficiency of the meshes of a set: 0.97, or 97%.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
@@ -90,6 +113,37 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
+    /// The objectives that decide first which gearbox is the best; the others follow.
+    #[arg(
+        long,
+        value_name = "OBJECTIVES",
+        default_value = "drawable, shifts, efficiency, drag, torque, speed"
+    )]
+    order: List<Objective>,
+
+    /// The objectives of the Pareto front. Default: all.
+    #[arg(long, value_name = "OBJECTIVES")]
+    objectives: Option<List<Objective>>,
+
+    #[command(flatten)]
+    teeth: TeethOptions,
+
+    /// Write the best gearbox as a file that analyze, draw and report read, with its tooth numbers where --teeth found any.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+
+    /// With --save: the gearbox with this number in place of the best.
+    #[arg(long, value_name = "N", requires = "save", default_value = "1")]
+    nth: usize,
+
+    /// A gearbox to be placed beside the search: which ratio it misses, its number among those found, or why it is not found.
+    #[arg(long, value_name = "FILE")]
+    explain: Option<PathBuf>,
+
+    /// With --explain: one transmission of a list, its name or a part that no other name has.
+    #[arg(long, value_name = "NAME", requires = "explain")]
+    transmission: Option<String>,
+
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -97,7 +151,7 @@ pub(crate) struct Args {
 /// What a gearbox has to keep besides its ratios.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "What else is wanted")]
-struct Kept {
+struct Wishes {
     /// Number of brakes among the shift elements.
     #[arg(long, value_name = "RANGE", default_value = "0..7")]
     brakes: Span<u32>,
@@ -152,6 +206,60 @@ enum ShiftChoice {
     Single,
 }
 
+/// Tooth numbers of the gearboxes shown.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Tooth numbers")]
+struct TeethOptions {
+    /// Find all tooth numbers of each gearbox shown that keep the tolerances.
+    #[arg(long)]
+    teeth: bool,
+
+    /// Teeth of the suns.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
+    sun: Span<u32>,
+
+    /// Teeth of the planets.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
+    planet: Span<u32>,
+
+    /// Teeth of the rings.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
+    ring: Span<u32>,
+
+    /// Number of planets of a set, from 2 to 8.
+    #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
+    planet_count: Span<u32>,
+
+    /// At least so many sets have rings of equal teeth.
+    #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
+    equal_rings: usize,
+
+    /// At least so many sets have suns of equal teeth.
+    #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
+    equal_suns: usize,
+
+    /// At least so many sets are equal.
+    #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
+    equal_sets: usize,
+
+    /// Which tooth numbers are the best.
+    #[arg(long, value_enum, requires = "teeth", default_value_t = TeethAim::Deviation)]
+    teeth_aim: TeethAim,
+
+    /// Choices of tooth numbers shown of each gearbox.
+    #[arg(long, value_name = "N", requires = "teeth", default_value = "5")]
+    teeth_limit: usize,
+}
+
+/// Which tooth numbers are the best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum TeethAim {
+    /// The least greatest deviation of a ratio.
+    Deviation,
+    /// The fewest teeth of all suns and rings.
+    Fewest,
+}
+
 /// Which structures are searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Class {
@@ -170,7 +278,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let efficiency = MeshEfficiency::new(args.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
     let format = args.output.format;
-    let most = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { MOST_SOLUTIONS });
+    // Tooth numbers of thousands of gearboxes would take hours.
+    let few = format == Format::Table || args.teeth.teeth;
+    let most = args.limit.unwrap_or(if few { SHOWN_IN_TABLE } else { MOST_SOLUTIONS });
+    let objectives = args.objectives.as_ref().map_or(Objective::ALL.to_vec(), |list| list.0.clone());
     let wanted = Wanted {
         gears: args.ratios.0.clone(),
         tolerance,
@@ -188,25 +299,33 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         links: args.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=9))?,
         open: args.open.map_or(Ok(0..=usize::MAX), |open| counts("--open", open, 0..=MOST_ELEMENTS))?,
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
-        rules: args.kept.rules()?,
-        limits: args.kept.limits()?,
-        drawable: args.kept.drawable,
+        rules: args.wishes.rules()?,
+        limits: args.wishes.limits()?,
+        drawable: args.wishes.drawable,
         efficiency,
-        most,
+        most: if args.save.is_some() { most.max(args.nth) } else { most },
+        order: args.order.0.clone(),
+        objectives,
+        teeth: args.teeth.wanted()?,
+        explain: given(args)?,
     };
     let shown = Progress::new();
-    let found = answer(&wanted, &|_, at| {
+    let (found, kept) = solve(&wanted, &|_, at| {
         shown.at(at.done as f64 / at.of.max(1) as f64);
         ControlFlow::Continue(())
     })
     .map_err(|error| match error {
+        answers::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {
+            let option = options::of_teeth(&error, "--planet-count").unwrap_or("--teeth");
+            Failure::Option { option, message: error.to_string() }
+        }
         answers::Error::Synthesis(error) => {
             Failure::Option { option: "--ratios", message: error.to_string() }
         }
         error => error.into(),
     })?;
     drop(shown);
-    if found.found == 0 {
+    if found.found == 0 && found.explanation.is_none() {
         let searched: Vec<String> = found
             .searched
             .iter()
@@ -223,14 +342,20 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             epicyclic_views::synthesize::left_out_in_words(&found.left_out)
         )));
     }
-    args.output.deliver(&found)?;
+    let files = save(args, &found, &kept)?;
+    if args.output.is_page() {
+        let sheet = page::synthesis::sheet(&found, &drawn(&kept, DRAWN)?)?;
+        args.output.write_with(files, &sheet.html()?)?;
+    } else {
+        args.output.deliver_with(files, &found)?;
+    }
     if format != Format::Table && found.shown < found.found {
         complain(&format!("note: {}", epicyclic_views::synthesize::count(&found)));
     }
     Ok(())
 }
 
-impl Kept {
+impl Wishes {
     fn rules(&self) -> Result<Rules, Failure> {
         let single = |choice| choice == ShiftChoice::Single;
         Ok(Rules {
@@ -273,4 +398,59 @@ fn counts(
 ) -> Result<RangeInclusive<usize>, Failure> {
     let range = span.within(within).map_err(|error| Failure::Range { option, error })?;
     Ok(*range.start() as usize..=*range.end() as usize)
+}
+
+/// The gearbox of --explain.
+fn given(args: &Args) -> Result<Option<Gearbox>, Failure> {
+    let Some(file) = &args.explain else { return Ok(None) };
+    let document = input::document(file)?;
+    let choice = Choice { transmission: args.transmission.clone(), ..Choice::default() };
+    Ok(Some(one(&document, &choice)?.gearbox))
+}
+
+/// The file of --save with its content.
+fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, Failure> {
+    let Some(file) = &args.save else { return Ok(vec![]) };
+    let Some(one) = args.nth.checked_sub(1).and_then(|place| kept.get(place)) else {
+        let message = format!("{}: there are gearboxes 1 to {}", args.nth, found.found);
+        return Err(Failure::Option { option: "--nth", message });
+    };
+    let ratios: Vec<String> =
+        found.wanted.iter().map(|gear| epicyclic_views::synthesize::wanted(gear, found.tolerance)).collect();
+    let (number, ratios) = (args.nth, ratios.join(", "));
+    let name = format!("Gearbox {number} for {ratios}");
+    let gearbox = saved::gearbox(one, &name, one.teeth.first())?;
+    let comment = format!(
+        "Gearbox {number} of {} found by synthesize for the ratios {ratios}, each within {} %.",
+        found.found,
+        100.0 * found.tolerance
+    );
+    let text = saved::file(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
+    Ok(vec![(file.clone(), text.into_bytes())])
+}
+
+impl TeethOptions {
+    fn wanted(&self) -> Result<Option<TeethWanted>, Failure> {
+        if !self.teeth {
+            return Ok(None);
+        }
+        let usual = Bounds::default();
+        let planets = self.planet_count.within(usual.planets);
+        Ok(Some(TeethWanted {
+            bounds: Bounds {
+                sun: options::of_wheel("--sun", self.sun, usual.sun)?,
+                planet: options::of_wheel("--planet", self.planet, usual.planet)?,
+                ring: options::of_wheel("--ring", self.ring, usual.ring)?,
+                planets: planets.map_err(|error| Failure::Range { option: "--planet-count", error })?,
+                ring_to_sun_ratio: ANY_K,
+                ..Bounds::default()
+            },
+            alike: Alike { rings: self.equal_rings, suns: self.equal_suns, sets: self.equal_sets },
+            aim: match self.teeth_aim {
+                TeethAim::Deviation => Aim::Deviation,
+                TeethAim::Fewest => Aim::Teeth,
+            },
+            most: self.teeth_limit,
+        }))
+    }
 }

@@ -54,6 +54,43 @@ fn ratios_as_formulas() {
 }
 
 #[test]
+fn schemes_and_structures_by_their_names() {
+    let names = ["analyze", "II-3", "--formula"];
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &names[..],
+            &["analyze", "II-3", "--k1", "2.15", "--k2", "2.35", "--efficiency", "0.97"],
+            &["analyze", "II-3"],
+            &["analyze", "II-3", "--formula", "--steps"],
+            &["analyze", "II-9", "--formula"],
+            &["analyze", "D.T1.B+D.T1.B", "--formula"],
+            &["analyze", "scheme-ii-3.yaml", "--k1", "2"],
+        ]
+    ));
+    let ratios = |args: &[&str]| {
+        let done = output(&examples(), &[&["analyze"], args, &["--format", "json"]].concat());
+        let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        [0, 1].map(|gear| told["gears"][gear]["ratio"].as_f64().unwrap())
+    };
+    // A scheme is what its file says; a structure is the same in any order of its sets and brakes.
+    let [slow, fast] = ratios(&["scheme-ii-3.yaml"]);
+    let file = [fast, slow];
+    let by_ratio = ratios(&["II-3", "--ratio1", &file[0].to_string(), "--ratio2", &file[1].to_string()]);
+    let [one, two] = ratios(&["D.T1.B+T2.B.T1", "--k1", "2.5", "--k2", "1.618"]);
+    let sets = ratios(&["T2.B.T1+D.T1.B", "--k1", "1.618", "--k2", "2.5"]);
+    let brakes = ratios(&["D.T2.B+T1.B.T2", "--k1", "2.5", "--k2", "1.618"]);
+    let sizes = ["--ratio1", &one.to_string(), "--ratio2", &two.to_string()].map(str::to_owned);
+    let sizes: Vec<&str> = sizes.iter().map(String::as_str).collect();
+    let again = ratios(&[&["T2.B.T1+D.T1.B"], &sizes[..]].concat());
+    for (found, known) in [(by_ratio, file), (sets, [one, two]), (brakes, [two, one]), (again, [one, two])] {
+        for (found, known) in std::iter::zip(found, known) {
+            assert!((found / known - 1.0).abs() < 1e-12, "{found} {known}");
+        }
+    }
+}
+
+#[test]
 fn the_way_to_a_ratio() {
     insta::assert_snapshot!(sessions(
         &examples(),

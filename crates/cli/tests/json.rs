@@ -101,7 +101,7 @@ const RUNS: &[(&str, &[&str])] = &[
             "--class",
             "all-sparse",
             "--k",
-            "2..2.1",
+            "2.0615..2.4",
             "--drawable",
         ],
     ),

@@ -360,7 +360,9 @@ pub fn motion([first, second]: [f64; 2]) -> [f64; 4] {
     [first, 1.0, 0.0, (first - second) / (1.0 - second)]
 }
 
-fn exchange_brakes(set: SetRoles) -> SetRoles {
+/// A set with T₁ and T₂ exchanged.
+#[must_use]
+pub fn exchange_brakes(set: SetRoles) -> SetRoles {
     set.map(|role| match role {
         Role::T1 => Role::T2,
         Role::T2 => Role::T1,

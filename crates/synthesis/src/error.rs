@@ -42,4 +42,7 @@ pub enum Error {
         /// What is wrong with it.
         why: String,
     },
+    /// Bounds of tooth numbers that nothing can keep.
+    #[error(transparent)]
+    Teeth(#[from] epicyclic_gears::Error),
 }

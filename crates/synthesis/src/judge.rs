@@ -9,6 +9,8 @@ use crate::tolerance::CONFIRMED;
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::Gearbox;
+#[cfg(feature = "parallel")]
+use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
 /// A solution with its best ring-to-sun ratios, judged.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +42,25 @@ impl Judged {
     pub fn least_efficiency(&self) -> f64 {
         self.efficiencies.iter().map(|efficiency| efficiency.unwrap_or(0.0)).fold(1.0, f64::min)
     }
+}
+
+/// Judges all solutions of a wish, in their order: on all threads of the pool with the feature `parallel`.
+///
+/// # Errors
+/// Those of [`judge`].
+///
+/// # Panics
+/// As [`judge`].
+pub fn judge_all(
+    found: &[Found],
+    wish: &Wish,
+    mesh_efficiency: MeshEfficiency,
+) -> Result<Vec<Judged>, epicyclic_train::Error> {
+    #[cfg(feature = "parallel")]
+    let found = found.par_iter();
+    #[cfg(not(feature = "parallel"))]
+    let found = found.iter();
+    found.map(|found| judge(found, wish, mesh_efficiency)).collect()
 }
 
 /// Judges a solution of a wish; the solver has to confirm each ratio.

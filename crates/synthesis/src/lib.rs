@@ -16,6 +16,7 @@
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`limits`] | steps, slips and speeds that a solution has to keep |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
+//! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
 //!
 //! # What complete means
@@ -38,18 +39,23 @@ pub mod judge;
 mod kind;
 mod library;
 pub mod limits;
+mod linear;
 pub mod motion;
 pub mod parts;
+mod permutation;
 pub mod rank;
 pub mod ratio;
 pub mod refine;
+mod region;
 pub mod rules;
 pub mod run;
 pub mod search;
 pub mod shifts;
 pub mod solve;
 pub mod structure;
+mod table;
 pub mod tally;
+pub mod teeth;
 pub mod ternary;
 mod tolerance;
 pub mod wish;

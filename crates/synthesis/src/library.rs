@@ -1,9 +1,13 @@
 //! The functions that elements engage, each worked out once: its formula, and which gears it reaches where.
+//!
+//! A function with its `k` in another order reaches what the first does with the parts of the range in that order, where the `k` so
+//! exchanged have the same range. So the bounds are calculated for one of each such family alone: in a class of four sets
+//! for one in twenty.
 
 use crate::motion::Speeds;
 use crate::parts::{Bounds, Grid, Parts};
+use crate::permutation::{Permutation, permutations};
 use crate::ratio::Ratio;
-use crate::solve::Function;
 use crate::ternary::Word;
 use rustc_hash::FxHashMap;
 
@@ -15,29 +19,40 @@ pub(crate) const USELESS: Number = Number::MAX;
 
 /// A function that reaches a gear somewhere.
 struct Record {
-    function: Function,
+    ratio: Ratio,
     /// Gears within reach, as bits.
     gears: u32,
-    /// The parts within reach of some gear.
-    useful: Parts,
+    /// Where its parts begin: for each of these gears those within reach.
+    reach: usize,
 }
 
 /// The functions met so far.
 pub(crate) struct Library<W> {
-    sets: usize,
     gears: Vec<Bounds>,
     grid: Grid,
+    permutations: Vec<Permutation>,
     by_speeds: FxHashMap<Speeds<W>, Number>,
     by_ratio: FxHashMap<Ratio, Number>,
+    /// For the least formula of each family the gears within reach, and where its parts begin.
+    families: FxHashMap<Ratio, (u32, usize)>,
+    of_families: Vec<Parts>,
     records: Vec<Record>,
-    /// For each record, for each gear, the parts within reach.
     reach: Vec<Parts>,
 }
 
 impl<W: Word> Library<W> {
-    pub(crate) fn new(sets: usize, gears: Vec<Bounds>, grid: Grid) -> Self {
-        let (by_speeds, by_ratio) = (FxHashMap::default(), FxHashMap::default());
-        Self { sets, gears, grid, by_speeds, by_ratio, records: Vec::new(), reach: Vec::new() }
+    pub(crate) fn new(gears: Vec<Bounds>, grid: Grid) -> Self {
+        Self {
+            permutations: permutations(&grid),
+            gears,
+            grid,
+            by_speeds: FxHashMap::default(),
+            by_ratio: FxHashMap::default(),
+            families: FxHashMap::default(),
+            of_families: Vec::new(),
+            records: Vec::new(),
+            reach: Vec::new(),
+        }
     }
 
     /// The parts of the range.
@@ -47,44 +62,61 @@ impl<W: Word> Library<W> {
 
     /// The number of the function with these speeds, or [`USELESS`].
     pub(crate) fn number(&mut self, speeds: Speeds<W>) -> Number {
-        let Self { sets, gears, grid, by_speeds, by_ratio, records, reach: all } = self;
-        *by_speeds.entry(speeds).or_insert_with(|| {
-            let Some(ratio) = Ratio::of(speeds) else { return USELESS };
-            *by_ratio.entry(ratio).or_insert_with(|| {
-                let reach = grid.reach(ratio, gears);
-                let within = (0..reach.len()).filter(|gear| !reach[*gear].is_empty());
-                let within = within.fold(0, |all, gear| all | 1 << gear);
-                if within == 0 {
-                    return USELESS;
-                }
-                let useful = reach.iter().fold(Parts::default(), |all, reach| all.or(*reach));
-                records.push(Record { function: Function::new(ratio, *sets), gears: within, useful });
-                all.extend(reach);
-                Number::try_from(records.len() - 1).unwrap_or(USELESS)
-            })
-        })
+        if let Some(number) = self.by_speeds.get(&speeds) {
+            return *number;
+        }
+        let number = Ratio::of(speeds).map_or(USELESS, |ratio| self.number_of_ratio(ratio));
+        self.by_speeds.insert(speeds, number);
+        number
     }
 
-    /// The function of this number.
-    pub(crate) fn function(&self, number: Number) -> &Function {
-        &self.records[number as usize].function
+    fn number_of_ratio(&mut self, ratio: Ratio) -> Number {
+        if let Some(number) = self.by_ratio.get(&ratio) {
+            return *number;
+        }
+        let Self { gears, grid, permutations, families, of_families, .. } = self;
+        let (least, permutation) = permutations
+            .iter()
+            .map(|permutation| (permutation.ratio(ratio), permutation))
+            .min_by_key(|(ratio, _)| ratio.words())
+            .unwrap_or((ratio, &permutations[0]));
+        let (within, from) = *families.entry(least).or_insert_with(|| {
+            let from = of_families.len();
+            let mut within = 0;
+            for (gear, reach) in grid.reach(least, gears).into_iter().enumerate() {
+                if !reach.is_empty() {
+                    within |= 1 << gear;
+                    of_families.push(reach);
+                }
+            }
+            (within, from)
+        });
+        let number = if within == 0 {
+            USELESS
+        } else {
+            let reach = self.reach.len();
+            let own = &of_families[from..][..within.count_ones() as usize];
+            self.reach.extend(own.iter().map(|parts| permutation.parts_before(*parts)));
+            self.records.push(Record { ratio, gears: within, reach });
+            Number::try_from(self.records.len() - 1).unwrap_or(USELESS)
+        };
+        self.by_ratio.insert(ratio, number);
+        number
+    }
+
+    /// The formula of the function of this number.
+    pub(crate) fn ratio(&self, number: Number) -> Ratio {
+        self.records[number as usize].ratio
     }
 
     /// The gears that a function reaches, as bits.
-    #[inline]
     pub(crate) fn gears(&self, number: Number) -> u32 {
         self.records[number as usize].gears
     }
 
-    /// The parts in which a function reaches some gear.
-    #[inline]
-    pub(crate) fn useful(&self, number: Number) -> Parts {
-        self.records[number as usize].useful
-    }
-
-    /// The parts in which a function reaches a gear.
-    #[inline]
-    pub(crate) fn reach(&self, number: Number, gear: usize) -> Parts {
-        self.reach[number as usize * self.gears.len() + gear]
+    /// For each of these gears, in turn, the parts in which the function reaches it.
+    pub(crate) fn reach(&self, number: Number) -> &[Parts] {
+        let record = &self.records[number as usize];
+        &self.reach[record.reach..][..record.gears.count_ones() as usize]
     }
 }

@@ -70,7 +70,7 @@ impl Parts {
 
     /// The numbers of the parts.
     pub fn iter(self) -> impl Iterator<Item = usize> {
-        (0..256).filter(move |part| self.contains(*part))
+        self.0.into_iter().enumerate().flat_map(|(place, word)| places(word).map(move |bit| 64 * place + bit))
     }
 
     fn insert(&mut self, part: usize) {
@@ -82,6 +82,18 @@ impl Parts {
     pub fn first(count: usize) -> Self {
         (0..count).collect()
     }
+}
+
+/// The places of the bits of a word.
+pub(crate) fn places(word: u64) -> impl Iterator<Item = usize> {
+    let mut left = word;
+    std::iter::from_fn(move || {
+        let place = left.trailing_zeros() as usize;
+        (left != 0).then(|| {
+            left &= left - 1;
+            place
+        })
+    })
 }
 
 impl FromIterator<usize> for Parts {
@@ -177,6 +189,17 @@ impl Grid {
     #[must_use]
     pub fn count(&self) -> usize {
         self.edges.iter().map(|edges| edges.len() - 1).product()
+    }
+
+    /// For each `k` by how much the number of a part grows with its part, and how many parts it has.
+    pub(crate) fn strides(&self) -> Vec<(usize, usize)> {
+        let mut stride = 1;
+        let of = |edges: &Vec<f64>| {
+            let cuts = edges.len() - 1;
+            stride *= cuts;
+            (stride / cuts, cuts)
+        };
+        self.edges.iter().map(of).collect()
     }
 
     /// The part of this number; the first `k` changes fastest.

@@ -161,6 +161,12 @@ impl Ratio {
         Self::new(wide(speeds.input), wide(speeds.output))
     }
 
+    /// Its words, by which ratios are put in an order.
+    pub(crate) const fn words(self) -> [u64; 4] {
+        let Self { numerator, denominator } = self;
+        [numerator.plus, numerator.minus, denominator.plus, denominator.minus]
+    }
+
     /// Its value; infinite or not a number where the output stands still.
     #[must_use]
     pub fn value(self, k: &[f64]) -> f64 {

@@ -60,6 +60,12 @@ impl Rules {
         Ok(())
     }
 
+    /// Whether some numbers of brakes and clutches among so many elements are not wanted.
+    pub(crate) fn counts_brakes(&self, elements: usize) -> bool {
+        !(0..=elements)
+            .all(|brakes| self.brakes.contains(&brakes) && self.clutches.contains(&(elements - brakes)))
+    }
+
     /// How many of some elements are brakes where the numbers are within both ranges: of the possible the most.
     ///
     /// Of so many elements these can be brakes alone, and these clutches alone.

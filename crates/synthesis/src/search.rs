@@ -12,8 +12,8 @@
 //! parts: in a part where the chosen elements do not reach a gear, a solution must have a further choice that does; where they
 //! reach all gears, any further element is tried.
 
-use crate::choices::{Choices, choose};
-use crate::library::{Library, Number, USELESS};
+use crate::choices::choose;
+use crate::library::{Library, Number};
 use crate::motion::{Element, Motion, elements};
 use crate::parts::{Grid, Parts};
 use crate::ratio::Ratio;
@@ -21,6 +21,7 @@ use crate::rules::may_be;
 use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
 use crate::structure::Structure;
+use crate::table::{Functions, Table};
 use crate::tally::Tally;
 use crate::ternary::Word;
 use crate::wish::{Wish, forward};
@@ -55,18 +56,15 @@ pub struct Search<W> {
     pairs: Vec<Element>,
     library: Library<W>,
     tally: Tally,
-    choices: Choices,
+    /// The functions of the structure.
+    table: Table<W>,
     /// The pairs that each element of the structure may join.
     elements: Vec<Vec<Element>>,
+    /// Whether the wish bounds the numbers of brakes and clutches.
+    counts_brakes: bool,
     /// Those that can be brakes alone, and those that can be clutches alone, as bits.
     alone: [u64; 2],
-    /// For each choice of elements its function.
-    functions: Vec<Number>,
-    /// For each choice of elements the gears that it reaches, as bits.
-    reached: Vec<u32>,
-    /// For each gear the choices that reach it, as bits, and the parts in which they do.
-    lists: Vec<Vec<(u64, Parts)>>,
-    /// Gears by the length of their lists.
+    /// Gears, those with the fewest choices first.
     order: Vec<usize>,
     /// Chosen elements, and the parts in which they were gone on from.
     visited: FxHashMap<u64, Parts>,
@@ -74,8 +72,10 @@ pub struct Search<W> {
     seen: FxHashSet<u64>,
     /// Full sets of elements with the parts in which each gear can have a function.
     candidates: Vec<(u64, Parts)>,
-    /// Lists of numbers, used again.
-    room: Vec<Vec<Number>>,
+    /// Sets of functions, used again.
+    room: Vec<Functions>,
+    /// The gears that functions reach in a part, used again.
+    reached: Vec<u32>,
 }
 
 impl<W: Word> Search<W> {
@@ -88,20 +88,19 @@ impl<W: Word> Search<W> {
         Self {
             engaged,
             motion: Motion::new(links - sets),
-            choices: Choices::new(engaged, pairs.len()),
+            table: Table::new(engaged, pairs.len(), wish.gears.len()),
             pairs,
-            library: Library::new(sets, wish.gears.clone(), Grid::new(&wish.k)),
+            library: Library::new(wish.gears.clone(), Grid::new(&wish.k)),
             tally: Tally::default(),
             elements: Vec::new(),
+            counts_brakes: wish.rules.counts_brakes(wish.elements),
             alone: [0; 2],
-            functions: Vec::new(),
-            reached: Vec::new(),
-            lists: vec![Vec::new(); wish.gears.len()],
             order: Vec::new(),
             visited: FxHashMap::default(),
             seen: FxHashSet::default(),
             candidates: Vec::new(),
             room: Vec::new(),
+            reached: Vec::new(),
             wish,
         }
     }
@@ -116,12 +115,14 @@ impl<W: Word> Search<W> {
     pub fn structure(&mut self, structure: &Structure) -> Vec<Solution> {
         self.tally.structures += 1;
         self.take(structure);
-        if self.lists.iter().any(Vec::is_empty) {
+        let gears = 0..self.wish.gears.len();
+        if gears.clone().any(|gear| self.table.reaching(gear).is_empty()) {
             return Vec::new();
         }
         self.tally.in_reach += 1;
-        self.order = (0..self.lists.len()).collect();
-        self.order.sort_by_key(|gear| self.lists[*gear].len());
+        self.order.clear();
+        self.order.extend(gears);
+        self.order.sort_by_key(|gear| self.table.choices_for(*gear));
         self.visited.clear();
         self.seen.clear();
         self.candidates.clear();
@@ -177,48 +178,20 @@ impl<W: Word> Search<W> {
             let alone = (0..kept.len()).filter(|element| !may_be(&self.elements[*element])[other]);
             alone.fold(0, |all, element| all | 1 << element)
         });
-        self.functions.clear();
-        self.functions.resize(choose(kept.len(), self.engaged), USELESS);
-        self.reached.clear();
-        self.reached.resize(self.functions.len(), 0);
-        self.lists.iter_mut().for_each(Vec::clear);
-        let Self { motion, library, functions, reached, lists, choices, .. } = self;
-        motion.for_each_gear(&mut |first, last| {
-            let from = first.last().map_or(0, |element| element + 1);
-            let number: usize =
-                first.iter().zip(&choices.terms).map(|(element, terms)| terms[*element]).sum();
-            let chosen = first.iter().fold(0u64, |chosen, element| chosen | 1 << element);
-            let terms = &choices.terms[first.len()];
-            for (element, speeds) in (from..).zip(last) {
-                if speeds.input.is_zero() || speeds.output.is_zero() {
-                    continue;
-                }
-                let function = library.number(*speeds);
-                if function == USELESS {
-                    continue;
-                }
-                let number = number + terms[element];
-                let mut gears = library.gears(function);
-                functions[number] = function;
-                reached[number] = gears;
-                while gears != 0 {
-                    let gear = gears.trailing_zeros() as usize;
-                    gears &= gears - 1;
-                    lists[gear].push((chosen | 1 << element, library.reach(function, gear)));
-                }
-            }
-        });
+        self.table.take(self.engaged, kept.len(), &mut self.motion, &mut self.library);
     }
 
     /// Goes on from chosen elements, in those of some parts where this was not done before.
     fn grow(&mut self, chosen: u64, parts: Parts) {
         let missing = self.wish.elements - chosen.count_ones() as usize;
-        let [brakes, clutches] = self.alone.map(|alone| (chosen & alone).count_ones() as usize);
-        if self.wish.rules.brakes_of(self.wish.elements, brakes, clutches).is_none() {
-            return;
-        }
         if missing == 0 {
-            return self.complete(chosen);
+            let mut functions = self.room.pop().unwrap_or_default();
+            self.table.functions_of(chosen, &mut functions);
+            self.complete(chosen, &functions);
+            return self.room.push(functions);
+        }
+        if !self.keeps_rules(chosen) {
+            return;
         }
         let done = self.visited.entry(chosen).or_default();
         let mut parts = parts.without(*done);
@@ -230,36 +203,37 @@ impl<W: Word> Search<W> {
         if missing == 1 {
             // Trying every last element is quicker than asking which the parts allow, and is done once.
             if first {
-                self.add_any(chosen, parts);
+                self.add_last(chosen);
             }
             return;
         }
         let mut functions = self.room.pop().unwrap_or_default();
-        self.functions_of(chosen, &mut functions);
+        self.table.functions_of(chosen, &mut functions);
         parts = parts.and(self.promising(chosen, &functions));
         for place in 0..self.order.len() {
             if parts.is_empty() {
                 break;
             }
             let gear = self.order[place];
-            let covered = self.covered(&functions, gear);
+            let covered = self.table.covered(&functions, gear);
             let open = parts.without(covered);
-            if !open.is_empty() {
-                for place in 0..self.lists[gear].len() {
-                    let (choice, reach) = self.lists[gear][place];
-                    let with = chosen | choice;
-                    if with.count_ones() as usize > self.wish.elements {
-                        continue;
-                    }
-                    let open = open.and(reach);
-                    if !open.is_empty() {
-                        self.grow(with, open);
+            for place in 0..self.table.reaching(gear).len() {
+                let function = self.table.reaching(gear)[place];
+                let open = open.and(self.table.reach(function, gear));
+                if open.is_empty() {
+                    continue;
+                }
+                for choice in 0..self.table.having(function).len() {
+                    let choice = self.table.having(function)[choice];
+                    // Without as many elements as may still come nothing may be left of it.
+                    let left = (0..missing).fold(choice & !chosen, |left, _| left & left.wrapping_sub(1));
+                    if left == 0 {
+                        self.grow(chosen | choice, open);
                     }
                 }
             }
             parts = parts.and(covered);
         }
-        functions.clear();
         self.room.push(functions);
         if !parts.is_empty() {
             self.add_any(chosen, parts);
@@ -275,75 +249,66 @@ impl<W: Word> Search<W> {
         }
     }
 
-    /// Whether choices of some elements reach all gears, each somewhere.
-    fn reaches_all(&self, chosen: u64) -> bool {
-        let mut reached = 0;
-        self.choices.for_each_number(chosen, |number| reached |= self.reached[number]);
-        reached.count_ones() as usize == self.wish.gears.len()
+    /// Whether elements, with others, may have as many brakes and clutches as the wish allows.
+    fn keeps_rules(&self, chosen: u64) -> bool {
+        if !self.counts_brakes {
+            return true;
+        }
+        let [brakes, clutches] = self.alone.map(|alone| (chosen & alone).count_ones() as usize);
+        self.wish.rules.brakes_of(self.wish.elements, brakes, clutches).is_some()
     }
 
-    /// The functions of all choices of some elements, each once.
-    fn functions_of(&self, chosen: u64, functions: &mut Vec<Number>) {
-        self.choices.for_each_number(chosen, |number| {
-            let function = self.functions[number];
-            if function != USELESS {
-                functions.push(function);
+    /// Notes with which last elements chosen ones are candidates.
+    fn add_last(&mut self, chosen: u64) {
+        let (mut known, mut added) =
+            (self.room.pop().unwrap_or_default(), self.room.pop().unwrap_or_default());
+        self.table.functions_of(chosen, &mut known);
+        self.table.added(chosen, &mut added);
+        for (element, functions) in added.chunks_exact_mut(self.table.words() + 1).enumerate() {
+            let functions = &mut functions[..known.len()];
+            functions.iter_mut().zip(&known).for_each(|(one, other)| *one |= other);
+            let with = chosen | 1 << element;
+            if with != chosen {
+                self.complete(with, functions);
             }
-        });
-        functions.sort_unstable();
-        functions.dedup();
-    }
-
-    /// The parts in which one of some functions reaches a gear.
-    fn covered(&self, functions: &[Number], gear: usize) -> Parts {
-        let reaching = functions.iter().filter(|function| self.library.gears(**function) >> gear & 1 == 1);
-        reaching.fold(Parts::default(), |covered, function| covered.or(self.library.reach(*function, gear)))
+        }
+        self.room.extend([known, added]);
     }
 
     /// The parts in which chosen elements may belong to a solution: so many gears need so many functions, of which each choice
     /// with an element that is not chosen yet can give one.
-    fn promising(&self, chosen: u64, functions: &[Number]) -> Parts {
+    fn promising(&self, chosen: u64, functions: &[u64]) -> Parts {
         let known = choose(chosen.count_ones() as usize, self.engaged);
         let more = choose(self.wish.elements, self.engaged) - known;
         let least = self.wish.gears.len().saturating_sub(more);
-        at_least(functions.iter().map(|function| self.library.useful(*function)), least)
+        at_least(self.table.useful(functions), least)
     }
 
-    /// Notes a full set of elements as a candidate, where some parts have all gears.
-    fn complete(&mut self, chosen: u64) {
-        if !self.reaches_all(chosen) || !self.seen.insert(chosen) {
+    /// Notes a full set of elements, with these functions, as a candidate, where some parts have all gears.
+    fn complete(&mut self, chosen: u64, functions: &[u64]) {
+        if !self.table.may_have_all(functions) || !self.keeps_rules(chosen) || !self.seen.insert(chosen) {
             return;
         }
-        let mut functions = self.room.pop().unwrap_or_default();
-        self.functions_of(chosen, &mut functions);
-        let parts = self.parts_with_all(&functions);
-        functions.clear();
-        self.room.push(functions);
+        let parts = self.parts_with_all(functions);
         if !parts.is_empty() {
             self.candidates.push((chosen, parts));
         }
     }
 
     /// The parts in which each gear is in reach of a function of its own.
-    fn parts_with_all(&self, functions: &[Number]) -> Parts {
+    fn parts_with_all(&mut self, functions: &[u64]) -> Parts {
         let gears = self.wish.gears.len();
-        if functions.len() < gears {
-            return Parts::default();
-        }
         // As many functions that reach some gear as there are gears: of the simple conditions the strongest.
-        let mut parts = at_least(functions.iter().map(|function| self.library.useful(*function)), gears);
+        let mut parts = at_least(self.table.useful(functions), gears);
         for gear in &self.order {
             if parts.is_empty() {
                 return parts;
             }
-            parts = parts.and(self.covered(functions, *gear));
+            parts = parts.and(self.table.covered(functions, *gear));
         }
         let matched = |part: &usize| {
-            let reaches = functions.iter().map(|function| {
-                let reached = (0..gears).filter(|gear| self.library.reach(*function, *gear).contains(*part));
-                reached.fold(0, |all, gear| all | 1 << gear)
-            });
-            can_match(&reaches.collect::<Vec<u32>>(), gears)
+            self.table.reached_in(functions, *part, &mut self.reached);
+            can_match(&self.reached, gears)
         };
         parts.iter().filter(matched).collect()
     }
@@ -353,11 +318,8 @@ impl<W: Word> Search<W> {
         self.tally.candidates += 1;
         let mut numbers: Vec<Number> = Vec::new();
         let mut choices: Vec<Vec<u64>> = Vec::new();
-        self.choices.for_each(chosen, &mut |number, choice| {
-            let function = self.functions[number];
-            if function == USELESS {
-                return;
-            }
+        self.table.for_each_choice(chosen, &mut |local, choice| {
+            let function = self.table.number(local);
             match numbers.iter().position(|known| *known == function) {
                 Some(place) => choices[place].push(choice),
                 None => {
@@ -366,7 +328,10 @@ impl<W: Word> Search<W> {
                 }
             }
         });
-        let functions: Vec<&Function> = numbers.iter().map(|number| self.library.function(*number)).collect();
+        let sets = self.wish.k.len();
+        let functions: Vec<Function> =
+            numbers.iter().map(|number| Function::new(self.library.ratio(*number), sets)).collect();
+        let functions: Vec<&Function> = functions.iter().collect();
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
             assigned.iter().fold(0, |all, function| all | functions[*function].ratio.variables()) == every

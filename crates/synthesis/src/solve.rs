@@ -340,21 +340,30 @@ fn widest(cuboid: &[[f64; 2]]) -> Option<(usize, f64)> {
 
 /// Whether each gear can have a function of its own, by the gears that each function reaches (augmenting paths).
 pub(crate) fn can_match(reaches: &[u32], gears: usize) -> bool {
-    fn augment(gear: usize, reaches: &[u32], owner: &mut [Option<usize>], visited: &mut [bool]) -> bool {
-        (0..reaches.len()).any(|function| {
-            if reaches[function] >> gear & 1 == 0 || visited[function] {
+    /// Whether a gear can be had for a function, those that have one already moving to others.
+    fn augment(function: usize, reaches: &[u32], owners: &mut [usize; 32], visited: &mut u32) -> bool {
+        loop {
+            let open = reaches[function] & !*visited;
+            if open == 0 {
                 return false;
             }
-            visited[function] = true;
-            let free = owner[function].is_none_or(|other| augment(other, reaches, owner, visited));
-            if free {
-                owner[function] = Some(gear);
+            let gear = open.trailing_zeros() as usize;
+            *visited |= 1 << gear;
+            if owners[gear] == usize::MAX || augment(owners[gear], reaches, owners, visited) {
+                owners[gear] = function;
+                return true;
             }
-            free
-        })
+        }
     }
-    let mut owner = vec![None; reaches.len()];
-    (0..gears).all(|gear| augment(gear, reaches, &mut owner, &mut vec![false; reaches.len()]))
+    let mut owners = [usize::MAX; 32];
+    let mut missing = gears;
+    for function in 0..reaches.len() {
+        if missing == 0 || missing > reaches.len() - function {
+            break;
+        }
+        missing -= usize::from(augment(function, reaches, &mut owners, &mut 0));
+    }
+    missing == 0
 }
 
 /// Solves rows of coefficients and right side by elimination with pivots.

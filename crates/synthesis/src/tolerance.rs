@@ -6,6 +6,9 @@
 //! | `SMALLEST` | the width of a range of `k` that is halved no more, over `k` | far above rounding, far below what teeth can realise |
 //! | `DAMPING` | what least squares add for a `k` that moves nothing | it stays where it is, the others hardly move |
 //! | `NO_WIDTH` | half the width of bounds, over the ratio | bounds without width still measure deviations |
+//! | `NEAR` | what a deviation, by the half width of the bounds, and the end of a range, over it, lack to the outermost | below what is shown |
+//! | `LAST` | the part of a line from a point within all bounds to one without, in which the last within is not sought | the ends of ranges are known to `NEAR` |
+//! | `SLACK` | by how much a point may miss an inequality of a linear programme, scaled to slopes of 1 | far above the rounding of a few sums; bounds do not depend on it |
 //! | `ALIKE` | the difference of two objectives | the best `k` are found to 10⁻⁴ of the deviation: below it they say nothing |
 //! | `CONFIRMED` | the difference of a formula and the solver, over the ratio | both round to 1e-12 |
 
@@ -20,4 +23,9 @@ pub(crate) const NO_WIDTH: f64 = 1e-12;
 /// See the table.
 pub(crate) const CONFIRMED: f64 = 1e-9;
 /// See the table.
+pub(crate) const SLACK: f64 = 1e-12;
+/// See the table.
+pub(crate) const NEAR: f64 = 1e-6;
+/// See the table.
+pub(crate) const LAST: f64 = 1e-9;
 pub(crate) const ALIKE: f64 = 1e-5;

@@ -1,5 +1,9 @@
 //! Gearboxes for a list of ratios, as tables.
 
+mod explain;
+mod rating;
+mod teeth;
+
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
@@ -30,15 +34,17 @@ impl AsReport for Synthesis {
         if !self.left_out.is_empty() {
             parts.push(Part::Text(left_out(&self.left_out)));
         }
-        if !self.solutions.is_empty() {
+        parts.extend(self.explanation.as_ref().map(explain::explained).map(Part::Text));
+        if let Some(first) = self.solutions.first() {
             parts.push(Part::Records(solutions(&self.solutions)));
-            parts.extend(
-                self.solutions
-                    .iter()
-                    .take(SHOWN_IN_FULL)
-                    .enumerate()
-                    .map(|(place, found)| Part::Text(gears(place + 1, found))),
-            );
+            parts.push(Part::Records(rating::ratings(&self.solutions)));
+            parts.extend(rating::why(self).map(Part::Text));
+            parts.extend(schemes(self).map(Part::Text));
+            for (place, found) in self.solutions.iter().enumerate().take(SHOWN_IN_FULL) {
+                parts.push(Part::Text(gears(place + 1, found)));
+                parts.extend(teeth::teeth(place + 1, found).map(Part::Text));
+            }
+            parts.push(Part::Text(rating::gears(1, first)));
             parts.push(Part::Text(Text::paragraph(LEGEND)));
         }
         Report { title: Some("Gearboxes for a list of ratios".into()), parts, warnings: Some(warnings(self)) }
@@ -46,7 +52,8 @@ impl AsReport for Synthesis {
 }
 
 /// A wanted gear: its ratio, with its bounds where they are not those of the tolerance; in brackets where it may be missing.
-fn wanted(gear: &WantedGear, tolerance: f64) -> String {
+#[must_use]
+pub fn wanted(gear: &WantedGear, tolerance: f64) -> String {
     let bounds = || format!("{} to {}", trimmed(gear.least_ratio, 4), trimmed(gear.greatest_ratio, 4));
     let text = match gear.wanted_ratio {
         Some(ratio) if gear.least_ratio == ratio - tolerance * ratio.abs() => ratio.to_string(),
@@ -85,7 +92,8 @@ const fn why(reason: Reason) -> &'static str {
 
 const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
     of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
-    element. Least η: the least efficiency of a gear.";
+    element. Least η: the least efficiency of a gear. T_e, T_m: the greatest torque of a shift element, of a member of a \
+    set. Link, planet: the greatest speed of a link, of a planet relative to its carrier. Circ.: circulating power over what enters.";
 
 /// How many were found, how many shown.
 #[must_use]
@@ -96,6 +104,22 @@ pub fn count(answer: &Synthesis) -> String {
         shown if shown == answer.found => format!("{} {gearboxes} found{ended}.", answer.found),
         shown => format!("{} {gearboxes} found{ended}, {shown} shown; --limit shows more.", answer.found),
     }
+}
+
+/// Which of the solutions are schemes of the document.
+fn schemes(answer: &Synthesis) -> Option<Text> {
+    let named = |(place, found): (usize, &Solution)| {
+        found.scheme.map(|scheme| format!("gearbox {} is scheme {scheme}", place + 1))
+    };
+    let mut points: Vec<String> = answer.solutions.iter().enumerate().filter_map(named).collect();
+    if points.is_empty() {
+        return None;
+    }
+    points.push(
+        "select searches these schemes for two and three speeds and judges them by the document's criteria"
+            .to_owned(),
+    );
+    Some(Text::list("Schemes of the catalogue", points))
 }
 
 fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
@@ -143,6 +167,20 @@ fn searched(classes: &[Searched]) -> Records {
             Figure::Number(of.undecided as f64),
         ]
     };
+    let columns = [
+        "class",
+        "sets",
+        "links",
+        "shift_elements",
+        "engaged",
+        "gears",
+        "structures",
+        "space_rounded",
+        "solutions",
+    ];
+    // Searches differ in it where gears may be missing.
+    let differ = classes.iter().any(|class| class.gears != classes[0].gears);
+    let columns = columns.into_iter().filter(|column| *column != "gears" || differ).collect();
     Records {
         name: "searched",
         columns: vec![
@@ -164,17 +202,7 @@ fn searched(classes: &[Searched]) -> Records {
         rows: classes.iter().map(row).collect(),
         views: vec![View {
             title: "Searched".into(),
-            columns: vec![
-                "class",
-                "sets",
-                "links",
-                "shift_elements",
-                "engaged",
-                "gears",
-                "structures",
-                "space_rounded",
-                "solutions",
-            ],
+            columns,
             note: "space: structures times sets of shift elements, each a pair of links".into(),
         }],
         is_answer: false,

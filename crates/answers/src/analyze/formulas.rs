@@ -48,8 +48,8 @@ pub struct Symbol {
     pub teeth_above: Vec<GearTeeth>,
     /// Gears whose teeth divide it.
     pub teeth_below: Vec<GearTeeth>,
-    /// Its value.
-    pub value: f64,
+    /// Its value, where the sizes of the sets are known.
+    pub value: Option<f64>,
     /// The same, exactly, where the teeth are known.
     pub exact_value: Option<Fraction>,
 }
@@ -89,8 +89,8 @@ pub struct RatioFormula {
     pub numerator: Vec<Factor>,
     /// Factors of the denominator.
     pub denominator: Vec<Factor>,
-    /// Its value at the gearbox's numbers.
-    pub value: f64,
+    /// Its value at the gearbox's numbers, where they are known.
+    pub value: Option<f64>,
     /// The same, exactly, where the teeth are known.
     pub exact_value: Option<Fraction>,
     /// Sets whose equations follow from those of the others: the formula holds at numbers for which they do.
@@ -268,6 +268,25 @@ pub fn answer(subject: &Subject<'_>, gear: Option<&str>, with_steps: bool) -> Re
     Ok(Formulas { gearbox: gearbox.name().to_owned(), symbols, gears })
 }
 
+impl Formulas {
+    /// The same of sets whose sizes are not known: formulas and symbols alone.
+    #[must_use]
+    pub fn without_numbers(mut self) -> Self {
+        for symbol in &mut self.symbols {
+            (symbol.value, symbol.exact_value) = (None, None);
+        }
+        for gear in &mut self.gears {
+            let facts = &mut gear.facts;
+            (facts.ratio, facts.exact_ratio, facts.published) = (None, None, None);
+            (facts.efficiency, facts.kreines_efficiency, facts.back_driving_efficiency) = (None, None, None);
+            if let Some(formula) = &mut gear.formula {
+                (formula.value, formula.exact_value) = (None, None);
+            }
+        }
+        self
+    }
+}
+
 impl Symbol {
     fn of(gearbox: &Gearbox, meaning: &Meaning) -> Self {
         let set = &gearbox.sets()[meaning.set()];
@@ -289,7 +308,7 @@ impl Symbol {
             is_negative: meaning.is_negative(),
             teeth_above: above,
             teeth_below: below,
-            value: meaning.value(),
+            value: Some(meaning.value()),
             exact_value: meaning.exact().map(Fraction::of),
         }
     }
@@ -331,7 +350,7 @@ impl RatioFormula {
             text: formula.text(),
             numerator: factors(formula.ratio().numerator()),
             denominator: factors(formula.ratio().denominator()),
-            value: formula.value(),
+            value: Some(formula.value()),
             exact_value: formula.exact_value().map(Fraction::of),
             spare_sets: formula.spare().iter().map(|&set| gearbox.sets()[set].id().to_owned()).collect(),
         }

@@ -1,13 +1,15 @@
 //! What is wanted of gearboxes: ratios as bounds, and which gears may be missing.
 
+use super::gear::WantedGear;
+use super::teeth::TeethWanted;
 use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio, Within};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::parts::Bounds;
+use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::{Error, Kind};
-use schemars::JsonSchema;
-use serde::Serialize;
+use epicyclic_train::Gearbox;
 use std::ops::RangeInclusive;
 
 /// The most gears that may be missing: each doubles the searches.
@@ -44,29 +46,14 @@ pub struct Wanted {
     pub efficiency: MeshEfficiency,
     /// How many solutions are told at most.
     pub most: usize,
-}
-
-/// A gear that is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct WantedGear {
-    /// Its ratio, input speed over output speed; none where any ratio within the bounds will do.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub wanted_ratio: Option<f64>,
-    /// The lower bound of its ratio.
-    pub least_ratio: f64,
-    /// The upper bound of its ratio.
-    pub greatest_ratio: f64,
-    /// Whether it may be missing.
-    pub may_be_missing: bool,
-}
-
-impl WantedGear {
-    /// Its bounds.
-    #[must_use]
-    pub fn bounds(&self) -> Bounds {
-        Bounds { least: self.least_ratio, most: self.greatest_ratio }
-    }
+    /// Which objectives decide first which solution is the best; the others follow.
+    pub order: Vec<Objective>,
+    /// The objectives of the Pareto front.
+    pub objectives: Vec<Objective>,
+    /// Tooth numbers, if any are wanted.
+    pub teeth: Option<TeethWanted>,
+    /// A gearbox to be placed beside the search.
+    pub explain: Option<Gearbox>,
 }
 
 impl Wanted {
@@ -151,6 +138,11 @@ impl Wanted {
         }
     }
 
+    /// Whether anything but ratios, structure and numbers of elements can leave out a solution.
+    pub(super) fn has_further_wishes(&self) -> bool {
+        self.rules != Rules::default() || self.limits != Limits::default() || self.drawable
+    }
+
     /// Numbers of sets, shift elements and engaged ones within all ranges, in the order in which they are tried.
     pub(crate) fn tried(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
         let pairs =
@@ -209,6 +201,10 @@ mod tests {
             drawable: false,
             efficiency: MeshEfficiency::IDEAL,
             most: 1,
+            order: Vec::new(),
+            objectives: Vec::new(),
+            teeth: None,
+            explain: None,
         }
     }
 

@@ -46,6 +46,14 @@ analyze: every-gearbox-key.yaml --formula
   --gear 1
   --steps
   --format csv
+analyze: II-3 --k1 2.15 --k2 2.35
+  --k1 2.5
+  --k2 2.5
+  --formula
+  --efficiency 97%
+analyze: D.T1.B+T2.B.T1 --ratio1 2.618 --ratio2 1.4623
+  --ratio1 2.5
+  --ratio2 1.5
 analyze: power-split.yaml --gear drive --format json
   --speeds 'engine=2000rpm, generator=1000rpm'
   --torques 'engine=50 N·m'
@@ -283,6 +291,12 @@ report: real-transmissions.yaml
   --transmission TH400
 report: real-transmissions.yaml --transmission TH400
   --efficiency 97%
+report: II-3 --k1 2.15 --k2 2.35
+  --k1 2.5
+  --k2 2.5
+report: II-3 --ratio1 1.465 --ratio2 2.56
+  --ratio1 1.5
+  --ratio2 2.5
 report: scheme-ii-3.yaml
   --torque '500 N·m'
   --speed '1475 rpm'

@@ -24,7 +24,7 @@ pub struct NotWritable {
 /// use epicyclic_train::{Gearbox, set::SetSpec};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let gearbox = Gearbox::builder("I")
-///     .links(["D", "B", "T1"])
+///     .links(["D", "T1", "B"])
 ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 2.94))
 ///     .brake("K1", "T1")
 ///     .input("D")
@@ -164,8 +164,8 @@ fn scalar(text: &str) -> String {
     for character in text.chars() {
         match character {
             '"' | '\\' => quoted.extend(['\\', character]),
-            control if control.is_control() => {
-                let _ = write!(quoted, "\\U{:08x}", u32::from(control));
+            other if other.is_control() => {
+                let _ = write!(quoted, "\\U{:08x}", u32::from(other));
             }
             other => quoted.push(other),
         }
@@ -178,8 +178,7 @@ fn scalar(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::Document;
-    use crate::gearbox::GearboxFile;
-    use crate::gearbox::KindEntry;
+    use crate::gearbox::{GearboxFile, KindEntry};
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_gears::teeth::ToothCount;
     use epicyclic_train::GearSpec;

@@ -78,9 +78,9 @@ fn ratio(gear: &Gear) -> String {
     let name = &gear.facts.gear;
     match (&gear.formula, &gear.no_formula) {
         (Some(formula), _) => {
-            let value = value(formula.value, formula.exact_value);
-            let is_number = formula.text == value;
-            let value = if is_number { String::new() } else { format!(" = {value}") };
+            let value = formula.value.map(|number| value(number, formula.exact_value));
+            let value = value.filter(|value| formula.text != *value);
+            let value = value.map_or_else(String::new, |value| format!(" = {value}"));
             format!("  {name}: i = {}{value}", formula.text)
         }
         (None, Some(why)) => format!("  {name}: {}", no_formula(gear, *why)),
@@ -120,7 +120,7 @@ fn gears(gears: &[Gear]) -> Records {
             state(gear.facts.state),
             multiple(gear.facts.ratio),
             text(formula.map_or_else(String::new, |formula| formula.text.clone())),
-            multiple(formula.map(|formula| formula.value)),
+            multiple(formula.and_then(|formula| formula.value)),
             exact(formula.and_then(|formula| formula.exact_value)),
         ]
     };
@@ -149,8 +149,8 @@ fn symbol(symbol: &Symbol) -> String {
     // Teeth without a common divisor are the fraction already.
     let reduced = symbol.exact_value.filter(|exact| teeth.ends_with(&format!(" = {exact}")));
     let exact = symbol.exact_value.filter(|_| reduced.is_none());
-    let value = value(symbol.value, exact);
-    format!("  {name} of {set}: i₀ = {sign}{name} from {first} to {second}; {name} = {teeth} = {value}")
+    let value = symbol.value.map_or_else(String::new, |number| format!(" = {}", value(number, exact)));
+    format!("  {name} of {set}: i₀ = {sign}{name} from {first} to {second}; {name} = {teeth}{value}")
 }
 
 fn symbols(symbols: &[Symbol]) -> Records {
@@ -162,7 +162,7 @@ fn symbols(symbols: &[Symbol]) -> Records {
             text(&symbol.second),
             yes_no(Some(symbol.is_negative)),
             text(in_teeth(symbol)),
-            Figure::Number(symbol.value),
+            multiple(symbol.value),
             exact(symbol.exact_value),
         ]
     };
@@ -286,8 +286,10 @@ fn way(formulas: &Formulas, gear: &Gear, steps: &Steps) -> Text {
     // Without equations input and output turn as one.
     lines.push(format!("    i = {input}/{output} = {}", from_last.unwrap_or_else(|| "1".to_owned())));
     if let Some(formula) = gear.formula.as_ref().filter(|_| !steps.substitutions.is_empty()) {
-        let value = value(formula.value, formula.exact_value);
-        lines.push(format!("    the formula gives {} = {value}", formula.text));
+        let value = formula
+            .value
+            .map_or_else(String::new, |number| format!(" = {}", value(number, formula.exact_value)));
+        lines.push(format!("    the formula gives {}{value}", formula.text));
     }
     match &steps.torques {
         Some(torques) => lines.extend(balance(torques)),

@@ -145,7 +145,7 @@ fn note(overview: &Overview) -> String {
     if overview.has_losses {
         speeds.to_owned()
     } else {
-        format!("{speeds} The file states no losses; --efficiency 0.97 gives each set some.")
+        format!("{speeds} No losses are stated; --efficiency 0.97 gives each set some.")
     }
 }
 

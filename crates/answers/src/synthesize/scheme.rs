@@ -1,0 +1,29 @@
+//! Which scheme of the document a solution is.
+
+use epicyclic_schemes::catalogue::{Role, Scheme};
+use epicyclic_synthesis::run::Found;
+use epicyclic_synthesis::structure::{HOUSING, INPUT, Link, Members, OUTPUT, Structure};
+
+/// The scheme of the catalogue that a solution is: its structure, a brake on each link but input and output, and nothing else but
+/// one clutch for the direct drive.
+pub(super) fn of(found: &Found) -> Option<Scheme> {
+    let structure = &found.structure;
+    let scheme = Scheme::all().find(|scheme| structure_of(*scheme).as_ref() == Some(structure))?;
+    let others = Link::try_from(structure.links()).ok()?;
+    let is_braked = |link: Link| found.solution.elements.iter().any(|pairs| pairs.contains(&[HOUSING, link]));
+    let braked = (OUTPUT + 1..=others).filter(|link| is_braked(*link)).count();
+    let rest = found.solution.elements.len() - braked;
+    (braked == usize::from(others - OUTPUT) && rest <= 1).then_some(scheme)
+}
+
+/// The structure of a scheme: D the input, B the output, T₁ and T₂ links of their own.
+pub(super) fn structure_of(scheme: Scheme) -> Option<Structure> {
+    let link = |role: Role| match role {
+        Role::D => INPUT,
+        Role::B => OUTPUT,
+        Role::T1 => OUTPUT + 1,
+        Role::T2 => OUTPUT + 2,
+    };
+    let sets: Vec<Members> = scheme.sets().into_iter().map(|set| set.map(link)).collect();
+    Structure::new(&sets, sets.len() + 2).ok()
+}

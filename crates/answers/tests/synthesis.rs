@@ -1,0 +1,119 @@
+//! Gearboxes of two and three speeds: `synthesize` and `select` find the same.
+
+use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer};
+use epicyclic_formats::WantedRatio;
+use epicyclic_formats::wanted_ratio::Wanted as Ratio;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::RatioSeries;
+use epicyclic_schemes::catalogue::Scheme;
+use epicyclic_selection::{Limits, Requirements, Signs, Space, select};
+use epicyclic_synthesis::Kind;
+use epicyclic_synthesis::rank::Objective;
+use epicyclic_synthesis::rules::Rules;
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+/// Ring-to-sun ratios of the sets of the schemes here.
+const K: [f64; 2] = [2.3, 3.1];
+
+fn gear(ratio: f64) -> WantedRatio {
+    WantedRatio { wanted: Ratio::Around { ratio, within: None }, optional: false }
+}
+
+/// The braked gears of so many sets, without a clutch for the direct drive.
+fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
+    let count = ratios.len();
+    Wanted {
+        gears: ratios.into_iter().map(gear).collect(),
+        tolerance,
+        kind: Kind::Core,
+        sets: count..=count,
+        elements: count..=count,
+        engaged: 1..=1,
+        links: 0..=usize::MAX,
+        open: 0..=usize::MAX,
+        k: 1.4..=4.5,
+        rules: Rules::default(),
+        limits: epicyclic_synthesis::limits::Limits::default(),
+        drawable: false,
+        efficiency: MeshEfficiency::new(0.97).unwrap(),
+        most: usize::MAX,
+        order: vec![],
+        objectives: Objective::ALL.to_vec(),
+        teeth: None,
+        explain: None,
+    }
+}
+
+/// Ratios of a scheme's braked gears by the solver.
+fn ratios(scheme: Scheme) -> Vec<f64> {
+    let sets: Vec<_> = scheme.sets().into_iter().zip(K).collect();
+    let gearbox =
+        epicyclic_schemes::structures::gearbox(scheme.name(), &sets, MeshEfficiency::IDEAL, None).unwrap();
+    gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear).unwrap().ratio().unwrap()).collect()
+}
+
+#[test]
+fn every_scheme_of_the_document_is_found_from_its_ratios_and_named() {
+    for scheme in Scheme::all() {
+        let found = answer(&wanted(ratios(scheme), 0.001), &|_, _| ControlFlow::Continue(())).unwrap();
+        let near = |of: &&Solution| {
+            let mut k: Vec<f64> = of.sets.iter().map(|set| set.k).collect();
+            k.sort_by(f64::total_cmp);
+            k.iter().zip(K).all(|(found, built)| (found / built - 1.0).abs() < 0.01)
+        };
+        let named = found.solutions.iter().filter(|solution| solution.scheme == Some(scheme.name()));
+        assert_eq!(named.filter(near).count(), 1, "{}", scheme.name());
+    }
+}
+
+#[test]
+fn select_with_all_structures_finds_the_same_gearboxes() {
+    for wanted_ratios in [vec![1.465, 2.56], vec![2.5, -3.0], vec![3.94]] {
+        let tolerance = 0.001;
+        let requirements = Requirements {
+            tolerance,
+            signs: Signs::AsGiven,
+            limits: Limits {
+                ring_to_sun: 1.4..=4.5,
+                efficiency: 0.0,
+                link_speed: f64::INFINITY,
+                planet_speed: f64::INFINITY,
+                clutch_slip: f64::INFINITY,
+                drawable: false,
+                ..Limits::default()
+            },
+            ..Requirements::new(RatioSeries::of_braked_gears(&wanted_ratios).unwrap())
+        };
+        let selected = select(&requirements, &Space::All).unwrap();
+        let found = answer(&wanted(wanted_ratios, tolerance), &|_, _| ControlFlow::Continue(())).unwrap();
+        // The sets in any order with their k, T₁ and T₂ not told apart.
+        let one = |sets: Vec<(String, f64)>| {
+            let mut sets: Vec<String> = sets.into_iter().map(|(name, k)| format!("{name} {k:.1}")).collect();
+            sets.sort();
+            sets.join(" ")
+        };
+        let mut of_select = BTreeSet::new();
+        for candidate in &selected.accepted {
+            let sets = candidate.mechanism.sets().into_iter().zip(&candidate.k);
+            let name = |roles: [epicyclic_schemes::structures::Role; 3]| {
+                roles.map(|role| role.symbol().trim_end_matches(['1', '2'])).join("-")
+            };
+            of_select.insert(one(sets.map(|(set, k)| (name(set), *k)).collect()));
+        }
+        let link = |link: char| match link {
+            '1' => "D",
+            '2' => "B",
+            _ => "T",
+        };
+        let name = |set: &Set| [set.sun, set.ring, set.carrier].map(link).join("-");
+        let braked = found
+            .solutions
+            .iter()
+            .filter(|found| found.shift_elements.iter().all(|element| element.is_brake));
+        let of_synthesis: BTreeSet<String> =
+            braked.map(|found| one(found.sets.iter().map(|set| (name(set), set.k)).collect())).collect();
+        assert!(!of_select.is_empty());
+        assert_eq!(of_select, of_synthesis);
+    }
+}

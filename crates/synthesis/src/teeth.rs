@@ -1,0 +1,470 @@
+//! Tooth numbers around a solution: every choice within limits that keeps each gear within its bounds.
+//!
+//! # Steps
+//! 1. The tooth numbers of a set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre distances, assembly,
+//!    clearance between planets. Sets that differ in the number of planets alone are one, with the most planets.
+//! 2. Set by set a choice is put into the ratios, which leaves polynomials in the `k` of the other sets. Their box is shrunk by the
+//!    signs of `P − gQ` at its corners, which hold everywhere in it, and a box without a point ends the branch.
+//! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns' teeth.
+//!
+//! So nothing is lost: step 2 leaves out what no `k` within the bounds can have, widened by 10⁻⁹, and step 3 takes a ratio that
+//! is off its bound by the rounding of one division.
+
+use crate::Error;
+use crate::parts::{Bounds, Cuboid};
+use crate::ratio::{Polynomial, Ratio};
+use crate::tolerance::WIDENING;
+use epicyclic_gears::simple_set::Fraction;
+use epicyclic_gears::synthesis::{self, ToothNumbers};
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// The most boxes that are looked at for one solution, some ten seconds of work.
+pub const MOST_BOXES: u64 = 30_000_000;
+
+/// Which tooth numbers are the best.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Aim {
+    /// The least greatest deviation of a ratio, by half its bounds' width; of equal ones the fewest teeth.
+    #[default]
+    Deviation,
+    /// The fewest teeth of all suns and rings; of equal ones the least deviation.
+    Teeth,
+}
+
+/// How many sets must be alike at least; 0 and 1 ask for nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Alike {
+    /// Sets with equal rings.
+    pub rings: usize,
+    /// Sets with equal suns.
+    pub suns: usize,
+    /// Sets with equal suns and rings.
+    pub sets: usize,
+}
+
+impl Alike {
+    /// Whether some chosen sets, with so many still to be chosen, can be so.
+    fn can_be(self, chosen: &[&ToothNumbers], left: usize) -> bool {
+        fn most<T: PartialEq>(of: impl Fn(usize) -> T, count: usize) -> usize {
+            let alike = |one: usize| (0..count).filter(|other| of(*other) == of(one)).count();
+            (0..count).map(alike).max().unwrap_or(0)
+        }
+        let count = chosen.len();
+        let enough = |wanted: usize, most: usize| wanted <= 1 || most + left >= wanted;
+        enough(self.rings, most(|set| chosen[set].ring, count))
+            && enough(self.suns, most(|set| chosen[set].sun, count))
+            && enough(self.sets, most(|set| (chosen[set].sun, chosen[set].ring), count))
+    }
+}
+
+/// Tooth numbers of all sets.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    /// Of each set.
+    pub sets: Vec<ToothNumbers>,
+    /// The ratio of each gear.
+    pub ratios: Vec<Fraction>,
+    /// The greatest deviation of a ratio, by half its bounds' width.
+    pub deviation: f64,
+}
+
+impl Design {
+    /// Teeth of all suns and rings.
+    #[must_use]
+    pub fn teeth(&self) -> u32 {
+        self.sets.iter().map(|set| set.sun.get() + set.ring.get()).sum()
+    }
+}
+
+/// The tooth numbers found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Designs {
+    /// How many there are.
+    pub count: u64,
+    /// Whether all were found: not more than [`MOST_BOXES`] boxes had to be looked at.
+    pub complete: bool,
+    /// The best, best first.
+    pub first: Vec<Design>,
+}
+
+/// Tooth numbers of a set to choose from, by rising `k`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice(Vec<ToothNumbers>);
+
+impl Choice {
+    /// All within bounds, each pair of sun and ring once.
+    ///
+    /// # Errors
+    /// [`Error::Teeth`] for bounds that nothing can keep.
+    pub fn within(bounds: &synthesis::Bounds) -> Result<Self, Error> {
+        let mut by_teeth: BTreeMap<_, ToothNumbers> = BTreeMap::new();
+        for set in bounds.tooth_numbers().map_err(Error::Teeth)? {
+            let known = by_teeth.entry((set.sun, set.ring)).or_insert(set);
+            known.planets = known.planets.max(set.planets);
+        }
+        let mut all: Vec<ToothNumbers> = by_teeth.into_values().collect();
+        all.sort_by(|one, other| one.ring_to_sun_ratio().total_cmp(&other.ring_to_sun_ratio()));
+        Ok(Self(all))
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn between(&self, [least, most]: [f64; 2]) -> &[ToothNumbers] {
+        let from = self.0.partition_point(|set| set.ring_to_sun_ratio() < least);
+        let to = self.0.partition_point(|set| set.ring_to_sun_ratio() <= most);
+        &self.0[from.min(to)..to]
+    }
+}
+
+/// All tooth numbers with which gears of these ratios are within their bounds, the best `most` of them told.
+#[must_use]
+pub fn designs(
+    ratios: &[Ratio],
+    gears: &[Bounds],
+    ranges_of_k: &[RangeInclusive<f64>],
+    choice: &Choice,
+    alike: Alike,
+    aim: Aim,
+    most: usize,
+) -> Designs {
+    let sets = ranges_of_k.len();
+    let mut search = Search {
+        ratios,
+        gears,
+        widened: gears.iter().map(|gear| gear.widened()).collect(),
+        choice,
+        alike,
+        aim,
+        most,
+        sets,
+        boxes: 0,
+        found: Designs { count: 0, complete: true, first: Vec::new() },
+    };
+    let functions: Vec<[Vec<f64>; 2]> = ratios
+        .iter()
+        .map(|ratio| {
+            [ratio.numerator, ratio.denominator]
+                .map(|of| (0..1 << sets).map(|product| f64::from(of.coefficient(product))).collect())
+        })
+        .collect();
+    let cuboid = ranges_of_k.iter().map(|range| [*range.start(), *range.end()]).collect();
+    search.go(&functions, cuboid, &mut Vec::new());
+    search.found
+}
+
+struct Search<'a> {
+    ratios: &'a [Ratio],
+    gears: &'a [Bounds],
+    widened: Vec<Bounds>,
+    choice: &'a Choice,
+    alike: Alike,
+    aim: Aim,
+    most: usize,
+    sets: usize,
+    boxes: u64,
+    found: Designs,
+}
+
+impl<'a> Search<'a> {
+    /// Chooses the first set of a box of what is left, whose polynomials are these.
+    fn go(&mut self, functions: &[[Vec<f64>; 2]], mut cuboid: Cuboid, chosen: &mut Vec<&'a ToothNumbers>) {
+        if cuboid.is_empty() {
+            return self.decide(chosen);
+        }
+        if self.boxes >= MOST_BOXES {
+            self.found.complete = false;
+            return;
+        }
+        self.boxes += 1;
+        if !shrink(functions, &self.widened, &mut cuboid) {
+            return;
+        }
+        let choice = self.choice;
+        for set in choice.between(cuboid[0]) {
+            chosen.push(set);
+            if self.alike.can_be(chosen, self.sets - chosen.len()) {
+                let k = set.ring_to_sun_ratio();
+                let rest: Vec<[Vec<f64>; 2]> =
+                    functions.iter().map(|of| of.each_ref().map(|of| put_in(of, k))).collect();
+                self.go(&rest, cuboid[1..].to_vec(), chosen);
+            }
+            chosen.pop();
+        }
+    }
+
+    /// Takes a full choice whose ratios are within their bounds.
+    fn decide(&mut self, chosen: &[&ToothNumbers]) {
+        let mut ratios = Vec::with_capacity(self.ratios.len());
+        let mut deviation: f64 = 0.0;
+        for (ratio, gear) in self.ratios.iter().zip(self.gears) {
+            let (above, below) = (whole(ratio.numerator, chosen), whole(ratio.denominator, chosen));
+            if below == 0 {
+                return;
+            }
+            let value = above as f64 / below as f64;
+            let slack = 4.0 * f64::EPSILON * value.abs();
+            if !(gear.least - slack <= value && value <= gear.most + slack) {
+                return;
+            }
+            let [middle, half] = gear.middle_and_half();
+            deviation = deviation.max((value - middle).abs() / half);
+            ratios.push([above, below]);
+        }
+        self.found.count += 1;
+        let ratios = || ratios.iter().map(|[above, below]| Fraction::new(*above, *below)).collect();
+        let first = &mut self.found.first;
+        let teeth: u32 = chosen.iter().map(|set| set.sun.get() + set.ring.get()).sum();
+        let aim = self.aim;
+        let comes_after = |other: &Design| {
+            let by_deviation = other.deviation.total_cmp(&deviation);
+            let by_teeth = other.teeth().cmp(&teeth);
+            let order = match aim {
+                Aim::Deviation => by_deviation.then(by_teeth),
+                Aim::Teeth => by_teeth.then(by_deviation),
+            };
+            order.is_gt()
+        };
+        // Of equal ones the first found stays first.
+        let place = first.partition_point(|other| !comes_after(other));
+        if place < self.most {
+            let sets = chosen.iter().map(|set| **set).collect();
+            first.insert(place, Design { sets, ratios: ratios(), deviation });
+            first.truncate(self.most);
+        }
+    }
+}
+
+/// The polynomial in the other `k` that is left where the first has this value.
+fn put_in(polynomial: &[f64], k: f64) -> Vec<f64> {
+    polynomial.chunks_exact(2).map(|pair| pair[0] + k * pair[1]).collect()
+}
+
+/// A polynomial times the teeth of all suns: a whole number.
+fn whole(polynomial: Polynomial, chosen: &[&ToothNumbers]) -> i128 {
+    let term = |product: usize| {
+        let teeth = |(place, set): (usize, &&ToothNumbers)| {
+            i128::from(if product >> place & 1 == 1 { set.ring.get() } else { set.sun.get() })
+        };
+        i128::from(polynomial.coefficient(product)) * chosen.iter().enumerate().map(teeth).product::<i128>()
+    };
+    (0..1 << chosen.len()).map(term).sum()
+}
+
+/// Values of a polynomial at the corners of a box.
+fn corners(polynomial: &[f64], cuboid: &[[f64; 2]]) -> Vec<f64> {
+    let mut values = polynomial.to_vec();
+    for (set, [least, most]) in cuboid.iter().enumerate() {
+        for lower in (0..values.len()).filter(|corner| corner >> set & 1 == 0) {
+            let (constant, slope) = (values[lower], values[lower | 1 << set]);
+            values[lower] = constant + least * slope;
+            values[lower | 1 << set] = constant + most * slope;
+        }
+    }
+    values
+}
+
+/// Shrinks a box to where all gears can be within their bounds, while that shortens a side by a tenth; false where they
+/// cannot anywhere.
+fn shrink(functions: &[[Vec<f64>; 2]], gears: &[Bounds], cuboid: &mut Cuboid) -> bool {
+    loop {
+        let mut shortened = false;
+        for ([numerator, denominator], gear) in functions.iter().zip(gears) {
+            let (above, below) = (corners(numerator, cuboid), corners(denominator, cuboid));
+            if !gear.is_reached(&above, &below) {
+                return false;
+            }
+            let sign = if below.iter().all(|value| *value > 0.0) {
+                1.0
+            } else if below.iter().all(|value| *value < 0.0) {
+                -1.0
+            } else {
+                continue;
+            };
+            for (bound, side) in [(gear.least, sign), (gear.most, -sign)] {
+                let (above, below) = (corners(numerator, cuboid), corners(denominator, cuboid));
+                let values: Vec<f64> =
+                    above.iter().zip(&below).map(|(above, below)| side * (above - bound * below)).collect();
+                let sides = (0..cuboid.len()).map(|set| where_positive(&values, set)).collect::<Vec<_>>();
+                for (side, [first, last]) in cuboid.iter_mut().zip(sides) {
+                    if first > last {
+                        return false;
+                    }
+                    let [least, most] = *side;
+                    // What rounding could cut off stays.
+                    let lower = (least + first * (most - least)) * (1.0 - WIDENING);
+                    let upper = (least + last * (most - least)) * (1.0 + WIDENING);
+                    *side = [lower.max(least), upper.min(most)];
+                    shortened |= side[1] - side[0] < 0.9 * (most - least);
+                }
+            }
+        }
+        if !shortened {
+            return true;
+        }
+    }
+}
+
+/// Where along the edges of one side, from 0 to 1, a polynomial with these values at the corners is anywhere at least 0.
+fn where_positive(values: &[f64], set: usize) -> [f64; 2] {
+    let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
+    for corner in (0..values.len()).filter(|corner| corner >> set & 1 == 0) {
+        let (begin, end) = (values[corner], values[corner | 1 << set]);
+        if begin < 0.0 && end < 0.0 {
+            continue;
+        }
+        let root = begin / (begin - end);
+        first = first.min(if begin >= 0.0 { 0.0 } else { root });
+        last = last.max(if end >= 0.0 { 1.0 } else { root });
+    }
+    [first, last]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gearbox::gearbox;
+    use crate::structure::Structure;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_train::set::{Gearing, SetSpec};
+
+    /// `1 + k₁`, `(1 + k₁ + k₂)/(1 + k₂)` and `−k₂`, as of a four-speed.
+    fn four_speed() -> (Vec<Ratio>, Vec<Bounds>) {
+        let polynomial = |products: &[usize], minus: bool| {
+            let bits = products.iter().fold(0, |all, product| all | 1u64 << product);
+            if minus { Polynomial { plus: 0, minus: bits } } else { Polynomial { plus: bits, minus: 0 } }
+        };
+        let ratio = |above: Polynomial, below: &[usize]| Ratio::new(above, polynomial(below, false)).unwrap();
+        let ratios = vec![
+            ratio(polynomial(&[0, 1], false), &[0]),
+            ratio(polynomial(&[0, 1, 2], false), &[0, 2]),
+            ratio(polynomial(&[2], true), &[0]),
+        ];
+        let around =
+            |ratio: f64| Bounds { least: ratio - 0.02 * ratio.abs(), most: ratio + 0.02 * ratio.abs() };
+        (ratios, vec![around(3.059), around(1.625), around(-2.294)])
+    }
+
+    fn few() -> Choice {
+        let bounds = synthesis::Bounds { ring: 40..=90, planets: 3..=4, ..synthesis::Bounds::default() };
+        Choice::within(&bounds).unwrap()
+    }
+
+    fn by_trial(choice: &Choice, alike: Alike, range: &RangeInclusive<f64>) -> Vec<[ToothNumbers; 2]> {
+        let (ratios, gears) = four_speed();
+        let mut found = Vec::new();
+        for one in &choice.0 {
+            for two in &choice.0 {
+                let k = [one.ring_to_sun_ratio(), two.ring_to_sun_ratio()];
+                let within = k.iter().all(|k| range.contains(k))
+                    && ratios.iter().zip(&gears).all(|(ratio, gear)| gear.contain(ratio.value(&k)))
+                    && (alike.rings < 2 || one.ring == two.ring)
+                    && (alike.suns < 2 || one.sun == two.sun)
+                    && (alike.sets < 2 || (one.sun, one.ring) == (two.sun, two.ring));
+                if within {
+                    found.push([*one, *two]);
+                }
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn all_tooth_numbers_of_a_trial_are_found_and_no_others() {
+        let (ratios, gears) = four_speed();
+        let choice = few();
+        let ranges = [1.4..=4.5, 1.4..=4.5];
+        let alikes = [
+            Alike::default(),
+            Alike { rings: 2, ..Alike::default() },
+            Alike { suns: 2, ..Alike::default() },
+            Alike { sets: 2, ..Alike::default() },
+        ];
+        for (alike, some) in alikes.into_iter().zip([true, true, true, false]) {
+            let found = designs(&ratios, &gears, &ranges, &choice, alike, Aim::Deviation, usize::MAX);
+            let mut teeth: Vec<[ToothNumbers; 2]> =
+                found.first.iter().map(|design| [design.sets[0], design.sets[1]]).collect();
+            teeth.sort_unstable();
+            let mut tried = by_trial(&choice, alike, &ranges[0]);
+            tried.sort_unstable();
+            assert_eq!(teeth, tried, "{alike:?}");
+            assert_eq!((found.count, found.complete), (tried.len() as u64, true));
+            assert_eq!(!tried.is_empty(), some, "{alike:?}");
+        }
+    }
+
+    #[test]
+    fn the_best_are_the_first_of_all_by_either_aim() {
+        let (ratios, gears) = four_speed();
+        let (choice, ranges) = (few(), [1.4..=4.5, 1.4..=4.5]);
+        for aim in [Aim::Deviation, Aim::Teeth] {
+            let of = |most| designs(&ratios, &gears, &ranges, &choice, Alike::default(), aim, most);
+            let (all, five) = (of(usize::MAX), of(5));
+            assert_eq!(five.first[..], all.first[..5]);
+            assert_eq!(five.count, all.count);
+            let rises =
+                |key: fn(&Design) -> f64| all.first.windows(2).all(|two| key(&two[0]) <= key(&two[1]));
+            match aim {
+                Aim::Deviation => assert!(rises(|design| design.deviation)),
+                Aim::Teeth => assert!(rises(|design| f64::from(design.teeth()))),
+            }
+        }
+    }
+
+    #[test]
+    fn the_fractions_are_those_of_the_solver() {
+        let (ratios, gears) = four_speed();
+        let found =
+            designs(&ratios, &gears, &[1.4..=4.5, 1.4..=4.5], &few(), Alike::default(), Aim::Deviation, 3);
+        // Links of the four-speed: 3 is a, 4 is b, 5 is c.
+        let structure: Structure = "1-a-2 b-2-c".parse().unwrap();
+        let elements = [[0, 4], [0, 5], [1, 4], [1, 5], [3, 5]];
+        let engaged = [vec![1, 4], vec![0, 4], vec![1, 2]];
+        for design in &found.first {
+            let mut teeth = design.sets.iter();
+            let gearbox = gearbox(&structure, &[2.0, 2.0], MeshEfficiency::IDEAL, &elements, &engaged)
+                .unwrap()
+                .to_builder()
+                .map_sets(|set| {
+                    let of = teeth.next().unwrap();
+                    SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }
+                })
+                .build()
+                .unwrap();
+            for (gear, ratio) in gearbox.gears().iter().zip(&design.ratios) {
+                assert_eq!(gearbox.analyze_gear(gear).unwrap().exact_ratio().as_ref(), Some(ratio));
+            }
+        }
+    }
+
+    #[test]
+    fn a_ratio_with_a_pole_in_the_range_loses_nothing() {
+        // i = 1/(k₁ − k₂): boxes on both sides of the pole.
+        let one = Polynomial { plus: 1, minus: 0 };
+        let ratio = Ratio::new(one, Polynomial { plus: 2, minus: 4 }).unwrap();
+        let choice = few();
+        for bounds in [Bounds { least: 3.001, most: 3.101 }, Bounds { least: -3.101, most: -3.001 }] {
+            let found = designs(
+                &[ratio],
+                &[bounds],
+                &[1.4..=4.5, 1.4..=4.5],
+                &choice,
+                Alike::default(),
+                Aim::Teeth,
+                1,
+            );
+            let in_range = choice.between([1.4, 4.5]);
+            let is_within = |one: &ToothNumbers, two: &ToothNumbers| {
+                bounds.contain(ratio.value(&[one.ring_to_sun_ratio(), two.ring_to_sun_ratio()]))
+            };
+            let tried: usize =
+                in_range.iter().map(|one| in_range.iter().filter(|two| is_within(one, two)).count()).sum();
+            assert_eq!(found.count, tried as u64);
+            assert!(tried > 0);
+        }
+    }
+}

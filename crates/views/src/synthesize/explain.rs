@@ -1,0 +1,77 @@
+//! A given gearbox beside a search, in words.
+
+use crate::report::Text;
+use epicyclic_answers::synthesize::WantedGear;
+use epicyclic_answers::synthesize::explain::{Explanation, Reason};
+
+/// What the gearbox misses, and where it is found or why it is not.
+pub(super) fn explained(one: &Explanation) -> Text {
+    let mut points = Vec::new();
+    if let Some(structure) = &one.structure {
+        points.push(format!(
+            "its structure is {structure}, its shift elements {}",
+            one.shift_elements.join(" ")
+        ));
+    }
+    let missed: Vec<_> = one.gears.iter().filter(|gear| !gear.within).collect();
+    if missed.is_empty() {
+        points.push("at its own k it has all ratios within the tolerance".to_owned());
+    }
+    for gear in missed {
+        points.push(match (gear.ratio, gear.deviation) {
+            (Some(ratio), Some(deviation)) => format!(
+                "it misses {}: the nearest is {ratio:.4}, {:+.2} %, with {}",
+                wanted(&gear.wanted),
+                100.0 * deviation,
+                if gear.engaged.is_empty() { "nothing engaged".to_owned() } else { gear.engaged.join(" ") }
+            ),
+            _ => format!("it misses {}: no choice of shift elements drives its output", wanted(&gear.wanted)),
+        });
+    }
+    match one.number {
+        Some(number) if one.has_all_ratios => points.push(format!("it is gearbox {number} of the search")),
+        Some(number) => points.push(format!("with other k it is gearbox {number} of the search")),
+        None => points.extend(one.reasons.iter().map(|reason| format!("it is not found: {}", words(reason)))),
+    }
+    Text::list(format!("{} beside the search", one.gearbox), points)
+}
+
+/// The ratio wanted, or the bounds where any within them will do.
+fn wanted(gear: &WantedGear) -> String {
+    match gear.wanted_ratio {
+        Some(ratio) => ratio.to_string(),
+        None => format!("{} to {}", gear.least_ratio, gear.greatest_ratio),
+    }
+}
+
+fn words(reason: &Reason) -> String {
+    match reason {
+        Reason::SetKind { set } => {
+            format!("set `{set}` is neither simple nor a double-planet set")
+        }
+        Reason::NoStructure { why } => why.clone(),
+        Reason::MemberOnHousing => "a member is on the housing, which class core has not; --class all-sparse has".to_owned(),
+        Reason::TerminalOnNoMember => {
+            "input or output is on no member, which class core needs; --class all-sparse does not".to_owned()
+        }
+        Reason::SetsNotJoined => "its sets are not all joined, which class core needs; --class all-sparse does not".to_owned(),
+        Reason::Sets { count } => format!("it has {count} planet sets, beyond --sets"),
+        Reason::ShiftElements { count } => format!("it has {count} shift elements, beyond --elements"),
+        Reason::Engaged { count } => format!("its gears engage {count} shift elements, beyond --engaged"),
+        Reason::EndedBefore => {
+            "the search ended before its number of sets and shift elements; give --sets and --elements as they are".to_owned()
+        }
+        Reason::BrakeOnTerminal { shift_element } => {
+            format!("`{shift_element}` brakes the input or the output, which no gearbox of the search does")
+        }
+        Reason::KOutOfRange { set, k } => format!("k = {k:.4} of set `{set}` is beyond --k"),
+        Reason::Reducible { set } => {
+            format!("the k of set `{set}` moves no wanted ratio: a simpler gearbox does the same")
+        }
+        Reason::MissesRatios => "no k in the range gives it all ratios".to_owned(),
+        Reason::FurtherWishes => {
+            "another wish leaves it out: brakes, clutches, shifts, a direct gear, steps, slips, speeds or drawability".to_owned()
+        }
+        Reason::Undecided => "it is among the undecided".to_owned(),
+    }
+}
