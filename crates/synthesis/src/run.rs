@@ -111,7 +111,12 @@ fn search_with<W: Word + Send>(
 ) -> Answer {
     let all = enumerate::all(class);
     let class_size = all.len();
-    let structures: Vec<Structure> = all.into_iter().skip(share.number).step_by(share.of.max(1)).collect();
+    let mut structures: Vec<Structure> =
+        all.into_iter().skip(share.number).step_by(share.of.max(1)).collect();
+    if wish.double_planets > 0 {
+        let tagged = |structure: Structure| structure.with_double_planets(wish.double_planets);
+        structures = structures.into_iter().flat_map(tagged).collect();
+    }
     let next = AtomicUsize::new(0);
     let ended = AtomicBool::new(false);
     let told = Mutex::new(Progress { done: 0, of: structures.len(), found: 0 });
