@@ -26,7 +26,7 @@ pub use wanted::{MOST_OPTIONAL, Wanted};
 use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
-use epicyclic_synthesis::gearbox::element_name;
+use epicyclic_synthesis::gearbox::{element_name, real_k};
 use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::limits::Limit;
 use epicyclic_synthesis::motion::{Element, elements};
@@ -36,6 +36,7 @@ use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::teeth::{Choice, Design};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
+use epicyclic_train::formula::subscript;
 use explain::Explanation;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
@@ -55,8 +56,11 @@ pub struct Synthesis {
     pub wanted: Vec<WantedGear>,
     /// How far each ratio may be off that has no tolerance of its own, as a share of it.
     pub tolerance: f64,
-    /// The range of the ring-to-sun ratios k of every set.
+    /// The range of the ring-to-sun ratios k of every simple set.
     pub k_range: [f64; 2],
+    /// That of every double-planet set; none where no such sets are searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub k_range_of_double_planets: Option<[f64; 2]>,
     /// What was searched, in this order.
     pub searched: Vec<Searched>,
     /// Sets of shift elements that have all gears, and what left them out.
@@ -89,6 +93,8 @@ pub struct Searched {
     pub class: ClassName,
     /// How many planet sets.
     pub sets: usize,
+    /// How many of them are double-planet sets.
+    pub double_planets: usize,
     /// How many moving links.
     pub links: usize,
     /// How many shift elements.
@@ -99,7 +105,7 @@ pub struct Searched {
     pub gears: usize,
     /// Structures in the class, each once.
     pub structures: usize,
-    /// Structures times sets of shift elements, as pairs of links: the space that was searched.
+    /// Structures times choices of double-planet sets times sets of shift elements, as pairs of links: the space that was searched.
     pub space: f64,
     /// Structures that were searched; the others were left when the search was ended.
     pub structures_searched: u64,
@@ -161,7 +167,8 @@ pub enum ClassName {
 pub struct Solution {
     /// The scheme of the document that it is; `null` where it is none.
     pub scheme: Option<&'static str>,
-    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others.
+    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others; a double-planet set
+    /// has a star.
     pub structure: String,
     /// The sets.
     pub sets: Vec<Set>,
@@ -199,6 +206,8 @@ pub struct Set {
     pub ring: char,
     /// Link of the carrier.
     pub carrier: char,
+    /// Whether it is a double-planet set: two planets in mesh between sun and ring.
+    pub is_double_planet: bool,
     /// Ring-to-sun ratio with which the greatest deviation is least.
     pub k: f64,
     /// The range of k that keeps all tolerances, the other sets' k moving along.
@@ -242,7 +251,7 @@ pub struct Gear {
     /// How far it is from the one wanted, as a share of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deviation: Option<f64>,
-    /// The ratio as a formula in the sets' k.
+    /// The ratio as a formula in the sets' k; of a double-planet set in k′ = k − 1.
     pub formula: String,
     /// The shift elements that it engages.
     pub engaged: Vec<String>,
@@ -293,10 +302,17 @@ pub fn solve(
     let choice = wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose()?;
     let order = rank::Objective::order(&wanted.order);
     let gears = wanted.gears()?;
+    if *wanted.double_planets.end() > 0 && (wanted.teeth.is_some() || wanted.explain.is_some()) {
+        let why = "with double-planet sets neither tooth numbers are searched nor a given gearbox is placed: for speeds alone a \
+                   double-planet set is a simple set with ring and carrier exchanged";
+        return Err(epicyclic_synthesis::Error::Wish { why: why.into() }.into());
+    }
     let mut answer = Synthesis {
         wanted: gears.clone(),
         tolerance: wanted.tolerance,
         k_range: [*wanted.k.start(), *wanted.k.end()],
+        k_range_of_double_planets: (*wanted.double_planets.end() > 0)
+            .then(|| [*wanted.k_double.start(), *wanted.k_double.end()]),
         searched: Vec::new(),
         left_out: Vec::new(),
         complete: true,
@@ -321,29 +337,32 @@ pub fn solve(
         tried = Some((sets, shift_elements));
         let mut known = BTreeSet::new();
         for selection in wanted.selections() {
-            let bounds = selection.iter().map(|gear| gears[*gear].bounds()).collect();
-            let mut wish = Wish::new(bounds, shift_elements, vec![wanted.k.clone(); sets]);
-            wish.rules = wanted.rules.clone();
-            let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
-                .and_then(|class| wish.check(class).map(|()| class))
-            {
-                Ok(class) => class,
-                Err(error) => {
-                    refused.get_or_insert(error);
-                    continue;
+            for double_planets in wanted.double_planets.clone().take_while(|count| *count <= sets) {
+                let bounds = selection.iter().map(|gear| gears[*gear].bounds()).collect();
+                let mut wish = Wish::new(bounds, shift_elements, wanted.ranges(sets, double_planets));
+                wish.double_planets = double_planets;
+                wish.rules = wanted.rules.clone();
+                let class = match Class::new(wanted.kind, sets, sets + engaged + 1)
+                    .and_then(|class| wish.check(class).map(|()| class))
+                {
+                    Ok(class) => class,
+                    Err(error) => {
+                        refused.get_or_insert(error);
+                        continue;
+                    }
+                };
+                let searching = Searching { class, shift_elements, double_planets };
+                let mut answered = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
+                // What has more gears is not told again with fewer.
+                answered.found.retain(|found| known.insert(identity(found)));
+                answer.complete &= answered.complete;
+                answer.searched.push(Searched::of(&searching, selection.len(), &answered));
+                left_out.add(Reason::Direct, answered.tally.without_direct);
+                left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
+                kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out)?);
+                if !answered.complete {
+                    break 'classes;
                 }
-            };
-            let searching = Searching { class, shift_elements };
-            let mut answered = search(class, &wish, Share::WHOLE, &|at| progress(&searching, at))?;
-            // What has more gears is not told again with fewer.
-            answered.found.retain(|found| known.insert(identity(found)));
-            answer.complete &= answered.complete;
-            answer.searched.push(Searched::of(&searching, selection.len(), &answered));
-            left_out.add(Reason::Direct, answered.tally.without_direct);
-            left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
-            kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out)?);
-            if !answered.complete {
-                break 'classes;
             }
         }
     }
@@ -456,6 +475,7 @@ impl Searched {
         Self {
             class: ClassName::of(class.kind()),
             sets: class.sets(),
+            double_planets: searching.double_planets,
             links: class.links(),
             shift_elements: searching.shift_elements,
             engaged: class.engaged(),
@@ -490,15 +510,20 @@ pub struct Searching {
     pub class: Class,
     /// How many shift elements.
     pub shift_elements: usize,
+    /// How many of the sets are double-planet sets.
+    pub double_planets: usize,
 }
 
 impl Searching {
-    /// Structures times sets of shift elements.
+    /// Structures times choices of double-planet sets times sets of shift elements.
     fn space(&self, structures: usize) -> f64 {
+        let choose = |count: usize, of: usize| {
+            (0..of).fold(1.0, |all, place| all * (count - place) as f64 / (place + 1) as f64)
+        };
         let pairs = elements(self.class.links()).len();
-        (0..self.shift_elements).fold(structures as f64, |all, place| {
-            all * pairs.saturating_sub(place) as f64 / (place + 1) as f64
-        })
+        let structures = structures as f64 * choose(self.class.sets(), self.double_planets);
+        (0..self.shift_elements)
+            .fold(structures, |all, place| all * pairs.saturating_sub(place) as f64 / (place + 1) as f64)
     }
 }
 
@@ -515,10 +540,13 @@ impl Solution {
     fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear], rating: Rating) -> Self {
         let Kept { found, judged, selection, .. } = kept;
         let solution = &found.solution;
-        let sets = found.structure.sets().iter().zip(&judged.refined.k).zip(&judged.refined.ranges);
-        let sets = sets.map(|((members, k), range)| {
-            let [sun, ring, carrier] = members.map(link_name);
-            Set { sun, ring, carrier, k: *k, k_range: *range, at_edge: Edge::of(*k, &wanted.k) }
+        let sets = judged.refined.k.iter().zip(&judged.refined.ranges).enumerate();
+        let sets = sets.map(|(place, (k, range))| {
+            let [sun, ring, carrier] = found.structure.members(place).map(link_name);
+            let is_double_planet = found.structure.is_double_planet(place);
+            let real = |k: f64| real_k(&found.structure, place, k);
+            let at_edge = Edge::of(real(*k), wanted.k_of(is_double_planet));
+            Set { sun, ring, carrier, is_double_planet, k: real(*k), k_range: range.map(real), at_edge }
         });
         let names: Vec<String> = solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
         let shift_elements = solution.elements.iter().zip(&names).map(|(pairs, name)| ShiftElement {
@@ -533,7 +561,7 @@ impl Solution {
                 wanted_ratio: wished[*place].wanted_ratio,
                 ratio: judged.ratios[gear],
                 deviation: wished[*place].wanted_ratio.map(|ratio| judged.ratios[gear] / ratio - 1.0),
-                formula: solution.gears[gear].ratio.to_string(),
+                formula: solution.gears[gear].ratio.text(&|set| symbol(&found.structure, set)),
                 engaged: judged.engaged[gear].iter().map(|element| names[*element].clone()).collect(),
                 efficiency: judged.efficiencies[gear],
             })
@@ -562,6 +590,12 @@ impl Solution {
             teeth: None,
         }
     }
+}
+
+/// The symbol of a set in formulas: `k₁`, of a double-planet set `k₁′`.
+fn symbol(structure: &Structure, set: usize) -> String {
+    let prime = if structure.is_double_planet(set) { "′" } else { "" };
+    format!("{}{prime}", subscript('k', set + 1))
 }
 
 impl Edge {

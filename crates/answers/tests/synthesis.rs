@@ -33,6 +33,8 @@ fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
         links: 0..=usize::MAX,
         open: 0..=usize::MAX,
         k: 1.4..=4.5,
+        double_planets: 0..=0,
+        k_double: 1.6..=4.5,
         rules: Rules::default(),
         limits: epicyclic_synthesis::limits::Limits::default(),
         drawable: false,

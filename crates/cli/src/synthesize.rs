@@ -105,6 +105,14 @@ pub(crate) struct Args {
     #[command(flatten)]
     wishes: Wishes,
 
+    /// How many of the sets are double-planet sets, with two planets in mesh between sun and ring; each number is searched.
+    #[arg(long, default_value = "0")]
+    double_planets: Span<u32>,
+
+    /// Ring-to-sun ratio k of every double-planet set.
+    #[arg(long, default_value = "1.6..4.5")]
+    k_double: Span<f64>,
+
     /// Efficiency of the meshes of a set: 0.97, or 97%.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
@@ -299,6 +307,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         links: args.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=9))?,
         open: args.open.map_or(Ok(0..=usize::MAX), |open| counts("--open", open, 0..=MOST_ELEMENTS))?,
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
+        double_planets: counts("--double-planets", args.double_planets, 0..=4)?,
+        k_double: args
+            .k_double
+            .within(ANY_K)
+            .map_err(|error| Failure::Range { option: "--k-double", error })?,
         rules: args.wishes.rules()?,
         limits: args.wishes.limits()?,
         drawable: args.wishes.drawable,

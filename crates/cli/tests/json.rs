@@ -102,6 +102,8 @@ const RUNS: &[(&str, &[&str])] = &[
             "all-sparse",
             "--k",
             "2.0615..2.4",
+            "--double-planets",
+            "0..1",
             "--drawable",
         ],
     ),

@@ -19,12 +19,15 @@ impl AsReport for Synthesis {
     fn report(&self) -> Report {
         let ratios: Vec<String> = self.wanted.iter().map(|gear| wanted(gear, self.tolerance)).collect();
         let asked = format!(
-            "Ratios {}, each within {} %{}; k from {} to {}.",
+            "Ratios {}, each within {} %{}; k from {} to {}{}.",
             ratios.join(", "),
             trimmed(100.0 * self.tolerance, 6),
             if ratios.iter().any(|ratio| ratio.contains("to")) { " or the bounds given" } else { "" },
             self.k_range[0],
             self.k_range[1],
+            self.k_range_of_double_planets.map_or_else(String::new, |[least, most]| format!(
+                ", of double-planet sets from {least} to {most}"
+            )),
         );
         let mut parts = vec![
             Part::Text(Text::paragraph(asked)),
@@ -90,7 +93,7 @@ const fn why(reason: Reason) -> &'static str {
     }
 }
 
-const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
+const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier, with a star a double-planet set, in formulas with k′ = k − 1. A shift element \
     of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
     element. Least η: the least efficiency of a gear. T_e, T_m: the greatest torque of a shift element, of a member of a \
     set. Link, planet: the greatest speed of a link, of a planet relative to its carrier. Circ.: circulating power over what enters.";
@@ -153,6 +156,7 @@ fn searched(classes: &[Searched]) -> Records {
         vec![
             Figure::Text(class(of.class)),
             Figure::Number(of.sets as f64),
+            Figure::Number(of.double_planets as f64),
             Figure::Number(of.links as f64),
             Figure::Number(of.shift_elements as f64),
             Figure::Number(of.engaged as f64),
@@ -170,6 +174,7 @@ fn searched(classes: &[Searched]) -> Records {
     let columns = [
         "class",
         "sets",
+        "double_planets",
         "links",
         "shift_elements",
         "engaged",
@@ -178,14 +183,19 @@ fn searched(classes: &[Searched]) -> Records {
         "space_rounded",
         "solutions",
     ];
+    let double = classes.iter().any(|class| class.double_planets > 0);
     // Searches differ in it where gears may be missing.
     let differ = classes.iter().any(|class| class.gears != classes[0].gears);
-    let columns = columns.into_iter().filter(|column| *column != "gears" || differ).collect();
+    let columns = columns
+        .into_iter()
+        .filter(|column| (*column != "gears" || differ) && (*column != "double_planets" || double))
+        .collect();
     Records {
         name: "searched",
         columns: vec![
             Column::words("class", "class"),
             Column::number("sets", "sets"),
+            Column::number("double_planets", "double"),
             Column::number("links", "links"),
             Column::number("shift_elements", "elements"),
             Column::number("engaged", "engaged"),

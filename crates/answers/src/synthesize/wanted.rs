@@ -34,8 +34,12 @@ pub struct Wanted {
     pub links: RangeInclusive<usize>,
     /// How many shift elements are open in a gear.
     pub open: RangeInclusive<usize>,
-    /// The range of the ring-to-sun ratios.
+    /// The range of the ring-to-sun ratios of simple sets.
     pub k: RangeInclusive<f64>,
+    /// How many of the sets are double-planet sets; each number is searched.
+    pub double_planets: RangeInclusive<usize>,
+    /// The range of the ring-to-sun ratios of double-planet sets.
+    pub k_double: RangeInclusive<f64>,
     /// What the search keeps besides the ratios.
     pub rules: Rules,
     /// What solutions keep at their best k.
@@ -138,6 +142,19 @@ impl Wanted {
         }
     }
 
+    /// The range of the k of a set.
+    pub(super) fn k_of(&self, double_planet: bool) -> &RangeInclusive<f64> {
+        if double_planet { &self.k_double } else { &self.k }
+    }
+
+    /// The ranges that a search with so many double-planet sets has: of these `k′ = k − 1`.
+    pub(super) fn ranges(&self, sets: usize, double_planets: usize) -> Vec<RangeInclusive<f64>> {
+        let double = self.k_double.start() - 1.0..=self.k_double.end() - 1.0;
+        let mut ranges = vec![self.k.clone(); sets - double_planets.min(sets)];
+        ranges.resize(sets, double);
+        ranges
+    }
+
     /// Whether anything but ratios, structure and numbers of elements can leave out a solution.
     pub(super) fn has_further_wishes(&self) -> bool {
         self.rules != Rules::default() || self.limits != Limits::default() || self.drawable
@@ -196,6 +213,8 @@ mod tests {
             links: 4..=4,
             open: 1..=1,
             k: 1.4..=4.5,
+            double_planets: 0..=0,
+            k_double: 1.6..=4.5,
             rules: Rules::default(),
             limits: Limits { steps, ..Limits::default() },
             drawable: false,

@@ -98,6 +98,9 @@ synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format 
   --link-speed 3
   --planet-speed 3
   --drawable
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-planets 1 --format json
+  --double-planets 0..1
+  --k-double 2..3
 select: --speeds '0.8 m/s, 3.15 m/s'
   --speeds '1 m/s, 3.15 m/s'
 select: --ratios '1.465, 2.56' --format json
