@@ -18,9 +18,11 @@ pub mod teeth;
 
 mod drawn;
 mod gear;
+mod left_out;
 mod wanted;
 
 pub use gear::WantedGear;
+pub use left_out::{LeftOut, Reason};
 pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::tolerance::AT_EDGE;
@@ -28,7 +30,6 @@ use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::{element_name, real_k};
 use epicyclic_synthesis::judge::{Judged, judge_all};
-use epicyclic_synthesis::limits::Limit;
 use epicyclic_synthesis::motion::{Element, elements};
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
@@ -38,10 +39,11 @@ use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use epicyclic_train::formula::subscript;
 use explain::Explanation;
+use left_out::LeftOuts;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::{ControlFlow, RangeInclusive};
 use teeth::Teeth;
 
@@ -117,38 +119,6 @@ pub struct Searched {
     pub reducible: u64,
     /// Sets for which neither a solution was found nor its absence proved.
     pub undecided: u64,
-}
-
-/// Solutions that something left out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct LeftOut {
-    /// What left them out; each is counted at the first.
-    pub by: Reason,
-    /// How many.
-    pub solutions: u64,
-}
-
-/// What leaves out solutions that have all gears.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Reason {
-    /// No choice of functions has a direct gear.
-    Direct,
-    /// No choice of functions and engaged elements has the single shifts.
-    Shifts,
-    /// A link would cross another, whichever of the elements that lock the same are taken.
-    Drawable,
-    /// A ratio step is out of its range.
-    Steps,
-    /// A ratio step is larger than the one before it.
-    FallingSteps,
-    /// An open element slips faster.
-    Slip,
-    /// A link turns faster.
-    LinkSpeed,
-    /// A planet turns faster on its carrier.
-    PlanetSpeed,
 }
 
 /// Which structures a class has.
@@ -446,22 +416,6 @@ fn keep(
     Ok(kept)
 }
 
-/// Counts of what was left out.
-#[derive(Default)]
-struct LeftOuts(BTreeMap<Reason, u64>);
-
-impl LeftOuts {
-    fn add(&mut self, by: Reason, solutions: u64) {
-        if solutions > 0 {
-            *self.0.entry(by).or_default() += solutions;
-        }
-    }
-
-    fn told(self) -> Vec<LeftOut> {
-        self.0.into_iter().map(|(by, solutions)| LeftOut { by, solutions }).collect()
-    }
-}
-
 /// What makes two solutions the same gearbox: structure and elements.
 fn identity(found: &Found) -> (Structure, Vec<Vec<Element>>) {
     let mut elements = found.solution.elements.clone();
@@ -487,18 +441,6 @@ impl Searched {
             solutions: answered.found.len(),
             reducible: answered.tally.reducible,
             undecided: answered.tally.undecided,
-        }
-    }
-}
-
-impl Reason {
-    fn of(limit: Limit) -> Self {
-        match limit {
-            Limit::Steps => Self::Steps,
-            Limit::FallingSteps => Self::FallingSteps,
-            Limit::Slip => Self::Slip,
-            Limit::LinkSpeed => Self::LinkSpeed,
-            Limit::PlanetSpeed => Self::PlanetSpeed,
         }
     }
 }
