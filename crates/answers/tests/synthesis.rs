@@ -1,5 +1,7 @@
 //! Gearboxes of two and three speeds: `synthesize` and `select` find the same.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
 use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer};
 use epicyclic_formats::WantedRatio;
 use epicyclic_formats::wanted_ratio::Wanted as Ratio;
@@ -118,4 +120,20 @@ fn select_with_all_structures_finds_the_same_gearboxes() {
         assert!(!of_select.is_empty());
         assert_eq!(of_select, of_synthesis);
     }
+}
+
+#[test]
+fn the_structures_of_select_are_class_core_of_two_sets_and_four_links() {
+    use epicyclic_schemes::structures::{Role, Structure as OfRoles};
+    use epicyclic_synthesis::{Class, Structure, enumerate};
+    // T₁ and T₂ are two names of one role: a structure with them exchanged is the same.
+    let link = |role: Role| u8::try_from(role.index() + 1).unwrap();
+    let of_roles: BTreeSet<Structure> = OfRoles::all()
+        .iter()
+        .map(|one| Structure::new(&one.sets().map(|set| set.map(link)), 4).unwrap())
+        .collect();
+    let all: BTreeSet<Structure> =
+        enumerate::all(Class::new(Kind::Core, 2, 4).unwrap()).into_iter().collect();
+    assert_eq!(of_roles.len(), 111);
+    assert_eq!(of_roles, all);
 }

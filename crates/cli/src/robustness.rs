@@ -93,7 +93,9 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "ratios" => &["2.5", "1.465, 2.56", "-4, -7"],
         "sets" => &["1", "2", "1..2"],
         "elements" | "engaged" => &["1", "2", "1..3"],
-        "order" => &["size", "efficiency, error"],
+        "order" => &["size", "efficiency, error", "efficiency, drag"],
+        "objectives" => &["torque, drag", "shifts"],
+        "nth" | "equal-rings" | "equal-suns" | "equal-sets" | "teeth-limit" => &["1", "2"],
         "brakes" | "signs" => &["as-given", "either", "any", "alike"],
         "torque" => &["500 N·m", "-3 kN·m"],
         "power" => &["75 kW", "-5 kW"],
@@ -188,7 +190,7 @@ fn commands() -> Vec<Vec<String>> {
 }
 
 /// Options that name files to write, which `try_line` chooses.
-const FILES: [&str; 4] = ["output", "svg", "dxf", "csv"];
+const FILES: [&str; 5] = ["output", "svg", "dxf", "csv", "save"];
 
 /// The options of a command, with whether they take a value and whether they are due.
 fn options(command: &[String]) -> Vec<(String, bool, bool)> {
@@ -267,6 +269,9 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
     let mut all = vec!["epicyclic".to_owned()];
     all.extend(line.iter().cloned());
     all.extend(["-o".to_owned(), answer.display().to_string()]);
+    if line[0] == "synthesize" {
+        all.push(format!("--save={}", answer.with_extension("yaml").display()));
+    }
     if line[0] == "motor" {
         for kind in ["svg", "dxf", "csv"] {
             all.push(format!("--{kind}={}", answer.with_extension(kind).display()));

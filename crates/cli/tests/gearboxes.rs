@@ -734,3 +734,61 @@ fn progress_is_for_terminals_only() {
     let done = output(here().path(), &["select", "--ratios", "1.5, 2.5", "--teeth", "--limit", "1"]);
     assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
 }
+
+/// The ratios of a file's gears by `analyze`.
+fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
+    let done = output(folder, &["analyze", file, "--format", "json"]);
+    assert!(done.status.success(), "{done:?}");
+    let answer: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let gears = answer["gears"].as_array().unwrap();
+    gears
+        .iter()
+        .map(|gear| (gear["gear"].as_str().unwrap().to_owned(), gear["ratio"].as_f64().unwrap()))
+        .collect()
+}
+
+#[test]
+fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
+    let folder = here();
+    let list = [
+        "synthesize",
+        "--ratios",
+        "3.059, 1.625, 1, 0.696, -2.294",
+        "--sets",
+        "2",
+        "--elements",
+        "5",
+        "--engaged",
+        "2",
+    ];
+    let run = |more: &[&str]| {
+        let done = output(folder.path(), &[&list[..], &["--class", "all-sparse"], more].concat());
+        assert!(done.status.success(), "{done:?}");
+        String::from_utf8(done.stdout).unwrap()
+    };
+    let wanted = [("1", 3.059), ("2", 1.625), ("3", 1.0), ("4", 0.696), ("R", -2.294)];
+    for (file, more) in [("k.yaml", &["--nth", "2"][..]), ("teeth.yaml", &["--teeth", "--limit", "1"])] {
+        run(&[&["--save", file], more].concat());
+        for ((gear, ratio), (name, wanted)) in analyzed(folder.path(), file).iter().zip(wanted) {
+            assert_eq!(gear, name, "{file}");
+            assert!((ratio / wanted - 1.0).abs() <= 0.01, "{file}: {gear} {ratio}");
+        }
+    }
+    for line in [&["draw", "k.yaml", "-o", "k.svg"][..], &["report", "teeth.yaml", "-o", "teeth.html"]] {
+        let done = output(folder.path(), line);
+        assert!(done.status.success(), "{line:?}: {done:?}");
+    }
+    // The saved gearbox is the second of the search, by its structure and shift elements.
+    let told = run(&["--explain", "k.yaml", "--limit", "1"]);
+    assert!(told.contains("it is gearbox 2 of the search"), "{told}");
+    let page = run(&["-o", "search.html"]);
+    assert!(page.is_empty());
+    let page = std::fs::read_to_string(folder.path().join("search.html")).unwrap();
+    assert!(page.starts_with("<!DOCTYPE html>") && page.matches("<svg").count() >= 5, "{}", page.len());
+    let refused = output(
+        folder.path(),
+        &[&list[..], &["--class", "all-sparse", "--save", "no.yaml", "--nth", "15"]].concat(),
+    );
+    assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
+}

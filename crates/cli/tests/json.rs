@@ -79,6 +79,37 @@ const RUNS: &[(&str, &[&str])] = &[
         &[
             "synthesize",
             "--ratios",
+            "2.56, 1.465",
+            "--k",
+            "2.2..4",
+            "--tolerance",
+            "5%",
+            "--explain",
+            "scheme-ii-3.yaml",
+        ],
+    ),
+    (
+        "synthesize",
+        &[
+            "synthesize",
+            "--ratios",
+            "2.56, 1.465, 1",
+            "--teeth",
+            "--ring",
+            "60..90",
+            "--explain",
+            "scheme-ii-3.yaml",
+        ],
+    ),
+    (
+        "synthesize",
+        &["synthesize", "--ratios", "4, 3", "--explain", "real-transmissions.yaml", "--transmission", "8HP"],
+    ),
+    (
+        "synthesize",
+        &[
+            "synthesize",
+            "--ratios",
             "3.059, 1.625, 1, 0.696, -2.294",
             "--engaged",
             "2",

@@ -101,3 +101,17 @@ fn a_file_of_none_of_the_kinds_is_refused_and_leaves_the_old_page() {
     assert!(text(&refused.stderr).contains("power") && text(&refused.stderr).contains("stator"));
     assert_eq!(fs::read_to_string(folder.path().join("page.html")).unwrap(), "old");
 }
+
+#[test]
+fn the_page_of_a_search_has_its_answer_and_the_schemes_of_the_first() {
+    let folder = here();
+    let line = ["synthesize", "--ratios", "2.56, 1.465", "-o", "search.html"];
+    let done = output(folder.path(), &line);
+    assert!(done.status.success() && done.stdout.is_empty(), "{done:?}");
+    let page = fs::read_to_string(folder.path().join("search.html")).unwrap();
+    is_sound(&page);
+    let headings = ["Search and solutions", "Gearbox 1", "Gearbox 2", "Gearbox 3", "What is left out"];
+    assert_eq!(sections(&page), headings);
+    assert_eq!(page.matches("<svg").count(), 3);
+    assert!(page.contains("Scheme II-3 of the catalogue"));
+}

@@ -2,7 +2,7 @@
 //!
 //! *Best* is where the greatest deviation of a gear, by the half of its bounds' width, is least. The range of a `k` ends at the
 //! outermost points with all gears within their bounds. Both are proved for the gears' functions as found: a better point, or one
-//! farther out, there is not ([`region`](crate::region)).
+//! farther out, there is not (`region`).
 
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::Ratio;

@@ -53,19 +53,34 @@ pub struct NearestGear {
 }
 
 /// Why a gearbox is not among the solutions of a search.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Reason {
+    /// What keeps it out.
+    pub obstacle: Obstacle,
+    /// The set that it is about; `null` where it is about none.
+    pub set: Option<String>,
+    /// The `k` of this set, of a double-planet set `k′ = k − 1`; `null` but of `k_out_of_range`.
+    pub k: Option<f64>,
+    /// How many there are of what was not searched in such number; `null` of other obstacles.
+    pub count: Option<usize>,
+    /// The shift element that it is about; `null` where it is about none.
+    pub shift_element: Option<String>,
+}
+
+/// What keeps a gearbox out of a search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Reason {
+pub enum Obstacle {
     /// A set is neither simple nor a double-planet set.
-    SetKind {
-        /// The set.
-        set: String,
-    },
-    /// The sets make no structure of a class.
-    NoStructure {
-        /// What is wrong.
-        why: String,
-    },
+    SetKind,
+    /// Two of the housing, the input and the output are one link.
+    TerminalsJoined,
+    /// The sets make no structure: a set has a link twice, a link is on no member, or some sets share so many links that they lock
+    /// or repeat each other.
+    NoStructure,
+    /// A brake on the input or the output.
+    BrakeOnTerminal,
     /// A member on the housing: class `core` has none.
     MemberOnHousing,
     /// The input or the output is on no member: class `core` needs both.
@@ -73,45 +88,38 @@ pub enum Reason {
     /// The sets are not all joined: class `core` needs it.
     SetsNotJoined,
     /// So many planet sets were not searched.
-    Sets {
-        /// How many it has.
-        count: usize,
-    },
-    /// So many shift elements were not searched.
-    ShiftElements {
-        /// How many it has, those that lock the same counted once.
-        count: usize,
-    },
+    Sets,
+    /// So many shift elements were not searched, those that lock the same counted once.
+    ShiftElements,
     /// Gears that engage so many shift elements were not searched.
-    Engaged {
-        /// How many a gear engages.
-        count: usize,
-    },
-    /// The search tries fewer sets and shift elements first, and ended where some had solutions.
+    Engaged,
+    /// The search ended before this number of sets and shift elements.
     EndedBefore,
-    /// A brake on the input or the output.
-    BrakeOnTerminal {
-        /// The shift element.
-        shift_element: String,
-    },
     /// A `k` beyond the range.
-    KOutOfRange {
-        /// The set.
-        set: String,
-        /// Its `k`, of a double-planet set `k′ = k − 1`.
-        k: f64,
-    },
+    KOutOfRange,
     /// The `k` of a set moves no wanted ratio: a simpler gearbox does the same.
-    Reducible {
-        /// The set.
-        set: String,
-    },
+    Reducible,
+    /// A shift element that no wanted gear engages: a gearbox without it does the same.
+    UnusedElement,
     /// It misses wanted ratios, and no other ring-to-sun ratios in the range give them.
     MissesRatios,
-    /// A further wish may leave it out: brakes, clutches, shifts, steps, slips, speeds, drawability.
-    FurtherWishes,
-    /// The search counts it as undecided.
-    Undecided,
+    /// It breaks another rule of the search, or is counted as undecided.
+    #[default]
+    Other,
+}
+
+impl Reason {
+    fn new(obstacle: Obstacle) -> Self {
+        Self { obstacle, ..Self::default() }
+    }
+
+    fn of_set(obstacle: Obstacle, set: &str) -> Self {
+        Self { set: Some(set.to_owned()), ..Self::new(obstacle) }
+    }
+
+    fn of_count(obstacle: Obstacle, count: usize) -> Self {
+        Self { count: Some(count), ..Self::new(obstacle) }
+    }
 }
 
 /// A gearbox as the search has it.
@@ -197,9 +205,7 @@ fn links(gearbox: &Gearbox) -> Result<Vec<Link>, Reason> {
     let mut give = |link: LinkId, name: Link| {
         let known = &mut names[group[link.index()]];
         match known {
-            Some(_) => Err(Reason::NoStructure {
-                why: "two of the housing, the input and the output are one link".to_owned(),
-            }),
+            Some(_) => Err(Reason::new(Obstacle::TerminalsJoined)),
             None => {
                 *known = Some(name);
                 Ok(())
@@ -228,19 +234,19 @@ impl Subject {
         for set in gearbox.sets() {
             let [sun, ring, carrier] = match set.members() {
                 [sun, ring, carrier] => [*sun, *ring, *carrier].map(link),
-                _ => return Err(Reason::SetKind { set: set.id().to_owned() }),
+                _ => return Err(Reason::of_set(Obstacle::SetKind, set.id())),
             };
             let k = set.basic_ratio().get().abs();
             given.push(match set.kind() {
                 Some(SetKind::Simple) => ([sun, ring, carrier], set.id().to_owned(), k),
                 Some(SetKind::DoublePlanet) => ([sun, carrier, ring], set.id().to_owned(), k - 1.0),
-                _ => return Err(Reason::SetKind { set: set.id().to_owned() }),
+                _ => return Err(Reason::of_set(Obstacle::SetKind, set.id())),
             });
         }
         let members: Vec<Members> = given.iter().map(|(members, ..)| *members).collect();
         let count = links.iter().copied().max().map_or(0, usize::from);
-        let (structure, order) = Structure::canonical(&members, count)
-            .map_err(|error| Reason::NoStructure { why: error.to_string() })?;
+        let (structure, order) =
+            Structure::canonical(&members, count).map_err(|_| Reason::new(Obstacle::NoStructure))?;
         // Where each link stands in the canonical word; input and output keep their names.
         let mut names: Vec<Link> =
             (0..=structure.links()).map(|link| Link::try_from(link).unwrap_or(0)).collect();
@@ -254,7 +260,8 @@ impl Subject {
             let mut pair = element.links().map(|id| names[usize::from(link(id))]);
             pair.sort_unstable();
             if pair == [HOUSING, INPUT] || pair == [HOUSING, OUTPUT] {
-                return Err(Reason::BrakeOnTerminal { shift_element: element.id().to_owned() });
+                let shift_element = Some(element.id().to_owned());
+                return Err(Reason { shift_element, ..Reason::new(Obstacle::BrakeOnTerminal) });
             }
             let known = elements.iter().position(|known| *known == pair);
             places.push((pair[0] != pair[1]).then(|| known.unwrap_or(elements.len())));
@@ -300,47 +307,45 @@ impl Subject {
         if wanted.kind == Kind::Core {
             let on_member = |link: Link| members.iter().flatten().any(|member| *member == link);
             if on_member(HOUSING) {
-                reasons.push(Reason::MemberOnHousing);
+                reasons.push(Reason::new(Obstacle::MemberOnHousing));
             }
             if !on_member(INPUT) || !on_member(OUTPUT) {
-                reasons.push(Reason::TerminalOnNoMember);
+                reasons.push(Reason::new(Obstacle::TerminalOnNoMember));
             }
             if !are_joined(members) {
-                reasons.push(Reason::SetsNotJoined);
+                reasons.push(Reason::new(Obstacle::SetsNotJoined));
             }
         }
         if !wanted.sets.contains(&sets) {
-            reasons.push(Reason::Sets { count: sets });
+            reasons.push(Reason::of_count(Obstacle::Sets, sets));
         }
         let count = self.elements_that_differ();
         if !wanted.elements.contains(&count) {
-            reasons.push(Reason::ShiftElements { count });
+            reasons.push(Reason::of_count(Obstacle::ShiftElements, count));
         }
         if !wanted.engaged.contains(&engaged) {
-            reasons.push(Reason::Engaged { count: engaged });
+            reasons.push(Reason::of_count(Obstacle::Engaged, engaged));
         }
         for (set, k) in &self.sets {
             if !wanted.k.contains(k) {
-                reasons.push(Reason::KOutOfRange { set: set.clone(), k: *k });
+                reasons.push(Reason { k: Some(*k), ..Reason::of_set(Obstacle::KOutOfRange, set) });
             }
         }
         let was_searched = answer
             .searched
             .iter()
             .any(|class| class.sets == sets && class.shift_elements == count && class.engaged == engaged);
-        if reasons.is_empty() && was_searched && wanted.has_further_wishes() {
-            reasons.push(Reason::FurtherWishes);
-        }
         if reasons.is_empty() && !was_searched {
-            reasons.push(Reason::EndedBefore);
+            reasons.push(Reason::new(Obstacle::EndedBefore));
         }
         if explanation.has_all_ratios {
             reasons.extend(self.unmoved(explanation, gearbox));
-        } else {
-            reasons.push(Reason::MissesRatios);
+            reasons.extend(unused(explanation, gearbox));
+        } else if was_searched && answer.complete {
+            reasons.push(Reason::new(Obstacle::MissesRatios));
         }
         if reasons.is_empty() {
-            reasons.push(if answer.complete { Reason::Undecided } else { Reason::EndedBefore });
+            reasons.push(Reason::new(if answer.complete { Obstacle::Other } else { Obstacle::EndedBefore }));
         }
         reasons
     }
@@ -376,8 +381,20 @@ impl Subject {
             }
         }
         let sets = self.sets.iter().enumerate().filter(|(place, _)| moved >> place & 1 == 0);
-        sets.map(|(_, (set, _))| Reason::Reducible { set: set.clone() }).collect()
+        sets.map(|(_, (set, _))| Reason::of_set(Obstacle::Reducible, set)).collect()
     }
+}
+
+/// Shift elements that no wanted gear engages.
+fn unused(explanation: &Explanation, gearbox: &Gearbox) -> Vec<Reason> {
+    let names = gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::id);
+    let is_unused =
+        |name: &&str| explanation.gears.iter().all(|gear| gear.engaged.iter().all(|used| used != name));
+    let reason = |name: &str| {
+        let shift_element = Some(name.to_owned());
+        Reason { shift_element, ..Reason::new(Obstacle::UnusedElement) }
+    };
+    names.filter(is_unused).map(reason).collect()
 }
 
 /// Whether all sets are joined by links but the housing.
@@ -392,4 +409,173 @@ fn are_joined(sets: &[Members]) -> bool {
         }
     }
     reached.iter().all(|reached| *reached)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gearbox::{Choice, one};
+    use crate::synthesize::solve;
+    use epicyclic_formats::Document;
+    use epicyclic_formats::WantedRatio;
+    use epicyclic_formats::wanted_ratio::Wanted as Ratio;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_synthesis::limits::Limits;
+    use epicyclic_synthesis::rules::Rules;
+    use epicyclic_train::set::SetSpec;
+    use std::ops::ControlFlow;
+
+    fn gears(ratios: &[f64]) -> Vec<WantedRatio> {
+        let gear = |ratio: &f64| WantedRatio {
+            wanted: Ratio::Around { ratio: *ratio, within: None },
+            optional: false,
+        };
+        ratios.iter().map(gear).collect()
+    }
+
+    fn wanted(ratios: &[f64], kind: Kind, elements: usize, engaged: usize, explain: Gearbox) -> Wanted {
+        Wanted {
+            gears: gears(ratios),
+            links: 0..=usize::MAX,
+            open: 0..=usize::MAX,
+            double_planets: 0..=0,
+            k_double: 1.6..=4.5,
+            rules: Rules::default(),
+            limits: Limits::default(),
+            drawable: false,
+            tolerance: 0.01,
+            kind,
+            sets: 2..=2,
+            elements: elements..=elements,
+            engaged: engaged..=engaged,
+            k: 1.4..=4.5,
+            efficiency: MeshEfficiency::new(0.97).unwrap(),
+            most: 1,
+            order: vec![],
+            objectives: vec![],
+            teeth: None,
+            explain: Some(explain),
+        }
+    }
+
+    fn explained(wanted: &Wanted) -> Explanation {
+        let (answer, _) = solve(wanted, &|_, _| ControlFlow::Continue(())).unwrap();
+        answer.explanation.unwrap()
+    }
+
+    fn obstacles(wanted: &Wanted) -> Vec<Obstacle> {
+        explained(wanted).reasons.iter().map(|reason| reason.obstacle).collect()
+    }
+
+    /// 4L60-E with links of other names and its sets in the other order, a brake through a tied link, `1-x` by what locks the same.
+    fn four_speed() -> Gearbox {
+        Gearbox::builder("4L60-E")
+            .links(["turbine", "shaft", "P", "Q", "tied", "S"])
+            .set(SetSpec::simple("rear", ["S", "shaft", "Q"], 2.294))
+            .set(SetSpec::simple("front", ["turbine", "P", "shaft"], 2.059))
+            .tie("tied", "S")
+            .brake("2-4", "tied")
+            .brake("low", "Q")
+            .clutch("reverse", "S", "turbine")
+            .clutch("3-4", "turbine", "Q")
+            .clutch("forward", "P", "Q")
+            .input("turbine")
+            .output("shaft")
+            .build()
+            .unwrap()
+    }
+
+    const LIST: [f64; 5] = [3.059, 1.625, 1.0, 0.696, -2.294];
+
+    #[test]
+    fn a_gearbox_is_found_by_any_names_and_order() {
+        let found = explained(&wanted(&LIST, Kind::AllSparse, 5, 2, four_speed()));
+        assert!(found.has_all_ratios && found.reasons.is_empty(), "{found:?}");
+        assert_eq!(found.structure.as_deref(), Some("1-a-2 b-2-c"));
+        assert!(found.number.is_some_and(|number| (1..=14).contains(&number)));
+        assert_eq!(found.gears[0].engaged, ["low", "forward"]);
+    }
+
+    #[test]
+    fn what_keeps_a_gearbox_out_is_told() {
+        let list = |kind, elements, engaged| wanted(&LIST, kind, elements, engaged, four_speed());
+        assert_eq!(obstacles(&list(Kind::AllSparse, 4, 2)), [Obstacle::ShiftElements]);
+        let narrow = Wanted { k: 2.1..=4.5, ..list(Kind::AllSparse, 5, 2) };
+        assert_eq!(obstacles(&narrow), [Obstacle::KOutOfRange]);
+        let sets = Wanted {
+            sets: 1..=1,
+            elements: 2..=2,
+            engaged: 1..=1,
+            gears: gears(&[3.059]),
+            ..list(Kind::Core, 2, 1)
+        };
+        let all = obstacles(&sets);
+        assert!(all.contains(&Obstacle::Sets) && all.contains(&Obstacle::Engaged), "{all:?}");
+        let other = Wanted { gears: gears(&[2.8, 1.5, 1.0, 0.696, -2.294]), ..list(Kind::AllSparse, 5, 2) };
+        let found = explained(&other);
+        assert!(!found.has_all_ratios && !found.gears[0].within && !found.gears[1].within);
+        assert!(found.gears[2..].iter().all(|gear| gear.within));
+        assert_eq!(found.reasons, [Reason::new(Obstacle::MissesRatios)]);
+        let fewer = Wanted { gears: gears(&[3.059, 1.625, 0.696, 1.0]), ..list(Kind::AllSparse, 5, 2) };
+        let (answer, _) =
+            solve(
+                &Wanted { explain: None, ..list(Kind::AllSparse, 5, 2) },
+                &|_, _| ControlFlow::Continue(()),
+            )
+            .unwrap();
+        let told = explain(&four_speed(), &fewer, &answer, &[]).unwrap().reasons;
+        let reverse = Some("reverse".to_owned());
+        assert_eq!(told, [Reason { shift_element: reverse, ..Reason::new(Obstacle::UnusedElement) }]);
+        // Only the second set's k moves these.
+        let gearbox = Gearbox::builder("three speeds")
+            .links(["in", "P", "out", "S", "Q"])
+            .set(SetSpec::simple("idle", ["in", "P", "out"], 2.0))
+            .set(SetSpec::simple("2", ["S", "out", "Q"], 2.294))
+            .brake("b", "S")
+            .brake("c", "Q")
+            .clutch("1-b", "S", "in")
+            .clutch("1-c", "Q", "in")
+            .input("in")
+            .output("out")
+            .build()
+            .unwrap();
+        let three = vec![1.0, -2.294, 0.6964];
+        let reducible =
+            Wanted { gears: gears(&three), tolerance: 1e-4, ..wanted(&[], Kind::AllSparse, 4, 2, gearbox) };
+        // Its own search would find thousands; one that finds none has searched the same class.
+        let none = Wanted { gears: gears(&[100.0, 200.0, -300.0]), explain: None, ..reducible.clone() };
+        let (answer, _) = solve(&none, &|_, _| ControlFlow::Continue(())).unwrap();
+        assert_eq!(answer.found, 0);
+        let gearbox = reducible.explain.clone().unwrap();
+        let told = explain(&gearbox, &reducible, &answer, &[]).unwrap().reasons;
+        assert_eq!(told, [Reason::of_set(Obstacle::Reducible, "idle")]);
+        let braked = four_speed().to_builder().brake("park", "shaft").build().unwrap();
+        let found = explained(&wanted(&LIST, Kind::AllSparse, 5, 2, braked));
+        assert_eq!(found.reasons[0].shift_element.as_deref(), Some("park"));
+        let held = Gearbox::builder("a sun held")
+            .links(["in", "out", "P", "Q"])
+            .set(SetSpec::simple("1", ["ground", "in", "P"], 2.0))
+            .set(SetSpec::simple("2", ["P", "Q", "out"], 2.0))
+            .brake("b", "Q")
+            .clutch("c", "Q", "in")
+            .input("in")
+            .output("out")
+            .build()
+            .unwrap();
+        let told = obstacles(&Wanted {
+            gears: gears(&[4.5]),
+            elements: 1..=2,
+            engaged: 1..=1,
+            ..wanted(&[], Kind::Core, 2, 1, held)
+        });
+        assert!(told.contains(&Obstacle::MemberOnHousing), "{told:?}");
+    }
+
+    #[test]
+    fn a_set_of_another_form_is_no_part_of_a_search() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ravigneaux.yaml");
+        let document = Document::parse_one("ravigneaux.yaml", &std::fs::read(file).unwrap()).unwrap();
+        let gearbox = one(&document, &Choice::default()).unwrap().gearbox;
+        assert_eq!(obstacles(&wanted(&LIST, Kind::AllSparse, 5, 2, gearbox)), [Obstacle::SetKind]);
+    }
 }

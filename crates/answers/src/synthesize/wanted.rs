@@ -155,11 +155,6 @@ impl Wanted {
         ranges
     }
 
-    /// Whether anything but ratios, structure and numbers of elements can leave out a solution.
-    pub(super) fn has_further_wishes(&self) -> bool {
-        self.rules != Rules::default() || self.limits != Limits::default() || self.drawable
-    }
-
     /// Numbers of sets, shift elements and engaged ones within all ranges, in the order in which they are tried.
     pub(crate) fn tried(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
         let pairs =

@@ -87,6 +87,11 @@ synthesize: --ratios '2.56, 1.465' --format json
   --direct
   --format csv
   --output boxes.json
+  --order torque
+  --objectives torque
+  --teeth
+  --explain scheme-ii-3.yaml
+  --save one.yaml
 synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format json
   --brakes 3
   --clutches 3
@@ -101,6 +106,20 @@ synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format 
 synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-planets 1 --format json
   --double-planets 0..1
   --k-double 2..3
+synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
+  --ring 60..90
+  --sun 20..
+  --planet 14..
+  --planet-count 5
+  --equal-rings 2
+  --equal-suns 2
+  --equal-sets 2
+  --teeth-aim fewest
+  --teeth-limit 2
+synthesize: --ratios '2.56, 1.465' --save one.yaml
+  --nth 2
+synthesize: --ratios '4.714, 3.143' --explain real-transmissions.yaml --transmission 8HP
+  --transmission 9G
 select: --speeds '0.8 m/s, 3.15 m/s'
   --speeds '1 m/s, 3.15 m/s'
 select: --ratios '1.465, 2.56' --format json

@@ -2,7 +2,7 @@
 
 use crate::report::Text;
 use epicyclic_answers::synthesize::WantedGear;
-use epicyclic_answers::synthesize::explain::{Explanation, Reason};
+use epicyclic_answers::synthesize::explain::{Explanation, Obstacle, Reason};
 
 /// What the gearbox misses, and where it is found or why it is not.
 pub(super) fn explained(one: &Explanation) -> Text {
@@ -45,33 +45,44 @@ fn wanted(gear: &WantedGear) -> String {
 }
 
 fn words(reason: &Reason) -> String {
-    match reason {
-        Reason::SetKind { set } => {
-            format!("set `{set}` is neither simple nor a double-planet set")
+    let (set, element) = (reason.set.as_deref().unwrap_or_default(), reason.shift_element.as_deref());
+    let count = reason.count.unwrap_or_default();
+    match reason.obstacle {
+        Obstacle::SetKind => format!("set `{set}` is neither simple nor a double-planet set"),
+        Obstacle::TerminalsJoined => "two of the housing, the input and the output are one link".to_owned(),
+        Obstacle::NoStructure => "its sets make no structure: a set has a link twice, a link is on no member, or some sets lock or \
+                                  repeat each other"
+            .to_owned(),
+        Obstacle::BrakeOnTerminal => format!(
+            "`{}` brakes the input or the output, which no gearbox of the search does",
+            element.unwrap_or_default()
+        ),
+        Obstacle::MemberOnHousing => {
+            "a member is on the housing, which class core has not; --class all-sparse has".to_owned()
         }
-        Reason::NoStructure { why } => why.clone(),
-        Reason::MemberOnHousing => "a member is on the housing, which class core has not; --class all-sparse has".to_owned(),
-        Reason::TerminalOnNoMember => {
+        Obstacle::TerminalOnNoMember => {
             "input or output is on no member, which class core needs; --class all-sparse does not".to_owned()
         }
-        Reason::SetsNotJoined => "its sets are not all joined, which class core needs; --class all-sparse does not".to_owned(),
-        Reason::Sets { count } => format!("it has {count} planet sets, beyond --sets"),
-        Reason::ShiftElements { count } => format!("it has {count} shift elements, beyond --elements"),
-        Reason::Engaged { count } => format!("its gears engage {count} shift elements, beyond --engaged"),
-        Reason::EndedBefore => {
-            "the search ended before its number of sets and shift elements; give --sets and --elements as they are".to_owned()
+        Obstacle::SetsNotJoined => {
+            "its sets are not all joined, which class core needs; --class all-sparse does not".to_owned()
         }
-        Reason::BrakeOnTerminal { shift_element } => {
-            format!("`{shift_element}` brakes the input or the output, which no gearbox of the search does")
+        Obstacle::Sets => format!("it has {count} planet sets, beyond --sets"),
+        Obstacle::ShiftElements => format!("it has {count} shift elements, beyond --elements"),
+        Obstacle::Engaged => format!("its gears engage {count} shift elements, beyond --engaged"),
+        Obstacle::EndedBefore => "the search ended before its number of sets and shift elements; give --sets and --elements as \
+                                  they are"
+            .to_owned(),
+        Obstacle::KOutOfRange => {
+            format!("k = {:.4} of set `{set}` is beyond --k", reason.k.unwrap_or(f64::NAN))
         }
-        Reason::KOutOfRange { set, k } => format!("k = {k:.4} of set `{set}` is beyond --k"),
-        Reason::Reducible { set } => {
+        Obstacle::Reducible => {
             format!("the k of set `{set}` moves no wanted ratio: a simpler gearbox does the same")
         }
-        Reason::MissesRatios => "no k in the range gives it all ratios".to_owned(),
-        Reason::FurtherWishes => {
-            "another wish leaves it out: brakes, clutches, shifts, a direct gear, steps, slips, speeds or drawability".to_owned()
-        }
-        Reason::Undecided => "it is among the undecided".to_owned(),
+        Obstacle::UnusedElement => format!(
+            "no wanted gear engages `{}`: a gearbox without it does the same",
+            element.unwrap_or_default()
+        ),
+        Obstacle::MissesRatios => "no k in the range gives it all ratios".to_owned(),
+        Obstacle::Other => "it breaks another rule of the search, or is among the undecided".to_owned(),
     }
 }
