@@ -16,73 +16,57 @@ pub mod saved;
 mod scheme;
 pub mod teeth;
 
+mod drawn;
+mod gear;
+mod left_out;
+mod wanted;
+
+pub use gear::WantedGear;
+pub use left_out::{LeftOut, Reason};
+pub use wanted::{MOST_OPTIONAL, Wanted};
+
+use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
-use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::Scheme;
-use epicyclic_synthesis::gearbox::element_name;
+use epicyclic_synthesis::gearbox::{element_name, real_k};
 use epicyclic_synthesis::judge::{Judged, judge_all};
-use epicyclic_synthesis::motion::elements;
-use epicyclic_synthesis::parts::Bounds;
+use epicyclic_synthesis::motion::{Element, elements};
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::teeth::{Choice, Design};
 use epicyclic_synthesis::wish::Wish;
-use epicyclic_synthesis::{Class, Kind};
-use epicyclic_train::Gearbox;
+use epicyclic_synthesis::{Class, Kind, Structure};
+use epicyclic_train::formula::subscript;
 use explain::Explanation;
+use left_out::LeftOuts;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::ops::{ControlFlow, RangeInclusive};
-use teeth::{Teeth, TeethWanted};
+use teeth::Teeth;
 
 /// The most solutions that are told: each is judged by the solver.
 pub const MOST_SOLUTIONS: usize = 10_000;
-
-/// What is wanted.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// The ratio of each gear; negative for reverse.
-    pub ratios: Vec<f64>,
-    /// How far each may be off, as a share of it.
-    pub tolerance: f64,
-    /// Which structures are searched.
-    pub kind: Kind,
-    /// How many planet sets; those given are tried from the fewest up, until a number has solutions.
-    pub sets: RangeInclusive<usize>,
-    /// How many shift elements, tried alike.
-    pub elements: RangeInclusive<usize>,
-    /// How many shift elements a gear engages.
-    pub engaged: RangeInclusive<usize>,
-    /// The range of the ring-to-sun ratios.
-    pub k: RangeInclusive<f64>,
-    /// Efficiency of a set's meshes.
-    pub efficiency: MeshEfficiency,
-    /// How many solutions are told at most.
-    pub most: usize,
-    /// Which objectives decide first which solution is the best; the others follow.
-    pub order: Vec<rank::Objective>,
-    /// The objectives of the Pareto front.
-    pub objectives: Vec<rank::Objective>,
-    /// Tooth numbers, if any are wanted.
-    pub teeth: Option<TeethWanted>,
-    /// A gearbox to be placed beside the search.
-    pub explain: Option<Gearbox>,
-}
 
 /// All gearboxes of some planet sets, brakes and clutches that have a list of ratios.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Synthesis {
-    /// The ratios wanted, input speed over output speed.
-    pub wanted_ratios: Vec<f64>,
-    /// How far each may be off, as a share of it.
+    /// The gears wanted.
+    pub wanted: Vec<WantedGear>,
+    /// How far each ratio may be off that has no tolerance of its own, as a share of it.
     pub tolerance: f64,
-    /// The range of the ring-to-sun ratios k of every set.
+    /// The range of the ring-to-sun ratios k of every simple set.
     pub k_range: [f64; 2],
+    /// That of every double-planet set; none where no such sets are searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub k_range_of_double_planets: Option<[f64; 2]>,
     /// What was searched, in this order.
     pub searched: Vec<Searched>,
+    /// Sets of shift elements that have all gears, and what left them out.
+    pub left_out: Vec<LeftOut>,
     /// Whether every structure of these classes was searched.
     pub complete: bool,
     /// How many solutions there are.
@@ -93,7 +77,7 @@ pub struct Synthesis {
     pub order: Vec<Objective>,
     /// The objectives of the Pareto front.
     pub objectives: Vec<Objective>,
-    /// How many of the solutions found no other dominates.
+    /// How many of the solutions found no other dominates; of those with as many gears as the first.
     pub non_dominated: usize,
     /// The objective by which the first is ahead of others; `null` where there are no others, or all are equal.
     pub decided_by: Option<Objective>,
@@ -111,15 +95,19 @@ pub struct Searched {
     pub class: ClassName,
     /// How many planet sets.
     pub sets: usize,
+    /// How many of them are double-planet sets.
+    pub double_planets: usize,
     /// How many moving links.
     pub links: usize,
     /// How many shift elements.
     pub shift_elements: usize,
     /// How many of them a gear engages.
     pub engaged: usize,
+    /// How many gears were asked for: without some of those that may be missing.
+    pub gears: usize,
     /// Structures in the class, each once.
     pub structures: usize,
-    /// Structures times sets of shift elements, as pairs of links: the space that was searched.
+    /// Structures times choices of double-planet sets times sets of shift elements, as pairs of links: the space that was searched.
     pub space: f64,
     /// Structures that were searched; the others were left when the search was ended.
     pub structures_searched: u64,
@@ -149,7 +137,8 @@ pub enum ClassName {
 pub struct Solution {
     /// The scheme of the document that it is; `null` where it is none.
     pub scheme: Option<&'static str>,
-    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others.
+    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others; a double-planet set
+    /// has a star.
     pub structure: String,
     /// The sets.
     pub sets: Vec<Set>,
@@ -157,12 +146,20 @@ pub struct Solution {
     pub shift_elements: Vec<ShiftElement>,
     /// The gears, in the order of the wish.
     pub gears: Vec<Gear>,
-    /// The greatest deviation of a ratio from the one wanted, as a share of it.
+    /// Numbers in the wish, from 1, of the gears that it has not.
+    pub missing_gears: Vec<usize>,
+    /// The greatest deviation of a ratio from the one wanted, as a share of it; 0 where all are ranges.
     pub greatest_deviation: f64,
     /// How many shifts between neighbouring forward gears exchange more than one shift element.
     pub multiple_shifts: usize,
     /// The least efficiency of a gear.
     pub least_efficiency: f64,
+    /// The greatest slip of an open shift element in a gear, over the input's speed.
+    pub greatest_slip: f64,
+    /// The greatest speed of a link in a gear, over the input's.
+    pub greatest_link_speed: f64,
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's.
+    pub greatest_planet_speed: f64,
     /// What it is worth.
     pub rating: Rating,
     /// Tooth numbers; `null` where none were asked for.
@@ -179,10 +176,25 @@ pub struct Set {
     pub ring: char,
     /// Link of the carrier.
     pub carrier: char,
+    /// Whether it is a double-planet set: two planets in mesh between sun and ring.
+    pub is_double_planet: bool,
     /// Ring-to-sun ratio with which the greatest deviation is least.
     pub k: f64,
     /// The range of k that keeps all tolerances, the other sets' k moving along.
     pub k_range: [f64; 2],
+    /// The end of the range searched at which k is, if it is at one: a wider range may have better solutions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_edge: Option<Edge>,
+}
+
+/// An end of a range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Edge {
+    /// The lower.
+    Lower,
+    /// The upper.
+    Upper,
 }
 
 /// A brake or clutch of a solution.
@@ -201,13 +213,15 @@ pub struct ShiftElement {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// The ratio wanted.
-    pub wanted_ratio: f64,
+    /// The ratio wanted; none where any within bounds will do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wanted_ratio: Option<f64>,
     /// The ratio at the sets' k, by the solver.
     pub ratio: f64,
     /// How far it is from the one wanted, as a share of it.
-    pub deviation: f64,
-    /// The ratio as a formula in the sets' k.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deviation: Option<f64>,
+    /// The ratio as a formula in the sets' k; of a double-planet set in k′ = k − 1.
     pub formula: String,
     /// The shift elements that it engages.
     pub engaged: Vec<String>,
@@ -227,6 +241,8 @@ pub struct Kept {
     pub found: Found,
     /// Its best ring-to-sun ratios and its gearbox.
     pub judged: Judged,
+    /// The gears that it has, by their places in the wish.
+    pub selection: Vec<usize>,
     /// What it is worth.
     pub rating: rank::Rating,
     /// The best tooth numbers, where any were asked for.
@@ -269,12 +285,20 @@ pub fn solve_by<E: From<Error>>(
     let choice =
         wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose().map_err(Error::from)?;
     let order = rank::Objective::order(&wanted.order);
-    let gears = bounds(wanted);
+    let gears = wanted.gears().map_err(Error::from)?;
+    if *wanted.double_planets.end() > 0 && (wanted.teeth.is_some() || wanted.explain.is_some()) {
+        let why = "with double-planet sets neither tooth numbers are searched nor a given gearbox is placed: for speeds alone a \
+                   double-planet set is a simple set with ring and carrier exchanged";
+        return Err(Error::from(epicyclic_synthesis::Error::Wish { why: why.into() }).into());
+    }
     let mut answer = Synthesis {
-        wanted_ratios: wanted.ratios.clone(),
+        wanted: gears.clone(),
         tolerance: wanted.tolerance,
         k_range: [*wanted.k.start(), *wanted.k.end()],
+        k_range_of_double_planets: (*wanted.double_planets.end() > 0)
+            .then(|| [*wanted.k_double.start(), *wanted.k_double.end()]),
         searched: Vec::new(),
+        left_out: Vec::new(),
         complete: true,
         found: 0,
         shown: 0,
@@ -285,44 +309,39 @@ pub fn solve_by<E: From<Error>>(
         explanation: None,
         solutions: Vec::new(),
     };
+    let mut left_out = LeftOuts::default();
     let mut kept: Vec<Kept> = Vec::new();
     let mut before = None;
-    for (searching, wish) in tried(wanted)? {
-        let Searching { class, shift_elements } = searching;
+    let mut known = BTreeSet::new();
+    for Tried { searching, wish, selection } in tried(wanted)? {
+        let Searching { class, shift_elements, .. } = searching;
         // All that engage another number of as many elements are searched, too.
         if before.is_some_and(|before| before != (class.sets(), shift_elements)) && !kept.is_empty() {
             break;
         }
         before = Some((class.sets(), shift_elements));
-        let found = search(&searching, &wish)?;
-        answer.complete &= found.complete;
-        answer.searched.push(Searched {
-            class: ClassName::of(class.kind()),
-            sets: class.sets(),
-            links: class.links(),
-            shift_elements,
-            engaged: class.engaged(),
-            structures: found.class_size,
-            space: searching.space(found.class_size as f64),
-            structures_searched: found.tally.structures,
-            structures_in_reach: found.tally.in_reach,
-            solutions: found.found.len(),
-            reducible: found.tally.reducible,
-            undecided: found.tally.undecided,
-        });
-        let judgements = judge_all(&found.found, &wish, wanted.efficiency).map_err(Error::from)?;
-        for (found, judged) in found.found.into_iter().zip(judgements) {
-            let rating = rank::Rating::of(&judged).map_err(Error::from)?;
-            kept.push(Kept { found, judged, rating, teeth: Vec::new() });
-        }
-        if !found.complete {
+        let mut answered = search(&searching, &wish)?;
+        // What has more gears is not told again with fewer.
+        answered.found.retain(|found| known.insert(identity(found)));
+        answer.complete &= answered.complete;
+        answer.searched.push(Searched::of(&searching, selection.len(), &answered));
+        left_out.add(Reason::Direct, answered.tally.without_direct);
+        left_out.add(Reason::Shifts, answered.tally.without_single_shifts);
+        kept.extend(keep(answered.found, &wish, wanted, &selection, &mut left_out)?);
+        if !answered.complete {
             break;
         }
     }
-    kept.sort_by(|one, other| one.rating.compare(&other.rating, &order));
-    let ratings: Vec<&rank::Rating> = kept.iter().map(|kept| &kept.rating).collect();
+    answer.left_out = left_out.told();
+    kept.sort_by(|one, other| {
+        let missing = other.selection.len().cmp(&one.selection.len());
+        missing.then_with(|| one.rating.compare(&other.rating, &order))
+    });
+    // Worth compares what has as many gears.
+    let alike = kept.iter().filter(|one| one.selection.len() == kept[0].selection.len()).count();
+    let ratings: Vec<&rank::Rating> = kept[..alike].iter().map(|kept| &kept.rating).collect();
     let on_front = front(&ratings, &wanted.objectives);
-    let behind = |place: usize| ratings[place].decides(ratings[0], &order);
+    let behind = |place: usize| ratings.get(place)?.decides(ratings[0], &order);
     let first_of = |objectives: &mut dyn Iterator<Item = rank::Objective>| {
         objectives.min_by_key(|objective| order.iter().position(|other| other == objective))
     };
@@ -332,9 +351,9 @@ pub fn solve_by<E: From<Error>>(
     answer.shown = kept.len().min(wanted.most).min(MOST_SOLUTIONS);
     answer.solutions = (0..answer.shown)
         .map(|place| {
-            let Kept { found, judged, rating, .. } = &kept[place];
+            let Kept { judged, rating, .. } = &kept[place];
             let rating = Rating::of(rating, judged, on_front.binary_search(&place).is_ok(), behind(place));
-            Solution::of(found, judged, &wanted.ratios, rating)
+            Solution::of(&kept[place], wanted, &gears, rating)
         })
         .collect();
     if let Some(gearbox) = &wanted.explain {
@@ -344,32 +363,45 @@ pub fn solve_by<E: From<Error>>(
     if let (Some(teeth), Some(choice)) = (&wanted.teeth, &choice) {
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
             let k = vec![wanted.k.clone(); solution.sets.len()];
-            let (told, best) = Teeth::of(&kept.found, &gears, &wanted.ratios, &k, choice, teeth);
+            let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
+            let (told, best) = Teeth::of(&kept.found, &gears, &k, choice, teeth);
             (solution.teeth, kept.teeth) = (Some(told), best);
         }
     }
     Ok((answer, kept))
 }
 
-/// The bounds of each gear.
-fn bounds(wanted: &Wanted) -> Vec<Bounds> {
-    wanted.ratios.iter().map(|ratio| around(*ratio, wanted.tolerance)).collect()
+/// A class that may be searched, and what is wished in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tried {
+    /// The class.
+    pub searching: Searching,
+    /// What is wished.
+    pub wish: Wish,
+    /// The gears of the wish, by their places among those wanted.
+    pub selection: Vec<usize>,
 }
 
 /// The classes that may be searched, in their order, and what is wished in each. Those that cannot have the ratios are left out.
 ///
 /// # Errors
-/// [`Error::Synthesis`] where there is none.
-pub fn tried(wanted: &Wanted) -> Result<Vec<(Searching, Wish)>, Error> {
-    let gears = bounds(wanted);
+/// [`Error::Synthesis`] where there is none, and for gears that make no sense.
+pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
+    let gears = wanted.gears()?;
     let (mut tried, mut refused) = (Vec::new(), None);
-    for sets in wanted.sets.clone() {
-        for shift_elements in wanted.elements.clone() {
-            for engaged in wanted.engaged.clone() {
-                let wish = Wish::new(gears.clone(), shift_elements, vec![wanted.k.clone(); sets]);
+    for (sets, shift_elements, engaged) in wanted.numbers() {
+        for selection in wanted.selections() {
+            for double_planets in wanted.double_planets.clone().take_while(|count| *count <= sets) {
+                let bounds = selection.iter().map(|gear| gears[*gear].bounds()).collect();
+                let mut wish = Wish::new(bounds, shift_elements, wanted.ranges(sets, double_planets));
+                wish.double_planets = double_planets;
+                wish.rules = wanted.rules.clone();
                 let class = Class::new(wanted.kind, sets, sets + engaged + 1);
                 match class.and_then(|class| wish.check(class).map(|()| class)) {
-                    Ok(class) => tried.push((Searching { class, shift_elements }, wish)),
+                    Ok(class) => {
+                        let searching = Searching { class, shift_elements, double_planets };
+                        tried.push(Tried { searching, wish, selection: selection.clone() });
+                    }
                     Err(error) => {
                         refused.get_or_insert(error);
                     }
@@ -377,9 +409,73 @@ pub fn tried(wanted: &Wanted) -> Result<Vec<(Searching, Wish)>, Error> {
             }
         }
     }
-    match refused {
-        Some(error) if tried.is_empty() => Err(error.into()),
-        _ => Ok(tried),
+    if !tried.is_empty() {
+        return Ok(tried);
+    }
+    let why = "no number of sets, links, shift elements, engaged and open ones is within all ranges: links are sets, engaged \
+               elements and 1, open elements those not engaged";
+    Err(refused.unwrap_or_else(|| epicyclic_synthesis::Error::Wish { why: why.into() }).into())
+}
+
+/// Judges solutions and keeps those within all limits; counts what leaves out the others.
+fn keep(
+    mut found: Vec<Found>,
+    wish: &Wish,
+    wanted: &Wanted,
+    selection: &[usize],
+    left_out: &mut LeftOuts,
+) -> Result<Vec<Kept>, Error> {
+    if wanted.drawable {
+        let mut drawable = Vec::new();
+        for mut one in found {
+            if drawn::choose(&mut one, &wish.rules)? {
+                drawable.push(one);
+            } else {
+                left_out.add(Reason::Drawable, 1);
+            }
+        }
+        found = drawable;
+    }
+    let mut kept = Vec::new();
+    let judgements = judge_all(&found, wish, wanted.efficiency)?;
+    for (found, judged) in found.into_iter().zip(judgements) {
+        match wanted.limits.missed(&wish.gears, &judged) {
+            Some(limit) => left_out.add(Reason::of(limit), 1),
+            None => {
+                let rating = rank::Rating::of(&judged)?;
+                kept.push(Kept { found, judged, selection: selection.to_vec(), rating, teeth: Vec::new() });
+            }
+        }
+    }
+    Ok(kept)
+}
+
+/// What makes two solutions the same gearbox: structure and elements.
+fn identity(found: &Found) -> (Structure, Vec<Vec<Element>>) {
+    let mut elements = found.solution.elements.clone();
+    elements.iter_mut().for_each(|pairs| pairs.sort_unstable());
+    (found.structure.clone(), elements)
+}
+
+impl Searched {
+    fn of(searching: &Searching, gears: usize, answered: &run::Answer) -> Self {
+        let class = searching.class;
+        Self {
+            class: ClassName::of(class.kind()),
+            sets: class.sets(),
+            double_planets: searching.double_planets,
+            links: class.links(),
+            shift_elements: searching.shift_elements,
+            engaged: class.engaged(),
+            gears,
+            structures: answered.class_size,
+            space: searching.space(answered.class_size as f64),
+            structures_searched: answered.tally.structures,
+            structures_in_reach: answered.tally.in_reach,
+            solutions: answered.found.len(),
+            reducible: answered.tally.reducible,
+            undecided: answered.tally.undecided,
+        }
     }
 }
 
@@ -390,20 +486,22 @@ pub struct Searching {
     pub class: Class,
     /// How many shift elements.
     pub shift_elements: usize,
+    /// How many of the sets are double-planet sets.
+    pub double_planets: usize,
 }
 
 impl Searching {
-    /// Structures, so many, times sets of shift elements.
+    /// Structures, so many, times choices of double-planet sets times sets of shift elements.
     #[must_use]
     pub fn space(&self, structures: f64) -> f64 {
+        let choose = |count: usize, of: usize| {
+            (0..of).fold(1.0, |all, place| all * (count - place) as f64 / (place + 1) as f64)
+        };
         let pairs = elements(self.class.links()).len();
+        let structures = structures * choose(self.class.sets(), self.double_planets);
         (0..self.shift_elements)
             .fold(structures, |all, place| all * pairs.saturating_sub(place) as f64 / (place + 1) as f64)
     }
-}
-
-fn around(ratio: f64, tolerance: f64) -> Bounds {
-    Bounds { least: ratio - tolerance * ratio.abs(), most: ratio + tolerance * ratio.abs() }
 }
 
 impl ClassName {
@@ -416,12 +514,16 @@ impl ClassName {
 }
 
 impl Solution {
-    fn of(found: &Found, judged: &Judged, wanted: &[f64], rating: Rating) -> Self {
+    fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear], rating: Rating) -> Self {
+        let Kept { found, judged, selection, .. } = kept;
         let solution = &found.solution;
-        let sets = found.structure.sets().iter().zip(&judged.refined.k).zip(&judged.refined.ranges);
-        let sets = sets.map(|((members, k), range)| {
-            let [sun, ring, carrier] = members.map(link_name);
-            Set { sun, ring, carrier, k: *k, k_range: *range }
+        let sets = judged.refined.k.iter().zip(&judged.refined.ranges).enumerate();
+        let sets = sets.map(|(place, (k, range))| {
+            let [sun, ring, carrier] = found.structure.members(place).map(link_name);
+            let is_double_planet = found.structure.is_double_planet(place);
+            let real = |k: f64| real_k(&found.structure, place, k);
+            let at_edge = Edge::of(real(*k), wanted.k_of(is_double_planet));
+            Set { sun, ring, carrier, is_double_planet, k: real(*k), k_range: range.map(real), at_edge }
         });
         let names: Vec<String> = solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
         let shift_elements = solution.elements.iter().zip(&names).map(|(pairs, name)| ShiftElement {
@@ -429,12 +531,14 @@ impl Solution {
             is_brake: pairs[0][0] == 0,
             instead: pairs[1..].iter().map(|pair| element_name(*pair)).collect(),
         });
-        let gears: Vec<Gear> = (0..wanted.len())
-            .map(|gear| Gear {
-                wanted_ratio: wanted[gear],
+        let gears: Vec<Gear> = selection
+            .iter()
+            .enumerate()
+            .map(|(gear, place)| Gear {
+                wanted_ratio: wished[*place].wanted_ratio,
                 ratio: judged.ratios[gear],
-                deviation: judged.ratios[gear] / wanted[gear] - 1.0,
-                formula: solution.gears[gear].ratio.to_string(),
+                deviation: wished[*place].wanted_ratio.map(|ratio| judged.ratios[gear] / ratio - 1.0),
+                formula: solution.gears[gear].ratio.text(&|set| symbol(&found.structure, set)),
                 engaged: judged.engaged[gear].iter().map(|element| names[*element].clone()).collect(),
                 efficiency: judged.efficiencies[gear],
             })
@@ -444,12 +548,41 @@ impl Solution {
             structure: found.structure.to_string(),
             sets: sets.collect(),
             shift_elements: shift_elements.collect(),
-            greatest_deviation: gears.iter().map(|gear| gear.deviation.abs()).fold(0.0, f64::max),
+            greatest_deviation: gears
+                .iter()
+                .filter_map(|gear| gear.deviation)
+                .map(f64::abs)
+                .fold(0.0, f64::max),
             gears,
+            missing_gears: (0..wished.len())
+                .filter(|gear| !selection.contains(gear))
+                .map(|gear| gear + 1)
+                .collect(),
             multiple_shifts: judged.multiple_shifts,
             least_efficiency: judged.least_efficiency(),
+            greatest_slip: judged.slip,
+            greatest_link_speed: judged.link_speed,
+            greatest_planet_speed: judged.planet_speed,
             rating,
             teeth: None,
+        }
+    }
+}
+
+/// The symbol of a set in formulas: `k₁`, of a double-planet set `k₁′`.
+fn symbol(structure: &Structure, set: usize) -> String {
+    let prime = if structure.is_double_planet(set) { "′" } else { "" };
+    format!("{}{prime}", subscript('k', set + 1))
+}
+
+impl Edge {
+    /// The end of a range at which a value is.
+    fn of(value: f64, range: &RangeInclusive<f64>) -> Option<Self> {
+        let near = |end: f64| (value - end).abs() <= AT_EDGE * end;
+        match (near(*range.start()), near(*range.end())) {
+            (true, _) => Some(Self::Lower),
+            (_, true) => Some(Self::Upper),
+            _ => None,
         }
     }
 }

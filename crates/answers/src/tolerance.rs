@@ -6,6 +6,7 @@
 //! | `SAME` | the members of a printed series, over their right values | the series are calculated, not read from print |
 //! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
 //! | `OBJECTIVE` | a difference of two objectives | the order compares on a grid of this size |
+//! | `AT_EDGE` | a ring-to-sun ratio's distance from the end of its range, over that end | the best ratio is known to 1e-4 |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
 
 /// A sum of balanced terms below this is zero.
@@ -19,6 +20,9 @@ pub(crate) const CLOSED: f64 = 1e-12;
 
 /// Objectives that differ by less are equal.
 pub(crate) const OBJECTIVE: f64 = 2e-12;
+
+/// Ring-to-sun ratios nearer to an end of their range are at it.
+pub(crate) const AT_EDGE: f64 = 1e-4;
 
 /// The least module where none is given, in m.
 pub(crate) const LEAST_MODULE_M: f64 = 1e-6;

@@ -3,29 +3,43 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer};
+use epicyclic_formats::WantedRatio;
+use epicyclic_formats::wanted_ratio::Wanted as Ratio;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_selection::{Limits, Requirements, Signs, Space, select};
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::rank::Objective;
+use epicyclic_synthesis::rules::Rules;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 /// Ring-to-sun ratios of the sets of the schemes here.
 const K: [f64; 2] = [2.3, 3.1];
 
+fn gear(ratio: f64) -> WantedRatio {
+    WantedRatio { wanted: Ratio::Around { ratio, within: None }, optional: false }
+}
+
 /// The braked gears of so many sets, without a clutch for the direct drive.
 fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
     let count = ratios.len();
     Wanted {
-        ratios,
+        gears: ratios.into_iter().map(gear).collect(),
         tolerance,
         kind: Kind::Core,
         sets: count..=count,
         elements: count..=count,
         engaged: 1..=1,
+        links: 0..=usize::MAX,
+        open: 0..=usize::MAX,
         k: 1.4..=4.5,
+        double_planets: 0..=0,
+        k_double: 1.6..=4.5,
+        rules: Rules::default(),
+        limits: epicyclic_synthesis::limits::Limits::default(),
+        drawable: false,
         efficiency: MeshEfficiency::new(0.97).unwrap(),
         most: usize::MAX,
         order: vec![],

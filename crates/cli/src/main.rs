@@ -81,7 +81,7 @@ enum Command {
     Drive(drive::Args),
     Analyze(analyze::Args),
     Select(Box<select::Args>),
-    Synthesize(synthesize::Args),
+    Synthesize(Box<synthesize::Args>),
     Atlas(atlas::Args),
     Schemes(schemes::Args),
     Machine(machine::Args),

@@ -9,12 +9,12 @@
 //! | no point, spaces or semicolons for separators, at most one inner comma a number | parts decimals |
 //! | anything else | may be either and is refused |
 
-use epicyclic_formats::Number;
+use epicyclic_formats::WantedRatio;
 use std::str::FromStr;
 
 /// A list of ratios.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Ratios(pub(crate) Vec<Number>);
+pub(crate) struct Ratios(pub(crate) Vec<WantedRatio>);
 
 impl FromStr for Ratios {
     type Err = String;
@@ -140,13 +140,17 @@ fn joined(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use epicyclic_formats::wanted_ratio::Wanted;
 
     fn read(text: &str) -> Vec<f64> {
         text.parse::<Ratios>()
             .unwrap_or_else(|error| panic!("{text}: {error}"))
             .0
             .iter()
-            .map(|ratio| ratio.get())
+            .map(|ratio| match ratio.wanted {
+                Wanted::Around { ratio, within: None } => ratio,
+                other => panic!("{text}: {other}"),
+            })
             .collect()
     }
 
@@ -182,6 +186,14 @@ mod tests {
     }
 
     #[test]
+    fn gears_have_bounds_of_their_own() {
+        let ratios: Ratios = "4,714 ± 0,5 %; 3 .. 3,5 ? (-3,295)".parse().unwrap();
+        let written: Vec<String> = ratios.0.iter().map(WantedRatio::to_string).collect();
+        assert_eq!(written, ["4.714±0.5%", "3..3.5", "?", "(-3.295)"]);
+        assert!("2, 0".parse::<Ratios>().unwrap_err().contains("no gear has the ratio 0"));
+    }
+
+    #[test]
     fn a_comma_that_may_be_either_is_refused_with_both_ways_to_write() {
         for text in
             ["4,714", "4,714,3,143", "4,714, 3,143", "4,714,-3,295", "4,3,2,1", "4,3,2 1", "4.714, 3,143, 1"]
@@ -206,7 +218,7 @@ mod tests {
         }
         assert_eq!(
             "4.7 fast".parse::<Ratios>().unwrap_err(),
-            "fast: this does not start with a number; write a number, such as 3.94"
+            "fast: this does not start with a number; write a number, such as 3.94; a gear is written as 4.714, 4.714±0.5%, 4.5..4.9, ? or (-3.295)"
         );
     }
 }

@@ -10,10 +10,9 @@ use crate::options::of_synthesis;
 use crate::output::complain;
 use crate::progress::Progress;
 use crate::writing::write_files;
-use epicyclic_answers::synthesize::{Kept, Searching, Synthesis, Wanted, solve_by, tried};
+use epicyclic_answers::synthesize::{Kept, Searching, Synthesis, Tried, Wanted, solve_by, tried};
 use epicyclic_synthesis::asked::{Asked, asked};
 use epicyclic_synthesis::run::go_on;
-use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::{Share, Work};
 use epicyclic_tables::merge::{merge, same_question};
 use epicyclic_tables::part::Part;
@@ -63,7 +62,7 @@ pub(crate) fn search(wanted: &Wanted, share: Share, file: &Path) -> Result<(), F
         }
     };
     let hearing = Hearing::new();
-    for (number, (Searching { class, .. }, wish)) in questions.iter().enumerate() {
+    for (number, Tried { searching: Searching { class, .. }, wish, .. }) in questions.iter().enumerate() {
         let before = std::mem::take(&mut part.searches[number].1);
         let at = before.progress();
         let shown = Progress::from(at.done as f64 / at.of.max(1) as f64);
@@ -140,8 +139,8 @@ pub(crate) fn merged(wanted: &Wanted, files: &[PathBuf]) -> Result<(Synthesis, V
     })
 }
 
-fn asked_of(questions: &[(Searching, Wish)]) -> Vec<Asked> {
-    questions.iter().map(|(searching, wish)| asked(searching.class, wish)).collect()
+fn asked_of(questions: &[Tried]) -> Vec<Asked> {
+    questions.iter().map(|tried| asked(tried.searching.class, &tried.wish)).collect()
 }
 
 fn is_same(part: &Part, share: Share, asked: &[Asked]) -> bool {

@@ -15,12 +15,15 @@ use epicyclic_answers::gearbox::{Choice, one};
 use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve_by};
-use epicyclic_formats::{Physical as _, Quantity, Span};
+use epicyclic_formats::{Number, Physical as _, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_synthesis::Kind;
+use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
+use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::search;
+use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::teeth::{Aim, Alike};
 use epicyclic_synthesis::work::Share;
 use epicyclic_train::Gearbox;
@@ -28,6 +31,12 @@ use epicyclic_views::page;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use uom::si::f64::{Ratio, Time};
+
+/// The most shift elements that are searched.
+const MOST_ELEMENTS: u32 = 7;
+
+/// The most of them that a gear engages.
+const MOST_ENGAGED: u32 = 4;
 
 /// Solutions in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -60,11 +69,12 @@ A gear of n sets and L moving links engages L - n - 1 shift elements: of four
 sets and eight links three. Class core takes a minute or two for four sets and
 five shift elements, and much longer for six.")]
 pub(crate) struct Args {
-    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them.
+    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them. Of a gear 4.714,
+    /// 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in brackets where it may be missing: (-3.295).
     #[arg(long, allow_hyphen_values = true)]
     ratios: Ratios,
 
-    /// How far each ratio may be off: 1%, or 0.01.
+    /// How far a ratio may be off that has no tolerance of its own: 1%, or 0.01.
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
@@ -80,13 +90,32 @@ pub(crate) struct Args {
     #[arg(long, default_value = "1..6")]
     elements: Span<u32>,
 
-    /// Shift elements that a gear engages, at most 4.
-    #[arg(long, default_value = "1..3")]
-    engaged: Span<u32>,
+    /// Shift elements that a gear engages, at most 4. Default: 1..3; with --links or --open 1..4.
+    #[arg(long)]
+    engaged: Option<Span<u32>>,
+
+    /// Number of moving links: sets, engaged elements and one more.
+    #[arg(long)]
+    links: Option<Span<u32>>,
+
+    /// Shift elements that are open in a gear: those not engaged.
+    #[arg(long)]
+    open: Option<Span<u32>>,
 
     /// Ring-to-sun ratio k of every set.
     #[arg(long, default_value = "1.4..4.5")]
     k: Span<f64>,
+
+    #[command(flatten)]
+    wishes: Wishes,
+
+    /// How many of the sets are double-planet sets, with two planets in mesh between sun and ring; each number is searched.
+    #[arg(long, default_value = "0")]
+    double_planets: Span<u32>,
+
+    /// Ring-to-sun ratio k of every double-planet set.
+    #[arg(long, default_value = "1.6..4.5")]
+    k_double: Span<f64>,
 
     /// Efficiency of the meshes of a set: 0.97, or 97%.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
@@ -141,6 +170,64 @@ pub(crate) struct Args {
 
     #[command(flatten)]
     output: OutputArgs,
+}
+
+/// What a gearbox has to keep besides its ratios.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "What else is wanted")]
+struct Wishes {
+    /// Number of brakes among the shift elements.
+    #[arg(long, value_name = "RANGE", default_value = "0..7")]
+    brakes: Span<u32>,
+
+    /// Number of clutches among the shift elements.
+    #[arg(long, value_name = "RANGE", default_value = "0..7")]
+    clutches: Span<u32>,
+
+    /// Shifts between neighbouring forward gears: single ones open one element and engage one.
+    #[arg(long, value_enum, default_value_t = ShiftChoice::Any)]
+    shifts: ShiftChoice,
+
+    /// Shifts that skip a gear: 1–3, 2–4 and so on.
+    #[arg(long, value_enum, default_value_t = ShiftChoice::Any)]
+    skip_shifts: ShiftChoice,
+
+    /// A gear is direct: it turns the gearbox as one block.
+    #[arg(long)]
+    direct: bool,
+
+    /// Ratio steps between neighbouring forward gears.
+    #[arg(long, value_name = "RANGE")]
+    step: Option<Span<f64>>,
+
+    /// Ratio steps fall from the first gear on: none is larger than the one before it.
+    #[arg(long)]
+    falling_steps: bool,
+
+    /// Greatest slip of an open shift element over the input's speed.
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    slip: Option<Number>,
+
+    /// Greatest speed of a link over the input's.
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    link_speed: Option<Number>,
+
+    /// Greatest speed of a planet relative to its carrier over the input's.
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    planet_speed: Option<Number>,
+
+    /// Only gearboxes that can be drawn: no link across another, each brake reached from the housing.
+    #[arg(long)]
+    drawable: bool,
+}
+
+/// Which shifts are allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum ShiftChoice {
+    /// All; those with fewer multiple shifts are told first.
+    Any,
+    /// Those that exchange one element for one.
+    Single,
 }
 
 /// Tooth numbers of the gearboxes shown.
@@ -220,16 +307,30 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let most = args.limit.unwrap_or(if few { SHOWN_IN_TABLE } else { MOST_SOLUTIONS });
     let objectives = args.objectives.as_ref().map_or(Objective::ALL.to_vec(), |list| list.0.clone());
     let wanted = Wanted {
-        ratios: args.ratios.0.iter().map(|ratio| ratio.get()).collect(),
+        gears: args.ratios.0.clone(),
         tolerance,
         kind: match args.class {
             Class::Core => Kind::Core,
             Class::AllSparse => Kind::AllSparse,
         },
         sets: counts("--sets", args.sets, 1..=4)?,
-        elements: counts("--elements", args.elements, 1..=7)?,
-        engaged: counts("--engaged", args.engaged, 1..=4)?,
+        elements: counts("--elements", args.elements, 1..=MOST_ELEMENTS)?,
+        engaged: match args.engaged {
+            Some(engaged) => counts("--engaged", engaged, 1..=MOST_ENGAGED)?,
+            None if args.links.is_some() || args.open.is_some() => 1..=MOST_ENGAGED as usize,
+            None => 1..=3,
+        },
+        links: args.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=9))?,
+        open: args.open.map_or(Ok(0..=usize::MAX), |open| counts("--open", open, 0..=MOST_ELEMENTS))?,
         k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
+        double_planets: counts("--double-planets", args.double_planets, 0..=4)?,
+        k_double: args
+            .k_double
+            .within(ANY_K)
+            .map_err(|error| Failure::Range { option: "--k-double", error })?,
+        rules: args.wishes.rules()?,
+        limits: args.wishes.limits()?,
+        drawable: args.wishes.drawable,
         efficiency,
         most: if args.save.is_some() { most.max(args.nth) } else { most },
         order: args.order.0.clone(),
@@ -261,8 +362,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             })
             .collect();
         return Err(Failure::NothingFound(format!(
-            "no gearbox has these ratios: searched {}; try more --sets or --elements, --class all-sparse, a wider --tolerance or --k",
-            searched.join(", ")
+            "no gearbox has these ratios: searched {}{}; try more --sets or --elements, --class all-sparse, a wider --tolerance or --k",
+            searched.join(", "),
+            epicyclic_views::synthesize::left_out_in_words(&found.left_out)
         )));
     }
     let files = save(args, &found, &kept)?;
@@ -292,6 +394,42 @@ fn searched(wanted: &Wanted, longest: Option<Time>) -> Result<(Synthesis, Vec<Ke
     })
 }
 
+impl Wishes {
+    fn rules(&self) -> Result<Rules, Failure> {
+        let single = |choice| choice == ShiftChoice::Single;
+        Ok(Rules {
+            brakes: counts("--brakes", self.brakes, 0..=MOST_ELEMENTS)?,
+            clutches: counts("--clutches", self.clutches, 0..=MOST_ELEMENTS)?,
+            shifts: Shifts { neighbours: single(self.shifts), skips: single(self.skip_shifts) },
+            direct: self.direct,
+        })
+    }
+
+    fn limits(&self) -> Result<Limits, Failure> {
+        let steps = self.step.map(|step| step.within(1.0..=f64::INFINITY)).transpose();
+        let steps = steps.map_err(|error| Failure::Range { option: "--step", error })?;
+        if steps.as_ref().is_some_and(|steps| *steps.start() < 1.0) {
+            let message = "a step is the higher ratio over the next lower, at least 1".into();
+            return Err(Failure::Option { option: "--step", message });
+        }
+        Ok(Limits {
+            steps,
+            falling_steps: self.falling_steps,
+            slip: greatest("--slip", self.slip)?,
+            link_speed: greatest("--link-speed", self.link_speed)?,
+            planet_speed: greatest("--planet-speed", self.planet_speed)?,
+        })
+    }
+}
+
+fn greatest(option: &'static str, value: Option<Number>) -> Result<Option<f64>, Failure> {
+    let value = value.map(Number::get);
+    if value.is_some_and(|value| value <= 0.0) {
+        return Err(Failure::Option { option, message: "must be above 0".into() });
+    }
+    Ok(value)
+}
+
 fn counts(
     option: &'static str,
     span: Span<u32>,
@@ -316,7 +454,8 @@ fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, F
         let message = format!("{}: there are gearboxes 1 to {}", args.nth, found.found);
         return Err(Failure::Option { option: "--nth", message });
     };
-    let ratios: Vec<String> = found.wanted_ratios.iter().map(f64::to_string).collect();
+    let ratios: Vec<String> =
+        found.wanted.iter().map(|gear| epicyclic_views::synthesize::wanted(gear, found.tolerance)).collect();
     let (number, ratios) = (args.nth, ratios.join(", "));
     let name = format!("Gearbox {number} for {ratios}");
     let gearbox = saved::gearbox(one, &name, one.teeth.first())?;

@@ -76,11 +76,11 @@ pub enum Within {
 #[non_exhaustive]
 pub enum WantedRatioError {
     /// A number that cannot be read.
-    #[error("{}: {reason}; a gear is written as 4.714, 4.714±0.5%, 4.5..4.9, ? or (-3.295)", one_line(text))]
+    #[error("{reason}; a gear is written as 4.714, 4.714±0.5%, 4.5..4.9, ? or (-3.295)")]
     Number {
         /// The text of the gear.
         text: String,
-        /// What is wrong.
+        /// What is wrong, with the text of the number.
         reason: QuantityError,
     },
     /// A range with one end.

@@ -69,7 +69,7 @@ pub fn sample(
     clock: &dyn Fn() -> f64,
 ) -> Result<Sample, Error> {
     wish.check(class)?;
-    let (structures, class_size) = share.structures(class);
+    let (structures, class_size) = share.structures(class, wish.double_planets);
     Ok(match class.sets() {
         1..=3 => of::<u8>(class, wish, &structures, class_size, budget_s, clock),
         4 => of::<u16>(class, wish, &structures, class_size, budget_s, clock),

@@ -3,7 +3,7 @@
 use crate::motion::Element;
 use crate::structure::{HOUSING, INPUT, Link, OUTPUT, Structure, link_name, link_of_name};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_train::set::{MeshLoss, SetSpec};
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
 
 /// The name that a link has in a gearbox of the solver: `in` the input, `out` the output, letters the others.
@@ -41,6 +41,12 @@ pub fn element_of_name(name: &str) -> Option<Element> {
     .filter(|[one, other]| one < other)
 }
 
+/// The ring-to-sun ratio of a set of the structure by that of its word: of a double-planet set `k = k′ + 1`.
+#[must_use]
+pub fn real_k(structure: &Structure, place: usize, k: f64) -> f64 {
+    if structure.is_double_planet(place) { k + 1.0 } else { k }
+}
+
 /// The gearbox with these elements and this efficiency of each set's two meshes together, by the gears that each engages some of them (by their places).
 ///
 /// # Errors
@@ -55,12 +61,12 @@ pub fn gearbox(
     let links = (1..=structure.links()).filter_map(|link| Some(solver_name(Link::try_from(link).ok()?)));
     let loss = MeshLoss::Set(mesh_efficiency);
     let mut builder = Gearbox::builder(&structure.to_string()).links(links);
-    for (place, (members, k)) in structure.sets().iter().zip(k).enumerate() {
-        let names = members.map(solver_name);
-        builder = builder.set(
-            SetSpec::simple(&(place + 1).to_string(), names.each_ref().map(String::as_str), *k)
-                .with_loss(loss),
-        );
+    for (place, k) in k.iter().enumerate() {
+        let names = structure.members(place).map(solver_name);
+        let kind = if structure.is_double_planet(place) { SetKind::DoublePlanet } else { SetKind::Simple };
+        let (name, members) = ((place + 1).to_string(), names.each_ref().map(String::as_str));
+        builder =
+            builder.set(SetSpec::new(&name, kind, members, real_k(structure, place, *k)).with_loss(loss));
     }
     for element in elements {
         let name = element_name(*element);

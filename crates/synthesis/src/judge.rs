@@ -26,6 +26,12 @@ pub struct Judged {
     pub ratios: Vec<f64>,
     /// For each gear the efficiency by the solver; nothing where its losses leave it none.
     pub efficiencies: Vec<Option<f64>>,
+    /// The greatest slip of an open element in a gear, over the input's speed.
+    pub slip: f64,
+    /// The greatest speed of a link in a gear, over the input's.
+    pub link_speed: f64,
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of planets known by `k`.
+    pub planet_speed: f64,
     /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish.
     pub gearbox: Gearbox,
 }
@@ -77,6 +83,7 @@ pub fn judge(
     let elements: Vec<Element> = solution.elements.iter().map(|pairs| pairs[0]).collect();
     let gearbox = gearbox(&found.structure, &refined.k, mesh_efficiency, &elements, &engaged)?;
     let (mut solved, mut efficiencies) = (Vec::new(), Vec::new());
+    let (mut slip, mut link_speed, mut planet_speed) = (0.0f64, 0.0f64, 0.0f64);
     for (gear, formula) in gearbox.gears().iter().zip(&ratios) {
         let analysis = gearbox.analyze_gear(gear)?;
         let ratio = analysis.ratio().unwrap_or(f64::NAN);
@@ -89,8 +96,25 @@ pub fn judge(
         );
         solved.push(ratio);
         efficiencies.push(analysis.efficiency());
+        let greatest = |speeds: &[Option<f64>]| {
+            speeds.iter().flatten().fold(0.0, |all: f64, speed| all.max(speed.abs()))
+        };
+        slip = slip.max(greatest(analysis.slips()));
+        link_speed = link_speed.max(greatest(analysis.speeds()));
+        let planets = analysis.sets().iter().flat_map(|set| set.planets.iter().flatten());
+        planet_speed = planets.fold(planet_speed, |all, planet| all.max(planet.relative.abs()));
     }
-    Ok(Judged { refined, engaged, multiple_shifts, ratios: solved, efficiencies, gearbox })
+    Ok(Judged {
+        refined,
+        engaged,
+        multiple_shifts,
+        ratios: solved,
+        efficiencies,
+        slip,
+        link_speed,
+        planet_speed,
+        gearbox,
+    })
 }
 
 /// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.

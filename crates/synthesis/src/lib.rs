@@ -16,6 +16,7 @@
 //! | [`estimate`] | how long a search will take, from a sample |
 //! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
+//! | [`limits`] | steps, slips and speeds that a solution has to keep |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
@@ -41,6 +42,7 @@ pub mod gearbox;
 pub mod judge;
 mod kind;
 mod library;
+pub mod limits;
 mod linear;
 pub mod motion;
 pub mod parts;

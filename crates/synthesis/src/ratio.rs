@@ -173,6 +173,17 @@ impl Ratio {
         self.numerator.value(k) / self.denominator.value(k)
     }
 
+    /// It with these names of the `k`.
+    #[must_use]
+    pub fn text(self, name: &dyn Fn(usize) -> String) -> String {
+        match Quotient::new(&written(self.numerator), &written(self.denominator)) {
+            Some(quotient) => quotient.text(name),
+            None => {
+                format!("{}/{}", written(self.numerator).text(name), written(self.denominator).text(name))
+            }
+        }
+    }
+
     /// The `k` on which it depends, as bits.
     #[must_use]
     pub fn variables(self) -> usize {
@@ -201,10 +212,7 @@ impl fmt::Display for Polynomial {
 impl fmt::Display for Ratio {
     /// `(1 + k₁)·(1 + k₂)/(1 − k₁·k₂)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match Quotient::new(&written(self.numerator), &written(self.denominator)) {
-            Some(quotient) => f.pad(&quotient.text(&name)),
-            None => write!(f, "{}/{}", self.numerator, self.denominator),
-        }
+        f.pad(&self.text(&name))
     }
 }
 

@@ -99,7 +99,7 @@ fn go_on_with<W: Word + Send>(
     before: Work,
     kept: &(dyn Fn(&Work) -> ControlFlow<()> + Sync),
 ) -> Result<Work, Error> {
-    let (structures, class_size) = share.structures(class);
+    let (structures, class_size) = share.structures(class, wish.double_planets);
     let work = before.on(class_size, structures.len())?;
     let left: Vec<usize> = work.left().collect();
     let next = AtomicUsize::new(0);

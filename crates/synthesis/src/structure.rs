@@ -4,6 +4,17 @@
 //! 2 the output; the others are named `a`, `b`, `c` …. Two structures are equal where they differ in the order of
 //! the sets and in the names of the other links alone. Of the equal ones the least word counts, where the
 //! other links are numbered as they first occur: the *canonical word*.
+//!
+//! # Double-planet sets
+//! Some sets may be double-planet sets. For speeds such a set is a simple one with ring and carrier exchanged:
+//!
+//! ```text
+//! (ω_s − ω_H) − k·(ω_r − ω_H) = 0   is   ω_s + k′·ω_H − (1 + k′)·ω_r = 0   with k′ = k − 1
+//! ```
+//!
+//! So the word has its sun, *carrier* and *ring*, in this order, and its `k′`. Double-planet sets stand after the simple ones; the
+//! canonical word is the least of those that keep this. Written, a structure shows sun, ring and carrier of the real set and a
+//! star: `0-1-c x-2-h y-2-h*`.
 
 use crate::Error;
 use std::fmt;
@@ -29,6 +40,8 @@ pub type Members = [Link; 3];
 pub struct Structure {
     sets: Vec<Members>,
     links: usize,
+    /// How many of the last sets are double-planet sets.
+    double: usize,
 }
 
 /// The name of a link: `0`, `1`, `2`, `a`, `b` ….
@@ -78,17 +91,62 @@ impl Structure {
             Some(why) => Err(Error::NotAStructure { name: word(sets), why }),
             None => {
                 let (sets, order) = canonical_word(sets);
-                Ok((Self { sets, links }, order))
+                Ok((Self { sets, links, double: 0 }, order))
             }
         }
     }
 
     /// From a word that is canonical already.
     pub(crate) const fn of_canonical_word(sets: Vec<Members>, links: usize) -> Self {
-        Self { sets, links }
+        Self { sets, links, double: 0 }
     }
 
-    /// Sun, ring and carrier of each set.
+    /// The structures with so many double-planet sets among these, in which any may be double; each once.
+    #[must_use]
+    pub fn with_double_planets(&self, count: usize) -> Vec<Self> {
+        let sets = self.sets.len();
+        let masks = (0..1u32 << sets).filter(|mask| mask.count_ones() as usize == count);
+        let tagged = masks.map(|mask| {
+            let mut least: Option<Vec<Members>> = None;
+            for_each_order(sets, &mut |order| {
+                if order.iter().map(|set| mask >> set & 1).is_sorted() {
+                    let word = relabelled(&self.sets, order);
+                    if least.as_ref().is_none_or(|least| word < *least) {
+                        least = Some(word);
+                    }
+                }
+            });
+            Self { sets: least.unwrap_or_default(), links: self.links, double: count }
+        });
+        let mut all: Vec<Self> = tagged.collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// How many of the last sets are double-planet sets.
+    #[must_use]
+    pub const fn double_planets(&self) -> usize {
+        self.double
+    }
+
+    /// Whether the set at this place is a double-planet set.
+    #[must_use]
+    pub const fn is_double_planet(&self, place: usize) -> bool {
+        place + self.double >= self.sets.len()
+    }
+
+    /// Links of sun, ring and carrier of the set at this place, of a double-planet set those of the real one.
+    ///
+    /// # Panics
+    /// Where there is no such set.
+    #[must_use]
+    pub fn members(&self, place: usize) -> Members {
+        let [sun, ring, carrier] = self.sets[place];
+        if self.is_double_planet(place) { [sun, carrier, ring] } else { [sun, ring, carrier] }
+    }
+
+    /// Sun, ring and carrier of each set, of a double-planet set sun, carrier and ring.
     #[must_use]
     pub fn sets(&self) -> &[Members] {
         &self.sets
@@ -111,7 +169,11 @@ impl Structure {
     pub fn automorphisms(&self) -> Vec<Vec<usize>> {
         let mut found = Vec::new();
         for_each_order(self.sets.len(), &mut |order| {
-            if relabelled(&self.sets, order) == self.sets {
+            let keeps_kinds = order
+                .iter()
+                .enumerate()
+                .all(|(place, set)| self.is_double_planet(place) == self.is_double_planet(*set));
+            if keeps_kinds && relabelled(&self.sets, order) == self.sets {
                 found.push(order.to_vec());
             }
         });
@@ -248,7 +310,13 @@ fn word(sets: &[Members]) -> String {
 
 impl fmt::Display for Structure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&word(&self.sets))
+        let sets: Vec<String> = (0..self.sets.len())
+            .map(|place| {
+                let star = if self.is_double_planet(place) { "*" } else { "" };
+                format!("{}{star}", word(&[self.members(place)]))
+            })
+            .collect();
+        f.pad(&sets.join(" "))
     }
 }
 

@@ -18,8 +18,10 @@ pub struct Wish {
     pub gears: Vec<Bounds>,
     /// How many elements.
     pub elements: usize,
-    /// The range of each set's ring-to-sun ratio.
+    /// The range of each set's ring-to-sun ratio, of a double-planet set that of `k′ = k − 1`.
     pub k: Vec<RangeInclusive<f64>>,
+    /// How many of the sets, the last of them, are double-planet sets; any sets of a structure may be.
+    pub double_planets: usize,
     /// What else a gearbox has to keep.
     pub rules: Rules,
 }
@@ -28,7 +30,7 @@ impl Wish {
     /// A wish without further rules.
     #[must_use]
     pub fn new(gears: Vec<Bounds>, elements: usize, k: Vec<RangeInclusive<f64>>) -> Self {
-        Self { gears, elements, k, rules: Rules::default() }
+        Self { gears, elements, k, double_planets: 0, rules: Rules::default() }
     }
 
     /// Whether gearboxes of a class can have these gears at all.
@@ -88,6 +90,13 @@ impl Wish {
         if self.k.len() != class.sets() {
             return fault(format!("{} ranges of k for {} planet sets", self.k.len(), class.sets()));
         }
+        if self.double_planets > class.sets() {
+            return fault(format!(
+                "{} double-planet sets of {} planet sets",
+                self.double_planets,
+                class.sets()
+            ));
+        }
         for (place, range) in self.k.iter().enumerate() {
             let (least, most) = (*range.start(), *range.end());
             if !(least.is_finite() && most.is_finite() && least > 0.0 && least <= most) {
@@ -102,7 +111,8 @@ impl Wish {
 }
 
 /// The forward gears, the highest ratio first.
-pub(crate) fn forward(gears: &[Bounds]) -> Vec<usize> {
+#[must_use]
+pub fn forward(gears: &[Bounds]) -> Vec<usize> {
     let mut forward: Vec<usize> = (0..gears.len()).filter(|gear| gears[*gear].least > 0.0).collect();
     forward.sort_by(|one, other| gears[*other].most.total_cmp(&gears[*one].most));
     forward

@@ -44,20 +44,32 @@ impl Share {
     /// The whole class.
     pub const WHOLE: Self = Self { number: 0, of: 1 };
 
-    /// Its structures in the order of their canonical words, and how many the class has.
+    /// Its structures in the order of their canonical words, and how many the class has. Where some sets are double-planet sets, each
+    /// structure comes once with every choice of them, and these are dealt out.
     #[must_use]
-    pub fn structures(self, class: Class) -> (Vec<Structure>, usize) {
-        let (mut structures, mut count) = (Vec::new(), 0);
+    pub fn structures(self, class: Class, double_planets: usize) -> (Vec<Structure>, usize) {
+        let (mut structures, mut count, mut dealt) = (Vec::new(), 0, 0);
         enumerate::for_each(class, &mut |sets| {
-            if count % self.of.max(1) == self.number {
-                structures.push(Structure::of_canonical_word(sets.to_vec(), class.links()));
-            }
             count += 1;
+            let mut deal = |structure: &mut dyn FnMut() -> Structure| {
+                if dealt % self.of.max(1) == self.number {
+                    structures.push(structure());
+                }
+                dealt += 1;
+            };
+            let mut plain = || Structure::of_canonical_word(sets.to_vec(), class.links());
+            if double_planets == 0 {
+                deal(&mut plain);
+            } else {
+                for tagged in plain().with_double_planets(double_planets) {
+                    deal(&mut || tagged.clone());
+                }
+            }
         });
         (structures, count)
     }
 
-    /// The place in the class of the structure at a place of the share, both from 0.
+    /// The place among all that are dealt out of the structure at a place of the share, both from 0.
     #[must_use]
     pub const fn place_in_class(self, place: usize) -> usize {
         self.number + place * self.of

@@ -17,6 +17,7 @@ use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::ternary::Word;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure, enumerate};
+use epicyclic_train::set::SetKind;
 use std::ops::ControlFlow;
 
 const SIX_SPEED: [f64; 7] = [3.48718, 1.86429, 1.40276, 1.0, 0.75198, 0.6525, -4.9325];
@@ -114,6 +115,50 @@ fn the_4l60_e_and_the_6hp_come_out_of_their_ratios() {
     confirm(&answer, &six);
     // Its third set has double planets: for speeds a simple set with ring and carrier exchanged.
     assert!(holds(&answer.found, "0-1-c x-2-h y-h-2", &["x", "h", "c-x", "c-y", "1-h"]));
+}
+
+#[test]
+fn the_6hp_is_found_with_its_double_planet_set() {
+    let class = Class::new(Kind::AllSparse, 3, 6).unwrap();
+    let mut wish = wish(&SIX_HP, 3, 5);
+    (wish.k[2], wish.double_planets) = (0.6..=3.5, 1);
+    let simple: Structure = "0-1-c x-2-h y-h-2".parse().unwrap();
+    let mut found = 0;
+    for structure in simple.with_double_planets(1) {
+        let mut search = Search::<u8>::new(wish.clone(), class.links());
+        for solution in search.structure(&structure) {
+            let one = Found { structure: structure.clone(), solution };
+            let judged = judge(&one, &wish, MeshEfficiency::new(0.97).unwrap()).unwrap();
+            assert!(judged.ratios.iter().zip(&wish.gears).all(|(ratio, gear)| gear.contain(*ratio)));
+            let sets = judged.gearbox.sets();
+            assert_eq!(sets[2].kind(), Some(SetKind::DoublePlanet));
+            assert!(sets[..2].iter().all(|set| set.kind() == Some(SetKind::Simple)));
+            // k 1.919, 2.237 and 2.742 of the real box.
+            let k: Vec<f64> = sets.iter().map(|set| set.basic_ratio().get().abs()).collect();
+            found += usize::from(
+                [1.919, 2.237, 2.742].iter().zip(&k).all(|(real, k)| (k / real - 1.0).abs() < 0.02),
+            );
+        }
+    }
+    assert_eq!(found, 1);
+}
+
+#[test]
+fn tags_of_double_planet_sets_that_an_automorphism_exchanges_are_one() {
+    let mut tagged = 0;
+    for structure in enumerate::all(Class::new(Kind::Core, 3, 5).unwrap()) {
+        let automorphisms = structure.automorphisms();
+        // Burnside: sets of one place that each automorphism keeps.
+        let fixed: usize = automorphisms
+            .iter()
+            .map(|order| order.iter().enumerate().filter(|(place, set)| place == *set).count())
+            .sum();
+        let all = structure.with_double_planets(1);
+        assert_eq!(all.len() * automorphisms.len(), fixed, "{structure}");
+        assert_eq!(structure.with_double_planets(0), std::slice::from_ref(&structure));
+        tagged += all.len();
+    }
+    assert!(tagged > 3 * 3000);
 }
 
 #[test]

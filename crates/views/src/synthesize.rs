@@ -7,7 +7,9 @@ mod teeth;
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
-use epicyclic_answers::synthesize::{ClassName, Searched, Solution, Synthesis};
+use epicyclic_answers::synthesize::{
+    ClassName, Edge, LeftOut, Reason, Searched, Solution, Synthesis, WantedGear,
+};
 use epicyclic_formats::quantity::format::{significant, trimmed};
 
 /// Solutions whose gears are shown one by one.
@@ -15,19 +17,26 @@ const SHOWN_IN_FULL: usize = 3;
 
 impl AsReport for Synthesis {
     fn report(&self) -> Report {
-        let ratios: Vec<String> = self.wanted_ratios.iter().map(f64::to_string).collect();
+        let ratios: Vec<String> = self.wanted.iter().map(|gear| wanted(gear, self.tolerance)).collect();
         let asked = format!(
-            "Ratios {}, each within {} %; k from {} to {}.",
+            "Ratios {}, each within {} %{}; k from {} to {}{}.",
             ratios.join(", "),
             trimmed(100.0 * self.tolerance, 6),
+            if ratios.iter().any(|ratio| ratio.contains("to")) { " or the bounds given" } else { "" },
             self.k_range[0],
             self.k_range[1],
+            self.k_range_of_double_planets.map_or_else(String::new, |[least, most]| format!(
+                ", of double-planet sets from {least} to {most}"
+            )),
         );
         let mut parts = vec![
             Part::Text(Text::paragraph(asked)),
             Part::Records(searched(&self.searched)),
             Part::Text(Text::paragraph(count(self))),
         ];
+        if !self.left_out.is_empty() {
+            parts.push(Part::Text(left_out(&self.left_out)));
+        }
         parts.extend(self.explanation.as_ref().map(explain::explained).map(Part::Text));
         if let Some(first) = self.solutions.first() {
             parts.push(Part::Records(solutions(&self.solutions)));
@@ -45,7 +54,46 @@ impl AsReport for Synthesis {
     }
 }
 
-const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier. A shift element \
+/// A wanted gear: its ratio, with its bounds where they are not those of the tolerance; in brackets where it may be missing.
+#[must_use]
+pub fn wanted(gear: &WantedGear, tolerance: f64) -> String {
+    let bounds = || format!("{} to {}", trimmed(gear.least_ratio, 4), trimmed(gear.greatest_ratio, 4));
+    let text = match gear.wanted_ratio {
+        Some(ratio) if gear.least_ratio == ratio - tolerance * ratio.abs() => ratio.to_string(),
+        Some(ratio) => format!("{ratio} ({})", bounds()),
+        None => bounds(),
+    };
+    if gear.may_be_missing { format!("({text})") } else { text }
+}
+
+/// What left out how many solutions.
+fn left_out(all: &[LeftOut]) -> Text {
+    let points = all.iter().map(|left_out| format!("{} {}", left_out.solutions, why(left_out.by))).collect();
+    Text { heading: Some("Left out, each counted once".into()), points, ..Text::default() }
+}
+
+/// The same in a sentence that goes on; nothing where nothing was left out.
+#[must_use]
+pub fn left_out_in_words(all: &[LeftOut]) -> String {
+    let words: Vec<String> =
+        all.iter().map(|left_out| format!("{} {}", left_out.solutions, why(left_out.by))).collect();
+    if words.is_empty() { String::new() } else { format!("; left out {}", words.join(", ")) }
+}
+
+const fn why(reason: Reason) -> &'static str {
+    match reason {
+        Reason::Direct => "without a direct gear",
+        Reason::Shifts => "without the single shifts",
+        Reason::Drawable => "not drawable: a link would cross another",
+        Reason::Steps => "with a ratio step out of its range",
+        Reason::FallingSteps => "with a ratio step larger than the one before it",
+        Reason::Slip => "with a faster slip of an open shift element",
+        Reason::LinkSpeed => "with a faster link",
+        Reason::PlanetSpeed => "with a planet that turns faster on its carrier",
+    }
+}
+
+const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier, with a star a double-planet set, in formulas with k′ = k − 1. A shift element \
     of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
     element. Least η: the least efficiency of a gear. T_e, T_m: the greatest torque of a shift element, of a member of a \
     set. Link, planet: the greatest speed of a link, of a planet relative to its carrier. Circ.: circulating power over what enters.";
@@ -108,9 +156,11 @@ fn searched(classes: &[Searched]) -> Records {
         vec![
             Figure::Text(class(of.class)),
             Figure::Number(of.sets as f64),
+            Figure::Number(of.double_planets as f64),
             Figure::Number(of.links as f64),
             Figure::Number(of.shift_elements as f64),
             Figure::Number(of.engaged as f64),
+            Figure::Number(of.gears as f64),
             Figure::Number(of.structures as f64),
             Figure::Number(of.space),
             Figure::Text(significant(of.space, 2)),
@@ -121,14 +171,35 @@ fn searched(classes: &[Searched]) -> Records {
             Figure::Number(of.undecided as f64),
         ]
     };
+    let columns = [
+        "class",
+        "sets",
+        "double_planets",
+        "links",
+        "shift_elements",
+        "engaged",
+        "gears",
+        "structures",
+        "space_rounded",
+        "solutions",
+    ];
+    let double = classes.iter().any(|class| class.double_planets > 0);
+    // Searches differ in it where gears may be missing.
+    let differ = classes.iter().any(|class| class.gears != classes[0].gears);
+    let columns = columns
+        .into_iter()
+        .filter(|column| (*column != "gears" || differ) && (*column != "double_planets" || double))
+        .collect();
     Records {
         name: "searched",
         columns: vec![
             Column::words("class", "class"),
             Column::number("sets", "sets"),
+            Column::number("double_planets", "double"),
             Column::number("links", "links"),
             Column::number("shift_elements", "elements"),
             Column::number("engaged", "engaged"),
+            Column::number("gears", "gears"),
             Column::number("structures", "structures"),
             Column::number("space", "space"),
             Column::number("space_rounded", "space").for_people(),
@@ -141,16 +212,7 @@ fn searched(classes: &[Searched]) -> Records {
         rows: classes.iter().map(row).collect(),
         views: vec![View {
             title: "Searched".into(),
-            columns: vec![
-                "class",
-                "sets",
-                "links",
-                "shift_elements",
-                "engaged",
-                "structures",
-                "space_rounded",
-                "solutions",
-            ],
+            columns,
             note: "space: structures times sets of shift elements, each a pair of links".into(),
         }],
         is_answer: false,
@@ -173,6 +235,10 @@ fn solutions(found: &[Solution]) -> Records {
             Figure::Number(of.multiple_shifts as f64),
             Figure::Number(of.least_efficiency),
             Figure::Text(format!("{:.4}", of.least_efficiency)),
+            Figure::Number(of.missing_gears.len() as f64),
+            Figure::Number(of.greatest_slip),
+            Figure::Number(of.greatest_link_speed),
+            Figure::Number(of.greatest_planet_speed),
         ]
     };
     Records {
@@ -189,6 +255,10 @@ fn solutions(found: &[Solution]) -> Records {
             Column::number("multiple", "mult.").for_people(),
             Column::number("least_efficiency", "least efficiency"),
             Column::number("efficiency", "least η").for_people(),
+            Column::number("missing_gears", "missing gears"),
+            Column::number("greatest_slip", "greatest slip"),
+            Column::number("greatest_link_speed", "greatest link speed"),
+            Column::number("greatest_planet_speed", "greatest planet speed"),
         ],
         rows: found.iter().enumerate().map(row).collect(),
         views: vec![View::new(
@@ -213,19 +283,32 @@ fn gears(number: usize, found: &Solution) -> Text {
                 .iter()
                 .map(|element| if gear.engaged.contains(&element.name) { "x".into() } else { String::new() }),
         );
-        row.push(format!("{:+.2}", 100.0 * gear.deviation));
+        row.push(gear.deviation.map_or_else(String::new, |deviation| format!("{:+.2}", 100.0 * deviation)));
         row.push(gear.efficiency.map_or_else(|| "none".into(), |efficiency| format!("{efficiency:.4}")));
         row.push(gear.formula.clone());
         table.push(row);
     }
     let k = found.sets.iter().enumerate().map(|(place, set)| {
-        format!("k{} {:.4} ({:.4} to {:.4})", place + 1, set.k, set.k_range[0], set.k_range[1])
+        let edge = match set.at_edge {
+            None => "",
+            Some(Edge::Lower) => ", the least searched",
+            Some(Edge::Upper) => ", the greatest searched",
+        };
+        format!("k{} {:.4} ({:.4} to {:.4}{edge})", place + 1, set.k, set.k_range[0], set.k_range[1])
     });
     let instead = found.shift_elements.iter().filter(|element| !element.instead.is_empty());
     let mut points: Vec<String> = vec![format!(
         "k with the least deviation, and the range that keeps the tolerances: {}",
         k.collect::<Vec<_>>().join(", ")
     )];
+    points.push(format!(
+        "over the input's speed at most: slip of an open element {:.3}, a link {:.3}, a planet on its carrier {:.3}",
+        found.greatest_slip, found.greatest_link_speed, found.greatest_planet_speed
+    ));
+    if !found.missing_gears.is_empty() {
+        let gears: Vec<String> = found.missing_gears.iter().map(usize::to_string).collect();
+        points.push(format!("without gear {} of the list", gears.join(" and ")));
+    }
     points.extend(
         instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))),
     );

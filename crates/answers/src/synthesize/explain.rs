@@ -4,7 +4,7 @@
 //! simple set with ring and carrier exchanged and `k′ = k − 1`. It is found where a solution has its structure and, up to the
 //! structure's automorphisms, its shift elements; of those that lock the same each stands for the others.
 
-use super::{Kept, Synthesis, Wanted};
+use super::{Kept, Synthesis, Wanted, WantedGear};
 use crate::Error;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::gearbox::element_name;
@@ -40,13 +40,13 @@ pub struct Explanation {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NearestGear {
-    /// The ratio wanted.
-    pub wanted_ratio: f64,
+    /// What is wanted of it.
+    pub wanted: WantedGear,
     /// The nearest ratio of any choice of shift elements; `null` where none drives the output.
     pub ratio: Option<f64>,
-    /// How far it is from the one wanted, as a share of it.
+    /// How far it is from the ratio wanted, as a share of it, or from the nearer bound where any ratio within bounds will do.
     pub deviation: Option<f64>,
-    /// Whether it is within the tolerance.
+    /// Whether it is within the bounds.
     pub within: bool,
     /// The shift elements engaged, by the names of the gearbox.
     pub engaged: Vec<String>,
@@ -143,9 +143,8 @@ pub(super) fn explain(
     kept: &[Kept],
 ) -> Result<Explanation, Error> {
     let all = gearbox.combinations(0..=gearbox.shift_elements().len())?;
-    let gears: Vec<NearestGear> =
-        wanted.ratios.iter().map(|ratio| NearestGear::of(*ratio, wanted.tolerance, &all)).collect();
-    let has_all_ratios = gears.iter().all(|gear| gear.within);
+    let gears: Vec<NearestGear> = answer.wanted.iter().map(|wanted| NearestGear::of(*wanted, &all)).collect();
+    let has_all_ratios = gears.iter().all(|gear| gear.within || gear.wanted.may_be_missing);
     let mut explanation = Explanation {
         gearbox: gearbox.name().to_owned(),
         structure: None,
@@ -172,10 +171,11 @@ pub(super) fn explain(
 }
 
 impl NearestGear {
-    fn of(wanted: f64, tolerance: f64, all: &[Analysis<'_>]) -> Self {
+    fn of(wanted: WantedGear, all: &[Analysis<'_>]) -> Self {
         let deviations = all.iter().filter_map(|analysis| {
             let ratio = analysis.ratio().filter(|ratio| ratio.is_finite())?;
-            Some((analysis, ratio, ratio / wanted - 1.0))
+            let aim = wanted.wanted_ratio.unwrap_or(ratio.clamp(wanted.least_ratio, wanted.greatest_ratio));
+            Some((analysis, ratio, ratio / aim - 1.0))
         });
         let nearest = deviations.min_by(|one, other| one.2.abs().total_cmp(&other.2.abs()));
         let engaged = |analysis: &Analysis<'_>| {
@@ -184,10 +184,10 @@ impl NearestGear {
             analysis.gear().engaged().iter().map(name).collect()
         };
         Self {
-            wanted_ratio: wanted,
+            wanted,
             ratio: nearest.map(|(_, ratio, _)| ratio),
             deviation: nearest.map(|(.., deviation)| deviation),
-            within: nearest.is_some_and(|(.., deviation)| deviation.abs() <= tolerance + 4.0 * f64::EPSILON),
+            within: nearest.is_some_and(|(_, ratio, _)| wanted.holds(ratio)),
             engaged: nearest.map_or_else(Vec::new, |(analysis, ..)| engaged(analysis)),
         }
     }
@@ -417,13 +417,32 @@ mod tests {
     use crate::gearbox::{Choice, one};
     use crate::synthesize::solve;
     use epicyclic_formats::Document;
+    use epicyclic_formats::WantedRatio;
+    use epicyclic_formats::wanted_ratio::Wanted as Ratio;
     use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_synthesis::limits::Limits;
+    use epicyclic_synthesis::rules::Rules;
     use epicyclic_train::set::SetSpec;
     use std::ops::ControlFlow;
 
+    fn gears(ratios: &[f64]) -> Vec<WantedRatio> {
+        let gear = |ratio: &f64| WantedRatio {
+            wanted: Ratio::Around { ratio: *ratio, within: None },
+            optional: false,
+        };
+        ratios.iter().map(gear).collect()
+    }
+
     fn wanted(ratios: &[f64], kind: Kind, elements: usize, engaged: usize, explain: Gearbox) -> Wanted {
         Wanted {
-            ratios: ratios.to_vec(),
+            gears: gears(ratios),
+            links: 0..=usize::MAX,
+            open: 0..=usize::MAX,
+            double_planets: 0..=0,
+            k_double: 1.6..=4.5,
+            rules: Rules::default(),
+            limits: Limits::default(),
+            drawable: false,
             tolerance: 0.01,
             kind,
             sets: 2..=2,
@@ -487,17 +506,17 @@ mod tests {
             sets: 1..=1,
             elements: 2..=2,
             engaged: 1..=1,
-            ratios: vec![3.059],
+            gears: gears(&[3.059]),
             ..list(Kind::Core, 2, 1)
         };
         let all = obstacles(&sets);
         assert!(all.contains(&Obstacle::Sets) && all.contains(&Obstacle::Engaged), "{all:?}");
-        let other = Wanted { ratios: vec![2.8, 1.5, 1.0, 0.696, -2.294], ..list(Kind::AllSparse, 5, 2) };
+        let other = Wanted { gears: gears(&[2.8, 1.5, 1.0, 0.696, -2.294]), ..list(Kind::AllSparse, 5, 2) };
         let found = explained(&other);
         assert!(!found.has_all_ratios && !found.gears[0].within && !found.gears[1].within);
         assert!(found.gears[2..].iter().all(|gear| gear.within));
         assert_eq!(found.reasons, [Reason::new(Obstacle::MissesRatios)]);
-        let fewer = Wanted { ratios: vec![3.059, 1.625, 0.696, 1.0], ..list(Kind::AllSparse, 5, 2) };
+        let fewer = Wanted { gears: gears(&[3.059, 1.625, 0.696, 1.0]), ..list(Kind::AllSparse, 5, 2) };
         let (answer, _) =
             solve(
                 &Wanted { explain: None, ..list(Kind::AllSparse, 5, 2) },
@@ -522,9 +541,9 @@ mod tests {
             .unwrap();
         let three = vec![1.0, -2.294, 0.6964];
         let reducible =
-            Wanted { ratios: three, tolerance: 1e-4, ..wanted(&[], Kind::AllSparse, 4, 2, gearbox) };
+            Wanted { gears: gears(&three), tolerance: 1e-4, ..wanted(&[], Kind::AllSparse, 4, 2, gearbox) };
         // Its own search would find thousands; one that finds none has searched the same class.
-        let none = Wanted { ratios: vec![100.0, 200.0, -300.0], explain: None, ..reducible.clone() };
+        let none = Wanted { gears: gears(&[100.0, 200.0, -300.0]), explain: None, ..reducible.clone() };
         let (answer, _) = solve(&none, &|_, _| ControlFlow::Continue(())).unwrap();
         assert_eq!(answer.found, 0);
         let gearbox = reducible.explain.clone().unwrap();
@@ -544,7 +563,7 @@ mod tests {
             .build()
             .unwrap();
         let told = obstacles(&Wanted {
-            ratios: vec![4.5],
+            gears: gears(&[4.5]),
             elements: 1..=2,
             engaged: 1..=1,
             ..wanted(&[], Kind::Core, 2, 1, held)

@@ -1,8 +1,8 @@
 //! Tooth numbers of a solution.
 
+use super::gear::WantedGear;
 use crate::shared::Fraction;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
-use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, designs};
 use schemars::JsonSchema;
@@ -42,7 +42,7 @@ pub struct TeethOfSets {
     pub sets: Vec<TeethOfSet>,
     /// The ratio of each gear, exactly.
     pub ratios: Vec<Fraction>,
-    /// The greatest deviation of a ratio from the one wanted, as a share of it.
+    /// The greatest deviation of a ratio from the one wanted, as a share of it; 0 where all are ranges.
     pub greatest_deviation: f64,
 }
 
@@ -64,28 +64,29 @@ impl Teeth {
     /// Those of a solution, its best choices also as the search has them.
     pub(super) fn of(
         found: &Found,
-        gears: &[Bounds],
-        wanted_ratios: &[f64],
+        gears: &[WantedGear],
         k: &[RangeInclusive<f64>],
         choice: &Choice,
         wanted: &TeethWanted,
     ) -> (Self, Vec<Design>) {
         let ratios: Vec<_> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
-        let all = designs(&ratios, gears, k, choice, wanted.alike, wanted.aim, wanted.most);
-        let told = all.first.iter().map(|design| TeethOfSets::of(design, wanted_ratios)).collect();
+        let bounds: Vec<_> = gears.iter().map(WantedGear::bounds).collect();
+        let all = designs(&ratios, &bounds, k, choice, wanted.alike, wanted.aim, wanted.most);
+        let told = all.first.iter().map(|design| TeethOfSets::of(design, gears)).collect();
         (Self { found: all.count, complete: all.complete, choices: told }, all.first)
     }
 }
 
 impl TeethOfSets {
-    fn of(design: &Design, wanted: &[f64]) -> Self {
-        let deviation = |(ratio, wanted): (&epicyclic_gears::simple_set::Fraction, &f64)| {
-            (*ratio.numer() as f64 / *ratio.denom() as f64 / wanted - 1.0).abs()
+    fn of(design: &Design, wanted: &[WantedGear]) -> Self {
+        let deviation = |(ratio, wanted): (&epicyclic_gears::simple_set::Fraction, &WantedGear)| {
+            let wanted = wanted.wanted_ratio?;
+            Some((*ratio.numer() as f64 / *ratio.denom() as f64 / wanted - 1.0).abs())
         };
         Self {
             sets: design.sets.iter().map(TeethOfSet::of).collect(),
             ratios: design.ratios.iter().map(|ratio| Fraction::of(*ratio)).collect(),
-            greatest_deviation: design.ratios.iter().zip(wanted).map(deviation).fold(0.0, f64::max),
+            greatest_deviation: design.ratios.iter().zip(wanted).filter_map(deviation).fold(0.0, f64::max),
         }
     }
 }

@@ -82,6 +82,9 @@ synthesize: --ratios '2.56, 1.465' --format json
   --k 2..4
   --efficiency 95%
   --limit 1
+  --links 5
+  --open 2
+  --direct
   --format csv
   --output boxes.json
   --order torque
@@ -91,6 +94,20 @@ synthesize: --ratios '2.56, 1.465' --format json
   --save one.yaml
   --merge none.parquet
   --longest '0.000001 s'
+synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format json
+  --brakes 3
+  --clutches 3
+  --shifts single
+  --skip-shifts single
+  --step 1.58..
+  --falling-steps
+  --slip 3
+  --link-speed 3
+  --planet-speed 3
+  --drawable
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-planets 1 --format json
+  --double-planets 0..1
+  --k-double 2..3
 synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
   --ring 60..90
   --sun 20..

@@ -22,7 +22,8 @@ pub fn sheet(answer: &Synthesis, drawn: &[Drawn]) -> Result<Sheet, Error> {
         "What happens while it shifts.",
     ];
     sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
-    let ratios: Vec<String> = answer.wanted_ratios.iter().map(|ratio| trimmed(*ratio, 6)).collect();
+    let ratios: Vec<String> =
+        answer.wanted.iter().map(|gear| crate::synthesize::wanted(gear, answer.tolerance)).collect();
     Ok(Sheet {
         title: "Gearboxes for a list of ratios".to_owned(),
         about: format!("Ratios {}: {}", ratios.join(", "), crate::synthesize::count(answer)),

@@ -1,6 +1,7 @@
 //! A given gearbox beside a search, in words.
 
 use crate::report::Text;
+use epicyclic_answers::synthesize::WantedGear;
 use epicyclic_answers::synthesize::explain::{Explanation, Obstacle, Reason};
 
 /// What the gearbox misses, and where it is found or why it is not.
@@ -20,11 +21,11 @@ pub(super) fn explained(one: &Explanation) -> Text {
         points.push(match (gear.ratio, gear.deviation) {
             (Some(ratio), Some(deviation)) => format!(
                 "it misses {}: the nearest is {ratio:.4}, {:+.2} %, with {}",
-                gear.wanted_ratio,
+                wanted(&gear.wanted),
                 100.0 * deviation,
                 if gear.engaged.is_empty() { "nothing engaged".to_owned() } else { gear.engaged.join(" ") }
             ),
-            _ => format!("it misses {}: no choice of shift elements drives its output", gear.wanted_ratio),
+            _ => format!("it misses {}: no choice of shift elements drives its output", wanted(&gear.wanted)),
         });
     }
     match one.number {
@@ -33,6 +34,14 @@ pub(super) fn explained(one: &Explanation) -> Text {
         None => points.extend(one.reasons.iter().map(|reason| format!("it is not found: {}", words(reason)))),
     }
     Text::list(format!("{} beside the search", one.gearbox), points)
+}
+
+/// The ratio wanted, or the bounds where any within them will do.
+fn wanted(gear: &WantedGear) -> String {
+    match gear.wanted_ratio {
+        Some(ratio) => ratio.to_string(),
+        None => format!("{} to {}", gear.least_ratio, gear.greatest_ratio),
+    }
 }
 
 fn words(reason: &Reason) -> String {

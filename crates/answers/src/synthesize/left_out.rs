@@ -1,0 +1,66 @@
+//! What leaves out solutions that have all gears.
+
+use epicyclic_synthesis::limits::Limit;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Solutions that something left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeftOut {
+    /// What left them out; each is counted at the first.
+    pub by: Reason,
+    /// How many.
+    pub solutions: u64,
+}
+
+/// What leaves out solutions that have all gears.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reason {
+    /// No choice of functions has a direct gear.
+    Direct,
+    /// No choice of functions and engaged elements has the single shifts.
+    Shifts,
+    /// A link would cross another, whichever of the elements that lock the same are taken.
+    Drawable,
+    /// A ratio step is out of its range.
+    Steps,
+    /// A ratio step is larger than the one before it.
+    FallingSteps,
+    /// An open element slips faster.
+    Slip,
+    /// A link turns faster.
+    LinkSpeed,
+    /// A planet turns faster on its carrier.
+    PlanetSpeed,
+}
+
+/// Counts of what was left out.
+#[derive(Default)]
+pub(super) struct LeftOuts(BTreeMap<Reason, u64>);
+
+impl LeftOuts {
+    pub(super) fn add(&mut self, by: Reason, solutions: u64) {
+        if solutions > 0 {
+            *self.0.entry(by).or_default() += solutions;
+        }
+    }
+
+    pub(super) fn told(self) -> Vec<LeftOut> {
+        self.0.into_iter().map(|(by, solutions)| LeftOut { by, solutions }).collect()
+    }
+}
+
+impl Reason {
+    pub(super) fn of(limit: Limit) -> Self {
+        match limit {
+            Limit::Steps => Self::Steps,
+            Limit::FallingSteps => Self::FallingSteps,
+            Limit::Slip => Self::Slip,
+            Limit::LinkSpeed => Self::LinkSpeed,
+            Limit::PlanetSpeed => Self::PlanetSpeed,
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Limits that a solution keeps or misses at its best ring-to-sun ratios.
+//!
+//! # What complete means here
+//! Steps, slips and speeds depend on the `k`. They are judged where the greatest deviation of the ratios is least
+//! ([`refine`](crate::refine)), with the elements that are told. A solution that misses a limit there is left out and counted;
+//! at other `k` within its ranges, or with other elements, it might keep it.
+//!
+//! # Formulas
+//! The step from a forward gear to the next is `i_g/i_{g+1}`, above 1. Slips and speeds are multiples of the input's speed:
+//! `∣ω_u − ω_v∣/ω_1` of an open element, `∣ω∣/ω_1` of a link, `∣ω_g − ω_H∣/ω_1` of a planet on its carrier, each the greatest
+//! over all gears. The planets of a double-planet set are known by teeth alone, not by `k`: their speed is not limited.
+
+use crate::judge::Judged;
+use crate::parts::Bounds;
+use crate::wish::forward;
+use std::ops::RangeInclusive;
+
+/// What a solution has to keep at its best `k`. By default nothing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Limits {
+    /// The range of each ratio step between neighbouring forward gears.
+    pub steps: Option<RangeInclusive<f64>>,
+    /// Whether no step is larger than the one before it, from the first gear on.
+    pub falling_steps: bool,
+    /// The greatest slip of an open element over the input's speed.
+    pub slip: Option<f64>,
+    /// The greatest speed of a link over the input's.
+    pub link_speed: Option<f64>,
+    /// The greatest speed of a planet relative to its carrier over the input's.
+    pub planet_speed: Option<f64>,
+}
+
+/// A limit that can be missed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Limit {
+    /// A ratio step out of its range.
+    Steps,
+    /// A step larger than the one before it.
+    FallingSteps,
+    /// Slip of an open element.
+    Slip,
+    /// Speed of a link.
+    LinkSpeed,
+    /// Speed of a planet.
+    PlanetSpeed,
+}
+
+impl Limits {
+    /// The first limit that a solution misses, in the order of [`Limit`].
+    #[must_use]
+    pub fn missed(&self, gears: &[Bounds], judged: &Judged) -> Option<Limit> {
+        let steps = steps(gears, &judged.ratios);
+        let above = |most: Option<f64>, value: f64| most.is_some_and(|most| value > most);
+        [
+            (
+                Limit::Steps,
+                self.steps.as_ref().is_some_and(|range| !steps.iter().all(|step| range.contains(step))),
+            ),
+            (Limit::FallingSteps, self.falling_steps && steps.windows(2).any(|pair| pair[1] > pair[0])),
+            (Limit::Slip, above(self.slip, judged.slip)),
+            (Limit::LinkSpeed, above(self.link_speed, judged.link_speed)),
+            (Limit::PlanetSpeed, above(self.planet_speed, judged.planet_speed)),
+        ]
+        .into_iter()
+        .find(|(_, missed)| *missed)
+        .map(|(limit, _)| limit)
+    }
+}
+
+/// The steps between neighbouring forward gears, from the highest ratio down.
+#[must_use]
+pub fn steps(gears: &[Bounds], ratios: &[f64]) -> Vec<f64> {
+    forward(gears).windows(2).map(|pair| ratios[pair[0]] / ratios[pair[1]]).collect()
+}
