@@ -143,7 +143,7 @@ pub(super) fn explain(
     kept: &[Kept],
 ) -> Result<Explanation, Error> {
     let all = gearbox.combinations(0..=gearbox.shift_elements().len())?;
-    let gears: Vec<NearestGear> = answer.wanted.iter().map(|wanted| NearestGear::of(*wanted, &all)).collect();
+    let gears: Vec<NearestGear> = wanted.gears()?.iter().map(|gear| NearestGear::of(*gear, &all)).collect();
     let has_all_ratios = gears.iter().all(|gear| gear.within || gear.wanted.may_be_missing);
     let mut explanation = Explanation {
         gearbox: gearbox.name().to_owned(),
