@@ -403,7 +403,8 @@ pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
                         tried.push(Tried { searching, wish, selection: selection.clone() });
                     }
                     Err(error) => {
-                        refused.get_or_insert(error);
+                        // Of the largest class: it says most.
+                        refused = Some(error);
                     }
                 }
             }

@@ -84,7 +84,6 @@ synthesize: --ratios '2.56, 1.465' --format json
   --limit 1
   --links 5
   --open 2
-  --direct
   --format csv
   --output boxes.json
   --order torque
@@ -101,8 +100,8 @@ synthesize: --ratios '3.5, 2.2, 1.4' --sets 2 --elements 5 --engaged 2 --format 
   --skip-shifts single
   --step 1.58..
   --falling-steps
-  --slip 3
-  --link-speed 3
+  --slip 1.9
+  --link-speed 1.5
   --planet-speed 3
   --drawable
 synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-planets 1 --format json
@@ -110,7 +109,7 @@ synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-pl
   --k-double 2..3
 synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
   --ring 60..90
-  --sun 20..
+  --sun 40..
   --planet 14..
   --planet-count 5
   --equal-rings 2
@@ -118,10 +117,12 @@ synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
   --equal-sets 2
   --teeth-aim fewest
   --teeth-limit 2
+synthesize: --ratios '2.2, 1' --sets 2 --elements 2 --engaged 1 --class all-sparse
+  --direct
 synthesize: --ratios '2.56, 1.465' --save one.yaml
   --nth 2
 synthesize: --ratios '4.714, 3.143' --explain real-transmissions.yaml --transmission 8HP
-  --transmission 9G
+  --transmission TH400
 synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --output boxes
   --shard 1/2
 atlas:
@@ -392,7 +393,10 @@ type Left = (Option<i32>, String, BTreeMap<String, Vec<u8>>);
 fn left(command: &str, args: &[String]) -> (Left, String) {
     let folder = tempfile::tempdir().unwrap();
     for name in args.iter().filter(|arg| arg.ends_with(".yaml")) {
-        fs::copy(examples().join(name), folder.path().join(name)).unwrap();
+        let example = examples().join(name);
+        if example.exists() {
+            fs::copy(example, folder.path().join(name)).unwrap();
+        }
     }
     let line: Vec<&str> = command.split(' ').chain(args.iter().map(String::as_str)).collect();
     let done = output(folder.path(), &line);
