@@ -165,7 +165,7 @@ pub(super) fn explain(
     explanation.shift_elements = subject.elements.iter().map(|element| element_name(*element)).collect();
     explanation.number = kept.iter().position(|kept| subject.is(kept)).map(|place| place + 1);
     if explanation.number.is_none() {
-        explanation.reasons = subject.reasons(wanted, answer, &explanation, gearbox);
+        explanation.reasons = subject.reasons(wanted, answer, &explanation, gearbox, &all);
     }
     Ok(explanation)
 }
@@ -300,6 +300,7 @@ impl Subject {
         answer: &Synthesis,
         explanation: &Explanation,
         gearbox: &Gearbox,
+        all: &[Analysis<'_>],
     ) -> Vec<Reason> {
         let mut reasons = Vec::new();
         let (sets, engaged) = (self.structure.sets().len(), self.structure.freedom() - 1);
@@ -340,7 +341,7 @@ impl Subject {
         }
         if explanation.has_all_ratios {
             reasons.extend(self.unmoved(explanation, gearbox));
-            reasons.extend(unused(explanation, gearbox));
+            reasons.extend(unused(explanation, gearbox, all));
         } else if was_searched && answer.complete {
             reasons.push(Reason::new(Obstacle::MissesRatios));
         }
@@ -385,16 +386,23 @@ impl Subject {
     }
 }
 
-/// Shift elements that no wanted gear engages.
-fn unused(explanation: &Explanation, gearbox: &Gearbox) -> Vec<Reason> {
+/// Shift elements that no wanted gear needs: other choices give it a ratio within its bounds.
+fn unused(explanation: &Explanation, gearbox: &Gearbox, all: &[Analysis<'_>]) -> Vec<Reason> {
+    let is_unused = |place: usize| {
+        let without = |analysis: &&Analysis<'_>| !analysis.gear().engaged().contains(&place);
+        explanation.gears.iter().all(|gear| {
+            all.iter()
+                .filter(without)
+                .any(|analysis| analysis.ratio().is_some_and(|ratio| gear.wanted.holds(ratio)))
+        })
+    };
     let names = gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::id);
-    let is_unused =
-        |name: &&str| explanation.gears.iter().all(|gear| gear.engaged.iter().all(|used| used != name));
+    let names = names.enumerate().filter(|(place, _)| is_unused(*place)).map(|(_, name)| name);
     let reason = |name: &str| {
         let shift_element = Some(name.to_owned());
         Reason { shift_element, ..Reason::new(Obstacle::UnusedElement) }
     };
-    names.filter(is_unused).map(reason).collect()
+    names.map(reason).collect()
 }
 
 /// Whether all sets are joined by links but the housing.
