@@ -66,8 +66,8 @@ planet), circulation (power), progression (of the steps), deviation (of the
 ratios).
 
 A gear of n sets and L moving links engages L - n - 1 shift elements: of four
-sets and eight links three. Class core takes a minute or two for four sets and
-five shift elements, and much longer for six.")]
+sets and eight links three. How large a search is and about how long it takes is
+told before it begins.")]
 pub(crate) struct Args {
     /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part them. Of a gear 4.714,
     /// 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in brackets where it may be missing: (-3.295).

@@ -89,6 +89,11 @@ pub fn multiple(value: Option<f64>) -> Figure {
     value.map_or(Figure::None, Figure::Multiple)
 }
 
+/// How many, every digit of it.
+pub fn count(number: impl TryInto<u32> + fmt::Display + Copy) -> Figure {
+    number.try_into().map_or_else(|_| Figure::Text(number.to_string()), Figure::Count)
+}
+
 /// A text of one's own.
 pub fn text(text: impl Into<String>) -> Figure {
     Figure::Text(text.into())

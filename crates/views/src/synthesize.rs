@@ -5,7 +5,7 @@ mod rating;
 mod teeth;
 
 use crate::AsReport;
-use crate::figure::Figure;
+use crate::figure::{self, Figure};
 use crate::report::{Column, Part, Records, Report, Text, View};
 use epicyclic_answers::synthesize::{
     ClassName, Edge, LeftOut, Reason, Searched, Solution, Synthesis, WantedGear,
@@ -155,20 +155,20 @@ fn searched(classes: &[Searched]) -> Records {
     let row = |of: &Searched| {
         vec![
             Figure::Text(class(of.class)),
-            Figure::Number(of.sets as f64),
-            Figure::Number(of.double_planets as f64),
-            Figure::Number(of.links as f64),
-            Figure::Number(of.shift_elements as f64),
-            Figure::Number(of.engaged as f64),
-            Figure::Number(of.gears as f64),
-            Figure::Number(of.structures as f64),
+            figure::count(of.sets),
+            figure::count(of.double_planets),
+            figure::count(of.links),
+            figure::count(of.shift_elements),
+            figure::count(of.engaged),
+            figure::count(of.gears),
+            figure::count(of.structures),
             Figure::Number(of.space),
             Figure::Text(significant(of.space, 2)),
-            Figure::Number(of.structures_searched as f64),
-            Figure::Number(of.structures_in_reach as f64),
-            Figure::Number(of.solutions as f64),
-            Figure::Number(of.reducible as f64),
-            Figure::Number(of.undecided as f64),
+            figure::count(of.structures_searched),
+            figure::count(of.structures_in_reach),
+            figure::count(of.solutions),
+            figure::count(of.reducible),
+            figure::count(of.undecided),
         ]
     };
     let columns = [
@@ -224,18 +224,18 @@ fn solutions(found: &[Solution]) -> Records {
         let ks: Vec<f64> = of.sets.iter().map(|set| set.k).collect();
         let names: Vec<&str> = of.shift_elements.iter().map(|element| element.name.as_str()).collect();
         vec![
-            Figure::Number((place + 1) as f64),
+            figure::count(place + 1),
             Figure::Text(of.structure.clone()),
             Figure::Text(names.join(" ")),
             Figure::Numbers(ks.clone()),
             Figure::Text(ks.iter().map(|k| format!("{k:.3}")).collect::<Vec<_>>().join(" ")),
             Figure::Number(of.greatest_deviation),
             Figure::Text(format!("{:.2} %", 100.0 * of.greatest_deviation)),
-            Figure::Number(of.multiple_shifts as f64),
-            Figure::Number(of.multiple_shifts as f64),
+            figure::count(of.multiple_shifts),
+            figure::count(of.multiple_shifts),
             Figure::Number(of.least_efficiency),
             Figure::Text(format!("{:.4}", of.least_efficiency)),
-            Figure::Number(of.missing_gears.len() as f64),
+            figure::count(of.missing_gears.len()),
             Figure::Number(of.greatest_slip),
             Figure::Number(of.greatest_link_speed),
             Figure::Number(of.greatest_planet_speed),
