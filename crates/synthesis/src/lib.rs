@@ -17,6 +17,7 @@
 //! | [`tally`], [`asked`] | its counts, and what was asked of it, as text, exactly |
 //! | [`refine`], [`judge`] | the best ring-to-sun ratios of a solution, their ranges, shifts, efficiency |
 //! | [`limits`] | steps, slips and speeds that a solution has to keep |
+//! | [`family`] | which solutions have equal functions |
 //! | [`rank`] | what a solution is worth by the solver, the Pareto front and the best by an order |
 //! | [`teeth`] | all tooth numbers that keep the tolerances of a solution |
 //! | [`gearbox`] | a solution as a gearbox of the solver |
@@ -38,6 +39,7 @@ pub mod enumerate;
 mod error;
 pub mod estimate;
 pub mod exterior;
+pub mod family;
 pub mod gearbox;
 pub mod judge;
 mod kind;

@@ -9,12 +9,18 @@ const MOST_SETS: usize = 4;
 
 /// An exchange of the `k`.
 #[derive(Debug, Clone)]
-pub(crate) struct Permutation {
+pub(crate) struct Exchange {
     /// For each product of `k` what it becomes.
     products: Vec<usize>,
+    is_identity: bool,
+}
+
+/// An exchange of the `k`, and of the parts of their range with them.
+#[derive(Debug, Clone)]
+pub(crate) struct Permutation {
+    exchange: Exchange,
     /// For each part of the range where it was before.
     before: Vec<usize>,
-    is_identity: bool,
 }
 
 /// All exchanges that keep the ranges, the identity first.
@@ -33,27 +39,14 @@ pub(crate) fn permutations(grid: &Grid) -> Vec<Permutation> {
     found
 }
 
-impl Permutation {
+impl Exchange {
     /// Each `k_j` becomes `k_order[j]`.
-    fn new(order: &[usize], grid: &Grid) -> Self {
+    pub(crate) fn new(order: &[usize]) -> Self {
         let product = |product: usize| {
             let sets = order.iter().enumerate().filter(|(set, _)| product >> set & 1 == 1);
             sets.fold(0, |image, (_, to)| image | 1 << to)
         };
-        let strides = grid.strides();
-        let part = |part: usize| -> usize {
-            let cut = |set: usize| part / strides[set].0 % strides[set].1;
-            order.iter().enumerate().map(|(set, to)| cut(set) * strides[*to].0).sum()
-        };
-        let mut before = vec![0; grid.count()];
-        for from in 0..grid.count() {
-            before[part(from)] = from;
-        }
-        Self {
-            products: (0..1 << order.len()).map(product).collect(),
-            before,
-            is_identity: order.is_sorted(),
-        }
+        Self { products: (0..1 << order.len()).map(product).collect(), is_identity: order.is_sorted() }
     }
 
     /// A polynomial after the exchange.
@@ -83,10 +76,31 @@ impl Permutation {
             Ratio { numerator: numerator.negated(), denominator: denominator.negated() }
         }
     }
+}
+
+impl Permutation {
+    /// Each `k_j` becomes `k_order[j]`.
+    fn new(order: &[usize], grid: &Grid) -> Self {
+        let strides = grid.strides();
+        let part = |part: usize| -> usize {
+            let cut = |set: usize| part / strides[set].0 % strides[set].1;
+            order.iter().enumerate().map(|(set, to)| cut(set) * strides[*to].0).sum()
+        };
+        let mut before = vec![0; grid.count()];
+        for from in 0..grid.count() {
+            before[part(from)] = from;
+        }
+        Self { exchange: Exchange::new(order), before }
+    }
+
+    /// A ratio after the exchange.
+    pub(crate) fn ratio(&self, ratio: Ratio) -> Ratio {
+        self.exchange.ratio(ratio)
+    }
 
     /// The parts that become these.
     pub(crate) fn parts_before(&self, after: Parts) -> Parts {
-        if self.is_identity { after } else { after.iter().map(|part| self.before[part]).collect() }
+        if self.exchange.is_identity { after } else { after.iter().map(|part| self.before[part]).collect() }
     }
 }
 
