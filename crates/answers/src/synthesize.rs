@@ -2,6 +2,7 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`families`] | gearboxes with equal formulas |
 //! | [`explain`] | a given gearbox beside the search |
 //! | [`page`] | what a page of a search draws |
 //! | [`rating`] | what a solution is worth by the solver |
@@ -10,6 +11,7 @@
 //! | `scheme` | which scheme of the document a solution is |
 
 pub mod explain;
+pub mod families;
 pub mod page;
 pub mod rating;
 pub mod saved;
@@ -28,6 +30,7 @@ pub use wanted::{MOST_OPTIONAL, Wanted};
 use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
+use epicyclic_synthesis::family;
 use epicyclic_synthesis::gearbox::{element_name, real_k};
 use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::motion::{Element, elements};
@@ -39,6 +42,7 @@ use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use epicyclic_train::formula::subscript;
 use explain::Explanation;
+use families::{Family, families};
 use left_out::LeftOuts;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
@@ -71,6 +75,11 @@ pub struct Synthesis {
     pub complete: bool,
     /// How many solutions there are.
     pub found: usize,
+    /// Their families: solutions whose gears have equal formulas, up to an exchange of sets of one kind; all of them, in the order of
+    /// their best.
+    pub families: Vec<Family>,
+    /// Whether the solutions told are the best of each family alone, or all.
+    pub listed: Listed,
     /// How many of them are told here.
     pub shown: usize,
     /// The objectives by which they are ordered, the first decides first.
@@ -85,6 +94,16 @@ pub struct Synthesis {
     pub explanation: Option<Explanation>,
     /// These, the best first.
     pub solutions: Vec<Solution>,
+}
+
+/// Which solutions are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Listed {
+    /// The best of each family.
+    BestOfFamilies,
+    /// All.
+    AllGearboxes,
 }
 
 /// A class of structures that was searched.
@@ -135,6 +154,12 @@ pub enum ClassName {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Solution {
+    /// Its number among all solutions found, from 1, the best first.
+    pub number: usize,
+    /// The number of its family.
+    pub family: usize,
+    /// How many gearboxes its family has.
+    pub gearboxes_of_family: usize,
     /// The scheme of the document that it is; `null` where it is none.
     pub scheme: Option<&'static str>,
     /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the others; a double-planet set
@@ -245,6 +270,10 @@ pub struct Kept {
     pub selection: Vec<usize>,
     /// What it is worth.
     pub rating: rank::Rating,
+    /// Its number among all solutions, from 1, the best first.
+    pub number: usize,
+    /// Its family.
+    pub family: family::Family,
     /// The best tooth numbers, where any were asked for.
     pub teeth: Vec<Design>,
 }
@@ -301,6 +330,8 @@ pub fn solve_by<E: From<Error>>(
         left_out: Vec::new(),
         complete: true,
         found: 0,
+        families: Vec::new(),
+        listed: if wanted.all_gearboxes { Listed::AllGearboxes } else { Listed::BestOfFamilies },
         shown: 0,
         order: order.iter().map(|objective| Objective::of(*objective)).collect(),
         objectives: wanted.objectives.iter().map(|objective| Objective::of(*objective)).collect(),
@@ -337,6 +368,8 @@ pub fn solve_by<E: From<Error>>(
         let missing = other.selection.len().cmp(&one.selection.len());
         missing.then_with(|| one.rating.compare(&other.rating, &order))
     });
+    (1..).zip(&mut kept).for_each(|(number, kept)| kept.number = number);
+    let (families, of_each) = families(&kept);
     // Worth compares what has as many gears.
     let alike = kept.iter().filter(|one| one.selection.len() == kept[0].selection.len()).count();
     let ratings: Vec<&rank::Rating> = kept[..alike].iter().map(|kept| &kept.rating).collect();
@@ -348,18 +381,23 @@ pub fn solve_by<E: From<Error>>(
     answer.found = kept.len();
     answer.non_dominated = on_front.len();
     answer.decided_by = first_of(&mut (1..kept.len()).filter_map(behind)).map(Objective::of);
-    answer.shown = kept.len().min(wanted.most).min(MOST_SOLUTIONS);
-    answer.solutions = (0..answer.shown)
+    let told = told(&families, kept.len(), wanted);
+    answer.shown = told.len();
+    answer.solutions = told
+        .iter()
         .map(|place| {
-            let Kept { judged, rating, .. } = &kept[place];
-            let rating = Rating::of(rating, judged, on_front.binary_search(&place).is_ok(), behind(place));
-            Solution::of(&kept[place], wanted, &gears, rating)
+            let Kept { judged, rating, .. } = &kept[*place];
+            let rating = Rating::of(rating, judged, on_front.binary_search(place).is_ok(), behind(*place));
+            Solution::of(&kept[*place], wanted, &gears, rating, &families[of_each[*place]])
         })
         .collect();
+    answer.families = families;
     if let Some(gearbox) = &wanted.explain {
-        answer.explanation = Some(explain::explain(gearbox, wanted, &answer, &kept)?);
+        let mut explanation = explain::explain(gearbox, wanted, &answer, &kept)?;
+        explanation.family = explanation.number.map(|number| of_each[number - 1] + 1);
+        answer.explanation = Some(explanation);
     }
-    kept.truncate(answer.shown);
+    kept.retain(|kept| told.binary_search(&(kept.number - 1)).is_ok());
     if let (Some(teeth), Some(choice)) = (&wanted.teeth, &choice) {
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
             let k = vec![wanted.k.clone(); solution.sets.len()];
@@ -369,6 +407,20 @@ pub fn solve_by<E: From<Error>>(
         }
     }
     Ok((answer, kept))
+}
+
+/// The places of the solutions that are told, in rising order.
+fn told(families: &[Family], found: usize, wanted: &Wanted) -> Vec<usize> {
+    let most = wanted.most.min(MOST_SOLUTIONS);
+    let mut told: Vec<usize> = if wanted.all_gearboxes {
+        (0..found).take(most).collect()
+    } else {
+        families.iter().map(|family| family.best - 1).take(most).collect()
+    };
+    told.extend(wanted.also.and_then(|number| number.checked_sub(1)).filter(|place| *place < found));
+    told.sort_unstable();
+    told.dedup();
+    told
 }
 
 /// A class that may be searched, and what is wished in it.
@@ -444,7 +496,9 @@ fn keep(
             Some(limit) => left_out.add(Reason::of(limit), 1),
             None => {
                 let rating = rank::Rating::of(&judged)?;
-                kept.push(Kept { found, judged, selection: selection.to_vec(), rating, teeth: Vec::new() });
+                let family = family::Family::of(&found, wish, selection);
+                let selection = selection.to_vec();
+                kept.push(Kept { found, judged, selection, rating, number: 0, family, teeth: Vec::new() });
             }
         }
     }
@@ -515,7 +569,7 @@ impl ClassName {
 }
 
 impl Solution {
-    fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear], rating: Rating) -> Self {
+    fn of(kept: &Kept, wanted: &Wanted, wished: &[WantedGear], rating: Rating, family: &Family) -> Self {
         let Kept { found, judged, selection, .. } = kept;
         let solution = &found.solution;
         let sets = judged.refined.k.iter().zip(&judged.refined.ranges).enumerate();
@@ -545,6 +599,9 @@ impl Solution {
             })
             .collect();
         Self {
+            number: kept.number,
+            family: family.number,
+            gearboxes_of_family: family.gearboxes,
             scheme: scheme::of(found).map(Scheme::name),
             structure: found.structure.to_string(),
             sets: sets.collect(),

@@ -42,6 +42,8 @@ fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
         drawable: false,
         efficiency: MeshEfficiency::new(0.97).unwrap(),
         most: usize::MAX,
+        all_gearboxes: true,
+        also: None,
         order: vec![],
         objectives: Objective::ALL.to_vec(),
         teeth: None,

@@ -121,9 +121,14 @@ pub(crate) struct Args {
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
 
-    /// Show at most this many gearboxes. Default: 20 in a table, otherwise all, up to 10000.
+    /// Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
+
+    /// Show every gearbox, not the best of each family alone. Gearboxes of a family have equal formulas for all gears, up to an exchange of
+    /// sets of one kind.
+    #[arg(long)]
+    all_gearboxes: bool,
 
     /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table, in the file of --output. If
     /// it is ended, the same command goes on from --output with .progress at its end.
@@ -156,7 +161,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 
-    /// With --save: the gearbox with this number in place of the best.
+    /// With --save: the gearbox with this number, of all found, in place of the best.
     #[arg(long, value_name = "N", requires = "save", default_value = "1")]
     nth: usize,
 
@@ -332,7 +337,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         limits: args.wishes.limits()?,
         drawable: args.wishes.drawable,
         efficiency,
-        most: if args.save.is_some() { most.max(args.nth) } else { most },
+        most,
+        all_gearboxes: args.all_gearboxes,
+        also: args.save.is_some().then_some(args.nth),
         order: args.order.0.clone(),
         objectives,
         teeth: args.teeth.wanted()?,
@@ -450,7 +457,7 @@ fn given(args: &Args) -> Result<Option<Gearbox>, Failure> {
 /// The file of --save with its content.
 fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, Failure> {
     let Some(file) = &args.save else { return Ok(vec![]) };
-    let Some(one) = args.nth.checked_sub(1).and_then(|place| kept.get(place)) else {
+    let Some(one) = kept.iter().find(|kept| kept.number == args.nth) else {
         let message = format!("{}: there are gearboxes 1 to {}", args.nth, found.found);
         return Err(Failure::Option { option: "--nth", message });
     };

@@ -110,7 +110,8 @@ fn the_page_of_a_search_has_its_answer_and_the_schemes_of_the_first() {
     assert!(done.status.success() && done.stdout.is_empty(), "{done:?}");
     let page = fs::read_to_string(folder.path().join("search.html")).unwrap();
     is_sound(&page);
-    let headings = ["Search and solutions", "Gearbox 1", "Gearbox 2", "Gearbox 3", "What is left out"];
+    let headings =
+        ["Search and solutions", "Families", "Gearbox 1", "Gearbox 2", "Gearbox 3", "What is left out"];
     assert_eq!(sections(&page), headings);
     assert_eq!(page.matches("<svg").count(), 3);
     assert!(page.contains("Scheme II-3 of the catalogue"));

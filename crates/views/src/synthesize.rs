@@ -1,6 +1,7 @@
 //! Gearboxes for a list of ratios, as tables.
 
 mod explain;
+pub(crate) mod families;
 mod rating;
 mod teeth;
 
@@ -8,7 +9,7 @@ use crate::AsReport;
 use crate::figure::{self, Figure};
 use crate::report::{Column, Part, Records, Report, Text, View};
 use epicyclic_answers::synthesize::{
-    ClassName, Edge, LeftOut, Reason, Searched, Solution, Synthesis, WantedGear,
+    ClassName, Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear,
 };
 use epicyclic_formats::quantity::format::{significant, trimmed};
 
@@ -39,15 +40,15 @@ impl AsReport for Synthesis {
         }
         parts.extend(self.explanation.as_ref().map(explain::explained).map(Part::Text));
         if let Some(first) = self.solutions.first() {
-            parts.push(Part::Records(solutions(&self.solutions)));
+            parts.push(Part::Records(solutions(self)));
             parts.push(Part::Records(rating::ratings(&self.solutions)));
             parts.extend(rating::why(self).map(Part::Text));
             parts.extend(schemes(self).map(Part::Text));
-            for (place, found) in self.solutions.iter().enumerate().take(SHOWN_IN_FULL) {
-                parts.push(Part::Text(gears(place + 1, found)));
-                parts.extend(teeth::teeth(place + 1, found).map(Part::Text));
+            for found in self.solutions.iter().take(SHOWN_IN_FULL) {
+                parts.push(Part::Text(gears(found)));
+                parts.extend(teeth::teeth(found.number, found).map(Part::Text));
             }
-            parts.push(Part::Text(rating::gears(1, first)));
+            parts.push(Part::Text(rating::gears(first.number, first)));
             parts.push(Part::Text(Text::paragraph(LEGEND)));
         }
         Report { title: Some("Gearboxes for a list of ratios".into()), parts, warnings: Some(warnings(self)) }
@@ -103,18 +104,30 @@ const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters t
 pub fn count(answer: &Synthesis) -> String {
     let gearboxes = if answer.found == 1 { "gearbox" } else { "gearboxes" };
     let ended = if answer.complete { "" } else { " before the search was ended" };
-    match answer.shown {
-        shown if shown == answer.found => format!("{} {gearboxes} found{ended}.", answer.found),
-        shown => format!("{} {gearboxes} found{ended}, {shown} shown; --limit shows more.", answer.found),
+    let families = answer.families.len();
+    let of =
+        if families < answer.found { format!(" of {}", families::count(families)) } else { String::new() };
+    let found = format!("{} {gearboxes}{of} found{ended}", answer.found);
+    let is_best = |solution: &&Solution| answer.families[solution.family - 1].best == solution.number;
+    let best = answer.solutions.iter().filter(is_best).count();
+    match (answer.shown, answer.listed) {
+        (shown, _) if shown == answer.found => format!("{found}."),
+        (_, Listed::BestOfFamilies) if best == families => {
+            format!("{found}, the best of each shown; --all-gearboxes shows the others.")
+        }
+        (_, Listed::BestOfFamilies) if families < answer.found => format!(
+            "{found}, the best of {} shown; --limit shows more, --all-gearboxes the others of a family.",
+            families::count(best)
+        ),
+        (shown, _) => format!("{found}, {shown} shown; --limit shows more."),
     }
 }
 
 /// Which of the solutions are schemes of the document.
 fn schemes(answer: &Synthesis) -> Option<Text> {
-    let named = |(place, found): (usize, &Solution)| {
-        found.scheme.map(|scheme| format!("gearbox {} is scheme {scheme}", place + 1))
-    };
-    let mut points: Vec<String> = answer.solutions.iter().enumerate().filter_map(named).collect();
+    let named =
+        |found: &Solution| found.scheme.map(|scheme| format!("gearbox {} is scheme {scheme}", found.number));
+    let mut points: Vec<String> = answer.solutions.iter().filter_map(named).collect();
     if points.is_empty() {
         return None;
     }
@@ -219,12 +232,12 @@ fn searched(classes: &[Searched]) -> Records {
     }
 }
 
-fn solutions(found: &[Solution]) -> Records {
-    let row = |(place, of): (usize, &Solution)| {
+fn solutions(answer: &Synthesis) -> Records {
+    let row = |of: &Solution| {
         let ks: Vec<f64> = of.sets.iter().map(|set| set.k).collect();
         let names: Vec<&str> = of.shift_elements.iter().map(|element| element.name.as_str()).collect();
         vec![
-            figure::count(place + 1),
+            figure::count(of.number),
             Figure::Text(of.structure.clone()),
             Figure::Text(names.join(" ")),
             Figure::Numbers(ks.clone()),
@@ -239,8 +252,19 @@ fn solutions(found: &[Solution]) -> Records {
             Figure::Number(of.greatest_slip),
             Figure::Number(of.greatest_link_speed),
             Figure::Number(of.greatest_planet_speed),
+            figure::count(of.family),
+            figure::count(of.gearboxes_of_family),
+            figure::count(of.gearboxes_of_family - 1),
         ]
     };
+    // A column of families that says nothing is left out.
+    let family = match answer.listed {
+        _ if answer.families.len() == answer.found => "",
+        Listed::BestOfFamilies => "others",
+        Listed::AllGearboxes => "family",
+    };
+    let columns =
+        ["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple", "efficiency", family];
     Records {
         name: "solutions",
         columns: vec![
@@ -259,18 +283,27 @@ fn solutions(found: &[Solution]) -> Records {
             Column::number("greatest_slip", "greatest slip"),
             Column::number("greatest_link_speed", "greatest link speed"),
             Column::number("greatest_planet_speed", "greatest planet speed"),
+            Column::number("family", "family"),
+            Column::number("gearboxes_of_family", "gearboxes of family"),
+            Column::number("others", "others").for_people(),
         ],
-        rows: found.iter().enumerate().map(row).collect(),
-        views: vec![View::new(
-            "Gearboxes",
-            &["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple", "efficiency"],
-        )],
+        rows: answer.solutions.iter().map(row).collect(),
+        views: vec![View {
+            title: "Gearboxes".into(),
+            columns: columns.to_vec(),
+            note: match family {
+                "others" => "Others: further gearboxes of the family, with equal formulas.",
+                "family" => "Family: gearboxes with equal formulas have one.",
+                _ => "",
+            }
+            .into(),
+        }],
         is_answer: true,
     }
 }
 
 /// Engaged elements and formulas of a solution's gears.
-fn gears(number: usize, found: &Solution) -> Text {
+fn gears(found: &Solution) -> Text {
     let mut header: Vec<String> = vec!["ratio".into()];
     header.extend(found.shift_elements.iter().map(|element| element.name.clone()));
     header.extend(["off by, %", "efficiency", "formula"].map(String::from));
@@ -312,5 +345,10 @@ fn gears(number: usize, found: &Solution) -> Text {
     points.extend(
         instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))),
     );
-    Text { heading: Some(format!("Gearbox {number}: {}", found.structure)), points, table, ..Text::default() }
+    Text {
+        heading: Some(format!("Gearbox {}: {}", found.number, found.structure)),
+        points,
+        table,
+        ..Text::default()
+    }
 }

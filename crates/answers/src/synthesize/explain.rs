@@ -32,6 +32,8 @@ pub struct Explanation {
     pub has_all_ratios: bool,
     /// Its number among the solutions found, also of those that are not told; `null` where it is not found.
     pub number: Option<usize>,
+    /// The number of its family; `null` where it is not found.
+    pub family: Option<usize>,
     /// Why it is not found; empty where it is.
     pub reasons: Vec<Reason>,
 }
@@ -152,6 +154,7 @@ pub(super) fn explain(
         gears,
         has_all_ratios,
         number: None,
+        family: None,
         reasons: vec![],
     };
     let subject = match Subject::of(gearbox) {
@@ -459,6 +462,8 @@ mod tests {
             k: 1.4..=4.5,
             efficiency: MeshEfficiency::new(0.97).unwrap(),
             most: 1,
+            all_gearboxes: false,
+            also: None,
             order: vec![],
             objectives: vec![],
             teeth: None,

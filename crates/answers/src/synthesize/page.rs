@@ -18,13 +18,13 @@ pub struct Drawn {
 /// # Errors
 /// Those of [`gearbox`](super::saved::gearbox).
 pub fn drawn(kept: &[Kept], most: usize) -> Result<Vec<Drawn>, epicyclic_train::Error> {
-    let one = |(place, kept): (usize, &Kept)| {
-        let gearbox = super::saved::gearbox(kept, &format!("Gearbox {}", place + 1), None)?;
+    let one = |kept: &Kept| {
+        let gearbox = super::saved::gearbox(kept, &format!("Gearbox {}", kept.number), None)?;
         let layout = match draw(&gearbox, Options::default()) {
             Verdict::Drawable(layout) => Some(layout),
             Verdict::SelfCrossing(_) => None,
         };
         Ok(Drawn { gearbox, layout })
     };
-    kept.iter().take(most).enumerate().map(one).collect()
+    kept.iter().take(most).map(one).collect()
 }

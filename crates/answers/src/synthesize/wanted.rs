@@ -50,6 +50,10 @@ pub struct Wanted {
     pub efficiency: MeshEfficiency,
     /// How many solutions are told at most.
     pub most: usize,
+    /// Whether all solutions are told, not the best of each family alone.
+    pub all_gearboxes: bool,
+    /// The number of a solution that is told besides, if it is none of these.
+    pub also: Option<usize>,
     /// Which objectives decide first which solution is the best; the others follow.
     pub order: Vec<Objective>,
     /// The objectives of the Pareto front.
@@ -215,6 +219,8 @@ mod tests {
             drawable: false,
             efficiency: MeshEfficiency::IDEAL,
             most: 1,
+            all_gearboxes: false,
+            also: None,
             order: Vec::new(),
             objectives: Vec::new(),
             teeth: None,

@@ -117,6 +117,8 @@ synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
   --equal-sets 2
   --teeth-aim fewest
   --teeth-limit 2
+synthesize: --ratios '3.059, 1.625, 1, 0.696, -2.294' --sets 2 --elements 5 --engaged 2 --class all-sparse --format csv
+  --all-gearboxes
 synthesize: --ratios '2.2, 1' --sets 2 --elements 2 --engaged 1 --class all-sparse
   --direct
 synthesize: --ratios '2.56, 1.465' --save one.yaml

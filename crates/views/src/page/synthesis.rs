@@ -1,6 +1,8 @@
 //! The page of a search for gearboxes: what was searched, the solutions, the best of them as schemes.
 
 use super::sheet::{Block, Section, Sheet};
+use crate::report::{Part, Report};
+use crate::synthesize::families::table;
 use crate::{AsReport as _, Error, drawability};
 use epicyclic_answers::synthesize::page::Drawn;
 use epicyclic_answers::synthesize::{Solution, Synthesis};
@@ -13,8 +15,11 @@ use epicyclic_pictures::gearbox::scheme::{self, Show};
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
 pub fn sheet(answer: &Synthesis, drawn: &[Drawn]) -> Result<Sheet, Error> {
     let mut sections = vec![Section::new("Search and solutions", vec![Block::Answer(answer.report())])];
-    for (place, (solution, drawn)) in answer.solutions.iter().zip(drawn).enumerate() {
-        sections.push(Section::new(format!("Gearbox {}", place + 1), of_one(solution, drawn)?));
+    if !answer.families.is_empty() {
+        sections.push(Section::new("Families", families(answer)));
+    }
+    for (solution, drawn) in answer.solutions.iter().zip(drawn) {
+        sections.push(Section::new(format!("Gearbox {}", solution.number), of_one(solution, drawn)?));
     }
     let left_out = [
         "Losses outside the meshes: bearings, seals, churning oil, drag torques of open clutches and brakes.",
@@ -29,6 +34,14 @@ pub fn sheet(answer: &Synthesis, drawn: &[Drawn]) -> Result<Sheet, Error> {
         about: format!("Ratios {}: {}", ratios.join(", "), crate::synthesize::count(answer)),
         sections,
     })
+}
+
+/// What a family is, and the table of them.
+fn families(answer: &Synthesis) -> Vec<Block> {
+    let about = "Gearboxes of one family have equal formulas for all gears, up to an exchange of sets of one kind: the same ratios at the \
+                 same k. Efficiency, torques, slips and speeds differ.";
+    let table = Report { title: None, parts: vec![Part::Records(table(&answer.families))], warnings: None };
+    vec![Block::words(about), Block::Answer(table)]
 }
 
 /// A solution in a few lines, and its scheme.

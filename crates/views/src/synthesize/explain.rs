@@ -29,8 +29,11 @@ pub(super) fn explained(one: &Explanation) -> Text {
         });
     }
     match one.number {
-        Some(number) if one.has_all_ratios => points.push(format!("it is gearbox {number} of the search")),
-        Some(number) => points.push(format!("with other k it is gearbox {number} of the search")),
+        Some(number) => {
+            let with = if one.has_all_ratios { "it" } else { "with other k it" };
+            let family = one.family.map_or_else(String::new, |family| format!(", of family {family}"));
+            points.push(format!("{with} is gearbox {number} of the search{family}"));
+        }
         None => points.extend(one.reasons.iter().map(|reason| format!("it is not found: {}", words(reason)))),
     }
     Text::list(format!("{} beside the search", one.gearbox), points)

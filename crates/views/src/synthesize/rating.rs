@@ -1,7 +1,7 @@
 //! What solutions are worth, and why the first is first.
 
 use crate::drawability::shut_in;
-use crate::figure::Figure;
+use crate::figure::{self, Figure};
 use crate::report::{Column, Records, Text, View};
 use epicyclic_answers::synthesize::rating::Objective;
 use epicyclic_answers::synthesize::{Solution, Synthesis};
@@ -12,10 +12,10 @@ const MOST_TOLD: usize = 9;
 
 /// The figures of all solutions told.
 pub(super) fn ratings(found: &[Solution]) -> Records {
-    let row = |(place, of): (usize, &Solution)| {
+    let row = |of: &Solution| {
         let rating = &of.rating;
         vec![
-            Figure::Count(u32::try_from(place + 1).unwrap_or(u32::MAX)),
+            figure::count(of.number),
             Figure::Number(of.least_efficiency),
             Figure::Number(rating.mean_drag_of_input),
             Figure::Number(rating.greatest_torque_of_input),
@@ -39,7 +39,7 @@ pub(super) fn ratings(found: &[Solution]) -> Records {
             Column::words("drawable", "drawable"),
             Column::words("non_dominated", "on front"),
         ],
-        rows: found.iter().enumerate().map(row).collect(),
+        rows: found.iter().map(row).collect(),
         views: vec![View {
             title: "Ratings, over the input's".into(),
             columns: vec![
@@ -98,8 +98,8 @@ pub(super) fn why(answer: &Synthesis) -> Option<Text> {
         None => "all others are equal to it in every objective".to_owned(),
         Some(objective) => format!("{}; the order asks for that first", extreme(objective, first)),
     }];
-    for (place, other) in others.iter().enumerate().take(MOST_TOLD) {
-        let number = place + 2;
+    for other in others.iter().take(MOST_TOLD) {
+        let number = other.number;
         points.push(match other.rating.behind_by {
             None => format!("{number}: equal in every objective"),
             Some(Objective::Drawable) => format!("{number}: not drawable, {}", crossing(other)),
