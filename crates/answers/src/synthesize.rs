@@ -67,6 +67,9 @@ pub struct Synthesis {
     /// That of every double-planet set; none where no such sets are searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub k_range_of_double_planets: Option<[f64; 2]>,
+    /// How many sets of one kind have equal k at least; none where nothing is asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equal_k: Option<usize>,
     /// What was searched, in this order.
     pub searched: Vec<Searched>,
     /// Sets of shift elements that have all gears, and what left them out.
@@ -207,6 +210,8 @@ pub struct Set {
     pub k: f64,
     /// The range of k that keeps all tolerances, the other sets' k moving along.
     pub k_range: [f64; 2],
+    /// Whether k was asked to be equal to that of others, which have this mark as well.
+    pub has_equal_k: bool,
     /// The end of the range searched at which k is, if it is at one: a wider range may have better solutions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_edge: Option<Edge>,
@@ -326,6 +331,7 @@ pub fn solve_by<E: From<Error>>(
         k_range: [*wanted.k.start(), *wanted.k.end()],
         k_range_of_double_planets: (*wanted.double_planets.end() > 0)
             .then(|| [*wanted.k_double.start(), *wanted.k_double.end()]),
+        equal_k: (wanted.equal_k > 1).then_some(wanted.equal_k),
         searched: Vec::new(),
         left_out: Vec::new(),
         complete: true,
@@ -447,6 +453,7 @@ pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
                 let bounds = selection.iter().map(|gear| gears[*gear].bounds()).collect();
                 let mut wish = Wish::new(bounds, shift_elements, wanted.ranges(sets, double_planets));
                 wish.double_planets = double_planets;
+                wish.equal_k = wanted.equal_k;
                 wish.rules = wanted.rules.clone();
                 let class = Class::new(wanted.kind, sets, sets + engaged + 1);
                 match class.and_then(|class| wish.check(class).map(|()| class)) {
@@ -578,7 +585,9 @@ impl Solution {
             let is_double_planet = found.structure.is_double_planet(place);
             let real = |k: f64| real_k(&found.structure, place, k);
             let at_edge = Edge::of(real(*k), wanted.k_of(is_double_planet));
-            Set { sun, ring, carrier, is_double_planet, k: real(*k), k_range: range.map(real), at_edge }
+            let has_equal_k = solution.equal.contains(place);
+            let (k, k_range) = (real(*k), range.map(real));
+            Set { sun, ring, carrier, is_double_planet, k, k_range, has_equal_k, at_edge }
         });
         let names: Vec<String> = solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
         let shift_elements = solution.elements.iter().zip(&names).map(|(pairs, name)| ShiftElement {

@@ -37,6 +37,7 @@ fn wanted(ratios: Vec<f64>, tolerance: f64) -> Wanted {
         k: 1.4..=4.5,
         double_planets: 0..=0,
         k_double: 1.6..=4.5,
+        equal_k: 1,
         rules: Rules::default(),
         limits: epicyclic_synthesis::limits::Limits::default(),
         drawable: false,

@@ -32,6 +32,9 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use uom::si::f64::{Ratio, Time};
 
+/// The most planet sets that are searched.
+const MOST_SETS: u32 = 4;
+
 /// The most shift elements that are searched.
 const MOST_ELEMENTS: u32 = 7;
 
@@ -116,6 +119,10 @@ pub(crate) struct Args {
     /// Ring-to-sun ratio k of every double-planet set.
     #[arg(long, default_value = "1.6..4.5")]
     k_double: Span<f64>,
+
+    /// At least so many sets of one kind have equal k.
+    #[arg(long, value_name = "N", default_value = "1")]
+    equal_k: u32,
 
     /// Efficiency of the meshes of a set: 0.97, or 97%.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
@@ -318,7 +325,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             Class::Core => Kind::Core,
             Class::AllSparse => Kind::AllSparse,
         },
-        sets: counts("--sets", args.sets, 1..=4)?,
+        sets: counts("--sets", args.sets, 1..=MOST_SETS)?,
         elements: counts("--elements", args.elements, 1..=MOST_ELEMENTS)?,
         engaged: match args.engaged {
             Some(engaged) => counts("--engaged", engaged, 1..=MOST_ENGAGED)?,
@@ -333,6 +340,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             .k_double
             .within(ANY_K)
             .map_err(|error| Failure::Range { option: "--k-double", error })?,
+        equal_k: equal_k(args.equal_k)?,
         rules: args.wishes.rules()?,
         limits: args.wishes.limits()?,
         drawable: args.wishes.drawable,
@@ -427,6 +435,15 @@ impl Wishes {
             planet_speed: greatest("--planet-speed", self.planet_speed)?,
         })
     }
+}
+
+/// How many sets have equal k.
+fn equal_k(count: u32) -> Result<usize, Failure> {
+    if !(1..=MOST_SETS).contains(&count) {
+        let message = format!("from 1, which asks for nothing, to {MOST_SETS}");
+        return Err(Failure::Option { option: "--equal-k", message });
+    }
+    Ok(count as usize)
 }
 
 fn greatest(option: &'static str, value: Option<Number>) -> Result<Option<f64>, Failure> {

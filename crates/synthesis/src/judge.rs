@@ -78,7 +78,7 @@ pub fn judge(
     let solution = &found.solution;
     let ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
     let whole = wish.k.iter().map(|range| [*range.start(), *range.end()]).collect();
-    let refined = refine(&ratios, &wish.gears, &whole, &solution.k);
+    let refined = refine(&ratios, &wish.gears, &whole, &solution.k, solution.equal);
     let (engaged, multiple_shifts) = exchanges(found, wish);
     let elements: Vec<Element> = solution.elements.iter().map(|pairs| pairs[0]).collect();
     let gearbox = gearbox(&found.structure, &refined.k, mesh_efficiency, &elements, &engaged)?;

@@ -11,6 +11,7 @@
 //! | [`parts`] | where in the range of the ring-to-sun ratios a ratio can be had |
 //! | [`wish`] | what is wanted, and whether any gearbox of a class can have it |
 //! | [`search`], [`solve`] | all sets of shift elements of a structure with the wanted gears |
+//! | [`equal`] | sets with equal `k` |
 //! | [`rules`], [`shifts`] | what they have to keep besides: brakes and clutches, single shifts, a direct gear |
 //! | [`run`], [`work`] | a search through a class or a share of it on several threads, broken off and gone on with |
 //! | [`estimate`] | how long a search will take, from a sample |
@@ -36,6 +37,7 @@ mod choices;
 pub mod class;
 pub mod count;
 pub mod enumerate;
+pub mod equal;
 mod error;
 pub mod estimate;
 pub mod exterior;

@@ -6,6 +6,7 @@
 //! farther out, there is not, up to 10⁻⁶. Where the points with the least deviation, or the outermost, fill whole surfaces, the proof
 //! would take long; so it is sought half as closely after every 1024 ranges (`region`).
 
+use crate::equal::Equal;
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::Ratio;
 use crate::region::Region;
@@ -22,11 +23,17 @@ pub struct Refined {
     pub ranges: Vec<[f64; 2]>,
 }
 
-/// Refines a point that has all gears by these ratios.
+/// Refines a point that has all gears by these ratios. Where some `k` are equal in it, they stay so.
 #[must_use]
-pub fn refine(ratios: &[Ratio], gears: &[Bounds], range_of_k: &Cuboid, point: &[f64]) -> Refined {
+pub fn refine(
+    ratios: &[Ratio],
+    gears: &[Bounds],
+    range_of_k: &Cuboid,
+    point: &[f64],
+    equal: Equal,
+) -> Refined {
     let sets = range_of_k.len();
-    let mut region = Region::new(ratios, gears, sets);
+    let mut region = Region::new(ratios, gears, sets, equal);
     let cover = region.cover(range_of_k);
     let least = region.least_deviation(&cover, point, NEAR);
     let k = region.least_of_others(range_of_k, &least);

@@ -18,9 +18,11 @@
 //! found. One that is below 10⁻⁷ of each `k` is given up as well. Where the outermost points fill a surface, ranges along all of
 //! it promise hardly more than was found; then the search for them ends sooner ([`Region::least_deviation`]).
 
+use crate::equal::Equal;
 use crate::linear::{MOST, Optimum, Programme, Row};
-use crate::parts::{Bounds, Cuboid, coefficients, corner_values};
+use crate::parts::{Bounds, Cuboid, corner_values};
 use crate::ratio::Ratio;
+use crate::solve::Function;
 use crate::tolerance::{LAST, NEAR, NO_WIDTH, SMALLEST, WIDENING};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -67,6 +69,8 @@ struct Edge {
 /// The points where each gear is within its bounds by its function.
 pub(crate) struct Region {
     sets: usize,
+    /// Sets with equal `k`: their ranges are one, and in the inequalities the first stands for all.
+    equal: Equal,
     forms: Vec<Form>,
     programme: Programme,
     rows: Vec<Row>,
@@ -126,15 +130,16 @@ impl PartialEq for Promise {
 impl Eq for Promise {}
 
 impl Region {
-    /// Of these functions and gears, in turn.
-    pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], sets: usize) -> Self {
+    /// Of these functions and gears, in turn, where these `k` are equal.
+    pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], sets: usize, equal: Equal) -> Self {
         let form = |(ratio, gear): (&Ratio, &Bounds)| Form {
-            coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)),
+            coefficients: Function::with_equal(*ratio, sets, equal).coefficients,
             gear: *gear,
             settled: None,
         };
         Self {
             sets,
+            equal,
             forms: ratios.iter().zip(gears).map(form).collect(),
             programme: Programme::default(),
             rows: Vec::new(),
@@ -183,7 +188,7 @@ impl Region {
             if !self.stands && (most < STRAIGHT || cover.len() + left.len() >= COVER) {
                 cover.push(range);
             } else if width > SMALLEST {
-                left.extend(halves(&range, if self.stands { widest } else { bent }));
+                left.extend(self.halves(&range, if self.stands { widest } else { bent }));
             }
         }
         cover
@@ -239,6 +244,7 @@ impl Region {
         within: &[f64],
         close: f64,
     ) -> f64 {
+        let set = self.equal.first_of(set);
         let known = Outermost { value: within[set], k: within.to_vec() };
         let side = if upper { 1.0 } else { -1.0 };
         let sought = Sought { coordinate: set, side, within: Some(within) };
@@ -277,6 +283,7 @@ impl Region {
             }
             range[coordinate][1 - end] =
                 if side > 0.0 { range[coordinate][0].max(beyond) } else { range[coordinate][1].min(beyond) };
+            self.equal.spread(&mut range);
             if !self.contract(&mut range) {
                 continue;
             }
@@ -290,11 +297,12 @@ impl Region {
                 self.polish(&whole, sought, &mut best);
             }
             range[coordinate][end] = side * (side * range[coordinate][end]).min(bound);
+            self.equal.spread(&mut range);
             let (bent, most) = largest(&bends);
             let (widest, width) = self.widest(&range);
             if width > SMALLEST && side * (range[coordinate][end] - best.value) > close {
                 let place = if stands || most == 0.0 { widest } else { bent };
-                left.extend(halves(&range, place).map(|half| promise(half, halved + 1)));
+                left.extend(self.halves(&range, place).map(|half| promise(half, halved + 1)));
             }
         }
         best
@@ -309,7 +317,9 @@ impl Region {
             return None;
         };
         let limit = sought.side * across(range[sought.coordinate], (sought.side * bound).clamp(-1.0, 1.0));
-        let k = range[..self.sets].iter().zip(point).map(|(range, x)| across(*range, x)).collect();
+        let mut k: Vec<f64> =
+            range[..self.sets].iter().zip(point).map(|(range, x)| across(*range, x)).collect();
+        self.equal.spread(&mut k);
         Some((limit + WIDENING * limit.abs(), k))
     }
 
@@ -369,7 +379,10 @@ impl Region {
             }
             let before = *range;
             let mut ratio = 1.0;
-            for variable in (0..=self.sets).filter(|variable| before[*variable][1] > before[*variable][0]) {
+            let equal = self.equal;
+            let open =
+                |variable: &usize| before[*variable][1] > before[*variable][0] && !equal.follows(*variable);
+            for variable in (0..=self.sets).filter(open) {
                 for side in [-1.0, 1.0] {
                     let mut objective = [0.0; MOST];
                     objective[variable] = side;
@@ -393,6 +406,8 @@ impl Region {
                     range[variable] = [middle; 2];
                 }
                 ratio *= width(range[variable]) / width(before[variable]);
+                let contracted = range[variable];
+                equal.put(range, variable, contracted);
             }
             if ratio > WORTH_MORE {
                 return self.straighten(range);
@@ -493,6 +508,8 @@ impl Region {
         if !self.tangent {
             constant += values.iter().copied().fold(0.0, f64::max);
         }
+        self.equal.gather(&mut slopes);
+        self.equal.gather(&mut bends);
         let steepest = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
         if steepest == 0.0 {
             return constant >= 0.0;
@@ -508,6 +525,16 @@ impl Region {
     fn widest(&self, range: &Range) -> (usize, f64) {
         let widths = range[..self.sets].iter().map(|[least, most]| most / least - 1.0).enumerate();
         widths.fold((0, 0.0), |most, other| if other.1 > most.1 { other } else { most })
+    }
+
+    /// The halves of a range along a variable, and along those that are equal to it.
+    fn halves(&self, range: &Range, variable: usize) -> [Range; 2] {
+        let [least, most] = range[variable];
+        [[least, 0.5 * (least + most)], [0.5 * (least + most), most]].map(|half| {
+            let mut part = *range;
+            self.equal.put(&mut part, variable, half);
+            part
+        })
     }
 }
 
@@ -532,16 +559,6 @@ fn largest(values: &[f64; MOST]) -> (usize, f64) {
 /// A value from the lower bound at −1 to the upper at 1.
 fn across([least, most]: [f64; 2], x: f64) -> f64 {
     0.5 * ((1.0 - x) * least + (1.0 + x) * most)
-}
-
-/// The halves of a range along a variable.
-fn halves(range: &Range, variable: usize) -> [Range; 2] {
-    let [least, most] = range[variable];
-    [[least, 0.5 * (least + most)], [0.5 * (least + most), most]].map(|half| {
-        let mut part = *range;
-        part[variable] = half;
-        part
-    })
 }
 
 /// The value of a polynomial, given by its coefficients.

@@ -7,16 +7,21 @@
 //! 3. A full set of elements stays a candidate in the parts in which each gear can have a function of its own.
 //! 4. In each such part a point is sought, or proved not to be there ([`solve`](crate::solve)).
 //!
+//! Where some sets of one kind have to have equal `k`, steps 2 and 3 keep to the parts that hold such points, and step 4 is taken for
+//! each choice of these sets ([`equal`](crate::equal)).
+//!
 //! # Why nothing is lost
 //! Steps 2 and 3 leave out what a part does not allow by the signs at its corners, which hold everywhere in it. Step 2 splits by
 //! parts: in a part where the chosen elements do not reach a gear, a solution must have a further choice that does; where they
 //! reach all gears, any further element is tried.
 
 use crate::choices::choose;
+use crate::equal::Equal;
 use crate::library::Library;
 use crate::motion::{Element, Motion, elements};
-use crate::parts::{Grid, Parts};
+use crate::parts::{Grid, Parts, places};
 use crate::ratio::Ratio;
+use crate::refine::refine;
 use crate::rules::may_be;
 use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
@@ -34,6 +39,8 @@ pub struct Solution {
     pub elements: Vec<Vec<Element>>,
     /// Ring-to-sun ratios with which all gears are within their bounds.
     pub k: Vec<f64>,
+    /// Which of them are equal, where the wish asks for it.
+    pub equal: Equal,
     /// The gears in the order of the wish.
     pub gears: Vec<Gear>,
 }
@@ -55,6 +62,10 @@ pub struct Search<W> {
     /// All pairs of links.
     pairs: Vec<Element>,
     library: Library<W>,
+    /// Every choice of sets with equal `k`, and the parts in which they can be.
+    equals: Vec<(Equal, Parts)>,
+    /// The parts in which some can be.
+    open: Parts,
     tally: Tally,
     /// The functions of the structure.
     table: Table<W>,
@@ -85,12 +96,19 @@ impl<W: Word> Search<W> {
         let sets = wish.k.len();
         let engaged = links - sets - 1;
         let pairs = elements(links);
+        let library = Library::new(wish.gears.clone(), Grid::new(&wish.k));
+        let equals: Vec<(Equal, Parts)> = Equal::choices(wish.equal_k, sets, wish.double_planets)
+            .into_iter()
+            .map(|equal| (equal, equal.parts(library.grid())))
+            .collect();
         Self {
             engaged,
             motion: Motion::new(links - sets),
             table: Table::new(engaged, pairs.len(), wish.gears.len()),
             pairs,
-            library: Library::new(wish.gears.clone(), Grid::new(&wish.k)),
+            library,
+            open: equals.iter().fold(Parts::default(), |all, (_, parts)| all.or(*parts)),
+            equals,
             tally: Tally::default(),
             elements: Vec::new(),
             counts_brakes: wish.rules.counts_brakes(wish.elements),
@@ -131,7 +149,7 @@ impl<W: Word> Search<W> {
         self.visited.clear();
         self.seen.clear();
         self.candidates.clear();
-        self.grow(0, Parts::first(self.library.grid().count()));
+        self.grow(0, self.open);
         let candidates = std::mem::take(&mut self.candidates);
         let symmetries = if candidates.is_empty() { Vec::new() } else { self.symmetries(structure) };
         let mut found = Vec::new();
@@ -309,7 +327,7 @@ impl<W: Word> Search<W> {
     fn parts_with_all(&mut self, functions: &[u64]) -> Parts {
         let gears = self.wish.gears.len();
         // As many functions that reach some gear as there are gears: of the simple conditions the strongest.
-        let mut parts = at_least(self.table.useful(functions), gears);
+        let mut parts = self.open.and(at_least(self.table.useful(functions), gears));
         for gear in &self.order {
             if parts.is_empty() {
                 return parts;
@@ -324,7 +342,8 @@ impl<W: Word> Search<W> {
         parts.iter().filter(matched).collect()
     }
 
-    /// The solution of a candidate, if it has all gears at one point.
+    /// The solution of a candidate, if it has all gears at one point; where several choices of sets with equal `k` have such points, with
+    /// the one that has the least deviation at its best.
     fn decide(&mut self, chosen: u64, parts: Parts) -> Option<Solution> {
         self.tally.candidates += 1;
         let mut locals: Vec<Local> = Vec::new();
@@ -339,10 +358,65 @@ impl<W: Word> Search<W> {
                 choices.push(vec![choice]);
             }
         });
+        let (mut found, mut missed, mut undecided) = (Vec::new(), None, false);
+        for place in 0..self.equals.len() {
+            let (equal, on_it) = self.equals[place];
+            let mut choices = choices.clone();
+            if equal != Equal::NONE {
+                // Where input or output stand still wherever these k are equal, there is no ratio, whatever is left of the formula.
+                let motion = &mut self.motion;
+                let mut drives = |choice: &u64| {
+                    let speeds = motion.gear(&places(*choice).collect::<Vec<_>>());
+                    !equal.vanishes(speeds.input) && !equal.vanishes(speeds.output)
+                };
+                choices.iter_mut().for_each(|choices| choices.retain(&mut drives));
+            }
+            match self.decide_with(chosen, parts.and(on_it), equal, &locals, &choices) {
+                Verdict::Solution(solution) => found.push(solution),
+                Verdict::Misses(demand) => missed = missed.max(Some(demand)),
+                Verdict::Undecided => undecided = true,
+                Verdict::None => {}
+            }
+        }
+        if found.is_empty() {
+            match missed {
+                Some(1) => self.tally.reducible += 1,
+                Some(2) => self.tally.without_direct += 1,
+                Some(_) => self.tally.without_single_shifts += 1,
+                None => self.tally.undecided += u64::from(undecided),
+            }
+        }
+        self.best(found)
+    }
+
+    /// Of solutions that differ in which `k` are equal the one with the least deviation at its best.
+    fn best(&self, mut found: Vec<Solution>) -> Option<Solution> {
+        if found.len() <= 1 {
+            return found.pop();
+        }
+        let whole = self.library.grid().whole();
+        let deviation = |solution: &Solution| {
+            let ratios: Vec<Ratio> = solution.gears.iter().map(|gear| gear.ratio).collect();
+            refine(&ratios, &self.wish.gears, &whole, &solution.k, solution.equal).deviation
+        };
+        let deviations: Vec<f64> = found.iter().map(deviation).collect();
+        let best = (0..found.len()).min_by(|one, other| deviations[*one].total_cmp(&deviations[*other]))?;
+        Some(found.swap_remove(best))
+    }
+
+    /// What a candidate comes to in some parts with some `k` equal, by its functions and, for each, the choices that have it.
+    fn decide_with(
+        &self,
+        chosen: u64,
+        parts: Parts,
+        equal: Equal,
+        locals: &[Local],
+        choices: &[Vec<u64>],
+    ) -> Verdict {
         let sets = self.wish.k.len();
         let ratio = |function: &Local| self.library.ratio(self.table.number(*function));
         let functions: Vec<Function> =
-            locals.iter().map(|function| Function::new(ratio(function), sets)).collect();
+            locals.iter().map(|function| Function::with_equal(ratio(function), sets, equal)).collect();
         let functions: Vec<&Function> = functions.iter().collect();
         let every = (1usize << self.wish.k.len()) - 1;
         let moves_all = |assigned: &[usize]| {
@@ -378,9 +452,11 @@ impl<W: Word> Search<W> {
                         false
                     }
                 };
-            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept);
+            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept).with_equal(equal);
             let found = parts.iter().find_map(|part| {
-                let gears = locals.iter().map(|function| self.table.reached_in(*function, part));
+                let gears = locals.iter().zip(choices).map(|(function, choices)| {
+                    if choices.is_empty() { 0 } else { self.table.reached_in(*function, part) }
+                });
                 match solver.search_among(&self.library.grid().part(part), gears) {
                     Outcome::Found { k, functions } => Some((k, functions)),
                     Outcome::None => None,
@@ -393,18 +469,17 @@ impl<W: Word> Search<W> {
             (found, missed)
         };
         let (found, missed) = seek(demands.len());
-        // Functions that missed a demand were passed over: have they a point?
-        let without = found
-            .is_none()
-            .then(|| (1..demands.len()).rev().find(|demand| missed[*demand] && seek(*demand).0.is_some()));
-        match without.flatten() {
-            Some(1) => self.tally.reducible += 1,
-            Some(2) => self.tally.without_direct += 1,
-            Some(_) => self.tally.without_single_shifts += 1,
-            None => self.tally.undecided += u64::from(found.is_none() && undecided),
-        }
-        let (k, assigned) = found?;
-        let places: Vec<usize> = (0..64).filter(|element| chosen >> element & 1 == 1).collect();
+        let Some((k, assigned)) = found else {
+            // Functions that missed a demand were passed over: have they a point?
+            let without =
+                (1..demands.len()).rev().find(|demand| missed[*demand] && seek(*demand).0.is_some());
+            return match without {
+                Some(demand) => Verdict::Misses(demand),
+                None if undecided => Verdict::Undecided,
+                None => Verdict::None,
+            };
+        };
+        let places: Vec<usize> = places(chosen).collect();
         let by_places =
             |choice: &u64| (0..places.len()).filter(|place| choice >> places[*place] & 1 == 1).collect();
         let gear = |function: &usize| Gear {
@@ -414,9 +489,21 @@ impl<W: Word> Search<W> {
         let gears = assigned.iter().map(gear).collect();
         let mut elements: Vec<Vec<Element>> =
             places.iter().map(|place| self.elements[*place].clone()).collect();
-        self.wish.rules.order(&mut elements);
-        Some(Solution { elements, k, gears })
+        rules.order(&mut elements);
+        Verdict::Solution(Solution { elements, k, equal, gears })
     }
+}
+
+/// What a candidate comes to.
+enum Verdict {
+    /// It has all gears.
+    Solution(Solution),
+    /// It has all gears, but not with the demand of this number.
+    Misses(usize),
+    /// Neither a point nor the proof that there is none.
+    Undecided,
+    /// There is no point.
+    None,
 }
 
 /// What functions together have to keep.

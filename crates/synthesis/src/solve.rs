@@ -13,6 +13,7 @@
 //! *undecided*, and counted.
 
 use crate::class::MOST_SETS;
+use crate::equal::Equal;
 use crate::parts::{Bounds, coefficients, corner_values};
 use crate::ratio::Ratio;
 use crate::tolerance::{DAMPING, SMALLEST, WIDENING};
@@ -38,10 +39,18 @@ impl Function {
     /// With its coefficients for so many sets.
     #[must_use]
     pub fn new(ratio: Ratio, sets: usize) -> Self {
-        Self {
-            ratio,
-            coefficients: [ratio.numerator, ratio.denominator].map(|part| coefficients(part, sets)),
-        }
+        Self::with_equal(ratio, sets, Equal::NONE)
+    }
+
+    /// The same where some `k` are equal: with the coefficients of the polar forms.
+    #[must_use]
+    pub fn with_equal(ratio: Ratio, sets: usize, equal: Equal) -> Self {
+        let polar = |polynomial| {
+            let mut coefficients = coefficients(polynomial, sets);
+            equal.polar(&mut coefficients);
+            coefficients
+        };
+        Self { ratio, coefficients: [ratio.numerator, ratio.denominator].map(polar) }
     }
 }
 
@@ -69,6 +78,8 @@ pub struct Solver<'a> {
     widened: Vec<Bounds>,
     /// Which functions together are an answer.
     accept: &'a mut dyn FnMut(&[usize]) -> bool,
+    /// Sets with equal `k`: their ranges stay one.
+    equal: Equal,
     values: [Vec<f64>; 2],
     sets: usize,
     undecided: bool,
@@ -96,12 +107,21 @@ impl<'a> Solver<'a> {
             gears: gears.to_vec(),
             widened,
             accept,
+            equal: Equal::NONE,
             values: [Vec::new(), Vec::new()],
             sets: 0,
             undecided: false,
             room: Vec::new(),
             masks: Vec::new(),
         }
+    }
+
+    /// The same for points where some `k` are equal, for functions [with them](Function::with_equal) and boxes that have one range
+    /// for them.
+    #[must_use]
+    pub const fn with_equal(mut self, equal: Equal) -> Self {
+        self.equal = equal;
+        self
     }
 
     /// Searches a box.
@@ -186,7 +206,7 @@ impl<'a> Solver<'a> {
             let [least, most] = range[widest];
             let middle = (least * most).sqrt();
             let mut lower = range;
-            lower[widest] = [least, middle];
+            self.equal.put(&mut lower, widest, [least, middle]);
             let mut of_lower = self.room.pop().unwrap_or_default();
             of_lower.clone_from(left);
             let found = self.go(lower, &mut of_lower, false);
@@ -194,7 +214,7 @@ impl<'a> Solver<'a> {
             if found.is_some() {
                 return found;
             }
-            range[widest] = [middle, most];
+            self.equal.put(&mut range, widest, [middle, most]);
         }
     }
 
@@ -299,7 +319,8 @@ impl<'a> Solver<'a> {
         } else {
             return Some(());
         };
-        for set in 0..cuboid.len() {
+        let equal = self.equal;
+        for set in (0..cuboid.len()).filter(|set| !equal.follows(*set)) {
             for (bound, side) in [(gear.least, sign), (gear.most, -sign)] {
                 let [above, below] = &self.values;
                 let value = |corner: usize| side * (above[corner] - bound * below[corner]);
@@ -324,7 +345,7 @@ impl<'a> Solver<'a> {
                 let lower = (least + first * (most - least)) * (1.0 - WIDENING);
                 let upper = (least + last * (most - least)) * (1.0 + WIDENING);
                 if lower > least + 0.01 * (most - least) || upper < most - 0.01 * (most - least) {
-                    cuboid[set] = [lower.max(least), upper.min(most)];
+                    equal.put(cuboid, set, [lower.max(least), upper.min(most)]);
                     // The values at the corners were those of the box before.
                     self.evaluate(cuboid, function);
                 }
@@ -346,6 +367,7 @@ impl<'a> Solver<'a> {
             for ((k, step), [least, most]) in k.iter_mut().zip(step).zip(cuboid) {
                 *k = (*k + step).clamp(*least, *most);
             }
+            self.equal.spread(&mut k);
         }
         None
     }
@@ -357,7 +379,8 @@ impl<'a> Solver<'a> {
         for ((function, ratio), gear) in functions.iter().zip(ratios).zip(&self.gears) {
             let half = 0.5 * (gear.most - gear.least);
             let deviation = (ratio - 0.5 * (gear.most + gear.least)) / half;
-            let slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
+            let mut slopes: Vec<f64> = (0..sets).map(|set| self.slope(*function, k, set) / half).collect();
+            self.equal.gather(&mut slopes);
             for row in 0..sets {
                 for column in 0..sets {
                     normal[row][column] += slopes[row] * slopes[column];

@@ -22,6 +22,8 @@ pub struct Wish {
     pub k: Vec<RangeInclusive<f64>>,
     /// How many of the sets, the last of them, are double-planet sets; any sets of a structure may be.
     pub double_planets: usize,
+    /// At least so many sets of one kind have equal `k`; 0 and 1 ask for nothing.
+    pub equal_k: usize,
     /// What else a gearbox has to keep.
     pub rules: Rules,
 }
@@ -30,7 +32,7 @@ impl Wish {
     /// A wish without further rules.
     #[must_use]
     pub fn new(gears: Vec<Bounds>, elements: usize, k: Vec<RangeInclusive<f64>>) -> Self {
-        Self { gears, elements, k, double_planets: 0, rules: Rules::default() }
+        Self { gears, elements, k, double_planets: 0, equal_k: 0, rules: Rules::default() }
     }
 
     /// Whether gearboxes of a class can have these gears at all.
@@ -106,7 +108,27 @@ impl Wish {
                 ));
             }
         }
+        self.check_equal_k()?;
         self.rules.check(&self.gears, self.elements)
+    }
+
+    /// Whether so many sets can have equal `k`.
+    fn check_equal_k(&self) -> Result<(), Error> {
+        if self.equal_k <= 1 {
+            return Ok(());
+        }
+        let (simple, double) = self.k.split_at(self.k.len() - self.double_planets);
+        let most = simple.len().max(double.len());
+        if most < self.equal_k {
+            let why =
+                format!("{} sets of one kind with equal k, yet there are {most} of one kind", self.equal_k);
+            return Err(Error::Wish { why });
+        }
+        if [simple, double].iter().any(|ranges| ranges.windows(2).any(|pair| pair[0] != pair[1])) {
+            let why = "equal k are searched among sets of one kind: these need one range of k".into();
+            return Err(Error::Wish { why });
+        }
+        Ok(())
     }
 }
 

@@ -7,6 +7,7 @@
 //! | `structure` | text | its canonical word, `1-a-2 b-2-c` |
 //! | `elements` | list of text | each shift element with those that lock the same: `1-a=1-b` |
 //! | `k` | list of double | ring-to-sun ratios with which all gears are within their bounds, as found |
+//! | `equal` | list of int64 | the sets, from 1, whose `k` were asked to be equal |
 //! | `formulas` | list of text | each gear's ratio |
 //! | `coefficients` | list of int64 | the same as bits, four words a gear: where a coefficient of the numerator is 1, where −1, and so of the denominator |
 //! | `engaged` | list of text | the elements that each gear engages, every choice: `b 1-c or b a-c` |
@@ -18,6 +19,7 @@ use crate::columns::{Column, Read, write};
 use crate::error::Error;
 use epicyclic_synthesis::Structure;
 use epicyclic_synthesis::asked::Asked;
+use epicyclic_synthesis::equal::Equal;
 use epicyclic_synthesis::gearbox::{element_name, element_of_name};
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::ratio::{Polynomial, Ratio};
@@ -146,7 +148,7 @@ fn ranges(text: &str) -> Option<Vec<Range<usize>>> {
     text.split_whitespace().map(range).collect()
 }
 
-fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); 8] {
+fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); 9] {
     fn all<T>(rows: &[(usize, &(usize, Found))], of: impl Fn(&Found) -> T) -> Vec<T> {
         rows.iter().map(|(_, (_, found))| of(found)).collect()
     }
@@ -171,6 +173,7 @@ fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); 8] {
         let choices = |gear: &Gear| gear.engaged.iter().map(choice).collect::<Vec<_>>().join(OR);
         found.solution.gears.iter().map(choices).collect()
     };
+    let equal = |found: &Found| found.solution.equal.sets().map(|set| set as i64 + 1).collect();
     let formulas = |found: &Found| found.solution.gears.iter().map(|gear| gear.ratio.to_string()).collect();
     [
         ("search", Column::Int(rows.iter().map(|(search, _)| number(*search)).collect())),
@@ -178,6 +181,7 @@ fn columns(rows: &[(usize, &(usize, Found))]) -> [(&'static str, Column); 8] {
         ("structure", Column::Text(all(rows, |found| found.structure.to_string()))),
         ("elements", Column::Texts(all(rows, elements))),
         ("k", Column::Doubles(all(rows, |found| found.solution.k.clone()))),
+        ("equal", Column::Longs(all(rows, equal))),
         ("formulas", Column::Texts(all(rows, formulas))),
         ("coefficients", Column::Longs(all(rows, coefficients))),
         ("engaged", Column::Texts(all(rows, engaged))),
@@ -200,7 +204,9 @@ fn solution(row: &Row) -> Option<(usize, Found)> {
     let k = list(4)?.iter().map(double).collect::<Option<Vec<f64>>>()?;
     let word =
         |field: &Field| if let Field::Long(value) = field { Some(value.cast_unsigned()) } else { None };
-    let words = list(6)?.iter().map(word).collect::<Option<Vec<u64>>>()?;
+    let set = |word: u64| usize::try_from(word).ok()?.checked_sub(1).filter(|set| *set < k.len());
+    let equal = list(5)?.iter().map(|field| set(word(field)?)).collect::<Option<Equal>>()?;
+    let words = list(7)?.iter().map(word).collect::<Option<Vec<u64>>>()?;
     let ratio = |words: &[u64]| {
         let [above, above_minus, below, below_minus] = words.try_into().ok()?;
         Some(Ratio {
@@ -213,10 +219,10 @@ fn solution(row: &Row) -> Option<(usize, Found)> {
         choice.split(' ').map(|name| names.iter().position(|known| known == name)).collect::<Option<_>>()
     };
     let choices = |text: &String| text.split(OR).map(choice).collect::<Option<Vec<Vec<usize>>>>();
-    let engaged = texts(7)?.iter().map(choices).collect::<Option<Vec<_>>>()?;
+    let engaged = texts(8)?.iter().map(choices).collect::<Option<Vec<_>>>()?;
     if engaged.len() != ratios.len() || k.len() != structure.sets().len() {
         return None;
     }
     let gears = ratios.into_iter().zip(engaged).map(|(ratio, engaged)| Gear { ratio, engaged }).collect();
-    Some((place, Found { structure, solution: Solution { elements, k, gears } }))
+    Some((place, Found { structure, solution: Solution { elements, k, equal, gears } }))
 }

@@ -20,7 +20,7 @@ impl AsReport for Synthesis {
     fn report(&self) -> Report {
         let ratios: Vec<String> = self.wanted.iter().map(|gear| wanted(gear, self.tolerance)).collect();
         let asked = format!(
-            "Ratios {}, each within {} %{}; k from {} to {}{}.",
+            "Ratios {}, each within {} %{}; k from {} to {}{}{}.",
             ratios.join(", "),
             trimmed(100.0 * self.tolerance, 6),
             if ratios.iter().any(|ratio| ratio.contains("to")) { " or the bounds given" } else { "" },
@@ -29,6 +29,7 @@ impl AsReport for Synthesis {
             self.k_range_of_double_planets.map_or_else(String::new, |[least, most]| format!(
                 ", of double-planet sets from {least} to {most}"
             )),
+            self.equal_k.map_or_else(String::new, |count| format!(", equal for at least {count} sets")),
         );
         let mut parts = vec![
             Part::Text(Text::paragraph(asked)),
@@ -338,6 +339,14 @@ fn gears(found: &Solution) -> Text {
         "over the input's speed at most: slip of an open element {:.3}, a link {:.3}, a planet on its carrier {:.3}",
         found.greatest_slip, found.greatest_link_speed, found.greatest_planet_speed
     ));
+    let equal: Vec<String> = (1..)
+        .zip(&found.sets)
+        .filter(|(_, set)| set.has_equal_k)
+        .map(|(place, _)| format!("k{place}"))
+        .collect();
+    if !equal.is_empty() {
+        points.push(format!("equal: {}", equal.join(" = ")));
+    }
     if !found.missing_gears.is_empty() {
         let gears: Vec<String> = found.missing_gears.iter().map(usize::to_string).collect();
         points.push(format!("without gear {} of the list", gears.join(" and ")));

@@ -64,7 +64,7 @@ pub struct Reason {
     pub set: Option<String>,
     /// The `k` of this set, of a double-planet set `k′ = k − 1`; `null` but of `k_out_of_range`.
     pub k: Option<f64>,
-    /// How many there are of what was not searched in such number; `null` of other obstacles.
+    /// How many there are of what was not searched in such number, or how many k were asked to be equal; `null` of other obstacles.
     pub count: Option<usize>,
     /// The shift element that it is about; `null` where it is about none.
     pub shift_element: Option<String>,
@@ -103,6 +103,8 @@ pub enum Obstacle {
     Reducible,
     /// A shift element that no wanted gear engages: a gearbox without it does the same.
     UnusedElement,
+    /// With so many sets with equal k it has not the ratios.
+    EqualK,
     /// It misses wanted ratios, and no other ring-to-sun ratios in the range give them.
     MissesRatios,
     /// It breaks another rule of the search, or is counted as undecided.
@@ -345,6 +347,9 @@ impl Subject {
         if explanation.has_all_ratios {
             reasons.extend(self.unmoved(explanation, gearbox));
             reasons.extend(unused(explanation, gearbox, all));
+            if reasons.is_empty() && was_searched && answer.complete && wanted.equal_k > 1 {
+                reasons.push(Reason::of_count(Obstacle::EqualK, wanted.equal_k));
+            }
         } else if was_searched && answer.complete {
             reasons.push(Reason::new(Obstacle::MissesRatios));
         }
@@ -451,6 +456,7 @@ mod tests {
             open: 0..=usize::MAX,
             double_planets: 0..=0,
             k_double: 1.6..=4.5,
+            equal_k: 1,
             rules: Rules::default(),
             limits: Limits::default(),
             drawable: false,

@@ -3,6 +3,7 @@
 use super::gear::WantedGear;
 use crate::shared::Fraction;
 use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
+use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, designs};
 use schemars::JsonSchema;
@@ -69,9 +70,13 @@ impl Teeth {
         choice: &Choice,
         wanted: &TeethWanted,
     ) -> (Self, Vec<Design>) {
-        let ratios: Vec<_> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
-        let bounds: Vec<_> = gears.iter().map(WantedGear::bounds).collect();
-        let all = designs(&ratios, &bounds, k, choice, wanted.alike, wanted.aim, wanted.most);
+        let mut ratios: Vec<_> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
+        let mut bounds: Vec<_> = gears.iter().map(WantedGear::bounds).collect();
+        // k that are equal are so in teeth: exactly, since ratios are fractions of whole numbers.
+        ratios.extend(found.solution.equal.ratios());
+        bounds.resize(ratios.len(), Bounds { least: 1.0, most: 1.0 });
+        let mut all = designs(&ratios, &bounds, k, choice, wanted.alike, wanted.aim, wanted.most);
+        all.first.iter_mut().for_each(|design| design.ratios.truncate(gears.len()));
         let told = all.first.iter().map(|design| TeethOfSets::of(design, gears)).collect();
         (Self { found: all.count, complete: all.complete, choices: told }, all.first)
     }

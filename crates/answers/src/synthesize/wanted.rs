@@ -40,6 +40,8 @@ pub struct Wanted {
     pub double_planets: RangeInclusive<usize>,
     /// The range of the ring-to-sun ratios of double-planet sets.
     pub k_double: RangeInclusive<f64>,
+    /// At least so many sets of one kind have equal k; 0 and 1 ask for nothing.
+    pub equal_k: usize,
     /// What the search keeps besides the ratios.
     pub rules: Rules,
     /// What solutions keep at their best k.
@@ -214,6 +216,7 @@ mod tests {
             k: 1.4..=4.5,
             double_planets: 0..=0,
             k_double: 1.6..=4.5,
+            equal_k: 1,
             rules: Rules::default(),
             limits: Limits { steps, ..Limits::default() },
             drawable: false,

@@ -72,6 +72,7 @@ fn words(reason: &Reason) -> String {
         Obstacle::Sets => format!("it has {count} planet sets, beyond --sets"),
         Obstacle::ShiftElements => format!("it has {count} shift elements, beyond --elements"),
         Obstacle::Engaged => format!("its gears engage {count} shift elements, beyond --engaged"),
+        Obstacle::EqualK => format!("with equal k of {count} sets it has not the ratios"),
         Obstacle::EndedBefore => "the search ended before its number of sets and shift elements; give --sets and --elements as \
                                   they are"
             .to_owned(),
