@@ -454,6 +454,7 @@ pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
                 let mut wish = Wish::new(bounds, shift_elements, wanted.ranges(sets, double_planets));
                 wish.double_planets = double_planets;
                 wish.equal_k = wanted.equal_k;
+                wish.side_by_side = wanted.side_by_side(&selection, &gears);
                 wish.rules = wanted.rules.clone();
                 let class = Class::new(wanted.kind, sets, sets + engaged + 1);
                 match class.and_then(|class| wish.check(class).map(|()| class)) {
@@ -499,6 +500,10 @@ fn keep(
     let mut kept = Vec::new();
     let judgements = judge_all(&found, wish, wanted.efficiency)?;
     for (found, judged) in found.into_iter().zip(judgements) {
+        if !wish.are_falling(&judged.ratios) {
+            left_out.add(Reason::Order, 1);
+            continue;
+        }
         match wanted.limits.missed(&wish.gears, &judged) {
             Some(limit) => left_out.add(Reason::of(limit), 1),
             None => {

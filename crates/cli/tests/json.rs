@@ -76,6 +76,10 @@ const RUNS: &[(&str, &[&str])] = &[
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
     (
         "synthesize",
+        &["synthesize", "--ratios", "2.56, 1.465", "--tolerance", "5%", "--sets", "2", "--equal-k", "2"],
+    ),
+    (
+        "synthesize",
         &[
             "synthesize",
             "--ratios",

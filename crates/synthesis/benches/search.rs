@@ -101,12 +101,12 @@ fn parts(bench: &mut Criterion) {
     let ratios: Vec<Ratio> = found.gears.iter().map(|gear| gear.ratio).collect();
     let whole = vec![[1.4, 4.5]; 4];
     let (best, plain) = (
-        refine(&ratios, &gears, &whole, &found.k, Equal::NONE).deviation,
+        refine(&ratios, &gears, &[], &whole, &found.k, Equal::NONE).deviation,
         bisection::refine(&ratios, &gears, &whole, &found.k).deviation,
     );
     assert!((best - plain).abs() < bisection::CLOSE, "{best} by linear programmes, {plain} by bisection");
     bench.bench_function("synthesis/refine/linear_programmes", |bench| {
-        bench.iter(|| black_box(refine(&ratios, &gears, &whole, &found.k, Equal::NONE)));
+        bench.iter(|| black_box(refine(&ratios, &gears, &[], &whole, &found.k, Equal::NONE)));
     });
     bench.bench_function("synthesis/refine/bisection", |bench| {
         bench.iter(|| black_box(bisection::refine(&ratios, &gears, &whole, &found.k)));

@@ -13,7 +13,7 @@ pub type Asked = Vec<(String, String)>;
 #[must_use]
 pub fn asked(class: Class, wish: &Wish) -> Asked {
     // Field by field, so that a new one is not forgotten.
-    let Wish { gears, elements, k, double_planets, equal_k, rules } = wish;
+    let Wish { gears, elements, k, double_planets, equal_k, side_by_side, rules } = wish;
     let Rules { brakes, clutches, shifts, direct } = rules;
     let gears = gears.iter().map(|gear| format!("{}..{}", gear.least, gear.most));
     let ranges = k.iter().map(|range| format!("{}..{}", range.start(), range.end()));
@@ -25,6 +25,7 @@ pub fn asked(class: Class, wish: &Wish) -> Asked {
         ("k", text(&mut ranges.into_iter())),
         ("double-planet sets", double_planets.to_string()),
         ("equal k", equal_k.to_string()),
+        ("gears side by side", format!("{side_by_side:?}")),
         ("brakes", format!("{brakes:?}")),
         ("clutches", format!("{clutches:?}")),
         ("shifts", format!("{shifts:?}")),

@@ -13,9 +13,11 @@
 //! hull holds all its values. All that is said of boxes and corners holds with the polar forms in place of the polynomials,
 //! in boxes whose sets with equal `k` have one range.
 
+use crate::class::MOST_SETS;
 use crate::parts::{Grid, Parts};
 use crate::ratio::{Polynomial, Ratio};
 use crate::ternary::{Ternary, Word};
+use std::collections::BTreeMap;
 
 /// Sets of one kind whose `k` are equal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
@@ -114,6 +116,27 @@ impl Equal {
         coefficients.copy_from_slice(&means);
     }
 
+    /// Whether two ratios are one wherever these `k` are equal: `P₁·Q₂ − P₂·Q₁` has no term left once equal `k` are one.
+    pub(crate) fn makes_equal(self, one: Ratio, other: Ratio) -> bool {
+        let mut terms: BTreeMap<[u32; MOST_SETS], i32> = BTreeMap::new();
+        let mut add = |above: Polynomial, below: Polynomial, sign: i32| {
+            let coefficients =
+                |of: Polynomial| (0..64).map(move |product| (product, i32::from(of.coefficient(product))));
+            for (one, first) in coefficients(above).filter(|(_, factor)| *factor != 0) {
+                for (other, second) in coefficients(below).filter(|(_, factor)| *factor != 0) {
+                    let mut powers = [0; MOST_SETS];
+                    for set in 0..MOST_SETS {
+                        powers[self.first_of(set)] += (one >> set & 1) as u32 + (other >> set & 1) as u32;
+                    }
+                    *terms.entry(powers).or_default() += sign * first * second;
+                }
+            }
+        };
+        add(one.numerator, other.denominator, 1);
+        add(other.numerator, one.denominator, -1);
+        terms.values().all(|factor| *factor == 0)
+    }
+
     /// Whether an exchange of these sets turns a product of `k` into another.
     const fn are_exchanged(self, one: usize, other: usize) -> bool {
         one & !self.0 == other & !self.0 && (one & self.0).count_ones() == (other & self.0).count_ones()
@@ -181,6 +204,24 @@ mod tests {
                 assert!((hull[0] - 1e-12..=hull[1] + 1e-12).contains(&value));
             }
         }
+    }
+
+    #[test]
+    fn ratios_that_become_one_are_known() {
+        let ratio = |above: (u64, u64), below: (u64, u64)| Ratio {
+            numerator: Polynomial { plus: above.0, minus: above.1 },
+            denominator: Polynomial { plus: below.0, minus: below.1 },
+        };
+        // (1 + k₁)/k₂, (1 + k₂)/k₁ and (k₁ + k₁·k₂)/(k₁·k₂).
+        let (one, other) = (ratio((0b11, 0), (0b100, 0)), ratio((0b101, 0), (0b10, 0)));
+        let third = ratio((0b1010, 0), (0b1000, 0));
+        let first_two: Equal = [0, 1].into_iter().collect();
+        assert!(first_two.makes_equal(one, other) && !Equal::NONE.makes_equal(one, other));
+        assert!(
+            Equal::NONE.makes_equal(third, ratio((0b101, 0), (0b100, 0)))
+                && first_two.makes_equal(one, third)
+        );
+        assert!(!first_two.makes_equal(one, ratio((0b11, 0), (0b1, 0))));
     }
 
     #[test]

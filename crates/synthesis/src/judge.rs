@@ -2,7 +2,7 @@
 
 use crate::gearbox::gearbox;
 use crate::motion::Element;
-use crate::refine::{Refined, refine};
+use crate::refine::Refined;
 use crate::run::Found;
 use crate::shifts::{exchanged, fewest};
 use crate::tolerance::CONFIRMED;
@@ -77,8 +77,7 @@ pub fn judge(
 ) -> Result<Judged, epicyclic_train::Error> {
     let solution = &found.solution;
     let ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
-    let whole = wish.k.iter().map(|range| [*range.start(), *range.end()]).collect();
-    let refined = refine(&ratios, &wish.gears, &whole, &solution.k, solution.equal);
+    let refined = wish.refine(&ratios, &solution.k, solution.equal);
     let (engaged, multiple_shifts) = exchanges(found, wish);
     let elements: Vec<Element> = solution.elements.iter().map(|pairs| pairs[0]).collect();
     let gearbox = gearbox(&found.structure, &refined.k, mesh_efficiency, &elements, &engaged)?;

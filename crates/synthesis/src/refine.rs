@@ -23,17 +23,18 @@ pub struct Refined {
     pub ranges: Vec<[f64; 2]>,
 }
 
-/// Refines a point that has all gears by these ratios. Where some `k` are equal in it, they stay so.
+/// Refines a point that has all gears by these ratios. Of some gears, by their places, any ratio within the bounds is as good. Where some `k` are equal in it, they stay so.
 #[must_use]
 pub fn refine(
     ratios: &[Ratio],
     gears: &[Bounds],
+    free: &[usize],
     range_of_k: &Cuboid,
     point: &[f64],
     equal: Equal,
 ) -> Refined {
     let sets = range_of_k.len();
-    let mut region = Region::new(ratios, gears, sets, equal);
+    let mut region = Region::new(ratios, gears, free, sets, equal);
     let cover = region.cover(range_of_k);
     let least = region.least_deviation(&cover, point, NEAR);
     let k = region.least_of_others(range_of_k, &least);

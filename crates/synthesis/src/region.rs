@@ -54,6 +54,8 @@ struct Form {
     gear: Bounds,
     /// Its deviation is no more to be made less, but may not exceed this.
     settled: Option<f64>,
+    /// Any ratio within the bounds is as good.
+    free: bool,
 }
 
 /// A linear inequality over a range.
@@ -130,17 +132,18 @@ impl PartialEq for Promise {
 impl Eq for Promise {}
 
 impl Region {
-    /// Of these functions and gears, in turn, where these `k` are equal.
-    pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], sets: usize, equal: Equal) -> Self {
-        let form = |(ratio, gear): (&Ratio, &Bounds)| Form {
+    /// Of these functions and gears, in turn, of which these are as good anywhere within their bounds, where these `k` are equal.
+    pub(crate) fn new(ratios: &[Ratio], gears: &[Bounds], free: &[usize], sets: usize, equal: Equal) -> Self {
+        let form = |(place, (ratio, gear)): (usize, (&Ratio, &Bounds))| Form {
             coefficients: Function::with_equal(*ratio, sets, equal).coefficients,
             gear: *gear,
-            settled: None,
+            settled: free.contains(&place).then_some(1.0),
+            free: free.contains(&place),
         };
         Self {
             sets,
             equal,
-            forms: ratios.iter().zip(gears).map(form).collect(),
+            forms: ratios.iter().zip(gears).enumerate().map(form).collect(),
             programme: Programme::default(),
             rows: Vec::new(),
             edges: Vec::new(),
@@ -231,7 +234,7 @@ impl Region {
             whole[self.sets] = [0.0, best.value];
             self.polish(&whole, &sought, &mut best);
         }
-        self.forms.iter_mut().for_each(|form| form.settled = None);
+        self.forms.iter_mut().for_each(|form| form.settled = form.free.then_some(1.0));
         best.k
     }
 
@@ -440,7 +443,11 @@ impl Region {
             let unit = half * least.abs().min(most.abs());
             let widening = WIDENING * middle.abs() * least.abs().max(most.abs());
             // Some room for what bends.
-            let t = form.settled.map_or(t, |settled| [settled - 0.5 * NEAR; 2]);
+            let t = match form.settled {
+                Some(settled) if !form.free => [settled - 0.5 * NEAR; 2],
+                Some(settled) => [settled; 2],
+                None => t,
+            };
             for side in [-1.0, 1.0] {
                 self.products.clear();
                 for t in t {

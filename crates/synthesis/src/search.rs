@@ -21,7 +21,6 @@ use crate::library::Library;
 use crate::motion::{Element, Motion, elements};
 use crate::parts::{Grid, Parts, places};
 use crate::ratio::Ratio;
-use crate::refine::refine;
 use crate::rules::may_be;
 use crate::shifts::fewest;
 use crate::solve::{Function, Outcome, Solver, can_match};
@@ -66,6 +65,8 @@ pub struct Search<W> {
     equals: Vec<(Equal, Parts)>,
     /// The parts in which some can be.
     open: Parts,
+    /// Pairs of gears of which the first has the higher ratio.
+    falling: Vec<[usize; 2]>,
     tally: Tally,
     /// The functions of the structure.
     table: Table<W>,
@@ -109,6 +110,7 @@ impl<W: Word> Search<W> {
             library,
             open: equals.iter().fold(Parts::default(), |all, (_, parts)| all.or(*parts)),
             equals,
+            falling: wish.falling(),
             tally: Tally::default(),
             elements: Vec::new(),
             counts_brakes: wish.rules.counts_brakes(wish.elements),
@@ -394,14 +396,40 @@ impl<W: Word> Search<W> {
         if found.len() <= 1 {
             return found.pop();
         }
-        let whole = self.library.grid().whole();
         let deviation = |solution: &Solution| {
             let ratios: Vec<Ratio> = solution.gears.iter().map(|gear| gear.ratio).collect();
-            refine(&ratios, &self.wish.gears, &whole, &solution.k, solution.equal).deviation
+            self.wish.refine(&ratios, &solution.k, solution.equal).deviation
         };
         let deviations: Vec<f64> = found.iter().map(deviation).collect();
         let best = (0..found.len()).min_by(|one, other| deviations[*one].total_cmp(&deviations[*other]))?;
         Some(found.swap_remove(best))
+    }
+
+    /// A point and functions of which those of gears side by side fall at the best `k`, too, if some exchange of them does: the best `k` of
+    /// all exchanges are one, since any ratio of these gears is as good. Else the same as given.
+    fn falling_at_best(
+        &self,
+        k: Vec<f64>,
+        assigned: Vec<usize>,
+        equal: Equal,
+        ratios: &[Ratio],
+        accept: Demand<'_>,
+    ) -> (Vec<f64>, Vec<usize>) {
+        let of = |assigned: &[usize]| assigned.iter().map(|function| ratios[*function]).collect::<Vec<_>>();
+        let best = self.wish.refine(&of(&assigned), &k, equal).k;
+        let mut sorted = assigned.clone();
+        for run in &self.wish.side_by_side {
+            let mut functions: Vec<usize> = run.iter().map(|gear| assigned[*gear]).collect();
+            functions.sort_by(|one, other| ratios[*other].value(&best).total_cmp(&ratios[*one].value(&best)));
+            run.iter().zip(functions).for_each(|(gear, function)| sorted[*gear] = function);
+        }
+        let values: Vec<f64> = of(&sorted).iter().map(|ratio| ratio.value(&best)).collect();
+        let within = values.iter().zip(&self.wish.gears).all(|(value, gear)| gear.contain(*value));
+        if sorted != assigned && within && self.wish.are_falling(&values) && accept(&sorted) {
+            (best, sorted)
+        } else {
+            (k, assigned)
+        }
     }
 
     /// What a candidate comes to in some parts with some `k` equal, by its functions and, for each, the choices that have it.
@@ -440,19 +468,29 @@ impl<W: Word> Search<W> {
             [&engages_all, &moves_all, &|assigned| !rules.direct || is_direct(assigned), &|assigned| {
                 !rules.shifts.bind() || shifts(assigned)
             }];
+        // Functions that are one where these k are equal are not two gears.
+        let are_apart = |assigned: &[usize]| {
+            equal == Equal::NONE
+                || self.falling.iter().all(|[higher, lower]| {
+                    let [one, other] = [higher, lower].map(|gear| functions[assigned[*gear]].ratio);
+                    !equal.makes_equal(one, other)
+                })
+        };
         let mut undecided = false;
         let mut missed = [false; 4];
         // The first so many demands kept: a point with functions, and which demand others missed first.
         let mut seek = |kept: usize| {
             let mut accept =
                 |assigned: &[usize]| match demands[..kept].iter().position(|keep| !keep(assigned)) {
-                    None => true,
+                    None => are_apart(assigned),
                     Some(first) => {
                         missed[first] = true;
                         false
                     }
                 };
-            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept).with_equal(equal);
+            let mut solver = Solver::new(&functions, &self.wish.gears, &mut accept)
+                .with_equal(equal)
+                .with_falling(&self.falling);
             let found = parts.iter().find_map(|part| {
                 let gears = locals.iter().zip(choices).map(|(function, choices)| {
                     if choices.is_empty() { 0 } else { self.table.reached_in(*function, part) }
@@ -478,6 +516,14 @@ impl<W: Word> Search<W> {
                 None if undecided => Verdict::Undecided,
                 None => Verdict::None,
             };
+        };
+        let (k, assigned) = if self.falling.is_empty() {
+            (k, assigned)
+        } else {
+            let ratios: Vec<Ratio> = functions.iter().map(|function| function.ratio).collect();
+            self.falling_at_best(k, assigned, equal, &ratios, &|assigned| {
+                demands.iter().all(|keep| keep(assigned)) && are_apart(assigned)
+            })
         };
         let places: Vec<usize> = places(chosen).collect();
         let by_places =

@@ -80,6 +80,8 @@ pub struct Solver<'a> {
     accept: &'a mut dyn FnMut(&[usize]) -> bool,
     /// Sets with equal `k`: their ranges stay one.
     equal: Equal,
+    /// Pairs of gears of which the first has the higher ratio.
+    falling: &'a [[usize; 2]],
     values: [Vec<f64>; 2],
     sets: usize,
     undecided: bool,
@@ -108,6 +110,7 @@ impl<'a> Solver<'a> {
             widened,
             accept,
             equal: Equal::NONE,
+            falling: &[],
             values: [Vec::new(), Vec::new()],
             sets: 0,
             undecided: false,
@@ -121,6 +124,13 @@ impl<'a> Solver<'a> {
     #[must_use]
     pub const fn with_equal(mut self, equal: Equal) -> Self {
         self.equal = equal;
+        self
+    }
+
+    /// The same for points where of each of these pairs of gears the first has the higher ratio.
+    #[must_use]
+    pub(crate) const fn with_falling(mut self, falling: &'a [[usize; 2]]) -> Self {
+        self.falling = falling;
         self
     }
 
@@ -192,7 +202,7 @@ impl<'a> Solver<'a> {
                     .filter_map(|gear| left.iter().find(|(_, gears)| gears >> gear & 1 == 1))
                     .map(|(function, _)| *function)
                     .collect();
-                if !(self.accept)(&functions) {
+                if !self.may_fall(cuboid, &functions) || !(self.accept)(&functions) {
                     return None;
                 }
                 if let Some(k) = self.point(cuboid, &functions) {
@@ -314,6 +324,29 @@ impl<'a> Solver<'a> {
         corner_values(&self.functions[function].coefficients[1], cuboid, below);
     }
 
+    /// Whether somewhere in a box each pair of gears may be in falling order: where the highest ratio of the one is not above the
+    /// lowest of the other, it is not.
+    fn may_fall(&mut self, cuboid: &[[f64; 2]], functions: &[usize]) -> bool {
+        self.falling.iter().all(|[higher, lower]| {
+            let most = self.extremes(cuboid, functions[*higher]).map(|[_, most]| most);
+            let least = self.extremes(cuboid, functions[*lower]).map(|[least, _]| least);
+            most.zip(least).is_none_or(|(most, least)| most > least)
+        })
+    }
+
+    /// The least and the greatest ratio of a function in a box, unless its output may stand still in it.
+    fn extremes(&mut self, cuboid: &[[f64; 2]], function: usize) -> Option<[f64; 2]> {
+        self.evaluate(cuboid, function);
+        let [above, below] = &self.values;
+        let keeps_sign = below.iter().all(|value| *value > 0.0) || below.iter().all(|value| *value < 0.0);
+        let ratios = above.iter().zip(below).map(|(above, below)| above / below);
+        keeps_sign.then(|| {
+            ratios.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], ratio| {
+                [least.min(ratio), most.max(ratio)]
+            })
+        })
+    }
+
     /// Shrinks the box to the hull of the points that a function may have within a gear's bounds; nothing where there are none.
     fn shrink(&mut self, cuboid: &mut [[f64; 2]], function: usize, gear: usize) -> Option<()> {
         let gear = self.widened[gear];
@@ -367,7 +400,8 @@ impl<'a> Solver<'a> {
         for _ in 0..6 {
             let ratios: Vec<f64> =
                 functions.iter().map(|function| self.functions[*function].ratio.value(&k)).collect();
-            if ratios.iter().zip(&self.gears).all(|(ratio, gear)| gear.contain(*ratio)) {
+            let within = ratios.iter().zip(&self.gears).all(|(ratio, gear)| gear.contain(*ratio));
+            if within && self.falling.iter().all(|[higher, lower]| ratios[*higher] > ratios[*lower]) {
                 return Some(k);
             }
             let step = self.step(&k, functions, &ratios)?;

@@ -2,9 +2,12 @@
 
 use crate::choices::choose;
 use crate::class::Class;
+use crate::equal::Equal;
 use crate::error::Error;
 use crate::motion::elements;
 use crate::parts::Bounds;
+use crate::ratio::Ratio;
+use crate::refine::{Refined, refine};
 use crate::rules::Rules;
 use std::ops::RangeInclusive;
 
@@ -24,6 +27,9 @@ pub struct Wish {
     pub double_planets: usize,
     /// At least so many sets of one kind have equal `k`; 0 and 1 ask for nothing.
     pub equal_k: usize,
+    /// Gears side by side, by their places, each list the highest ratio first: their bounds may overlap, and their ratios fall. Of these
+    /// any ratio within the bounds is as good.
+    pub side_by_side: Vec<Vec<usize>>,
     /// What else a gearbox has to keep.
     pub rules: Rules,
 }
@@ -32,7 +38,15 @@ impl Wish {
     /// A wish without further rules.
     #[must_use]
     pub fn new(gears: Vec<Bounds>, elements: usize, k: Vec<RangeInclusive<f64>>) -> Self {
-        Self { gears, elements, k, double_planets: 0, equal_k: 0, rules: Rules::default() }
+        Self {
+            gears,
+            elements,
+            k,
+            double_planets: 0,
+            equal_k: 0,
+            side_by_side: Vec::new(),
+            rules: Rules::default(),
+        }
     }
 
     /// Whether gearboxes of a class can have these gears at all.
@@ -54,12 +68,11 @@ impl Wish {
                     place + 1
                 ));
             }
-            if let Some(other) = self.gears[..place]
-                .iter()
-                .position(|other| other.least <= gear.most && gear.least <= other.most)
-            {
+            if let Some(other) = self.gears[..place].iter().enumerate().position(|(before, other)| {
+                other.least <= gear.most && gear.least <= other.most && !self.are_side_by_side(before, place)
+            }) {
                 return fault(format!(
-                    "gears {} and {} overlap: {}…{} and {}…{}; make the tolerance smaller",
+                    "gears {} and {} overlap: {}…{} and {}…{}; make the tolerance smaller, or part the ranges",
                     other + 1,
                     place + 1,
                     self.gears[other].least,
@@ -108,8 +121,49 @@ impl Wish {
                 ));
             }
         }
+        self.check_side_by_side()?;
         self.check_equal_k()?;
         self.rules.check(&self.gears, self.elements)
+    }
+
+    /// The pairs of gears side by side of which the first has the higher ratio.
+    #[must_use]
+    pub fn falling(&self) -> Vec<[usize; 2]> {
+        self.side_by_side.iter().flat_map(|run| run.windows(2).map(|pair| [pair[0], pair[1]])).collect()
+    }
+
+    /// Whether ratios of gears side by side fall.
+    #[must_use]
+    pub fn are_falling(&self, ratios: &[f64]) -> bool {
+        self.falling().iter().all(|[higher, lower]| ratios[*higher] > ratios[*lower])
+    }
+
+    fn are_side_by_side(&self, one: usize, other: usize) -> bool {
+        self.side_by_side.iter().any(|run| run.contains(&one) && run.contains(&other))
+    }
+
+    /// The best `k` of a solution with these ratios and this point.
+    #[must_use]
+    pub fn refine(&self, ratios: &[Ratio], point: &[f64], equal: Equal) -> Refined {
+        let whole = self.k.iter().map(|range| [*range.start(), *range.end()]).collect();
+        refine(ratios, &self.gears, &self.side_by_side.concat(), &whole, point, equal)
+    }
+
+    /// Whether gears side by side are gears of the wish, each once, with falling bounds.
+    fn check_side_by_side(&self) -> Result<(), Error> {
+        let mut all = self.side_by_side.concat();
+        all.sort_unstable();
+        let once = all.windows(2).all(|pair| pair[0] < pair[1]);
+        let bounds = |gear: usize| self.gears.get(gear).copied();
+        let falls = |[higher, lower]: &[usize; 2]| {
+            let (Some(higher), Some(lower)) = (bounds(*higher), bounds(*lower)) else { return false };
+            higher.least >= lower.least && higher.most >= lower.most
+        };
+        if once && all.iter().all(|gear| *gear < self.gears.len()) && self.falling().iter().all(falls) {
+            return Ok(());
+        }
+        let why = format!("gears side by side {:?}: each once, with falling bounds", self.side_by_side);
+        Err(Error::Wish { why })
     }
 
     /// Whether so many sets can have equal `k`.

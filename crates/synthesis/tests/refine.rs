@@ -28,7 +28,7 @@ fn wish(ratios: &[f64], tolerance: f64, sets: usize, elements: usize) -> Wish {
 /// Refines a point, and compares with bisection.
 fn agrees(ratios: &[Ratio], wish: &Wish, point: &[f64]) -> Refined {
     let whole: Cuboid = wish.k.iter().map(|range| [*range.start(), *range.end()]).collect();
-    let refined = refine(ratios, &wish.gears, &whole, point, Equal::NONE);
+    let refined = refine(ratios, &wish.gears, &[], &whole, point, Equal::NONE);
     let plain = bisection::refine(ratios, &wish.gears, &whole, point);
     let at_best = bisection::deviation(ratios, &wish.gears, &refined.k);
     assert!((at_best - refined.deviation).abs() < 1e-9, "{at_best}: {refined:?}");
@@ -99,7 +99,7 @@ fn the_8hp_has_its_tooth_numbers_within_its_ranges() {
     let structure: Structure = "a-b-c a-d-1 d-f-g f-c-2".parse().unwrap();
     let found = Search::<u16>::new(eight_speed.clone(), 8).structure(&structure);
     let ratios: Vec<Ratio> = found[0].gears.iter().map(|gear| gear.ratio).collect();
-    let refined = refine(&ratios, &eight_speed.gears, &vec![[1.4, 4.5]; 4], &found[0].k, Equal::NONE);
+    let refined = refine(&ratios, &eight_speed.gears, &[], &vec![[1.4, 4.5]; 4], &found[0].k, Equal::NONE);
     // 96/48, 96/48, 96/60 and 104/28 in the order of the sets of the canonical word.
     let (canonical, order) = Structure::canonical(&[[3, 4, 5], [3, 6, 1], [6, 7, 8], [7, 5, 2]], 8).unwrap();
     assert_eq!(canonical, structure);

@@ -87,6 +87,7 @@ const fn why(reason: Reason) -> &'static str {
         Reason::Direct => "without a direct gear",
         Reason::Shifts => "without the single shifts",
         Reason::Drawable => "not drawable: a link would cross another",
+        Reason::Order => "with free gears side by side that do not fall at the best k",
         Reason::Steps => "with a ratio step out of its range",
         Reason::FallingSteps => "with a ratio step larger than the one before it",
         Reason::Slip => "with a faster slip of an open shift element",

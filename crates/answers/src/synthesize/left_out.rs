@@ -25,6 +25,8 @@ pub enum Reason {
     Shifts,
     /// A link would cross another, whichever of the elements that lock the same are taken.
     Drawable,
+    /// Ratios of free gears side by side do not fall.
+    Order,
     /// A ratio step is out of its range.
     Steps,
     /// A ratio step is larger than the one before it.

@@ -10,7 +10,7 @@ use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::{Error, Kind};
 use epicyclic_train::Gearbox;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 /// The most gears that may be missing: each doubles the searches.
 pub const MOST_OPTIONAL: usize = 3;
@@ -69,7 +69,7 @@ pub struct Wanted {
 impl Wanted {
     /// The gears with their bounds.
     ///
-    /// A free gear has those of its neighbours in the list. Where steps are limited, bounds of free gears and of ranges between
+    /// A free gear has those of its neighbours in the list, several side by side those of the neighbours of all of them. Where steps are limited, bounds of free gears and of ranges between
     /// forward neighbours are drawn in to what the steps leave: nothing that keeps the steps is lost.
     ///
     /// # Errors
@@ -89,11 +89,12 @@ impl Wanted {
         for (place, gear) in self.gears.iter().enumerate() {
             let bounds = match fixed[place] {
                 Some(bounds) => bounds,
-                None => match between(&fixed, place) {
+                None => match between(&fixed, place, self.run(place)) {
                     Some(bounds) => bounds,
                     None => {
                         return fault(format!(
-                            "gear {} is free and has no bounds: write it between two gears of one sign, or as a range such as 4.5..4.9",
+                            "gear {} is free and has no bounds: write it, or several side by side, between two gears of one sign, or as a range such as \
+                             4.5..4.9",
                             place + 1
                         ));
                     }
@@ -115,6 +116,37 @@ impl Wanted {
             self.draw_in(&mut gears);
         }
         Ok(gears)
+    }
+
+    /// The free gears side by side with a gear, it among them.
+    fn run(&self, place: usize) -> Range<usize> {
+        let is_free = |gear: &WantedRatio| gear.wanted == Ratio::Free;
+        let before = self.gears[..place].iter().rev().take_while(|gear| is_free(gear)).count();
+        let after = self.gears[place..].iter().take_while(|gear| is_free(gear)).count();
+        place - before..place + after
+    }
+
+    /// Of some gears those that are free and side by side, the highest ratio first, by their places among these.
+    pub(super) fn side_by_side(&self, selection: &[usize], gears: &[WantedGear]) -> Vec<Vec<usize>> {
+        let mut runs: Vec<Vec<usize>> = Vec::new();
+        let mut last = None;
+        for (place, gear) in selection.iter().enumerate() {
+            if self.gears[*gear].wanted != Ratio::Free {
+                continue;
+            }
+            let run = Some(self.run(*gear));
+            if run != last {
+                runs.push(Vec::new());
+                last = run;
+            }
+            runs.last_mut().into_iter().for_each(|run| run.push(place));
+        }
+        runs.retain(|run| run.len() > 1);
+        for run in &mut runs {
+            let most = |place: &usize| gears[selection[*place]].greatest_ratio;
+            run.sort_by(|one, other| most(other).total_cmp(&most(one)));
+        }
+        runs
     }
 
     fn fixed(&self, gear: &WantedRatio) -> Option<Bounds> {
@@ -190,12 +222,17 @@ impl Wanted {
     }
 }
 
-/// The bounds between the gears before and after, which they do not touch.
-fn between(fixed: &[Option<Bounds>], place: usize) -> Option<Bounds> {
-    let before = fixed[place.checked_sub(1)?]?;
-    let after = (*fixed.get(place + 1)?)?;
-    let (lower, upper) = if before.most < after.least { (before, after) } else { (after, before) };
-    let (least, most) = (lower.most.next_up(), upper.least.next_down());
+/// The bounds of one of several free gears between those before and after, which they do not touch. In falling order none touches
+/// the next either, so each is a number farther from the gears beyond.
+fn between(fixed: &[Option<Bounds>], place: usize, run: Range<usize>) -> Option<Bounds> {
+    let before = fixed[run.start.checked_sub(1)?]?;
+    let after = (*fixed.get(run.end)?)?;
+    let (from_before, from_after) = (place - run.start + 1, run.end - place);
+    let rises = before.most < after.least;
+    let (lower, upper) = if rises { (before, after) } else { (after, before) };
+    let (above, below) = if rises { (from_after, from_before) } else { (from_before, from_after) };
+    let least = (0..below).fold(lower.most, |bound, _| bound.next_up());
+    let most = (0..above).fold(upper.least, |bound, _| bound.next_down());
     (least <= most && least * most > 0.0).then_some(Bounds { least, most })
 }
 
@@ -257,13 +294,40 @@ mod tests {
         for (gears, why) in [
             (&["?", "3"][..], "gear 1 is free"),
             (&["3", "?"], "gear 2 is free"),
-            (&["3", "?", "?", "1"], "gear 2 is free"),
+            (&["3", "?", "?"], "gear 2 is free"),
+            (&["3", "?", "?", "-1"], "gear 2 is free"),
             (&["3", "?", "-2"], "gear 2 is free"),
             (&["(3)", "(2)"], "every gear may be missing"),
             (&["4", "(3)", "(2)", "(1)", "(-2)"], "4 gears may be missing: there may be 3 at most"),
         ] {
             let refused = wanted(gears, None).gears().unwrap_err().to_string();
             assert!(refused.contains(why), "{refused}");
+        }
+    }
+
+    #[test]
+    fn free_gears_side_by_side_are_between_the_others_and_fall() {
+        for (list, falling) in [
+            (&["1", "3", "?", "?", "?", "0.7"][..], [1, 2, 3]),
+            (&["1", "0.7", "?", "?", "?", "3"], [3, 2, 1]),
+            (&["1", "-3", "?", "?", "?", "-0.7"], [3, 2, 1]),
+        ] {
+            let wanted = wanted(list, None);
+            let gears = wanted.gears().unwrap();
+            let bounds: Vec<[f64; 2]> =
+                gears.iter().map(|gear| [gear.least_ratio, gear.greatest_ratio]).collect();
+            let all = wanted.side_by_side(&[0, 1, 2, 3, 4, 5], &gears);
+            assert_eq!(all, [falling.map(|place| place + 1)]);
+            for pair in all[0].windows(2) {
+                let [higher, lower] = [pair[0], pair[1]].map(|gear| bounds[gear]);
+                assert!(higher[0] > lower[0] && higher[1] > lower[1], "{list:?} {bounds:?}");
+                assert!((higher[0] - lower[0]).abs() < 1e-12);
+            }
+            let (least, most) = if list[1].starts_with('-') { (-2.97, -0.707) } else { (0.707, 2.97) };
+            assert!(bounds[2..5].iter().all(|[from, to]| *from > least && *to < most));
+            // Without one of them two are left; without two the last is free alone.
+            assert_eq!(wanted.side_by_side(&[0, 1, 2, 4, 5], &gears)[0].len(), 2);
+            assert!(wanted.side_by_side(&[0, 1, 3, 5], &gears).is_empty());
         }
     }
 

@@ -1,0 +1,164 @@
+//! Free gears side by side, whose bounds overlap, against trial of a grid and against gears with bounds of their own.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_synthesis::judge::judge;
+use epicyclic_synthesis::motion::{Element, Motion, elements};
+use epicyclic_synthesis::parts::Bounds;
+use epicyclic_synthesis::ratio::Ratio;
+use epicyclic_synthesis::rules::Rules;
+use epicyclic_synthesis::run::{Answer, Found, Share, search};
+use epicyclic_synthesis::shifts::Shifts;
+use epicyclic_synthesis::structure::Structure;
+use epicyclic_synthesis::wish::Wish;
+use epicyclic_synthesis::{Class, Kind, enumerate};
+use std::ops::ControlFlow;
+
+const TOLERANCE: f64 = 0.05;
+
+fn around(ratio: f64) -> Bounds {
+    Bounds { least: (1.0 - TOLERANCE) * ratio, most: (1.0 + TOLERANCE) * ratio }
+}
+
+/// Gears of 3 and 0.7 with two free ones between them.
+fn two_free() -> Wish {
+    let [first, last] = [3.0, 0.7].map(around);
+    let free = Bounds { least: last.most.next_up(), most: first.least.next_down() };
+    let wish = Wish::new(vec![first, free, free, last], 4, vec![1.4..=4.5; 2]);
+    Wish { side_by_side: vec![vec![1, 2]], ..wish }
+}
+
+fn all(class: Class, wish: &Wish) -> Answer {
+    search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap()
+}
+
+/// Whether a structure with these elements is among what was found.
+fn holds(found: &[Found], structure: &Structure, wanted: &[Element]) -> bool {
+    found.iter().filter(|found| found.structure == *structure).any(|found| {
+        structure.automorphisms().iter().any(|order| {
+            let names = structure.renaming(order);
+            wanted.iter().all(|pair| {
+                let mut image = pair.map(|link| names[usize::from(link)]);
+                image.sort_unstable();
+                found.solution.elements.iter().any(|pairs| pairs.contains(&image))
+            })
+        })
+    })
+}
+
+/// Functions, each with the elements of all choices that have it, as bits.
+type Functions = Vec<(Ratio, usize)>;
+
+fn functions(motion: &mut Motion<u8>, chosen: [usize; 4]) -> Functions {
+    let mut all: Functions = Vec::new();
+    for second in 1..4 {
+        for first in 0..second {
+            let Some(ratio) = Ratio::of(motion.gear(&[chosen[first], chosen[second]])) else { continue };
+            let engaged = 1 << first | 1 << second;
+            match all.iter_mut().find(|(known, _)| *known == ratio) {
+                Some((_, known)) => *known |= engaged,
+                None => all.push((ratio, engaged)),
+            }
+        }
+    }
+    all
+}
+
+/// Whether four of some functions are the gears at a point: two of them the free ones.
+fn are_gears(functions: &Functions, wish: &Wish, k: &[f64]) -> bool {
+    let values: Vec<f64> = functions.iter().map(|(ratio, _)| ratio.value(k)).collect();
+    let within = |gear: usize| -> Vec<usize> {
+        (0..values.len()).filter(|place| wish.gears[gear].contain(values[*place])).collect()
+    };
+    let [first, second, third, last] = [0, 1, 2, 3].map(within);
+    first.iter().any(|first| {
+        last.iter().any(|last| {
+            second.iter().any(|second| {
+                third.iter().any(|third| {
+                    let of = [first, second, third, last].map(|place| functions[*place]);
+                    values[*second] > values[*third]
+                        && of.iter().fold(0, |all, (ratio, _)| all | ratio.variables()) == 0b11
+                        && of.iter().fold(0, |all, (_, engaged)| all | engaged) == 0b1111
+                })
+            })
+        })
+    })
+}
+
+#[test]
+fn trial_of_a_grid_finds_nothing_that_the_search_has_not() {
+    let class = Class::new(Kind::Core, 2, 5).unwrap();
+    let wish = two_free();
+    let answer = all(class, &wish);
+    assert_eq!(answer.tally.undecided, 0);
+    let pairs = elements(class.links());
+    let mut by_trial = 0;
+    for structure in enumerate::all(class) {
+        let mut motion = Motion::<u8>::new(structure.freedom());
+        motion.take(&structure, &pairs);
+        for chosen in (0..1u32 << pairs.len()).filter(|chosen| chosen.count_ones() == 4) {
+            let mut places = (0..pairs.len()).filter(|place| chosen >> place & 1 == 1);
+            let chosen: [usize; 4] = std::array::from_fn(|_| places.next().unwrap());
+            if (0..4).any(|one| (0..one).any(|other| motion.tie_the_same(chosen[one], chosen[other]))) {
+                continue;
+            }
+            let functions = functions(&mut motion, chosen);
+            let at = |point: i32| [point % 32, point / 32].map(|step| 1.4 + 0.1 * f64::from(step));
+            if functions.len() >= 4 && (0..32 * 32).any(|point| are_gears(&functions, &wish, &at(point))) {
+                by_trial += 1;
+                let chosen = chosen.map(|element| pairs[element]);
+                assert!(holds(&answer.found, &structure, &chosen), "{structure} {chosen:?}");
+            }
+        }
+    }
+    assert!(by_trial > 20, "{by_trial} by trial, {} by the search", answer.found.len());
+    let mut falling = 0;
+    for found in &answer.found {
+        let solution = &found.solution;
+        let values: Vec<f64> = solution.gears.iter().map(|gear| gear.ratio.value(&solution.k)).collect();
+        assert!(wish.are_falling(&values));
+        let judged = judge(found, &wish, MeshEfficiency::IDEAL).unwrap();
+        assert!(judged.ratios.iter().zip(&wish.gears).all(|(ratio, gear)| gear.contain(*ratio)));
+        falling += usize::from(wish.are_falling(&judged.ratios));
+        // The wanted ratios alone decide what is best.
+        let ends = [0, 3].map(|gear| {
+            let Bounds { least, most } = wish.gears[gear];
+            (judged.ratios[gear] - 0.5 * (least + most)).abs() / (0.5 * (most - least))
+        });
+        assert!((judged.refined.deviation - ends[0].max(ends[1])).abs() < 1e-9, "{:?}", judged.refined);
+    }
+    assert_eq!(falling, answer.found.len(), "all fall at the best k, too");
+}
+
+#[test]
+fn what_has_bounds_of_its_own_is_found_with_free_gears_as_well() {
+    let class = Class::new(Kind::Core, 2, 5).unwrap();
+    for shifts in [Shifts::default(), Shifts { neighbours: true, skips: false }] {
+        let rules = Rules { shifts, ..Rules::default() };
+        let free = Wish { rules, ..two_free() };
+        let found = all(class, &free).found;
+        let mut narrower = 0;
+        for parted in [0.9, 1.2, 1.6, 2.1] {
+            let mut wish = Wish { side_by_side: vec![], ..free.clone() };
+            (wish.gears[1].least, wish.gears[2].most) = (parted * 1.000_001, parted);
+            for one in all(class, &wish).found {
+                let elements: Vec<Element> = one.solution.elements.iter().map(|pairs| pairs[0]).collect();
+                assert!(holds(&found, &one.structure, &elements), "{} {elements:?}", one.structure);
+                narrower += 1;
+            }
+        }
+        assert!(narrower > 20, "{narrower}");
+    }
+}
+
+#[test]
+fn gears_side_by_side_need_falling_bounds() {
+    let class = Class::new(Kind::Core, 2, 5).unwrap();
+    let wish = two_free();
+    assert!(wish.check(class).is_ok());
+    for side_by_side in [vec![vec![1, 3]], vec![vec![3, 0]], vec![vec![1, 1]], vec![vec![1, 4]], vec![]] {
+        let refused = Wish { side_by_side, ..wish.clone() }.check(class).unwrap_err().to_string();
+        assert!(refused.contains("side by side") || refused.contains("overlap"), "{refused}");
+    }
+}
