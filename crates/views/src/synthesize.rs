@@ -305,6 +305,13 @@ fn gears(number: usize, found: &Solution) -> Text {
         "over the input's speed at most: slip of an open element {:.3}, a link {:.3}, a planet on its carrier {:.3}",
         found.greatest_slip, found.greatest_link_speed, found.greatest_planet_speed
     ));
+    if found.sets.iter().any(|set| set.is_double_planet) {
+        let told = "planets of a double-planet set enter with the speed that they exceed with any teeth";
+        points.push(match found.teeth {
+            Some(_) => told.to_owned(),
+            None => format!("{told}; --teeth tells exact speeds"),
+        });
+    }
     if !found.missing_gears.is_empty() {
         let gears: Vec<String> = found.missing_gears.iter().map(usize::to_string).collect();
         points.push(format!("without gear {} of the list", gears.join(" and ")));
