@@ -37,7 +37,7 @@ use epicyclic_synthesis::motion::{Element, elements};
 use epicyclic_synthesis::rank::{self, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
-use epicyclic_synthesis::teeth::{Choice, Design};
+use epicyclic_synthesis::teeth::Design;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use epicyclic_train::formula::subscript;
@@ -49,7 +49,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, RangeInclusive};
-use teeth::Teeth;
+use teeth::{Choices, Teeth};
 
 /// The most solutions that are told: each is judged by the solver.
 pub const MOST_SOLUTIONS: usize = 10_000;
@@ -186,7 +186,8 @@ pub struct Solution {
     pub greatest_slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
     pub greatest_link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's.
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of a double-planet set, which
+    /// depends on their teeth, what they exceed in any case: `2·|ω_sun − ω_carrier|/(k − 1)`.
     pub greatest_planet_speed: f64,
     /// What it is worth.
     pub rating: Rating,
@@ -316,15 +317,9 @@ pub fn solve_by<E: From<Error>>(
     wanted: &Wanted,
     search: &mut dyn FnMut(&Searching, &Wish) -> Result<run::Answer, E>,
 ) -> Result<(Synthesis, Vec<Kept>), E> {
-    let choice =
-        wanted.teeth.as_ref().map(|teeth| Choice::within(&teeth.bounds)).transpose().map_err(Error::from)?;
+    let choices = Choices::wanted(wanted)?;
     let order = rank::Objective::order(&wanted.order);
     let gears = wanted.gears().map_err(Error::from)?;
-    if *wanted.double_planets.end() > 0 && (wanted.teeth.is_some() || wanted.explain.is_some()) {
-        let why = "with double-planet sets neither tooth numbers are searched nor a given gearbox is placed: for speeds alone a \
-                   double-planet set is a simple set with ring and carrier exchanged";
-        return Err(Error::from(epicyclic_synthesis::Error::Wish { why: why.into() }).into());
-    }
     let mut answer = Synthesis {
         wanted: gears.clone(),
         tolerance: wanted.tolerance,
@@ -404,11 +399,10 @@ pub fn solve_by<E: From<Error>>(
         answer.explanation = Some(explanation);
     }
     kept.retain(|kept| told.binary_search(&(kept.number - 1)).is_ok());
-    if let (Some(teeth), Some(choice)) = (&wanted.teeth, &choice) {
+    if let (Some(teeth), Some(choices)) = (&wanted.teeth, &choices) {
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
-            let k = vec![wanted.k.clone(); solution.sets.len()];
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
-            let (told, best) = Teeth::of(&kept.found, &gears, &k, choice, teeth);
+            let (told, best) = Teeth::of(kept, &gears, wanted, choices, teeth)?;
             (solution.teeth, kept.teeth) = (Some(told), best);
         }
     }

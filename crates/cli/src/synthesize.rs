@@ -105,7 +105,7 @@ pub(crate) struct Args {
     #[arg(long)]
     open: Option<Span<u32>>,
 
-    /// Ring-to-sun ratio k of every set.
+    /// Ring-to-sun ratio k of every simple set.
     #[arg(long, default_value = "1.4..4.5")]
     k: Span<f64>,
 
@@ -124,7 +124,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N", default_value = "1")]
     equal_k: u32,
 
-    /// Efficiency of the meshes of a set: 0.97, or 97%.
+    /// Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set loses as much.
     #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
     efficiency: Quantity<Ratio>,
 
@@ -224,7 +224,8 @@ struct Wishes {
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     link_speed: Option<Number>,
 
-    /// Greatest speed of a planet relative to its carrier over the input's.
+    /// Greatest speed of a planet relative to its carrier over the input's; of a double-planet set the speed that its planets exceed with
+    /// any teeth.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     planet_speed: Option<Number>,
 
@@ -254,7 +255,7 @@ struct TeethOptions {
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     sun: Span<u32>,
 
-    /// Teeth of the planets.
+    /// Teeth of the planets; of a double-planet set of either planet.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     planet: Span<u32>,
 
@@ -262,7 +263,7 @@ struct TeethOptions {
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
     ring: Span<u32>,
 
-    /// Number of planets of a set, from 2 to 8.
+    /// Number of planets of a set, of a double-planet set of its pairs of planets, from 2 to 8.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
     planet_count: Span<u32>,
 

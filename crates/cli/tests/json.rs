@@ -135,6 +135,9 @@ const RUNS: &[(&str, &[&str])] = &[
             "1",
             "--double-planets",
             "1",
+            "--teeth",
+            "--ring",
+            "60..90",
         ],
     ),
     (

@@ -9,6 +9,7 @@
 //! | [`willis`] | speeds of sun, ring, carrier and planet from any two |
 //! | [`efficiency`] | torques and efficiency of a gear set from the losses of its meshes |
 //! | [`synthesis`] | *every* set of tooth numbers of a simple set within bounds |
+//! | [`double_planet`] | the same of a set with two planets in mesh between sun and ring |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
 //! | [`rack`] | the basic rack that all checks take, and undercut |
 //! | [`mesh`] | circles of gears and centre distance from teeth alone, clearance between planets |
@@ -45,6 +46,7 @@
 
 pub mod bearing;
 pub mod carrier;
+pub mod double_planet;
 pub mod efficiency;
 pub mod error;
 mod gear_kind;

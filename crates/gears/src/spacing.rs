@@ -13,7 +13,7 @@ use crate::units::{angle, radians};
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
-/// Slots that the planets of a simple set occupy.
+/// Slots that the planets of a set occupy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetSpacing {
     /// Two counts of 32 bits have a sum of 33.
@@ -39,7 +39,16 @@ impl PlanetSpacing {
         Self { slots: u64::from(sun.get()) + u64::from(ring.get()), planets }
     }
 
-    /// Number of angles at which a planet fits, `z_a + z_b`.
+    /// The same for pairs of planets in mesh with each other, between a sun and a ring that mesh with one of them each: such a pair
+    /// fits at `z_b − z_a` angles a turn ([`double_planet`](crate::double_planet#assembly)). `None` where the ring has no more teeth
+    /// than the sun.
+    #[must_use]
+    pub fn of_pairs(sun: ToothCount, ring: ToothCount, pairs: u32) -> Option<Self> {
+        let slots = u64::from(ring.get().checked_sub(sun.get())?);
+        (slots > 0).then_some(Self { slots, planets: pairs })
+    }
+
+    /// Number of angles at which a planet, or a pair of planets, fits: `z_a + z_b`, of pairs `z_b − z_a`.
     #[must_use]
     pub fn slots(&self) -> u64 {
         self.slots
@@ -65,7 +74,7 @@ impl PlanetSpacing {
         self.slots.is_multiple_of(self.count())
     }
 
-    /// The smallest angle between adjacent planets, `2π·⌊(z_a + z_b)/N⌋/(z_a + z_b)`.
+    /// The smallest angle between adjacent planets, `2π·⌊G/N⌋/G` with `G` [`slots`](Self::slots).
     #[must_use]
     pub fn smallest_gap(&self) -> Angle {
         let gap = self.slots / self.count();
@@ -79,7 +88,7 @@ impl PlanetSpacing {
     }
 
     /// The greatest deviation of a planet from equal spacing, the equally spaced pattern turned to
-    /// where that is least: `π·(1 − 1/q)/(z_a + z_b)`, `q = N/gcd(N, z_a + z_b)`.
+    /// where that is least: `π·(1 − 1/q)/G`, `q = N/gcd(N, G)` with `G` [`slots`](Self::slots).
     #[must_use]
     pub fn greatest_deviation(&self) -> Angle {
         let classes = self.count() / gcd(self.count(), self.slots);

@@ -128,7 +128,7 @@ impl Default for Bounds {
 }
 
 impl Bounds {
-    fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         let ranges = [
             (SimpleGear::Sun, &self.sun),
             (SimpleGear::Planet, &self.planet),

@@ -6,6 +6,7 @@
 //! | `SAME` | a difference of two modules or pressure angles, over the larger | two spellings of one number in different units differ by a few units in the last place |
 //! | `ROUNDING` | a shortfall of a diameter, over it | the rounding of a cube root |
 //! | `LEAST_EFFICIENCY` | an efficiency of a mesh | far below any gear |
+//! | `TOUCH` | a gap between two circles, in modules | rounding of a sine or cosine times a centre distance |
 //! | `PLAIN` | a number in a message | below, its zeros would hide it |
 
 /// Bores that differ by less are the same.
@@ -20,6 +21,9 @@ pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// The least efficiency that is taken: products and reciprocals over all sets of a gearbox stay numbers.
 pub(crate) const LEAST_EFFICIENCY: f64 = 1e-6;
+
+/// Circles with a gap below this many modules only touch.
+pub(crate) const TOUCH: f64 = 1e-9;
 
 /// Smaller numbers are written with an exponent.
 pub(crate) const PLAIN: f64 = 1e-6;

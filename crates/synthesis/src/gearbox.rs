@@ -47,7 +47,8 @@ pub fn real_k(structure: &Structure, place: usize, k: f64) -> f64 {
     if structure.is_double_planet(place) { k + 1.0 } else { k }
 }
 
-/// The gearbox with these elements and this efficiency of each set's two meshes together, by the gears that each engages some of them (by their places).
+/// The gearbox with these elements and this efficiency of a simple set's two meshes together, by the gears that each engages some of
+/// them (by their places). The three meshes of a double-planet set lose as much each: `η^(3/2)` together.
 ///
 /// # Errors
 /// Those of the solver: `k` not above 1, a gear that engages no element or one that is not there.
@@ -59,11 +60,15 @@ pub fn gearbox(
     gears: &[Vec<usize>],
 ) -> Result<Gearbox, epicyclic_train::Error> {
     let links = (1..=structure.links()).filter_map(|link| Some(solver_name(Link::try_from(link).ok()?)));
-    let loss = MeshLoss::Set(mesh_efficiency);
+    let each = MeshEfficiency::new(mesh_efficiency.get().sqrt()).unwrap_or(mesh_efficiency);
     let mut builder = Gearbox::builder(&structure.to_string()).links(links);
     for (place, k) in k.iter().enumerate() {
         let names = structure.members(place).map(solver_name);
-        let kind = if structure.is_double_planet(place) { SetKind::DoublePlanet } else { SetKind::Simple };
+        let (kind, loss) = if structure.is_double_planet(place) {
+            (SetKind::DoublePlanet, MeshLoss::Meshes { first: each, between: each, second: each })
+        } else {
+            (SetKind::Simple, MeshLoss::Set(mesh_efficiency))
+        };
         let (name, members) = ((place + 1).to_string(), names.each_ref().map(String::as_str));
         builder =
             builder.set(SetSpec::new(&name, kind, members, real_k(structure, place, *k)).with_loss(loss));
@@ -87,6 +92,18 @@ pub fn gearbox(
 mod tests {
     use super::*;
     use crate::motion::elements;
+
+    #[test]
+    fn three_meshes_lose_as_much_each_as_two() {
+        let structure: Structure = "1-a-2 b-2-1*".parse().unwrap();
+        let eta = MeshEfficiency::new(0.97).unwrap();
+        let gearbox = gearbox(&structure, &[2.0, 2.0], eta, &[[0, 3], [0, 4]], &[vec![0], vec![1]]).unwrap();
+        for (set, meshes) in gearbox.sets().iter().zip([2, 3]) {
+            let product: f64 = set.meshes().iter().map(|mesh| mesh.efficiency.get()).product();
+            assert_eq!(set.meshes().len(), meshes);
+            assert!((product - 0.97f64.powf(f64::from(u8::try_from(meshes).unwrap()) / 2.0)).abs() < 1e-15);
+        }
+    }
 
     #[test]
     fn every_element_is_known_by_its_name() {

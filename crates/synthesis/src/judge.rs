@@ -8,7 +8,8 @@ use crate::shifts::{exchanged, fewest};
 use crate::tolerance::CONFIRMED;
 use crate::wish::{Wish, forward};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_train::Gearbox;
+use epicyclic_train::set::SetKind;
+use epicyclic_train::{Analysis, Gearbox};
 #[cfg(feature = "parallel")]
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
@@ -30,7 +31,8 @@ pub struct Judged {
     pub slip: f64,
     /// The greatest speed of a link in a gear, over the input's.
     pub link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of planets known by `k`.
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of a double-planet set
+    /// what they exceed whatever their teeth ([`planet_speed`]).
     pub planet_speed: f64,
     /// The gearbox of the solver at the best `k`, its gears named by their numbers in the wish.
     pub gearbox: Gearbox,
@@ -100,8 +102,7 @@ pub fn judge(
         };
         slip = slip.max(greatest(analysis.slips()));
         link_speed = link_speed.max(greatest(analysis.speeds()));
-        let planets = analysis.sets().iter().flat_map(|set| set.planets.iter().flatten());
-        planet_speed = planets.fold(planet_speed, |all, planet| all.max(planet.relative.abs()));
+        planet_speed = planet_speed.max(self::planet_speed(&analysis));
     }
     Ok(Judged {
         refined,
@@ -114,6 +115,28 @@ pub fn judge(
         planet_speed,
         gearbox,
     })
+}
+
+/// The greatest speed of a planet relative to its carrier, over the input's; where the teeth of a double-planet set are not known what
+/// its planets exceed.
+///
+/// ```text
+/// ∣ω_g − ω_H∣ = ∣ω_s − ω_H∣·z_s/z_g > 2·∣ω_s − ω_H∣/(k − 1)        of both planets of a double-planet set
+/// ```
+///
+/// Both planets of such a set have fewer than `(z_r − z_s)/2` teeth: more would reach into the sun or the ring
+/// ([`epicyclic_gears::double_planet`]). So they turn faster than the planets of a simple set of the same `k`.
+#[must_use]
+pub fn planet_speed(analysis: &Analysis<'_>) -> f64 {
+    let sets = analysis.gearbox().sets().iter().zip(analysis.sets());
+    let of = sets.flat_map(|(set, motion)| {
+        let known = motion.planets.iter().flatten().map(|planet| planet.relative.abs());
+        let is_unknown =
+            set.kind() == Some(SetKind::DoublePlanet) && motion.planets.iter().any(Option::is_none);
+        let exceeded = || Some(2.0 * motion.relative?.abs() / (set.basic_ratio().get() - 1.0));
+        known.chain(is_unknown.then(exceeded).flatten())
+    });
+    of.fold(0.0, f64::max)
 }
 
 /// Elements of each gear with the fewest exchanged between neighbours, and how many shifts exchange several.

@@ -8,7 +8,9 @@
 //! # Formulas
 //! The step from a forward gear to the next is `i_g/i_{g+1}`, above 1. Slips and speeds are multiples of the input's speed:
 //! `∣ω_u − ω_v∣/ω_1` of an open element, `∣ω∣/ω_1` of a link, `∣ω_g − ω_H∣/ω_1` of a planet on its carrier, each the greatest
-//! over all gears. The planets of a double-planet set are known by teeth alone, not by `k`: their speed is not limited.
+//! over all gears. Of the planets of a double-planet set, which depend on
+//! their teeth, it is what they exceed whatever these ([`planet_speed`](crate::judge::planet_speed)): what misses the limit misses it
+//! with any teeth, and what keeps it may miss it with some.
 
 use crate::judge::Judged;
 use crate::parts::Bounds;

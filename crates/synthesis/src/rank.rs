@@ -20,7 +20,7 @@
 //! holds what nothing dominates. Objectives are compared in steps of 10⁻⁵, since the best `k` are found to 10⁻⁴ of the
 //! deviation.
 
-use crate::judge::Judged;
+use crate::judge::{Judged, planet_speed};
 use crate::tolerance::ALIKE;
 use epicyclic_layout::is_drawable;
 use epicyclic_train::Analysis;
@@ -130,7 +130,7 @@ pub struct GearRating {
     pub drag: f64,
     /// The greatest speed of a link over the input's.
     pub link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier, over the input's.
+    /// The greatest speed of a planet relative to its carrier, over the input's, as [`planet_speed`] has it.
     pub planet_speed: f64,
     /// Circulating power over what enters, with losses.
     pub circulation: f64,
@@ -233,7 +233,6 @@ impl GearRating {
         let slips = analysis.slips().to_vec();
         let engaged = analysis.gear().engaged();
         let open = (0..slips.len()).filter(|place| !engaged.contains(place));
-        let planets = analysis.sets().iter().flat_map(|set| set.planets.iter().flatten());
         Self {
             shift_element_torque: load
                 .map_or(0.0, |load| largest(&mut load.shift_elements.iter().flatten().copied())),
@@ -241,7 +240,7 @@ impl GearRating {
                 .map_or(0.0, |load| largest(&mut load.members.iter().flatten().flatten().copied())),
             drag: open.filter_map(|place| slips[place]).map(f64::abs).sum(),
             link_speed: largest(&mut gearbox.link_ids().filter_map(|link| analysis.speed(link))),
-            planet_speed: largest(&mut planets.map(|planet| planet.relative)),
+            planet_speed: planet_speed(analysis),
             circulation: load.map_or(0.0, |load| load.power.circulating),
             slips,
         }

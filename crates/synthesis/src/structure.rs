@@ -74,6 +74,28 @@ impl Structure {
     /// # Errors
     /// As [`Structure::new`].
     pub fn canonical(sets: &[Members], links: usize) -> Result<(Self, Vec<usize>), Error> {
+        Self::check(sets, links)?;
+        let (sets, order) = canonical_word(sets);
+        Ok((Self { sets, links, double: 0 }, order))
+    }
+
+    /// The same where some of the sets are double-planet sets: links of sun, ring and carrier of each real set, and whether it is one.
+    ///
+    /// # Errors
+    /// As [`Structure::new`].
+    pub fn with_kinds(sets: &[(Members, bool)], links: usize) -> Result<(Self, Vec<usize>), Error> {
+        let words: Vec<Members> = sets.iter().map(|(members, double)| exchanged(*members, *double)).collect();
+        Self::check(&words, links)?;
+        let double = sets.iter().filter(|(_, double)| *double).count();
+        if double == 0 {
+            return Self::canonical(&words, links);
+        }
+        let (sets, order) = least_word(&words, &|set| sets[set].1);
+        Ok((Self { sets, links, double }, order))
+    }
+
+    /// Refuses sets that are no structure.
+    fn check(sets: &[Members], links: usize) -> Result<(), Error> {
         let fault = if links > crate::class::MOST_LINKS || sets.len() > crate::class::MOST_SETS {
             Some("it has too many sets or links")
         } else if sets.iter().flatten().any(|&link| usize::from(link) > links) {
@@ -89,10 +111,7 @@ impl Structure {
         };
         match fault {
             Some(why) => Err(Error::NotAStructure { name: word(sets), why }),
-            None => {
-                let (sets, order) = canonical_word(sets);
-                Ok((Self { sets, links, double: 0 }, order))
-            }
+            None => Ok(()),
         }
     }
 
@@ -107,16 +126,8 @@ impl Structure {
         let sets = self.sets.len();
         let masks = (0..1u32 << sets).filter(|mask| mask.count_ones() as usize == count);
         let tagged = masks.map(|mask| {
-            let mut least: Option<Vec<Members>> = None;
-            for_each_order(sets, &mut |order| {
-                if order.iter().map(|set| mask >> set & 1).is_sorted() {
-                    let word = relabelled(&self.sets, order);
-                    if least.as_ref().is_none_or(|least| word < *least) {
-                        least = Some(word);
-                    }
-                }
-            });
-            Self { sets: least.unwrap_or_default(), links: self.links, double: count }
+            let (sets, _) = least_word(&self.sets, &|set| mask >> set & 1 == 1);
+            Self { sets, links: self.links, double: count }
         });
         let mut all: Vec<Self> = tagged.collect();
         all.sort_unstable();
@@ -142,8 +153,7 @@ impl Structure {
     /// Where there is no such set.
     #[must_use]
     pub fn members(&self, place: usize) -> Members {
-        let [sun, ring, carrier] = self.sets[place];
-        if self.is_double_planet(place) { [sun, carrier, ring] } else { [sun, ring, carrier] }
+        exchanged(self.sets[place], self.is_double_planet(place))
     }
 
     /// Sun, ring and carrier of each set, of a double-planet set sun, carrier and ring.
@@ -207,6 +217,25 @@ pub(crate) fn is_sparse(sets: &[Members]) -> bool {
 /// The links of a set as bits.
 pub(crate) fn mask(members: &Members) -> u32 {
     members.iter().fold(0, |all, link| all | 1 << link)
+}
+
+/// The members of a set; of a double-planet set with ring and carrier exchanged, as the word has them, or the real one.
+const fn exchanged([sun, ring, carrier]: Members, is_double_planet: bool) -> Members {
+    if is_double_planet { [sun, carrier, ring] } else { [sun, ring, carrier] }
+}
+
+/// The least word over the orders in which double-planet sets stand after the others, and the first order that gives it.
+fn least_word(sets: &[Members], is_double_planet: &dyn Fn(usize) -> bool) -> (Vec<Members>, Vec<usize>) {
+    let mut least: Option<(Vec<Members>, Vec<usize>)> = None;
+    for_each_order(sets.len(), &mut |order| {
+        if order.iter().map(|set| is_double_planet(*set)).is_sorted() {
+            let word = relabelled(sets, order);
+            if least.as_ref().is_none_or(|(least, _)| word < *least) {
+                least = Some((word, order.to_vec()));
+            }
+        }
+    });
+    least.unwrap_or_default()
 }
 
 /// The sets in this order, the other links numbered as they first occur.
@@ -323,8 +352,8 @@ impl fmt::Display for Structure {
 impl FromStr for Structure {
     type Err = Error;
 
-    /// Reads `a-b-c a-d-1 d-f-g f-c-2`: sun, ring and carrier of each set; 0 the housing, 1 the input, 2 the output, any
-    /// letters for the others. Its links are those named.
+    /// Reads `a-b-c a-d-1 d-f-g f-c-2*`: sun, ring and carrier of each set, a star behind a double-planet set; 0 the housing, 1 the
+    /// input, 2 the output, any letters for the others. Its links are those named.
     fn from_str(text: &str) -> Result<Self, Error> {
         Self::read(text).map(|(structure, _)| structure)
     }
@@ -353,21 +382,23 @@ impl Structure {
         };
         let mut read = Vec::new();
         for set in text.split_whitespace() {
+            let (set, is_double_planet) =
+                set.strip_suffix('*').map_or((set, false), |members| (members, true));
             let members: Option<Vec<Link>> = set.split('-').map(&mut link).collect();
             let members = members
                 .ok_or_else(|| fault("a link is 0 (housing), 1 (input), 2 (output) or a small letter"))?;
             let members: Members = members
                 .try_into()
                 .map_err(|_| fault("a set has three links, its sun, ring and carrier: a-b-c"))?;
-            read.push(members);
+            read.push((members, is_double_planet));
         }
         if read.is_empty() {
             return Err(fault("it has no set"));
         }
-        let (structure, order) = Self::canonical(&read, letters.len() - 1)?;
+        let (structure, order) = Self::with_kinds(&read, letters.len() - 1)?;
         let mut names = letters.clone();
         for (place, &set) in order.iter().enumerate() {
-            for (canonical, given) in structure.sets[place].iter().zip(read[set]) {
+            for (canonical, given) in structure.members(place).iter().zip(read[set].0) {
                 names[usize::from(*canonical)] = letters[usize::from(given)];
             }
         }
@@ -385,6 +416,24 @@ mod tests {
         let other: Structure = "f-c-2 z-d-1 d-f-g z-b-c".parse().unwrap();
         assert_eq!(one, other);
         assert_eq!((one.links(), one.freedom()), (8, 4));
+    }
+
+    #[test]
+    fn double_planet_sets_are_read_as_they_are_written() {
+        for text in ["0-1-c x-2-h y-h-2", "1-a-b c-2-a", "a-b-c a-d-1 d-f-g f-c-2"] {
+            let simple: Structure = text.parse().unwrap();
+            for count in 0..=2 {
+                for tagged in simple.with_double_planets(count) {
+                    let read: Structure = tagged.to_string().parse().unwrap();
+                    assert_eq!((&read, read.double_planets()), (&tagged, count), "{tagged}");
+                }
+            }
+        }
+        // Its word has ring and carrier exchanged; the letters are those given.
+        let (structure, letters) = Structure::read("y-2-h* 0-1-c x-2-h").unwrap();
+        assert_eq!(structure.to_string(), "0-1-a b-2-c d-2-c*");
+        assert_eq!(structure.sets()[2], [6, 5, 2]);
+        assert_eq!(letters, ['0', '1', '2', 'c', 'x', 'h', 'y']);
     }
 
     #[test]

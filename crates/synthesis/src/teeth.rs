@@ -1,11 +1,14 @@
 //! Tooth numbers around a solution: every choice within limits that keeps each gear within its bounds.
 //!
 //! # Steps
-//! 1. The tooth numbers of a set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre distances, assembly,
-//!    clearance between planets. Sets that differ in the number of planets alone are one, with the most planets.
+//! 1. The tooth numbers of a simple set are those of [`epicyclic_gears::synthesis::Bounds`]: equal centre distances, assembly,
+//!    clearance between planets. Sets that differ in the number of planets alone are one, with the most planets. Those of a
+//!    double-planet set are those of [`epicyclic_gears::double_planet`]: of the pairs of planets that fit a sun and a ring the one that
+//!    [`double_planet_choices`](synthesis::Bounds::double_planet_choices) takes, since ratios do not depend on it.
 //! 2. Set by set a choice is put into the ratios, which leaves polynomials in the `k` of the other sets. Their box is shrunk by the
 //!    signs of `P − gQ` at its corners, which hold everywhere in it, and a box without a point ends the branch.
-//! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns' teeth.
+//! 3. A full choice is decided by its ratios as fractions: `P` and `Q` are whole numbers over the suns' teeth, also with
+//!    `k′ = (z_ring − z_sun)/z_sun` of double-planet sets.
 //!
 //! So nothing is lost: step 2 leaves out what no `k` within the bounds can have, widened by 10⁻⁹, and step 3 takes a ratio that
 //! is off its bound by the rounding of one division.
@@ -14,8 +17,11 @@ use crate::Error;
 use crate::parts::{Bounds, Cuboid};
 use crate::ratio::{Polynomial, Ratio};
 use crate::tolerance::WIDENING;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::double_planet::DoublePlanetNumbers;
 use epicyclic_gears::simple_set::Fraction;
 use epicyclic_gears::synthesis::{self, ToothNumbers};
+use epicyclic_train::set::{Gearing, SetSpec};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -39,22 +45,86 @@ pub struct Alike {
     pub rings: usize,
     /// Sets with equal suns.
     pub suns: usize,
-    /// Sets with equal suns and rings.
+    /// Sets of one kind with equal suns and rings.
     pub sets: usize,
 }
 
 impl Alike {
     /// Whether some chosen sets, with so many still to be chosen, can be so.
-    fn can_be(self, chosen: &[&ToothNumbers], left: usize) -> bool {
+    fn can_be(self, chosen: &[&SetTeeth], left: usize) -> bool {
         fn most<T: PartialEq>(of: impl Fn(usize) -> T, count: usize) -> usize {
             let alike = |one: usize| (0..count).filter(|other| of(*other) == of(one)).count();
             (0..count).map(alike).max().unwrap_or(0)
         }
         let count = chosen.len();
         let enough = |wanted: usize, most: usize| wanted <= 1 || most + left >= wanted;
-        enough(self.rings, most(|set| chosen[set].ring, count))
-            && enough(self.suns, most(|set| chosen[set].sun, count))
-            && enough(self.sets, most(|set| (chosen[set].sun, chosen[set].ring), count))
+        let of = |set: usize| chosen[set];
+        enough(self.rings, most(|set| of(set).ring(), count))
+            && enough(self.suns, most(|set| of(set).sun(), count))
+            && enough(
+                self.sets,
+                most(|set| (of(set).is_double_planet(), of(set).sun(), of(set).ring()), count),
+            )
+    }
+}
+
+/// Tooth numbers of a set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SetTeeth {
+    /// Of a simple set.
+    Simple(ToothNumbers),
+    /// Of a double-planet set.
+    DoublePlanet(DoublePlanetNumbers),
+}
+
+impl SetTeeth {
+    /// Teeth of the sun.
+    #[must_use]
+    pub const fn sun(&self) -> ToothCount {
+        match self {
+            Self::Simple(of) => of.sun,
+            Self::DoublePlanet(of) => of.sun,
+        }
+    }
+
+    /// Teeth of the ring.
+    #[must_use]
+    pub const fn ring(&self) -> ToothCount {
+        match self {
+            Self::Simple(of) => of.ring,
+            Self::DoublePlanet(of) => of.ring,
+        }
+    }
+
+    /// Whether it is a double-planet set.
+    #[must_use]
+    pub const fn is_double_planet(&self) -> bool {
+        matches!(self, Self::DoublePlanet(_))
+    }
+
+    /// The ratio of the structure's word times the teeth of the sun: `k·z_sun = z_ring`, of a double-planet set
+    /// `k′·z_sun = z_ring − z_sun`.
+    fn over_sun(&self) -> i64 {
+        match self {
+            Self::Simple(of) => i64::from(of.ring.get()),
+            Self::DoublePlanet(of) => i64::from(of.ring.get()) - i64::from(of.sun.get()),
+        }
+    }
+
+    /// The ratio of the structure's word: `k`, of a double-planet set `k′ = k − 1`.
+    #[must_use]
+    pub fn k_of_word(&self) -> f64 {
+        self.over_sun() as f64 / self.sun().as_f64()
+    }
+
+    /// A set of the solver of this kind, with these teeth in place of its own ratio, and its planets.
+    #[must_use]
+    pub fn put_into(&self, set: SetSpec) -> SetSpec {
+        let set = SetSpec { gearing: Gearing::Teeth(self.sun(), self.ring()), ..set };
+        match self {
+            Self::Simple(of) => set.planet_teeth(of.planet, None).planet_count(of.planets),
+            Self::DoublePlanet(of) => set.planet_teeth(of.inner, Some(of.outer)).planet_count(of.pairs),
+        }
     }
 }
 
@@ -62,7 +132,7 @@ impl Alike {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
     /// Of each set.
-    pub sets: Vec<ToothNumbers>,
+    pub sets: Vec<SetTeeth>,
     /// The ratio of each gear.
     pub ratios: Vec<Fraction>,
     /// The greatest deviation of a ratio, by half its bounds' width.
@@ -73,7 +143,7 @@ impl Design {
     /// Teeth of all suns and rings.
     #[must_use]
     pub fn teeth(&self) -> u32 {
-        self.sets.iter().map(|set| set.sun.get() + set.ring.get()).sum()
+        self.sets.iter().map(|set| set.sun().get() + set.ring().get()).sum()
     }
 }
 
@@ -90,10 +160,10 @@ pub struct Designs {
 
 /// Tooth numbers of a set to choose from, by rising `k`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Choice(Vec<ToothNumbers>);
+pub struct Choice(Vec<SetTeeth>);
 
 impl Choice {
-    /// All within bounds, each pair of sun and ring once.
+    /// All of simple sets within bounds, each pair of sun and ring once.
     ///
     /// # Errors
     /// [`Error::Teeth`] for bounds that nothing can keep.
@@ -103,9 +173,21 @@ impl Choice {
             let known = by_teeth.entry((set.sun, set.ring)).or_insert(set);
             known.planets = known.planets.max(set.planets);
         }
-        let mut all: Vec<ToothNumbers> = by_teeth.into_values().collect();
-        all.sort_by(|one, other| one.ring_to_sun_ratio().total_cmp(&other.ring_to_sun_ratio()));
-        Ok(Self(all))
+        Ok(Self::sorted(by_teeth.into_values().map(SetTeeth::Simple).collect()))
+    }
+
+    /// All of double-planet sets within bounds, each pair of sun and ring once. The bounds of the ratio are those of the real `k`.
+    ///
+    /// # Errors
+    /// [`Error::Teeth`] for bounds that nothing can keep.
+    pub fn of_double_planets(bounds: &synthesis::Bounds) -> Result<Self, Error> {
+        let all = bounds.double_planet_choices().map_err(Error::Teeth)?;
+        Ok(Self::sorted(all.into_iter().map(SetTeeth::DoublePlanet).collect()))
+    }
+
+    fn sorted(mut all: Vec<SetTeeth>) -> Self {
+        all.sort_by(|one, other| one.k_of_word().total_cmp(&other.k_of_word()));
+        Self(all)
     }
 
     /// How many there are.
@@ -114,30 +196,37 @@ impl Choice {
         self.0.len()
     }
 
-    fn between(&self, [least, most]: [f64; 2]) -> &[ToothNumbers] {
-        let from = self.0.partition_point(|set| set.ring_to_sun_ratio() < least);
-        let to = self.0.partition_point(|set| set.ring_to_sun_ratio() <= most);
+    /// Those within a range, also where rounding, as of `k − 1`, leaves them just outside.
+    fn between(&self, [least, most]: [f64; 2]) -> &[SetTeeth] {
+        let slack = |end: f64| 4.0 * f64::EPSILON * (1.0 + end);
+        let from = self.0.partition_point(|set| set.k_of_word() < least - slack(least));
+        let to = self.0.partition_point(|set| set.k_of_word() <= most + slack(most));
         &self.0[from.min(to)..to]
     }
 }
 
-/// All tooth numbers with which gears of these ratios are within their bounds, the best `most` of them told.
+/// All tooth numbers with which gears of these ratios are within their bounds, the best `most` of them told. Each set has its range
+/// of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from.
+///
+/// # Panics
+/// Where there are not as many choices as ranges.
 #[must_use]
 pub fn designs(
     ratios: &[Ratio],
     gears: &[Bounds],
     ranges_of_k: &[RangeInclusive<f64>],
-    choice: &Choice,
+    choices: &[&Choice],
     alike: Alike,
     aim: Aim,
     most: usize,
 ) -> Designs {
     let sets = ranges_of_k.len();
+    assert_eq!(choices.len(), sets, "each set has its choice");
     let mut search = Search {
         ratios,
         gears,
         widened: gears.iter().map(|gear| gear.widened()).collect(),
-        choice,
+        choices,
         alike,
         aim,
         most,
@@ -161,7 +250,7 @@ struct Search<'a> {
     ratios: &'a [Ratio],
     gears: &'a [Bounds],
     widened: Vec<Bounds>,
-    choice: &'a Choice,
+    choices: &'a [&'a Choice],
     alike: Alike,
     aim: Aim,
     most: usize,
@@ -172,7 +261,7 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Chooses the first set of a box of what is left, whose polynomials are these.
-    fn go(&mut self, functions: &[[Vec<f64>; 2]], mut cuboid: Cuboid, chosen: &mut Vec<&'a ToothNumbers>) {
+    fn go(&mut self, functions: &[[Vec<f64>; 2]], mut cuboid: Cuboid, chosen: &mut Vec<&'a SetTeeth>) {
         if cuboid.is_empty() {
             return self.decide(chosen);
         }
@@ -184,11 +273,11 @@ impl<'a> Search<'a> {
         if !shrink(functions, &self.widened, &mut cuboid) {
             return;
         }
-        let choice = self.choice;
+        let choice = self.choices[chosen.len()];
         for set in choice.between(cuboid[0]) {
             chosen.push(set);
             if self.alike.can_be(chosen, self.sets - chosen.len()) {
-                let k = set.ring_to_sun_ratio();
+                let k = set.k_of_word();
                 let rest: Vec<[Vec<f64>; 2]> =
                     functions.iter().map(|of| of.each_ref().map(|of| put_in(of, k))).collect();
                 self.go(&rest, cuboid[1..].to_vec(), chosen);
@@ -198,7 +287,7 @@ impl<'a> Search<'a> {
     }
 
     /// Takes a full choice whose ratios are within their bounds.
-    fn decide(&mut self, chosen: &[&ToothNumbers]) {
+    fn decide(&mut self, chosen: &[&SetTeeth]) {
         let mut ratios = Vec::with_capacity(self.ratios.len());
         let mut deviation: f64 = 0.0;
         for (ratio, gear) in self.ratios.iter().zip(self.gears) {
@@ -218,7 +307,7 @@ impl<'a> Search<'a> {
         self.found.count += 1;
         let ratios = || ratios.iter().map(|[above, below]| Fraction::new(*above, *below)).collect();
         let first = &mut self.found.first;
-        let teeth: u32 = chosen.iter().map(|set| set.sun.get() + set.ring.get()).sum();
+        let teeth: u32 = chosen.iter().map(|set| set.sun().get() + set.ring().get()).sum();
         let aim = self.aim;
         let comes_after = |other: &Design| {
             let by_deviation = other.deviation.total_cmp(&deviation);
@@ -245,10 +334,10 @@ fn put_in(polynomial: &[f64], k: f64) -> Vec<f64> {
 }
 
 /// A polynomial times the teeth of all suns: a whole number.
-fn whole(polynomial: Polynomial, chosen: &[&ToothNumbers]) -> i128 {
+fn whole(polynomial: Polynomial, chosen: &[&SetTeeth]) -> i128 {
     let term = |product: usize| {
-        let teeth = |(place, set): (usize, &&ToothNumbers)| {
-            i128::from(if product >> place & 1 == 1 { set.ring.get() } else { set.sun.get() })
+        let teeth = |(place, set): (usize, &&SetTeeth)| {
+            i128::from(if product >> place & 1 == 1 { set.over_sun() } else { i64::from(set.sun().get()) })
         };
         i128::from(polynomial.coefficient(product)) * chosen.iter().enumerate().map(teeth).product::<i128>()
     };
@@ -330,7 +419,6 @@ mod tests {
     use crate::gearbox::gearbox;
     use crate::structure::Structure;
     use epicyclic_gears::efficiency::MeshEfficiency;
-    use epicyclic_train::set::{Gearing, SetSpec};
 
     /// `1 + k₁`, `(1 + k₁ + k₂)/(1 + k₂)` and `−k₂`, as of a four-speed.
     fn four_speed() -> (Vec<Ratio>, Vec<Bounds>) {
@@ -354,17 +442,17 @@ mod tests {
         Choice::within(&bounds).unwrap()
     }
 
-    fn by_trial(choice: &Choice, alike: Alike, range: &RangeInclusive<f64>) -> Vec<[ToothNumbers; 2]> {
+    fn by_trial(choice: &Choice, alike: Alike, range: &RangeInclusive<f64>) -> Vec<[SetTeeth; 2]> {
         let (ratios, gears) = four_speed();
         let mut found = Vec::new();
         for one in &choice.0 {
             for two in &choice.0 {
-                let k = [one.ring_to_sun_ratio(), two.ring_to_sun_ratio()];
+                let k = [one.k_of_word(), two.k_of_word()];
                 let within = k.iter().all(|k| range.contains(k))
                     && ratios.iter().zip(&gears).all(|(ratio, gear)| gear.contain(ratio.value(&k)))
-                    && (alike.rings < 2 || one.ring == two.ring)
-                    && (alike.suns < 2 || one.sun == two.sun)
-                    && (alike.sets < 2 || (one.sun, one.ring) == (two.sun, two.ring));
+                    && (alike.rings < 2 || one.ring() == two.ring())
+                    && (alike.suns < 2 || one.sun() == two.sun())
+                    && (alike.sets < 2 || (one.sun(), one.ring()) == (two.sun(), two.ring()));
                 if within {
                     found.push([*one, *two]);
                 }
@@ -385,8 +473,8 @@ mod tests {
             Alike { sets: 2, ..Alike::default() },
         ];
         for (alike, some) in alikes.into_iter().zip([true, true, true, false]) {
-            let found = designs(&ratios, &gears, &ranges, &choice, alike, Aim::Deviation, usize::MAX);
-            let mut teeth: Vec<[ToothNumbers; 2]> =
+            let found = designs(&ratios, &gears, &ranges, &[&choice; 2], alike, Aim::Deviation, usize::MAX);
+            let mut teeth: Vec<[SetTeeth; 2]> =
                 found.first.iter().map(|design| [design.sets[0], design.sets[1]]).collect();
             teeth.sort_unstable();
             let mut tried = by_trial(&choice, alike, &ranges[0]);
@@ -402,7 +490,7 @@ mod tests {
         let (ratios, gears) = four_speed();
         let (choice, ranges) = (few(), [1.4..=4.5, 1.4..=4.5]);
         for aim in [Aim::Deviation, Aim::Teeth] {
-            let of = |most| designs(&ratios, &gears, &ranges, &choice, Alike::default(), aim, most);
+            let of = |most| designs(&ratios, &gears, &ranges, &[&choice; 2], Alike::default(), aim, most);
             let (all, five) = (of(usize::MAX), of(5));
             assert_eq!(five.first[..], all.first[..5]);
             assert_eq!(five.count, all.count);
@@ -418,8 +506,15 @@ mod tests {
     #[test]
     fn the_fractions_are_those_of_the_solver() {
         let (ratios, gears) = four_speed();
-        let found =
-            designs(&ratios, &gears, &[1.4..=4.5, 1.4..=4.5], &few(), Alike::default(), Aim::Deviation, 3);
+        let found = designs(
+            &ratios,
+            &gears,
+            &[1.4..=4.5, 1.4..=4.5],
+            &[&few(); 2],
+            Alike::default(),
+            Aim::Deviation,
+            3,
+        );
         // Links of the four-speed: 3 is a, 4 is b, 5 is c.
         let structure: Structure = "1-a-2 b-2-c".parse().unwrap();
         let elements = [[0, 4], [0, 5], [1, 4], [1, 5], [3, 5]];
@@ -429,10 +524,7 @@ mod tests {
             let gearbox = gearbox(&structure, &[2.0, 2.0], MeshEfficiency::IDEAL, &elements, &engaged)
                 .unwrap()
                 .to_builder()
-                .map_sets(|set| {
-                    let of = teeth.next().unwrap();
-                    SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }
-                })
+                .map_sets(|set| teeth.next().unwrap().put_into(set))
                 .build()
                 .unwrap();
             for (gear, ratio) in gearbox.gears().iter().zip(&design.ratios) {
@@ -452,14 +544,14 @@ mod tests {
                 &[ratio],
                 &[bounds],
                 &[1.4..=4.5, 1.4..=4.5],
-                &choice,
+                &[&choice; 2],
                 Alike::default(),
                 Aim::Teeth,
                 1,
             );
             let in_range = choice.between([1.4, 4.5]);
-            let is_within = |one: &ToothNumbers, two: &ToothNumbers| {
-                bounds.contain(ratio.value(&[one.ring_to_sun_ratio(), two.ring_to_sun_ratio()]))
+            let is_within = |one: &SetTeeth, two: &SetTeeth| {
+                bounds.contain(ratio.value(&[one.k_of_word(), two.k_of_word()]))
             };
             let tried: usize =
                 in_range.iter().map(|one| in_range.iter().filter(|two| is_within(one, two)).count()).sum();

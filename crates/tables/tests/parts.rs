@@ -48,6 +48,20 @@ fn a_part_is_read_as_it_was_written() {
     }
 }
 
+/// Their structures have stars, and ring and carrier stand exchanged in their words.
+#[test]
+fn a_part_with_double_planet_sets_is_read_as_it_was_written() {
+    let around = |ratio: f64| Bounds { least: 0.99 * ratio, most: 1.01 * ratio };
+    let mut wish = Wish::new([2.56, 1.465].map(around).into(), 2, vec![1.4..=4.5, 0.6..=3.5]);
+    wish.double_planets = 1;
+    let class = Class::new(Kind::Core, 2, 4).expect("a class");
+    let work = go_on(class, &wish, Share::WHOLE, Work::default(), &|_| ControlFlow::Continue(())).unwrap();
+    let searches = vec![(asked(class, &wish), work)];
+    let part = Part { version: VERSION.into(), share: Share::WHOLE, searches };
+    assert_eq!(part.searches[0].1.found.len(), 14);
+    assert_eq!(Part::from_parquet(part.to_parquet().unwrap()).unwrap(), part);
+}
+
 #[test]
 fn parts_together_are_the_whole_search_in_any_order() {
     let (class, wish) = question();

@@ -348,6 +348,13 @@ fn gears(found: &Solution) -> Text {
     if !equal.is_empty() {
         points.push(format!("equal: {}", equal.join(" = ")));
     }
+    if found.sets.iter().any(|set| set.is_double_planet) {
+        let told = "planets of a double-planet set enter with the speed that they exceed with any teeth";
+        points.push(match found.teeth {
+            Some(_) => told.to_owned(),
+            None => format!("{told}; --teeth tells exact speeds"),
+        });
+    }
     if !found.missing_gears.is_empty() {
         let gears: Vec<String> = found.missing_gears.iter().map(usize::to_string).collect();
         points.push(format!("without gear {} of the list", gears.join(" and ")));

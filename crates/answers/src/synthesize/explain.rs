@@ -1,7 +1,8 @@
 //! A given gearbox beside a search: which wanted ratio it misses, and as which number it is found, or why it is not.
 //!
-//! The gearbox is taken to a structure of the search: links joined for ever are one, and a double-planet set is, for its speeds, a
-//! simple set with ring and carrier exchanged and `k′ = k − 1`. It is found where a solution has its structure and, up to the
+//! The gearbox is taken to a structure of the search: links joined for ever are one. Where double-planet sets are searched, its own
+//! stand for themselves; in a search of simple sets alone each stands, for its speeds, for a simple set with ring and carrier exchanged
+//! and `k′ = k − 1`. The gearbox is found where a solution has its structure and, up to the
 //! structure's automorphisms, its shift elements; of those that lock the same each stands for the others.
 
 use super::{Kept, Synthesis, Wanted, WantedGear};
@@ -62,7 +63,8 @@ pub struct Reason {
     pub obstacle: Obstacle,
     /// The set that it is about; `null` where it is about none.
     pub set: Option<String>,
-    /// The `k` of this set, of a double-planet set `k′ = k − 1`; `null` but of `k_out_of_range`.
+    /// The `k` of this set, of a double-planet set in a search of simple sets `k′ = k − 1`; `null` but of `k_out_of_range` and
+    /// `k_of_double_planet_out_of_range`.
     pub k: Option<f64>,
     /// How many there are of what was not searched in such number, or how many k were asked to be equal; `null` of other obstacles.
     pub count: Option<usize>,
@@ -97,8 +99,12 @@ pub enum Obstacle {
     Engaged,
     /// The search ended before this number of sets and shift elements.
     EndedBefore,
-    /// A `k` beyond the range.
+    /// So many double-planet sets were not searched.
+    DoublePlanets,
+    /// A `k` of a simple set beyond the range.
     KOutOfRange,
+    /// A `k` of a double-planet set beyond its range.
+    KOfDoublePlanetOutOfRange,
     /// The `k` of a set moves no wanted ratio: a simpler gearbox does the same.
     Reducible,
     /// A shift element that no wanted gear engages: a gearbox without it does the same.
@@ -132,7 +138,7 @@ struct Subject {
     elements: Vec<Element>,
     /// For each shift element of the gearbox its place in `elements`; none where it joins a link with itself.
     places: Vec<Option<usize>>,
-    /// For each set of the structure its name and its `k`.
+    /// For each set of the structure its name and its `k`: of a double-planet set the real one.
     sets: Vec<(String, f64)>,
 }
 
@@ -159,7 +165,7 @@ pub(super) fn explain(
         family: None,
         reasons: vec![],
     };
-    let subject = match Subject::of(gearbox) {
+    let subject = match Subject::of(gearbox, wanted) {
         Ok(subject) => subject,
         Err(reason) => {
             explanation.reasons.push(reason);
@@ -232,32 +238,37 @@ fn links(gearbox: &Gearbox) -> Result<Vec<Link>, Reason> {
 }
 
 impl Subject {
-    fn of(gearbox: &Gearbox) -> Result<Self, Reason> {
+    fn of(gearbox: &Gearbox, wanted: &Wanted) -> Result<Self, Reason> {
         let links = links(gearbox)?;
         let link = |id: LinkId| links[id.index()];
-        let mut given: Vec<(Members, String, f64)> = Vec::new();
+        // In a search of simple sets alone a double-planet set stands for one.
+        let as_simple = *wanted.double_planets.end() == 0;
+        let mut given: Vec<(Members, bool, String, f64)> = Vec::new();
         for set in gearbox.sets() {
             let [sun, ring, carrier] = match set.members() {
                 [sun, ring, carrier] => [*sun, *ring, *carrier].map(link),
                 _ => return Err(Reason::of_set(Obstacle::SetKind, set.id())),
             };
             let k = set.basic_ratio().get().abs();
-            given.push(match set.kind() {
-                Some(SetKind::Simple) => ([sun, ring, carrier], set.id().to_owned(), k),
-                Some(SetKind::DoublePlanet) => ([sun, carrier, ring], set.id().to_owned(), k - 1.0),
+            let (members, double, k) = match set.kind() {
+                Some(SetKind::Simple) => ([sun, ring, carrier], false, k),
+                Some(SetKind::DoublePlanet) if as_simple => ([sun, carrier, ring], false, k - 1.0),
+                Some(SetKind::DoublePlanet) => ([sun, ring, carrier], true, k),
                 _ => return Err(Reason::of_set(Obstacle::SetKind, set.id())),
-            });
+            };
+            given.push((members, double, set.id().to_owned(), k));
         }
-        let members: Vec<Members> = given.iter().map(|(members, ..)| *members).collect();
+        let members: Vec<(Members, bool)> =
+            given.iter().map(|(members, double, ..)| (*members, *double)).collect();
         let count = links.iter().copied().max().map_or(0, usize::from);
         let (structure, order) =
-            Structure::canonical(&members, count).map_err(|_| Reason::new(Obstacle::NoStructure))?;
+            Structure::with_kinds(&members, count).map_err(|_| Reason::new(Obstacle::NoStructure))?;
         // Where each link stands in the canonical word; input and output keep their names.
         let mut names: Vec<Link> =
             (0..=structure.links()).map(|link| Link::try_from(link).unwrap_or(0)).collect();
-        for (set, place) in structure.sets().iter().zip(&order) {
-            for (canonical, given) in set.iter().zip(members[*place]) {
-                names[usize::from(given)] = *canonical;
+        for (set, place) in order.iter().enumerate() {
+            for (canonical, given) in structure.members(set).into_iter().zip(members[*place].0) {
+                names[usize::from(given)] = canonical;
             }
         }
         let (mut elements, mut places): (Vec<Element>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
@@ -274,7 +285,7 @@ impl Subject {
                 elements.push(pair);
             }
         }
-        let sets = order.iter().map(|place| (given[*place].1.clone(), given[*place].2)).collect();
+        let sets = order.iter().map(|place| (given[*place].2.clone(), given[*place].3)).collect();
         Ok(Self { structure, elements, places, sets })
     }
 
@@ -332,15 +343,24 @@ impl Subject {
         if !wanted.engaged.contains(&engaged) {
             reasons.push(Reason::of_count(Obstacle::Engaged, engaged));
         }
-        for (set, k) in &self.sets {
-            if !wanted.k.contains(k) {
-                reasons.push(Reason { k: Some(*k), ..Reason::of_set(Obstacle::KOutOfRange, set) });
+        let double_planets = self.structure.double_planets();
+        if !wanted.double_planets.contains(&double_planets) {
+            reasons.push(Reason::of_count(Obstacle::DoublePlanets, double_planets));
+        }
+        for (place, (set, k)) in self.sets.iter().enumerate() {
+            let is_double_planet = self.structure.is_double_planet(place);
+            let obstacle =
+                if is_double_planet { Obstacle::KOfDoublePlanetOutOfRange } else { Obstacle::KOutOfRange };
+            if !wanted.k_of(is_double_planet).contains(k) {
+                reasons.push(Reason { k: Some(*k), ..Reason::of_set(obstacle, set) });
             }
         }
-        let was_searched = answer
-            .searched
-            .iter()
-            .any(|class| class.sets == sets && class.shift_elements == count && class.engaged == engaged);
+        let was_searched = answer.searched.iter().any(|class| {
+            class.sets == sets
+                && class.double_planets == double_planets
+                && class.shift_elements == count
+                && class.engaged == engaged
+        });
         if reasons.is_empty() && !was_searched {
             reasons.push(Reason::new(Obstacle::EndedBefore));
         }
@@ -431,15 +451,18 @@ fn are_joined(sets: &[Members]) -> bool {
 mod tests {
     use super::*;
     use crate::gearbox::{Choice, one};
-    use crate::synthesize::solve;
+    use crate::synthesize::{solve, solve_by};
     use epicyclic_formats::Document;
     use epicyclic_formats::WantedRatio;
     use epicyclic_formats::wanted_ratio::Wanted as Ratio;
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_synthesis::limits::Limits;
     use epicyclic_synthesis::rules::Rules;
+    use epicyclic_synthesis::run::{self, Found};
+    use epicyclic_synthesis::search::Search;
+    use epicyclic_synthesis::tally::Tally;
     use epicyclic_train::set::SetSpec;
-    use std::ops::ControlFlow;
+    use std::ops::{ControlFlow, RangeInclusive};
 
     fn gears(ratios: &[f64]) -> Vec<WantedRatio> {
         let gear = |ratio: &f64| WantedRatio {
@@ -588,6 +611,80 @@ mod tests {
             ..wanted(&[], Kind::Core, 2, 1, held)
         });
         assert!(told.contains(&Obstacle::MemberOnHousing), "{told:?}");
+    }
+
+    /// The 6HP with links of other names, its double-planet set not the last.
+    fn six_hp() -> Gearbox {
+        Gearbox::builder("6HP")
+            .links(["turbine", "shaft", "C1", "S2", "S3", "H"])
+            .set(SetSpec::new("rear", SetKind::DoublePlanet, ["S3", "shaft", "H"], 85.0 / 31.0))
+            .set(SetSpec::simple("front", ["ground", "turbine", "C1"], 71.0 / 37.0))
+            .set(SetSpec::simple("middle", ["S2", "shaft", "H"], 85.0 / 38.0))
+            .clutch("A", "C1", "S3")
+            .clutch("B", "C1", "S2")
+            .clutch("E", "turbine", "H")
+            .brake("C", "S2")
+            .brake("D", "H")
+            .input("turbine")
+            .output("shaft")
+            .build()
+            .unwrap()
+    }
+
+    const SIX_HP: [f64; 7] = [4.171, 2.340, 1.521, 1.143, 0.867, 0.691, -3.403];
+
+    /// A search in the structures of its sets alone, which is quicker than that of the class.
+    fn of_six_hp(double_planets: RangeInclusive<usize>) -> Wanted {
+        let six = wanted(&SIX_HP, Kind::AllSparse, 5, 2, six_hp());
+        Wanted { sets: 3..=3, double_planets, ..six }
+    }
+
+    fn searched_alone(wanted: &Wanted) -> (Synthesis, Vec<Kept>) {
+        let simple: Structure = "0-1-c x-2-h y-h-2".parse().unwrap();
+        solve_by(wanted, &mut |searching, wish| -> Result<run::Answer, Error> {
+            let mut search = Search::<u8>::new(wish.clone(), searching.class.links());
+            let mut found = Vec::new();
+            for structure in simple.with_double_planets(searching.double_planets) {
+                let solutions = search.structure(&structure).into_iter();
+                found.extend(solutions.map(|solution| Found { structure: structure.clone(), solution }));
+            }
+            Ok(run::Answer { found, class_size: 1, complete: true, tally: Tally::default() })
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn a_6hp_is_found_with_its_double_planet_set_and_as_simple_sets() {
+        for (double_planets, structure) in
+            [(1..=1, "0-1-a b-2-c d-2-c*"), (0..=1, "0-1-a b-2-c d-2-c*"), (0..=0, "0-1-a b-2-c d-c-2")]
+        {
+            let (answer, kept) = searched_alone(&of_six_hp(double_planets));
+            let found = answer.explanation.unwrap();
+            assert!(found.has_all_ratios && found.reasons.is_empty(), "{found:?}");
+            assert_eq!(found.structure.as_deref(), Some(structure));
+            let number = found.number.unwrap();
+            assert_eq!(kept[number - 1].found.structure.to_string(), structure);
+            assert_eq!(found.shift_elements, ["a-d", "a-b", "1-c", "b", "c"]);
+        }
+    }
+
+    #[test]
+    fn what_keeps_a_gearbox_with_a_double_planet_set_out_is_told() {
+        let reasons = |wanted: &Wanted| searched_alone(wanted).0.explanation.unwrap().reasons;
+        let two = of_six_hp(2..=2);
+        assert_eq!(reasons(&two), [Reason::of_count(Obstacle::DoublePlanets, 1)]);
+        let narrow = Wanted { k_double: 2.0..=2.5, ..of_six_hp(1..=1) };
+        let real = Some(85.0 / 31.0);
+        let rear = Reason { k: real, ..Reason::of_set(Obstacle::KOfDoublePlanetOutOfRange, "rear") };
+        assert_eq!(reasons(&narrow), [rear]);
+        // As simple sets it is held against --k.
+        let narrow = Wanted { k: 1.85..=4.5, ..of_six_hp(0..=0) };
+        let exchanged =
+            Reason { k: Some(85.0 / 31.0 - 1.0), ..Reason::of_set(Obstacle::KOutOfRange, "rear") };
+        assert_eq!(reasons(&narrow), [exchanged]);
+        let none = wanted(&LIST, Kind::AllSparse, 5, 2, four_speed());
+        let none = Wanted { double_planets: 1..=1, ..none };
+        assert_eq!(obstacles(&none), [Obstacle::DoublePlanets]);
     }
 
     #[test]

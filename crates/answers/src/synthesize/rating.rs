@@ -74,7 +74,7 @@ pub struct GearRating {
     pub drag_of_input: f64,
     /// The greatest speed of a link over the input's.
     pub greatest_link_speed_of_input: f64,
-    /// The greatest speed of a planet relative to its carrier, over the input's.
+    /// The greatest speed of a planet relative to its carrier, over the input's; of a double-planet set's planets what they exceed.
     pub greatest_planet_speed_of_input: f64,
     /// Circulating power over what enters.
     pub circulating_of_entering: f64,

@@ -3,7 +3,7 @@
 use super::Kept;
 use epicyclic_formats::gearbox::{NotWritable, written};
 use epicyclic_synthesis::teeth::Design;
-use epicyclic_train::set::{Gearing, SetSpec};
+use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Error, GearSpec, Gearbox};
 
 /// The gearbox of a solution under this name, its gears named by their places among the wanted forward gears in falling order, `1`,
@@ -16,9 +16,7 @@ pub fn gearbox(kept: &Kept, name: &str, teeth: Option<&Design>) -> Result<Gearbo
     let mut sets = teeth.map(|design| design.sets.iter());
     let with_teeth = |set: SetSpec| match sets.as_mut().and_then(Iterator::next) {
         None => set,
-        Some(of) => SetSpec { gearing: Gearing::Teeth(of.sun, of.ring), ..set }
-            .planet_teeth(of.planet, None)
-            .planet_count(of.planets),
+        Some(of) => of.put_into(set),
     };
     kept.judged
         .gearbox

@@ -1,19 +1,21 @@
 //! Tooth numbers of a solution.
 
 use super::gear::WantedGear;
+use super::{Kept, Wanted, saved};
+use crate::Error;
 use crate::shared::Fraction;
-use epicyclic_gears::synthesis::{Bounds as ToothBounds, ToothNumbers};
+use epicyclic_gears::synthesis::Bounds as ToothBounds;
+use epicyclic_synthesis::Structure;
+use epicyclic_synthesis::judge::planet_speed;
 use epicyclic_synthesis::parts::Bounds;
-use epicyclic_synthesis::run::Found;
-use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, designs};
+use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, SetTeeth, designs};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::ops::RangeInclusive;
 
 /// Which tooth numbers are wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeethWanted {
-    /// Limits of teeth and planets; the `k` are those of the search.
+    /// Limits of teeth and planets, of a double-planet set of each of its two planets and of the pairs; the `k` are those of the search.
     pub bounds: ToothBounds,
     /// How many sets are alike at least.
     pub alike: Alike,
@@ -27,7 +29,8 @@ pub struct TeethWanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Teeth {
-    /// How many choices of tooth numbers there are; those that differ in the numbers of planets alone are one.
+    /// How many choices of tooth numbers there are; those that differ in the numbers of planets alone are one, and so are those that
+    /// differ in the planets of double-planet sets.
     pub found: u64,
     /// Whether all were counted; the trial ends after a great many.
     pub complete: bool,
@@ -45,6 +48,8 @@ pub struct TeethOfSets {
     pub ratios: Vec<Fraction>,
     /// The greatest deviation of a ratio from the one wanted, as a share of it; 0 where all are ranges.
     pub greatest_deviation: f64,
+    /// The greatest speed of a planet relative to its carrier in a gear, over the input's, with these teeth.
+    pub greatest_planet_speed: f64,
 }
 
 /// Tooth numbers of a set.
@@ -53,52 +58,110 @@ pub struct TeethOfSets {
 pub struct TeethOfSet {
     /// Teeth of the sun.
     pub sun: u32,
-    /// Teeth of a planet.
+    /// Teeth of a planet; of a double-planet set of the planet in mesh with the sun.
     pub planet: u32,
+    /// Of a double-planet set teeth of the planet in mesh with the ring; none of a simple set.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outer_planet: Option<u32>,
     /// Teeth of the ring.
     pub ring: u32,
-    /// The most planets that assemble at equal angles and clear each other.
+    /// The most planets, of a double-planet set pairs of planets, that assemble at equal angles and clear each other.
     pub planets: u32,
+}
+
+/// Tooth numbers of sets to choose from.
+pub(super) struct Choices {
+    simple: Choice,
+    double_planet: Option<Choice>,
+}
+
+impl Choices {
+    /// Those wanted; none where no tooth numbers are.
+    pub(super) fn wanted(wanted: &Wanted) -> Result<Option<Self>, Error> {
+        let Some(teeth) = &wanted.teeth else { return Ok(None) };
+        let simple = Choice::within(&teeth.bounds)?;
+        let is_double_planet = *wanted.double_planets.end() > 0;
+        let real = ToothBounds { ring_to_sun_ratio: wanted.k_double.clone(), ..teeth.bounds.clone() };
+        let double_planet = is_double_planet.then(|| Choice::of_double_planets(&real)).transpose()?;
+        Ok(Some(Self { simple, double_planet }))
+    }
+
+    /// That of each set of a structure.
+    fn of(&self, structure: &Structure) -> Vec<&Choice> {
+        let of = |place: usize| match &self.double_planet {
+            Some(choice) if structure.is_double_planet(place) => choice,
+            _ => &self.simple,
+        };
+        (0..structure.sets().len()).map(of).collect()
+    }
 }
 
 impl Teeth {
     /// Those of a solution, its best choices also as the search has them.
+    ///
+    /// # Errors
+    /// Those of the solver; none are known for tooth numbers of a search.
+    ///
+    /// # Panics
+    /// Where the solver's fraction of a ratio is another than the search's: a fault of this library.
     pub(super) fn of(
-        found: &Found,
+        kept: &Kept,
         gears: &[WantedGear],
-        k: &[RangeInclusive<f64>],
-        choice: &Choice,
-        wanted: &TeethWanted,
-    ) -> (Self, Vec<Design>) {
-        let mut ratios: Vec<_> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
+        wanted: &Wanted,
+        choices: &Choices,
+        teeth: &TeethWanted,
+    ) -> Result<(Self, Vec<Design>), Error> {
+        let structure = &kept.found.structure;
+        let solution = &kept.found.solution;
+        let mut ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
         let mut bounds: Vec<_> = gears.iter().map(WantedGear::bounds).collect();
         // k that are equal are so in teeth: exactly, since ratios are fractions of whole numbers.
-        ratios.extend(found.solution.equal.ratios());
+        ratios.extend(solution.equal.ratios());
         bounds.resize(ratios.len(), Bounds { least: 1.0, most: 1.0 });
-        let mut all = designs(&ratios, &bounds, k, choice, wanted.alike, wanted.aim, wanted.most);
+        let k = wanted.ranges(structure.sets().len(), structure.double_planets());
+        let choices = choices.of(structure);
+        let mut all = designs(&ratios, &bounds, &k, &choices, teeth.alike, teeth.aim, teeth.most);
         all.first.iter_mut().for_each(|design| design.ratios.truncate(gears.len()));
-        let told = all.first.iter().map(|design| TeethOfSets::of(design, gears)).collect();
-        (Self { found: all.count, complete: all.complete, choices: told }, all.first)
+        let told = all.first.iter().map(|design| TeethOfSets::of(kept, design, gears));
+        let choices = told.collect::<Result<_, _>>()?;
+        Ok((Self { found: all.count, complete: all.complete, choices }, all.first))
     }
 }
 
 impl TeethOfSets {
-    fn of(design: &Design, wanted: &[WantedGear]) -> Self {
+    fn of(kept: &Kept, design: &Design, wanted: &[WantedGear]) -> Result<Self, Error> {
         let deviation = |(ratio, wanted): (&epicyclic_gears::simple_set::Fraction, &WantedGear)| {
             let wanted = wanted.wanted_ratio?;
             Some((*ratio.numer() as f64 / *ratio.denom() as f64 / wanted - 1.0).abs())
         };
-        Self {
+        let gearbox = saved::gearbox(kept, "", Some(design))?;
+        let mut greatest_planet_speed: f64 = 0.0;
+        for (gear, ratio) in gearbox.gears().iter().zip(&design.ratios) {
+            let analysis = gearbox.analyze_gear(gear)?;
+            let by_solver = analysis.exact_ratio();
+            assert!(
+                by_solver.as_ref() == Some(ratio),
+                "{}: gear {} is {ratio}, {by_solver:?} by the solver",
+                kept.found.structure,
+                gear.name()
+            );
+            greatest_planet_speed = greatest_planet_speed.max(planet_speed(&analysis));
+        }
+        Ok(Self {
             sets: design.sets.iter().map(TeethOfSet::of).collect(),
             ratios: design.ratios.iter().map(|ratio| Fraction::of(*ratio)).collect(),
             greatest_deviation: design.ratios.iter().zip(wanted).filter_map(deviation).fold(0.0, f64::max),
-        }
+            greatest_planet_speed,
+        })
     }
 }
 
 impl TeethOfSet {
-    fn of(set: &ToothNumbers) -> Self {
-        let ToothNumbers { sun, planet, ring, planets } = *set;
-        Self { sun: sun.get(), planet: planet.get(), ring: ring.get(), planets }
+    fn of(set: &SetTeeth) -> Self {
+        let (planet, outer_planet, planets) = match set {
+            SetTeeth::Simple(of) => (of.planet, None, of.planets),
+            SetTeeth::DoublePlanet(of) => (of.inner, Some(of.outer.get()), of.pairs),
+        };
+        Self { sun: set.sun().get(), planet: planet.get(), outer_planet, ring: set.ring().get(), planets }
     }
 }

@@ -48,7 +48,7 @@ pub struct Wanted {
     pub limits: Limits,
     /// Whether solutions are drawable: with nested shafts, each brake reached from the housing.
     pub drawable: bool,
-    /// Efficiency of a set's meshes.
+    /// Efficiency of a simple set's two meshes; each of the three of a double-planet set loses as much.
     pub efficiency: MeshEfficiency,
     /// How many solutions are told at most.
     pub most: usize,

@@ -109,6 +109,10 @@ synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-pl
   --k-double 2..3
 synthesize: --ratios '2.56, 1.465' --tolerance 5% --sets 2 --elements 2 --engaged 1 --format json
   --equal-k 2
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --double-planets 1 --teeth --ring 60..90 --format json
+  --k-double 2..3
+  --planet 14..
+  --planet-count 2
 synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
   --ring 60..90
   --sun 40..

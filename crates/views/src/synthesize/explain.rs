@@ -76,9 +76,16 @@ fn words(reason: &Reason) -> String {
         Obstacle::EndedBefore => "the search ended before its number of sets and shift elements; give --sets and --elements as \
                                   they are"
             .to_owned(),
+        Obstacle::DoublePlanets => {
+            format!("it has {} double-planet sets, beyond --double-planets", if count == 0 { "no".to_owned() } else { count.to_string() })
+        }
         Obstacle::KOutOfRange => {
             format!("k = {:.4} of set `{set}` is beyond --k", reason.k.unwrap_or(f64::NAN))
         }
+        Obstacle::KOfDoublePlanetOutOfRange => format!(
+            "k = {:.4} of the double-planet set `{set}` is beyond --k-double",
+            reason.k.unwrap_or(f64::NAN)
+        ),
         Obstacle::Reducible => {
             format!("the k of set `{set}` moves no wanted ratio: a simpler gearbox does the same")
         }

@@ -1,0 +1,299 @@
+//! Tooth numbers of a double-planet set: sun, ring, and pairs of planets in mesh with each other, the *inner* planet of a pair in
+//! mesh with the sun, the *outer* one with the ring, both on one carrier.
+//!
+//! ```text
+//! centres          R_g = (z_a + z_g)/2    R_f = (z_b − z_f)/2    d = (z_g + z_f)/2
+//! triangle         R_f − R_g ≤ d                          is  z_b − z_a ≤ 2·(z_g + z_f)
+//! angle of a pair  cos ψ = (R_g² + R_f² − d²)/(2·R_g·R_f)
+//! inner and ring   z_b/2 − h_a* > R_g + z_g/2 + h_a* + s
+//! outer and sun    R_f − z_f/2 − h_a* > z_a/2 + h_a* + s
+//! inner planets    2·R_g·sin(γ/2) > z_g + 2·h_a* + s
+//! outer planets    2·R_f·sin(γ/2) > z_f + 2·h_a* + s
+//! inner and the next pair's outer
+//!                  √(R_g² + R_f² − 2·R_g·R_f·cos(γ − ψ)) > d + 2·h_a* + s
+//! assembly         (z_b − z_a)/N integer, for equal spacing γ = 2π/N
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `z_a`, `z_g`, `z_f`, `z_b` | teeth of sun, inner planet, outer planet, ring | 1 |
+//! | `R_g`, `R_f` | radii of the centres of the inner and the outer planets | modules |
+//! | `d` | distance of the centres of a pair | modules |
+//! | `ψ` | angle from the inner planet of a pair to its outer one, about the main axis | rad |
+//! | `N`, `γ` | number of pairs, the smallest angle between neighbouring pairs | 1, rad |
+//! | `h_a*` | addendum coefficient | modules |
+//! | `s` | least gap wanted between tip circles of gears that do not mesh | modules |
+//!
+//! All gears have one module and no profile shift. The two planets are free where a simple set has none: sun and ring leave
+//! `z_b = z_a + 2·z_g` of it, and here an inequality. `i₀ = +z_b/z_a` does not depend on them.
+//!
+//! # Assembly
+//! Carried on by an angle `α` about the axis, the inner planet finds the sun turned back by `z_a·α/2π` teeth, the outer planet the
+//! ring by `z_b·α/2π` teeth. Turned until it is in mesh with the sun, the inner planet turns the outer one by the same number of
+//! teeth, and, against it, with the same sense as the ring: so the pair fits again where the difference `(z_b − z_a)·α/2π` is whole,
+//! at `z_b − z_a` angles a turn. Equal spacing needs `(z_b − z_a)/N` to be an integer.
+//!
+//! # Fewer teeth clear better
+//! Where a pair fits, one with fewer teeth on either planet fits, too, as long as the triangle closes. The conditions of one planet
+//! alone show it at once. Both planets have fewer than `(z_b − z_a)/2` teeth by the clearances to ring and sun, so that `R_f > R_g`,
+//! and `ψ < γ/2` by the last clearance, since planets of a pair are nearer than those of neighbours. There, for the distance `e` of
+//! the last clearance:
+//!
+//! - fewer teeth on the outer planet move its centre on the ellipse `R_f + d = const` about the axis and the inner planet, away from
+//!   the next inner planet, which stands on the axis' side of the line through the pair: `e − d` rises;
+//! - fewer teeth on the inner planet move its centre on the hyperbola `R_g − d = const` along the bisector of the directions from
+//!   the axis and from the outer planet; the previous outer planet stands outside the angle between them: `e − d` rises.
+//!
+//! So the pairs that fit a sun, a ring and a number of pairs are found without trying those beyond the first that does not.
+//!
+//! # Source
+//! None of the documents: derived here. The tests place every gear by coordinates and turn every tooth.
+
+use crate::Error;
+use crate::mesh::{Gear, Mesh, TipCircle};
+use crate::rack::BasicRack;
+use crate::simple_set::BasicRatio;
+use crate::spacing::PlanetSpacing;
+use crate::synthesis::{Bounds, Placement};
+use crate::teeth::ToothCount;
+use crate::tolerance::TOUCH;
+use crate::units::radians;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+/// Tooth numbers and number of planet pairs of a double-planet set that goes together.
+///
+/// ```
+/// use epicyclic_gears::double_planet::DoublePlanetNumbers;
+/// use epicyclic_gears::{ToothCount, rack::BasicRack};
+/// # fn main() -> Result<(), epicyclic_gears::Error> {
+/// let [sun, inner, outer, ring] = [31, 21, 21, 85].map(ToothCount::new);
+/// let set = DoublePlanetNumbers { sun: sun?, inner: inner?, outer: outer?, ring: ring?, pairs: 3 };
+/// assert!(set.fits(&BasicRack::default(), 0.0));
+/// // 85 − 31 = 54 is no multiple of 4.
+/// assert!(!DoublePlanetNumbers { pairs: 4, ..set }.fits(&BasicRack::default(), 0.0));
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DoublePlanetNumbers {
+    /// Teeth of the sun, `z_a`.
+    pub sun: ToothCount,
+    /// Teeth of the ring, `z_b`.
+    pub ring: ToothCount,
+    /// Teeth of the planet in mesh with the sun, `z_g`.
+    pub inner: ToothCount,
+    /// Teeth of the planet in mesh with the ring, `z_f`.
+    pub outer: ToothCount,
+    /// Number of pairs of planets, `N`.
+    pub pairs: u32,
+}
+
+/// Sun, inner planet, outer planet, ring and how many pairs: `31/21+21/85 ×3`.
+impl fmt::Display for DoublePlanetNumbers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}+{}/{} ×{}", self.sun, self.inner, self.outer, self.ring, self.pairs)
+    }
+}
+
+/// Where the planets of a pair stand, in modules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// The inner planet, at `R_g`.
+    pub inner: TipCircle,
+    /// The outer planet, at `R_f`.
+    pub outer: TipCircle,
+    /// Angle `ψ` from the inner planet to the outer one about the main axis, in radians.
+    pub angle_rad: f64,
+}
+
+impl DoublePlanetNumbers {
+    /// Ring-to-sun ratio `k = z_b/z_a`.
+    #[must_use]
+    pub fn ring_to_sun_ratio(&self) -> f64 {
+        self.ring.as_f64() / self.sun.as_f64()
+    }
+
+    /// Basic ratio `+z_b/z_a`.
+    #[must_use]
+    pub fn basic_ratio(&self) -> BasicRatio {
+        BasicRatio::double_planet(self.sun, self.ring)
+    }
+
+    /// The places of a pair; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
+    #[must_use]
+    pub fn pair(&self, rack: &BasicRack) -> Option<Pair> {
+        let [sun, ring, inner, outer] = [self.sun, self.ring, self.inner, self.outer].map(ToothCount::as_f64);
+        let circle = |mesh: Mesh, planet: f64| TipCircle {
+            centre_radius: mesh.centre_distance(),
+            tip_radius: Gear::external(planet).tip_radius(rack),
+        };
+        let of_inner = circle(Mesh::external(sun, inner), inner);
+        let of_outer = circle(Mesh::internal(ring, outer), outer);
+        let distance = Mesh::external(inner, outer).centre_distance();
+        let (r1, r2) = (of_inner.centre_radius, of_outer.centre_radius);
+        // Halves of whole numbers: exact.
+        let closes = r2 > 0.0 && (r1 - r2).abs() <= distance && distance <= r1 + r2;
+        closes.then(|| {
+            let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
+            Pair { inner: of_inner, outer: of_outer, angle_rad: cosine.clamp(-1.0, 1.0).acos() }
+        })
+    }
+
+    /// Where the pairs stand: as near to equal angles as they assemble; `None` where the ring has no more teeth than the sun.
+    #[must_use]
+    pub fn spacing(&self) -> Option<PlanetSpacing> {
+        PlanetSpacing::of_pairs(self.sun, self.ring, self.pairs)
+    }
+
+    /// Whether a set with pairs at equal angles goes together: the triangle closes, they assemble, and tip circles of gears that
+    /// do not mesh are apart by more than `gap` modules.
+    #[must_use]
+    pub fn fits(&self, rack: &BasicRack, gap: f64) -> bool {
+        self.spacing()
+            .is_some_and(|spacing| spacing.is_equal() && self.clears(rack, gap, &Angle::of(&spacing)))
+    }
+
+    /// The triangle and all clearances.
+    fn clears(&self, rack: &BasicRack, gap: f64, angle: &Angle) -> bool {
+        let Some(Pair { inner, outer, angle_rad }) = self.pair(rack) else { return false };
+        let tip = |gear: Gear| gear.tip_radius(rack);
+        let (sun, ring) = (tip(Gear::external(self.sun.as_f64())), tip(Gear::internal(self.ring.as_f64())));
+        let gap = gap + TOUCH;
+        ring - inner.centre_radius - inner.tip_radius > gap
+            && outer.centre_radius - outer.tip_radius - sun > gap
+            && inner.gap_to_alike(angle.half_sine) > gap
+            && outer.gap_to_alike(angle.half_sine) > gap
+            && inner.gap(outer, angle.whole_rad - angle_rad) > gap
+    }
+}
+
+/// The smallest angle between neighbouring pairs.
+struct Angle {
+    whole_rad: f64,
+    half_sine: f64,
+}
+
+impl Angle {
+    fn of(spacing: &PlanetSpacing) -> Self {
+        Self { whole_rad: radians(spacing.smallest_gap()), half_sine: spacing.half_gap_sine() }
+    }
+}
+
+/// Sun, ring and number of pairs at the angles where they assemble, and the bounds of their planets.
+struct Frame<'a> {
+    bounds: &'a Bounds,
+    sun: ToothCount,
+    ring: ToothCount,
+    pairs: u32,
+    angle: Angle,
+}
+
+impl<'a> Frame<'a> {
+    /// None where the pairs do not assemble.
+    fn new(bounds: &'a Bounds, sun: ToothCount, ring: ToothCount, pairs: u32) -> Option<Self> {
+        let spacing = PlanetSpacing::of_pairs(sun, ring, pairs)?;
+        let is_placed = spacing.is_equal() || bounds.placement == Placement::LeastUnequal;
+        is_placed.then(|| Self { bounds, sun, ring, pairs, angle: Angle::of(&spacing) })
+    }
+
+    /// The least teeth of the two planets together.
+    fn together(&self) -> u32 {
+        (self.ring.get() - self.sun.get()).div_ceil(2)
+    }
+
+    /// The teeth that a planet may have: fewer than half the difference of ring and sun.
+    fn planets(&self) -> RangeInclusive<u32> {
+        let most = ((self.ring.get() - self.sun.get()).div_ceil(2)).saturating_sub(1);
+        *self.bounds.planet.start()..=most.min(*self.bounds.planet.end())
+    }
+
+    fn with(&self, inner: u32, outer: u32) -> Option<DoublePlanetNumbers> {
+        let (inner, outer) = (ToothCount::new(inner).ok()?, ToothCount::new(outer).ok()?);
+        let set = DoublePlanetNumbers { sun: self.sun, ring: self.ring, inner, outer, pairs: self.pairs };
+        set.clears(&self.bounds.rack, self.bounds.tip_gap, &self.angle).then_some(set)
+    }
+
+    /// All planets that fit, ascending by the inner and the outer one.
+    fn all(&self) -> impl Iterator<Item = DoublePlanetNumbers> + '_ {
+        let planets = self.planets();
+        let (least, most) = (*planets.start(), *planets.end());
+        planets.flat_map(move |inner| {
+            let from = least.max(self.together().saturating_sub(inner));
+            // Beyond the first that does not fit none does.
+            (from..=most).map_while(move |outer| self.with(inner, outer))
+        })
+    }
+
+    /// The planets that [`Bounds::double_planet_choices`] prefers.
+    fn best(&self) -> Option<DoublePlanetNumbers> {
+        let planets = self.planets();
+        let (least, most) = (*planets.start(), *planets.end());
+        planets.rev().find_map(|smaller| {
+            // If this does not fit, none with more teeth does.
+            let larger = smaller.max(self.together().saturating_sub(smaller)).max(least);
+            let within = larger <= most;
+            within.then(|| self.with(smaller, larger).or_else(|| self.with(larger, smaller))).flatten()
+        })
+    }
+}
+
+impl Bounds {
+    /// Every double-planet set within the bounds, ascending by sun, ring, number of pairs, inner and outer planet. The bounds of
+    /// planets are those of each of the two, the number of planets is that of the pairs, and `tip_gap` is between the tip circles of
+    /// any gears that do not mesh.
+    ///
+    /// ```
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// let bounds = Bounds { sun: 31..=31, ring: 85..=85, ..Bounds::default() };
+    /// let all = bounds.double_planet_numbers()?;
+    /// assert!(all.iter().any(|set| set.to_string() == "31/21+21/85 ×3"));
+    /// # Ok::<(), epicyclic_gears::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`tooth_numbers`](Self::tooth_numbers).
+    pub fn double_planet_numbers(&self) -> Result<Vec<DoublePlanetNumbers>, Error> {
+        let mut found = Vec::new();
+        self.each_sun_and_ring(|sun, ring| {
+            let frames = self.planets.clone().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
+            frames.for_each(|frame| found.extend(frame.all()));
+        })?;
+        Ok(found)
+    }
+
+    /// For each sun and ring within the bounds that some pairs of planets fit, one choice of these, since the ratio does not depend on
+    /// them: the most pairs; of those the most teeth on the smaller planet, so that the planets turn as slowly as they can; of those
+    /// the fewest on the larger; of two such the larger outside.
+    ///
+    /// ```
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// assert_eq!(Bounds::default().double_planet_choices()?.len(), 7566);
+    /// # Ok::<(), epicyclic_gears::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`tooth_numbers`](Self::tooth_numbers).
+    pub fn double_planet_choices(&self) -> Result<Vec<DoublePlanetNumbers>, Error> {
+        let mut found = Vec::new();
+        self.each_sun_and_ring(|sun, ring| {
+            let mut frames =
+                self.planets.clone().rev().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
+            found.extend(frames.find_map(|frame| frame.best()));
+        })?;
+        Ok(found)
+    }
+
+    fn each_sun_and_ring(&self, mut each: impl FnMut(ToothCount, ToothCount)) -> Result<(), Error> {
+        self.check()?;
+        for sun in self.sun.clone() {
+            for ring in self.ring.clone().filter(|ring| *ring > sun) {
+                let (sun, ring) = (ToothCount::new(sun)?, ToothCount::new(ring)?);
+                if self.ring_to_sun_ratio.contains(&(ring.as_f64() / sun.as_f64())) {
+                    each(sun, ring);
+                }
+            }
+        }
+        Ok(())
+    }
+}
