@@ -85,7 +85,7 @@ pub(crate) struct Args {
 /// Which gearbox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Choice {
-    /// The file, in YAML; or a scheme of the catalogue (I … III-3) or a structure (D.T1.B+T2.B.T1) by its name.
+    /// The file, in YAML, or - for standard input; or a scheme of the catalogue (I … III-3) or a structure (D.T1.B+T2.B.T1) by its name.
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 

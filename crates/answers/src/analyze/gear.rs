@@ -577,16 +577,16 @@ impl Scene<'_> {
     fn warnings(&self, subject: &Subject<'_>, facts: &GearFacts) -> Vec<Warning> {
         let analysis = &self.worked.analysis;
         let mut all = warnings::of_gearbox(subject);
-        all.extend(warnings::fast_planets(self.gearbox, analysis));
+        all.extend(warnings::fast_planets_of(self.gearbox, &[analysis]));
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });
         }
-        all.extend(warnings::released(self.gearbox, self.worked));
+        all.extend(warnings::released(self.gearbox, &[self.worked]));
         if self.worked.input.load.is_some() && self.operation().is_none() && self.worked.released.is_empty() {
             let message = "no torques follow from the load in this state".to_owned();
             all.push(Warning { name: "no-load", message });
         }
-        all.extend(warnings::contradictions(self.gearbox, analysis));
+        all.extend(warnings::contradictions(self.gearbox, &[analysis]));
         if let Some(kreines) = analysis.kreines().filter(|kreines| !kreines.reversed.is_empty()) {
             let sets = kreines.reversed.join(", ");
             let message = format!(
@@ -594,10 +594,7 @@ impl Scene<'_> {
             );
             all.push(Warning { name: "kreines", message });
         }
-        if analysis.is_self_locking() == Some(true) {
-            let message = "the gear is self-locking when driven from its output".to_owned();
-            all.push(Warning { name: "self-locking", message });
-        }
+        all.extend(warnings::self_locking(&[analysis]));
         all
     }
 }

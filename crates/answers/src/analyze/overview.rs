@@ -95,10 +95,12 @@ pub fn answer(subject: &Subject<'_>, input: Input) -> Result<Overview, Error> {
         .map(|gear| Worked::new(gearbox, gear.name(), input))
         .collect::<Result<Vec<Worked<'_>>, Error>>()?;
     let gears = || worked.iter().map(|worked| &worked.analysis);
+    let analyses: Vec<&Analysis<'_>> = gears().collect();
     let mut all = warnings::of_gearbox(subject);
-    all.extend(gears().flat_map(|gear| warnings::fast_planets(gearbox, gear)));
-    all.extend(gears().flat_map(|gear| warnings::contradictions(gearbox, gear)));
-    all.extend(worked.iter().flat_map(|worked| warnings::released(gearbox, worked)));
+    all.extend(warnings::fast_planets_of(gearbox, &analyses));
+    all.extend(warnings::contradictions(gearbox, &analyses));
+    all.extend(warnings::released(gearbox, &worked.iter().collect::<Vec<_>>()));
+    all.extend(warnings::self_locking(&analyses));
     Ok(Overview {
         gearbox: gearbox.name().to_owned(),
         source: subject.source.clone(),
