@@ -7,6 +7,7 @@ use epicyclic_answers::analyze::formulas::Formulas;
 use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
+use epicyclic_answers::analyze::shifts::Shifts;
 use epicyclic_answers::answer::schema;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
@@ -63,6 +64,8 @@ enum Of {
     AnswerAnalyzeMap,
     /// The answer of `epicyclic analyze --all-combinations`.
     AnswerAnalyzeCombinations,
+    /// The answer of `epicyclic analyze --shifts`.
+    AnswerAnalyzeShifts,
     /// The answer of `epicyclic analyze --formula`, and with `--steps`.
     AnswerAnalyzeFormulas,
     /// The answer of `epicyclic analyze` on a list of transmissions.
@@ -113,6 +116,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerAnalyzeInputs => schema::<Inputs>(),
         Of::AnswerAnalyzeMap => schema::<Map>(),
         Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
+        Of::AnswerAnalyzeShifts => schema::<Shifts>(),
         Of::AnswerAnalyzeFormulas => schema::<Formulas>(),
         Of::AnswerTransmissions => schema::<Transmissions>(),
         Of::AnswerDrive => schema::<Drive>(),

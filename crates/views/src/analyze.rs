@@ -7,3 +7,4 @@ mod inputs;
 mod overview;
 mod planet_bearings;
 mod shared;
+mod shifts;

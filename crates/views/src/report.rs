@@ -141,8 +141,10 @@ pub struct Records {
 /// What one column says.
 #[derive(Debug)]
 pub struct Column {
-    /// Its key without unit.
+    /// Its key without unit. Like columns of several things, such as the shift elements, have one name.
     pub name: &'static str,
+    /// Of which of several things it is: before its key.
+    pub of: Option<String>,
     /// Its heading in tables.
     pub heading: String,
     /// What it measures.
@@ -156,7 +158,14 @@ pub struct Column {
 impl Column {
     /// A column of words.
     pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
-        Self { name, heading: heading.into(), dimension: None, is_number: false, is_for_people: false }
+        Self {
+            name,
+            of: None,
+            heading: heading.into(),
+            dimension: None,
+            is_number: false,
+            is_for_people: false,
+        }
     }
 
     /// A column of plain numbers.
@@ -177,8 +186,19 @@ impl Column {
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
     }
 
+    /// The same column of one of several things, which heads it.
+    #[must_use]
+    pub fn of(self, thing: impl Into<String>) -> Self {
+        let thing = thing.into();
+        Self { heading: thing.clone(), of: Some(thing), ..self }
+    }
+
+    fn full_name(&self) -> String {
+        self.of.iter().map(|of| format!("{of}_")).chain([self.name.to_owned()]).collect()
+    }
+
     fn key(&self) -> String {
-        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension)))
+        format!("{}{}", self.full_name(), self.dimension.map_or("", |dimension| suffix(dimension)))
     }
 }
 
@@ -187,7 +207,7 @@ impl Column {
 pub struct View {
     /// Its heading.
     pub title: String,
-    /// Names of columns, in order; those that the list lacks are passed over.
+    /// Names of columns, in order, each for all columns of the name; those that the list lacks are passed over.
     pub columns: Vec<&'static str>,
     /// A note below the table; empty for none.
     pub note: String,
@@ -291,7 +311,8 @@ struct Grid<'a> {
 
 impl Grid<'_> {
     fn text(self, width: usize) -> String {
-        let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note, width) };
+        let note =
+            if self.note.is_empty() { String::new() } else { wrapped("", &one_line(self.note), width) };
         let table = text::table(&self.header, self.rows, &self.right, width);
         format!("{}{table}{note}", unmarked(&one_line(self.title), width))
     }
@@ -329,11 +350,11 @@ impl Section {
 
 impl Records {
     fn grid<'a>(&'a self, view: &'a View) -> Grid<'a> {
-        let places: Vec<usize> = view
-            .columns
-            .iter()
-            .filter_map(|name| self.columns.iter().position(|column| column.name == *name))
-            .collect();
+        let named = |name: &&'static str| {
+            let name = *name;
+            self.columns.iter().enumerate().filter(move |(_, column)| column.name == name)
+        };
+        let places: Vec<usize> = view.columns.iter().flat_map(named).map(|(place, _)| place).collect();
         let header: Vec<&str> = places.iter().map(|&place| self.columns[place].heading.as_str()).collect();
         let decimals: Vec<usize> =
             places.iter().map(|&place| figure::decimals(self.rows.iter().map(|row| &row[place]))).collect();
@@ -364,7 +385,7 @@ impl Records {
         let named = (1..self.columns.len()).find(are_apart).unwrap_or(1);
         let line = |item: &str, column: &Column, cell: &Figure| {
             let (value, unit) = cell.csv();
-            vec![self.name.to_owned(), item.to_owned(), column.name.to_owned(), value, unit]
+            vec![self.name.to_owned(), item.to_owned(), column.full_name(), value, unit]
         };
         let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
             let item = named_by(row, named);

@@ -35,6 +35,8 @@ analyze: real-transmissions.yaml
   --transmission 8HP
 analyze: real-transmissions.yaml --transmission 8HP
   --efficiency 97%
+  --shifts
+  --progression 1.05
 analyze: every-gearbox-key.yaml --format json
   --gear 1
   --all-combinations
@@ -347,6 +349,7 @@ man:
 const REFUSED: &str = "\
 analyze: real-transmissions.yaml --speed '100 rpm' | add --transmission
 analyze: real-transmissions.yaml --efficiency 97% | add --transmission
+analyze: real-transmissions.yaml --progression 1.05 | add --transmission
 select: --ratios 2.5 --sun 20 | --teeth
 select: --ratios 2.5 --planet-count 4 | --teeth
 select: --ratios 2.5 --face-width-ratio 0.5 | --load-factor
