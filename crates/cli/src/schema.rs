@@ -9,6 +9,7 @@ use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::shifts::Shifts;
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
@@ -70,6 +71,8 @@ enum Of {
     AnswerAnalyzeFormulas,
     /// The answer of `epicyclic analyze` on a list of transmissions.
     AnswerTransmissions,
+    /// The answer of `epicyclic compare`.
+    AnswerCompare,
     /// The answer of `epicyclic drive`.
     AnswerDrive,
     /// The answer of `epicyclic motor`.
@@ -119,6 +122,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerAnalyzeShifts => schema::<Shifts>(),
         Of::AnswerAnalyzeFormulas => schema::<Formulas>(),
         Of::AnswerTransmissions => schema::<Transmissions>(),
+        Of::AnswerCompare => schema::<Comparison>(),
         Of::AnswerDrive => schema::<Drive>(),
         Of::AnswerMotor => schema::<Motor>(),
         Of::AnswerMotorSearch => schema::<MotorSearch>(),

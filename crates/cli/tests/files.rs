@@ -465,6 +465,7 @@ fn a_hyphen_is_standard_input_in_every_command_that_reads_a_file() {
         (&drive, &["report", "FILE"]),
         (&gearbox, &["analyze", "FILE"]),
         (&gearbox, &["analyze", "FILE", "--gear", "slow"]),
+        (&gearbox, &["compare", "FILE", "II-3", "--k1", "2", "--k2", "2", "--format", "csv"]),
         (&gearbox, &["draw", "FILE"]),
         (&gearbox, &["report", "FILE", "--format", "json"]),
         (&gearbox, &["synthesize", "--ratios", "2.56, 1.465", "--explain", "FILE"]),

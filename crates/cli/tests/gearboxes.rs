@@ -38,6 +38,48 @@ fn a_gear_in_full() {
 }
 
 #[test]
+fn shifts_and_progressions() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", BOXES, "--transmission", "8HP45", "--shifts"][..],
+            &["analyze", "ravigneaux.yaml", "--shifts", "--speed", "2000 rpm", "--format", "csv"],
+            &["analyze", "wolfrom.yaml", "--shifts"],
+            &["analyze", "scheme-ii-3.yaml", "--progression", "1"],
+            &["analyze", "scheme-ii-3.yaml", "--progression", "3"],
+            &["analyze", "scheme-ii-3.yaml", "--shifts", "--gear", "slow"],
+        ]
+    ));
+}
+
+#[test]
+fn gearboxes_side_by_side() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["compare", BOXES, "--transmission", "8HP45", "--transmission", "AOD", "--efficiency", "0.97"][..],
+            &["compare", "ravigneaux.yaml", "sized-gearbox.yaml", "II-3", "--k1", "2.15", "--k2", "2.35"],
+            &[
+                "compare",
+                "II-3",
+                "D.T2.B+T1.B.T2",
+                "--ratio1",
+                "1.465",
+                "--ratio2",
+                "2.56",
+                "--format",
+                "csv"
+            ],
+            &["compare", "II-3", "-", "-"],
+            &["compare", "II-3", "II-4"],
+            &["compare", "scheme-ii-3.yaml"],
+            &["compare", BOXES, "scheme-ii-3.yaml"],
+            &["compare", "minimal-drive.yaml", "scheme-ii-3.yaml"],
+        ]
+    ));
+}
+
+#[test]
 fn ratios_as_formulas() {
     insta::assert_snapshot!(sessions(
         &examples(),

@@ -8,3 +8,5 @@ mod overview;
 mod planet_bearings;
 mod shared;
 mod shifts;
+
+pub(crate) use shared::kind as kind_of;
