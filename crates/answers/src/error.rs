@@ -138,8 +138,8 @@ pub enum Error {
         /// The factor must be below this.
         most: f64,
     },
-    /// A gearbox of more gears than shifts are told of.
-    #[error("the gearbox has {gears} gears; shifts between gears are told of at most {most}")]
+    /// A gearbox of more gears than are taken in pairs.
+    #[error("the gearbox has {gears} gears; in pairs, as here, at most {most} are told")]
     ManyGears {
         /// How many gears it has.
         gears: usize,

@@ -17,8 +17,8 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of its gears.
 ///
-/// Without --gear all gears: engagement table, ratios with their steps and progression, losses, torque and slip of the shift elements,
-/// shifts, planets; with --gear everything about one. Speeds are
+/// Without --gear all gears: engagement table, ratios with their steps and progression, losses, torque and slip of the
+/// shift elements, shifts, planets; with --gear everything about one. Speeds are
 /// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
 /// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
 /// A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at some.
@@ -265,7 +265,6 @@ pub(crate) fn refuse(error: Error) -> Failure {
             format!("`{name}` is part of several names; write more of one of{}", listed(names)),
         ),
         Error::NoGear { .. } => ("--gear", error.to_string()),
-        Error::ManyGears { .. } => ("--shifts", error.to_string()),
         Error::ProgressionFactor { .. } => ("--progression", error.to_string()),
         Error::Load { quantity: LoadQuantity::Torque, .. } => ("--torque", error.to_string()),
         Error::Load { quantity: LoadQuantity::Power, .. } => ("--power", error.to_string()),

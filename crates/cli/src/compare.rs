@@ -8,7 +8,7 @@ use crate::options::efficiency;
 use crate::output::OutputArgs;
 use epicyclic_answers::compare::page::drawn;
 use epicyclic_answers::compare::{self as answers, Candidate};
-use epicyclic_answers::gearbox::{self, Content, Subject};
+use epicyclic_answers::gearbox::{self, Subject};
 use epicyclic_formats::Quantity;
 use epicyclic_views::page;
 use std::path::Path;
@@ -68,19 +68,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         has_list |= is_list;
         if is_list && !args.transmissions.is_empty() {
             for transmission in &args.transmissions {
-                subjects.push((
-                    gearbox::one(document, &choice(Some(transmission.clone()))).map_err(refuse)?,
-                    name,
-                ));
+                let choice = choice(Some(transmission.clone()));
+                subjects.push((gearbox::one(document, &choice).map_err(refuse)?, name));
             }
             continue;
         }
-        match gearbox::read(document, &choice(None)).map_err(refuse)? {
-            Content::One(subject) => subjects.push((*subject, name)),
-            Content::Several(_) => {
-                subjects.push((gearbox::one(document, &choice(None)).map_err(refuse)?, name));
-            }
-        }
+        subjects.push((gearbox::one(document, &choice(None)).map_err(refuse)?, name));
     }
     if !args.transmissions.is_empty() && !has_list {
         let message = "no file here is a list of transmissions; leave it out".to_owned();

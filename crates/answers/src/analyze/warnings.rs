@@ -102,10 +102,9 @@ pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<
     let all =
         gears.iter().flat_map(|gear| of_gear(gear).into_iter().map(|found| (found, gear.gear().name())));
     let message = |((clutch, duty), gears): ((usize, Duty), Vec<&str>)| {
+        let (verb, the_gear) =
+            if gears.len() == 1 { ("relies", "the gear") } else { ("rely", "these gears") };
         let (clutch, gears) = (gearbox.shift_elements()[clutch].id(), named(&gears));
-        let (is_one, verb) =
-            (!gears.starts_with("gears"), if gears.starts_with("gears") { "rely" } else { "relies" });
-        let the_gear = if is_one { "the gear" } else { "these gears" };
         let message = if duty == Duty::WouldOverrun {
             format!(
                 "{gears} {verb} on the one-way clutch {clutch}, whose torque would turn it free: leave it out of \
