@@ -7,6 +7,10 @@
 //! | [`formulas`] | the ratios as formulas, and the way to them |
 //! | [`inputs`] | a gear with several inputs, at a point or over a map of two speeds |
 //! | [`combinations`] | every combination of shift elements |
+//! | [`shifts`] | the shifts between gears |
+//! | [`progression`] | spread, steps and ideal progressions |
+//! | [`elements`] | shift elements in a gear and over all gears |
+//! | [`planets`] | the largest speeds of planets and forces on them over all gears |
 //! | [`records`] | records that these answers share |
 //! | [`planet_bearings`] | forces on the planet bearings |
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
@@ -16,19 +20,23 @@
 //! ends in a unit: then they follow from the speed and load that were given.
 
 pub mod combinations;
+pub mod elements;
 pub mod formulas;
 pub mod gear;
 pub mod inputs;
 pub mod overview;
 pub mod planet_bearings;
+pub mod planets;
+pub mod progression;
 pub mod records;
+pub mod shifts;
 pub mod step_torques;
 pub mod warnings;
 
 use crate::Error;
 pub use crate::refusal::LoadQuantity;
 use epicyclic_formats::Physical;
-use epicyclic_train::{Analysis, Gear, Gearbox, InputLoad, Operation};
+use epicyclic_train::{Analysis, Direction, Gear, Gearbox, InputLoad, LoadCase, Operation};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::AngularVelocity;
@@ -115,6 +123,22 @@ impl<'g> Worked<'g> {
         Ok(Self { analysis, input, operation, released })
     }
 
+    /// Driven from the output, because the load brakes.
+    fn is_back_driven(&self) -> bool {
+        self.operation.as_ref().is_some_and(|operation| operation.direction == Direction::BackDrive)
+    }
+
+    /// Torques with losses in the direction in which power runs.
+    fn case(&self) -> Option<&LoadCase> {
+        if self.is_back_driven() { self.analysis.back_driving() } else { self.analysis.driving() }
+    }
+
+    /// A torque of the case as a multiple of the input's.
+    fn of_input(&self, torque: impl Fn(&LoadCase) -> Option<f64>) -> Option<f64> {
+        let case = self.case()?;
+        torque(case).map(|torque| torque / case.input)
+    }
+
     /// A speed of the gear at the input's speed.
     fn speed_rad_s(&self, of_input: Option<f64>) -> Option<f64> {
         self.input.speed.zip(of_input).map(|(speed, of)| (speed * of).si())
@@ -151,9 +175,9 @@ mod tests {
     fn the_engagement_table_stands_in_the_overview() {
         let document = document("scheme-ii-3.yaml");
         let subject = one(&document, &Choice::default()).unwrap();
-        let overview = overview::answer(&subject, Input::default()).unwrap();
+        let overview = overview::answer(&subject, Input::default(), None).unwrap();
         let elements: Vec<&str> =
-            overview.shift_elements.iter().map(|element| element.shift_element.as_str()).collect();
+            overview.shift_elements.iter().map(|one| one.element.shift_element.as_str()).collect();
         assert_eq!(elements, ["K1", "K2", "L"]);
         let engaged: Vec<&[String]> =
             overview.gears.iter().map(|gear| gear.facts.engaged.as_slice()).collect();
@@ -195,7 +219,7 @@ mod tests {
         };
         let first = gear::answer(&subject, "1", braked).unwrap();
         assert!(first.torques.unwrap().at_load.is_none() && first.powers.unwrap().at_load.is_none());
-        assert!(first.shift_elements.iter().all(|element| element.torque_n_m.is_none()));
+        assert!(first.shift_elements.iter().all(|element| element.does.torque_n_m.is_none()));
         assert_eq!(first.gear.back_driving_efficiency, None);
         let clutch = &first.one_way_clutches[0];
         assert_eq!((clutch.engine_braking, &clutch.beside[..]), (Some(false), &["LR".to_owned()][..]));
@@ -203,7 +227,7 @@ mod tests {
         assert_eq!(told, ["one-way-clutch"]);
         let low = gear::answer(&subject, "1 low", braked).unwrap();
         assert!(low.warnings.is_empty() && low.torques.unwrap().at_load.is_some());
-        let all = overview::answer(&subject, braked).unwrap();
+        let all = overview::answer(&subject, braked, None).unwrap();
         let taken: Vec<bool> = all.gears.iter().map(|gear| gear.output_torque_n_m.is_some()).collect();
         assert_eq!(taken, [false, true, true, true, true, true]);
         assert_eq!(all.warnings.len(), 1);

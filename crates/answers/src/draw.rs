@@ -1,6 +1,6 @@
 //! A drawing: of what it is, what it shows, and which files hold it.
 
-use crate::analyze::overview::ShiftElement;
+use crate::analyze::elements::ShiftElement;
 use crate::analyze::records::Kind;
 use crate::drawability::Conflict;
 use crate::motor::Numbers;

@@ -122,6 +122,30 @@ pub enum Error {
         /// Why.
         why: epicyclic_train::OperatingFault,
     },
+    /// A progression factor that leaves a step of the ideal progression at or below 1.
+    #[error(
+        "{factor} leaves a step at or below 1 between the gears {first} and {last}; with their spread it is between {least:.4} and {most:.4}"
+    )]
+    ProgressionFactor {
+        /// The factor.
+        factor: f64,
+        /// The first gear of the progression.
+        first: String,
+        /// Its last gear.
+        last: String,
+        /// The factor must be above this.
+        least: f64,
+        /// The factor must be below this.
+        most: f64,
+    },
+    /// A gearbox of more gears than are taken in pairs.
+    #[error("the gearbox has {gears} gears; in pairs, as here, at most {most} are told")]
+    ManyGears {
+        /// How many gears it has.
+        gears: usize,
+        /// How many it may have.
+        most: usize,
+    },
     /// A link that the gearbox does not have.
     #[error("no link is called `{name}`: there are {}", links.join(", "))]
     NoLink {

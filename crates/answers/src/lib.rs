@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`gearbox`] | reads the gearbox of a file |
 //! | [`analyze`] | what a gearbox does in its gears |
+//! | [`compare`] | gearboxes side by side |
 //! | [`transmissions`] | the transmissions of a file to choose from |
 //! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
 //! | [`motor`] | a planetary hydromotor |
@@ -46,6 +47,7 @@
 pub mod analyze;
 pub mod answer;
 pub mod catalogue;
+pub mod compare;
 pub mod draw;
 pub mod drawability;
 pub mod drive;

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | `ROUNDED` | a loss over the power that enters, an imbalance | rounding leaves 1e-15 of a balance of some dozen terms |
 //! | `SAME` | the members of a printed series, over their right values | the series are calculated, not read from print |
+//! | `SAME_RATIO` | ratios of two gears, over the larger | one ratio by two engagements differs by what rounding leaves; different teeth differ by far more |
 //! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
 //! | `OBJECTIVE` | a difference of two objectives | the order compares on a grid of this size |
 //! | `AT_EDGE` | a ring-to-sun ratio's distance from the end of its range, over that end | the best ratio is known to 1e-4 |
@@ -14,6 +15,9 @@ pub(crate) const ROUNDED: f64 = 1e-12;
 
 /// Members of a series that differ by less are the right ones.
 pub(crate) const SAME: f64 = 1e-9;
+
+/// Ratios of gears that differ by less, over the larger, are one.
+pub(crate) const SAME_RATIO: f64 = 1e-9;
 
 /// The residual of a closed motor is told as a power of ten from here on.
 pub(crate) const CLOSED: f64 = 1e-12;

@@ -11,13 +11,14 @@ use epicyclic_answers::analyze::inputs::Given;
 use epicyclic_answers::analyze::{self as answers, Input, LoadQuantity};
 use epicyclic_answers::gearbox::{self, Content, Subject};
 use epicyclic_answers::transmissions;
-use epicyclic_formats::{Document, Quantity};
+use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of its gears.
 ///
-/// Without --gear a table of all gears with their engagement table; with --gear everything about one. Speeds are
+/// Without --gear all gears: engagement table, ratios with their steps and progression, losses, torque and slip of the
+/// shift elements, shifts, planets; with --gear everything about one. Speeds are
 /// multiples of the input's speed, torques of the input's torque and powers of what enters, unless --speed, --torque
 /// or --power say more. A negative torque or power brakes the machine: power then runs from the output to the input.
 /// A gear that keeps freedoms, such as a power split, takes --speeds of several links and --torques at some.
@@ -34,6 +35,7 @@ Example:
   epicyclic analyze box.yaml
   epicyclic analyze box.yaml --gear slow --torque '500 N·m'
   epicyclic analyze box.yaml --steps
+  epicyclic analyze box.yaml --shifts --speed 1475rpm
   epicyclic analyze II-3 --formula
   epicyclic analyze II-3 --k1 2.15 --k2 2.35 --gear 2
 
@@ -72,6 +74,20 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
     steps: bool,
 
+    /// All shifts between gears, also those that pass gears over: what is released and applied, and how the input and each shift element
+    /// change their speeds.
+    #[arg(long, conflicts_with_all = ["gear", "all_combinations", "formula", "steps", "torque", "power", "speeds", "torques", "map"])]
+    shifts: bool,
+
+    /// Progression factor of the ideal progression: each of its steps over the next. Default: the factor that fits the ratios best.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        allow_negative_numbers = true,
+        conflicts_with_all = ["gear", "all_combinations", "formula", "steps", "shifts"],
+    )]
+    progression: Option<Number>,
+
     #[command(flatten)]
     several: several::Several,
 
@@ -85,7 +101,7 @@ pub(crate) struct Args {
 /// Which gearbox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Choice {
-    /// The file, in YAML; or a scheme of the catalogue (I … III-3) or a structure (D.T1.B+T2.B.T1) by its name.
+    /// The file, in YAML, or - for standard input; or a scheme of the catalogue (I … III-3) or a structure (D.T1.B+T2.B.T1) by its name.
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 
@@ -164,14 +180,15 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let named::Read { document, is_sized, .. } = args.choice.document(args.formula && !args.steps)?;
     let choice = args.choice.question()?;
     let wants_formulas = args.formula || args.steps;
-    let subject = if args.gear.is_some() || args.all_combinations || wants_formulas {
+    let subject = if args.gear.is_some() || args.all_combinations || wants_formulas || args.shifts {
         gearbox::one(&document, &choice).map_err(refuse)?
     } else {
         match gearbox::read(&document, &choice).map_err(refuse)? {
             Content::One(subject) => *subject,
             Content::Several(all) => {
                 let answer = transmissions::answer(&all);
-                return match args.choice.given().or(args.load.given()) {
+                let progression = args.progression.map(|_| "--progression");
+                return match args.choice.given().or(args.load.given()).or(progression) {
                     Some(option) => Err(for_one_gearbox(option, &answer)),
                     None => args.output.deliver(&answer),
                 };
@@ -190,7 +207,13 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         None if args.all_combinations => {
             args.output.deliver(&answers::combinations::answer(&subject).map_err(refuse)?)
         }
-        None => args.output.deliver(&answers::overview::answer(&subject, input).map_err(refuse)?),
+        None if args.shifts => {
+            args.output.deliver(&answers::shifts::answer(&subject, input.speed).map_err(refuse)?)
+        }
+        None => {
+            let factor = args.progression.map(Number::get);
+            args.output.deliver(&answers::overview::answer(&subject, input, factor).map_err(refuse)?)
+        }
     }
 }
 
@@ -242,6 +265,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
             format!("`{name}` is part of several names; write more of one of{}", listed(names)),
         ),
         Error::NoGear { .. } => ("--gear", error.to_string()),
+        Error::ProgressionFactor { .. } => ("--progression", error.to_string()),
         Error::Load { quantity: LoadQuantity::Torque, .. } => ("--torque", error.to_string()),
         Error::Load { quantity: LoadQuantity::Power, .. } => ("--power", error.to_string()),
         Error::NoLink { given, .. } | Error::Inputs { given, .. } => {

@@ -39,7 +39,7 @@ Example:
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
 pub(crate) struct Args {
-    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox or motor in YAML.
+    /// A scheme of the catalogue, a structure as `select` names it (D.T1.B+T2.B.T1), or the file of a gearbox or motor in YAML; - for standard input.
     #[arg(value_name = "GEARBOX", value_hint = clap::ValueHint::FilePath)]
     gearbox: String,
 
@@ -164,7 +164,7 @@ struct Picture {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let file = Path::new(&args.gearbox);
-    let document = file.exists().then(|| input::document(file)).transpose()?;
+    let document = input::exists(file).then(|| input::document(file)).transpose()?;
     let Picture { mut drawing, scene, base } = match &document {
         Some(document) if is_motor(document) => of_motor(args, document)?,
         _ => of_gearbox(args, document.as_ref())?,

@@ -35,7 +35,7 @@ Keys of the file, all but the first four optional:
   attached: motor, machine (inertias)
   start: driving_torque, load")]
 pub(crate) struct Args {
-    /// The file that describes the drive, in YAML.
+    /// The file that describes the drive, in YAML; - for standard input.
     #[arg(value_name = "FILE")]
     file: PathBuf,
 

@@ -5,6 +5,7 @@
 //! | [`teeth`] | the command `teeth`: tooth numbers for a ratio |
 //! | [`drive`] | the command `drive`: a whole planetary drive from a file |
 //! | [`analyze`] | the command `analyze`: every gear of any planetary gearbox |
+//! | [`compare`] | the command `compare`: gearboxes side by side |
 //! | [`select`] | the command `select`: the gearbox for given speeds |
 //! | [`synthesize`] | the command `synthesize`: every gearbox that has a list of ratios |
 //! | [`shards`] | `synthesize` in parts on many machines, and all parts together |
@@ -33,6 +34,7 @@
 mod analyze;
 mod apart;
 mod atlas;
+mod compare;
 mod completions;
 mod draw;
 mod drive;
@@ -80,6 +82,7 @@ enum Command {
     Teeth(teeth::Args),
     Drive(drive::Args),
     Analyze(analyze::Args),
+    Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
     Atlas(atlas::Args),
@@ -157,6 +160,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Teeth(args) => teeth::run(&args),
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),
         Command::Atlas(args) => atlas::run(&args),

@@ -115,7 +115,7 @@ pub(crate) fn document(
     any_size_will_do: bool,
 ) -> Result<Read, Failure> {
     let file = Path::new(name);
-    let named = if file.exists() { None } else { read(name)? };
+    let named = if input::exists(file) { None } else { read(name)? };
     let Some(named) = named else {
         sizes.none_with_a_file()?;
         let (document, bytes) = input::with_bytes(file)?;

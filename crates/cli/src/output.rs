@@ -5,10 +5,15 @@ use crate::writing::{Content, write_files};
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
+use epicyclic_views::text::WIDTH;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
 use std::io::{self, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
+use terminal_size::terminal_size_of;
+
+/// The fewest columns of tables, below which most numbers have no room beside their names.
+const NARROWEST: usize = 20;
 
 /// How the answer is written and where.
 #[derive(Debug, clap::Args)]
@@ -77,7 +82,10 @@ impl OutputArgs {
                 let report = answer.report();
                 // In the units of drawings a number can be too large that is not in SI units.
                 report.refuse_infinite()?;
-                (if self.format == Format::Csv { report.csv()? } else { report.table() }, Some(report))
+                (
+                    if self.format == Format::Csv { report.csv()? } else { report.table(self.width()) },
+                    Some(report),
+                )
             }
         };
         self.write_with(files, &text)?;
@@ -85,6 +93,19 @@ impl OutputArgs {
             tell(&report);
         }
         Ok(())
+    }
+
+    /// Columns of the lines of tables: as many as the terminal has, or `COLUMNS` says where the answer goes to a pipe; 80 in a file.
+    fn width(&self) -> usize {
+        if self.is_file() {
+            return WIDTH;
+        }
+        let out = io::stdout();
+        let terminal = out.is_terminal().then(|| terminal_size_of(&out)).flatten();
+        let columns = || std::env::var("COLUMNS").ok()?.trim().parse::<usize>().ok();
+        let wanted = terminal.map(|(width, _)| usize::from(width.0)).or_else(columns);
+        // A terminal that does not know its size says 0.
+        wanted.filter(|columns| *columns > 0).map_or(WIDTH, |columns| columns.max(NARROWEST))
     }
 
     /// Writes the answer and other files of the same call, all of them or none.

@@ -7,7 +7,9 @@ use epicyclic_answers::analyze::formulas::Formulas;
 use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
+use epicyclic_answers::analyze::shifts::Shifts;
 use epicyclic_answers::answer::schema;
+use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
@@ -63,10 +65,14 @@ enum Of {
     AnswerAnalyzeMap,
     /// The answer of `epicyclic analyze --all-combinations`.
     AnswerAnalyzeCombinations,
+    /// The answer of `epicyclic analyze --shifts`.
+    AnswerAnalyzeShifts,
     /// The answer of `epicyclic analyze --formula`, and with `--steps`.
     AnswerAnalyzeFormulas,
     /// The answer of `epicyclic analyze` on a list of transmissions.
     AnswerTransmissions,
+    /// The answer of `epicyclic compare`.
+    AnswerCompare,
     /// The answer of `epicyclic drive`.
     AnswerDrive,
     /// The answer of `epicyclic motor`.
@@ -113,8 +119,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerAnalyzeInputs => schema::<Inputs>(),
         Of::AnswerAnalyzeMap => schema::<Map>(),
         Of::AnswerAnalyzeCombinations => schema::<Combinations>(),
+        Of::AnswerAnalyzeShifts => schema::<Shifts>(),
         Of::AnswerAnalyzeFormulas => schema::<Formulas>(),
         Of::AnswerTransmissions => schema::<Transmissions>(),
+        Of::AnswerCompare => schema::<Comparison>(),
         Of::AnswerDrive => schema::<Drive>(),
         Of::AnswerMotor => schema::<Motor>(),
         Of::AnswerMotorSearch => schema::<MotorSearch>(),

@@ -442,3 +442,81 @@ fn a_picture_that_cannot_be_drawn_names_its_place() {
     }
     assert!(output(folder.path(), &["report", "box.yaml"]).status.success());
 }
+
+/// A command whose input comes from a pipe.
+fn piped(folder: &Path, args: &[&str], input: &[u8]) -> std::process::Output {
+    use std::io::Write as _;
+    let mut command = program(folder, args);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    // One that refuses before it reads closes the pipe.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+/// A drive, a gearbox and a motor, each by every command that reads one.
+#[test]
+fn a_hyphen_is_standard_input_in_every_command_that_reads_a_file() {
+    let folder = here();
+    let [drive, gearbox, motor] = ["minimal-drive.yaml", "scheme-ii-3.yaml", "motor-5x3.yaml"]
+        .map(|name| (name, fs::read(examples().join(name)).unwrap()));
+    for ((name, content), line) in [
+        (&drive, &["drive", "FILE"][..]),
+        (&drive, &["report", "FILE"]),
+        (&gearbox, &["analyze", "FILE"]),
+        (&gearbox, &["analyze", "FILE", "--gear", "slow"]),
+        (&gearbox, &["compare", "FILE", "II-3", "--k1", "2", "--k2", "2", "--format", "csv"]),
+        (&gearbox, &["draw", "FILE"]),
+        (&gearbox, &["report", "FILE", "--format", "json"]),
+        (&gearbox, &["synthesize", "--ratios", "2.56, 1.465", "--explain", "FILE"]),
+        (&motor, &["draw", "FILE", "--view", "centrodes"]),
+        (&motor, &["report", "FILE"]),
+    ] {
+        fs::write(folder.path().join(name), content).unwrap();
+        let with = |file: &'static str| -> Vec<&str> {
+            line.iter().map(|word| if *word == "FILE" { file } else { word }).collect()
+        };
+        let from_file = output(folder.path(), &with(name));
+        let from_pipe = piped(folder.path(), &with("-"), content);
+        assert!(from_file.status.success(), "{line:?} {}", text(&from_file.stderr));
+        assert_eq!(text(&from_pipe.stdout), text(&from_file.stdout), "{line:?}");
+        assert_eq!((from_pipe.status, from_pipe.stderr), (from_file.status, from_file.stderr), "{line:?}");
+    }
+}
+
+#[test]
+fn faults_of_standard_input_are_told_with_their_place() {
+    let folder = here();
+    let told = |input: &str| {
+        let done = piped(folder.path(), &["analyze", "-"], input.as_bytes());
+        assert_eq!(done.status.code(), Some(2));
+        text(&done.stderr)
+    };
+    let misspelt = told(&BOX.replace("carrier", "carier"));
+    assert!(misspelt.starts_with("error: standard input:4:"), "{misspelt}");
+    assert!(told("").starts_with("error: standard input"), "{}", told(""));
+    // A file of this name is written with its folder.
+    fs::write(folder.path().join("-"), BOX).unwrap();
+    assert!(output(folder.path(), &["analyze", "./-"]).status.success());
+}
+
+#[test]
+fn tables_take_the_width_of_the_terminal_and_no_number_is_parted() {
+    let shown = |columns: &str| {
+        let line = ["analyze", "real-transmissions.yaml", "--transmission", "8HP", "--efficiency", "0.97"];
+        let done = program(&examples(), &line).env("COLUMNS", columns).output().unwrap();
+        assert!(done.status.success());
+        text(&done.stdout)
+    };
+    let whole = ["1171/911", "-346/105", "-3.2952", "0.9853", "6.012"];
+    for columns in [20, 30, 40, 60, 80, 132] {
+        let table = shown(&columns.to_string());
+        // The address of the source is one word.
+        let wide = |line: &&str| line.chars().count() > columns && !line.starts_with("wikiwand.com");
+        let wide: Vec<&str> = table.lines().filter(wide).collect();
+        assert!(wide.is_empty(), "{columns}: {wide:?}");
+        assert!(whole.iter().all(|number| table.contains(number)), "{columns}: {table}");
+    }
+    // What says no number of columns is as none.
+    assert!(shown("wide") == shown("80") && shown("0") == shown("80") && shown("132") != shown("80"));
+}

@@ -38,6 +38,72 @@ fn a_gear_in_full() {
 }
 
 #[test]
+fn shifts_and_progressions() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["analyze", BOXES, "--transmission", "8HP45", "--shifts"][..],
+            &["analyze", "ravigneaux.yaml", "--shifts", "--speed", "2000 rpm", "--format", "csv"],
+            &["analyze", "wolfrom.yaml", "--shifts"],
+            &["analyze", "scheme-ii-3.yaml", "--progression", "1"],
+            &["analyze", "scheme-ii-3.yaml", "--progression", "3"],
+            &["analyze", "scheme-ii-3.yaml", "--shifts", "--gear", "slow"],
+        ]
+    ));
+}
+
+#[test]
+fn shifts_of_many_gears_are_left_out_and_that_is_told() {
+    let folder = here();
+    let gears = |count: usize| {
+        let gear = |place: usize| format!("  - {{ name: g{place}, engaged: [K{}] }}\n", 1 + place % 2);
+        let gears: String = (0..count).map(gear).collect();
+        let file = format!(
+            "gearbox: many\ninput: D\noutput: B\nsets: [{{ id: P, sun: D, ring: T, carrier: B, k: 3 }}]\nbrakes: [{{ id: K1, link: T \
+             }}]\nclutches: [{{ id: K2, links: [D, B] }}]\ngears:\n{gears}"
+        );
+        fs::write(folder.path().join("many.yaml"), file).unwrap();
+    };
+    gears(65);
+    let told = output(folder.path(), &["analyze", "many.yaml"]);
+    assert!(text(&told.stdout).contains("shifts are told of at most 64 gears; these are 65"));
+    let refused = output(folder.path(), &["analyze", "many.yaml", "--shifts"]);
+    assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("at most 64"), "{refused:?}");
+    gears(64);
+    let done = output(folder.path(), &["analyze", "many.yaml", "--shifts", "--format", "json"]);
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    // Each of the 32 slow gears to each of the 32 fast ones.
+    assert_eq!(told["shifts"].as_array().unwrap().len(), 32 * 32);
+}
+
+#[test]
+fn gearboxes_side_by_side() {
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &["compare", BOXES, "--transmission", "8HP45", "--transmission", "AOD", "--efficiency", "0.97"][..],
+            &["compare", "ravigneaux.yaml", "sized-gearbox.yaml", "II-3", "--k1", "2.15", "--k2", "2.35"],
+            &[
+                "compare",
+                "II-3",
+                "D.T2.B+T1.B.T2",
+                "--ratio1",
+                "1.465",
+                "--ratio2",
+                "2.56",
+                "--format",
+                "csv"
+            ],
+            &["compare", "II-3", "-", "-"],
+            &["compare", "II-3", "II-4"],
+            &["compare", "scheme-ii-3.yaml"],
+            &["compare", BOXES, "scheme-ii-3.yaml"],
+            &["compare", "minimal-drive.yaml", "scheme-ii-3.yaml"],
+        ]
+    ));
+}
+
+#[test]
 fn ratios_as_formulas() {
     insta::assert_snapshot!(sessions(
         &examples(),

@@ -34,6 +34,10 @@ const RUNS: &[(&str, &[&str])] = &[
         &["analyze", "sized-gearbox.yaml", "--gear", "slow", "--power", "75 kW", "--speed", "1475 rpm"],
     ),
     ("analyze", &["analyze", "sized-gearbox.yaml", "--torque", "500 N·m"]),
+    ("analyze", &["analyze", "ravigneaux.yaml", "--shifts", "--speed", "1475 rpm"]),
+    ("analyze", &["analyze", "one-way.yaml", "--shifts"]),
+    ("analyze", &["analyze", "real-transmissions.yaml", "--transmission", "prius", "--shifts"]),
+    ("analyze", &["analyze", "one-way.yaml"]),
     ("analyze", &["analyze", "power-split.yaml"]),
     ("analyze", &["analyze", "power-split.yaml", "--gear", "drive", "--speed", "2000 rpm"]),
     ("analyze", &["analyze", "power-split.yaml", "--gear", "generator held", "--speeds", "engine=1000 rpm"]),
@@ -71,6 +75,8 @@ const RUNS: &[(&str, &[&str])] = &[
             "engine=10 N·m",
         ],
     ),
+    ("compare", &["compare", "ravigneaux.yaml", "real-transmissions.yaml", "--transmission", "8HP"]),
+    ("compare", &["compare", "II-3", "scheme-ii-3.yaml", "--ratio1", "1.5", "--ratio2", "2.56"]),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
     ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s"]),
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
@@ -416,6 +422,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("report", &["report", "sized-gearbox.yaml", "--power", "75 kW", "--speed", "1475 rpm"]),
     ("report", &["report", "sized-gearbox.yaml", "--torque", "500 N·m", "--speed", "1475 rpm"]),
     ("report", &["report", "redundant.yaml"]),
+    ("report", &["report", "one-way.yaml"]),
     ("report", &["report", "power-split.yaml"]),
     ("report", &["report", "apart.yaml"]),
     ("report", &["report", "patterns.yaml"]),
@@ -429,6 +436,11 @@ const FREE: &str = "gearbox: free\ninput: D\noutput: B\nsets: [{ id: P, sun: D, 
                     gears: [{ name: free }]\n";
 const PATTERNS: &str = "gearbox: slow\ninput: H\noutput: a\ngrounds: [b]\nsets:\n  - { id: P, kind: stepped_rings, \
                         sun: a, ring: b, carrier: H, k: 0.99, efficiency: 97 % }\ngears: [{ name: slow }]\n";
+
+/// A shift towards the smaller ratio in which a one-way clutch takes over.
+const ONE_WAY: &str = "gearbox: one-way\ninput: D\noutput: B\nsets: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]\nbrakes: [{ \
+                       id: K1, link: T1 }]\nclutches: [{ id: F, one_way: [B, D] }]\ngears: [{ name: slow, engaged: [K1] }, { \
+                       name: fast, engaged: [F] }]\n";
 
 /// Two sets and two brakes that do the work of one.
 const REDUNDANT: &str = "gearbox: redundant\ninput: D\noutput: B\nsets:\n  - { id: P1, sun: D, ring: T1, carrier: B, k: 3 }\n  \
@@ -462,6 +474,7 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
+    std::fs::write(folder.path().join("one-way.yaml"), ONE_WAY).unwrap();
     std::fs::write(folder.path().join("redundant.yaml"), REDUNDANT).unwrap();
     std::fs::write(folder.path().join("apart.yaml"), APART).unwrap();
     std::fs::write(folder.path().join("thirteen.yaml"), thirteen()).unwrap();

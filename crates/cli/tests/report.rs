@@ -116,3 +116,23 @@ fn the_page_of_a_search_has_its_answer_and_the_schemes_of_the_first() {
     assert_eq!(page.matches("<svg").count(), 3);
     assert!(page.contains("Scheme II-3 of the catalogue"));
 }
+
+#[test]
+fn the_page_of_a_comparison_has_the_tables_and_the_scheme_of_each() {
+    let folder = here();
+    let line = ["compare", "II-3", "III-1", "--k1", "2.15", "--k2", "2.35", "-o", "compared.html"];
+    let done = output(folder.path(), &line);
+    assert!(done.status.success() && done.stdout.is_empty(), "{done:?}");
+    let page = fs::read_to_string(folder.path().join("compared.html")).unwrap();
+    is_sound(&page);
+    assert_eq!(sections(&page), ["Side by side", "II-3", "III-1", "What is left out"]);
+    assert_eq!(page.matches("<svg").count(), 2);
+}
+
+#[test]
+fn the_page_of_a_gearbox_has_its_shifts() {
+    let page = page(&["ravigneaux.yaml"]);
+    is_sound(&page);
+    assert!(sections(&page).contains(&"Shifts"));
+    assert!(page.contains("Change of slip of the shift elements") && page.contains("<td>(F1)</td>"));
+}

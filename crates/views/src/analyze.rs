@@ -7,3 +7,6 @@ mod inputs;
 mod overview;
 mod planet_bearings;
 mod shared;
+mod shifts;
+
+pub(crate) use shared::kind as kind_of;

@@ -8,11 +8,12 @@
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`drawability`] | why a gearbox cannot be drawn, in words |
-//! | [`analyze`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
+//! | [`analyze`], [`compare`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
 pub mod analyze;
+pub mod compare;
 pub mod draw;
 pub mod drawability;
 pub mod drive;

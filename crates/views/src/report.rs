@@ -59,24 +59,23 @@ impl Text {
         Self { heading: Some(heading.into()), points, ..Self::default() }
     }
 
-    fn text(&self) -> String {
+    fn text(&self, width: usize) -> String {
         let mut text = String::new();
         if let Some(heading) = &self.heading {
-            text += &one_line(heading);
-            text.push('\n');
+            text += &unmarked(&one_line(heading), width);
         }
         for paragraph in &self.paragraphs {
-            text += &unmarked(&one_line(paragraph));
+            text += &unmarked(&one_line(paragraph), width);
         }
         for line in &self.lines {
-            text += &continued(&one_line(line));
+            text += &continued(&one_line(line), width);
         }
         for point in &self.points {
-            text += &wrapped(" -", &one_line(point));
+            text += &wrapped(" -", &one_line(point), width);
         }
         if let Some((header, rows)) = self.table.split_first() {
             let header: Vec<&str> = header.iter().map(String::as_str).collect();
-            text += &text::table(&header, rows.iter().cloned(), &[]);
+            text += &text::table(&header, rows.iter().cloned(), &[], width);
         }
         text
     }
@@ -142,8 +141,10 @@ pub struct Records {
 /// What one column says.
 #[derive(Debug)]
 pub struct Column {
-    /// Its key without unit.
+    /// Its key without unit. Like columns of several things, such as the shift elements, have one name.
     pub name: &'static str,
+    /// Of which of several things it is: before its key.
+    pub of: Option<String>,
     /// Its heading in tables.
     pub heading: String,
     /// What it measures.
@@ -157,7 +158,14 @@ pub struct Column {
 impl Column {
     /// A column of words.
     pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
-        Self { name, heading: heading.into(), dimension: None, is_number: false, is_for_people: false }
+        Self {
+            name,
+            of: None,
+            heading: heading.into(),
+            dimension: None,
+            is_number: false,
+            is_for_people: false,
+        }
     }
 
     /// A column of plain numbers.
@@ -178,8 +186,19 @@ impl Column {
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
     }
 
+    /// The same column of one of several things, which heads it.
+    #[must_use]
+    pub fn of(self, thing: impl Into<String>) -> Self {
+        let thing = thing.into();
+        Self { heading: thing.clone(), of: Some(thing), ..self }
+    }
+
+    fn full_name(&self) -> String {
+        self.of.iter().map(|of| format!("{of}_")).chain([self.name.to_owned()]).collect()
+    }
+
     fn key(&self) -> String {
-        format!("{}{}", self.name, self.dimension.map_or("", |dimension| suffix(dimension)))
+        format!("{}{}", self.full_name(), self.dimension.map_or("", |dimension| suffix(dimension)))
     }
 }
 
@@ -188,7 +207,7 @@ impl Column {
 pub struct View {
     /// Its heading.
     pub title: String,
-    /// Names of columns, in order; those that the list lacks are passed over.
+    /// Names of columns, in order, each for all columns of the name; those that the list lacks are passed over.
     pub columns: Vec<&'static str>,
     /// A note below the table; empty for none.
     pub note: String,
@@ -227,11 +246,11 @@ impl Report {
         Ok(())
     }
 
-    /// As tables for people.
+    /// As tables for people, in lines of so many columns.
     #[must_use]
-    pub fn table(&self) -> String {
-        let title = self.title.as_ref().map(|title| format!("{}\n", one_line(title)));
-        let parts = self.parts.iter().flat_map(Part::tables);
+    pub fn table(&self, width: usize) -> String {
+        let title = self.title.as_ref().map(|title| unmarked(&one_line(title), width));
+        let parts = self.parts.iter().flat_map(|part| part.tables(width));
         let text = title.into_iter().chain(parts).collect::<Vec<_>>().join("\n");
         let Some(warnings) = &self.warnings else { return text };
         let heading = match warnings.len() {
@@ -240,7 +259,7 @@ impl Report {
             _ => "Warnings\n",
         };
         let warnings: String =
-            warnings.iter().map(|(_, warning)| wrapped(" -", &one_line(warning))).collect();
+            warnings.iter().map(|(_, warning)| wrapped(" -", &one_line(warning), width)).collect();
         format!("{text}\n{heading}{warnings}")
     }
 
@@ -269,11 +288,13 @@ impl Report {
 }
 
 impl Part {
-    fn tables(&self) -> Vec<String> {
+    fn tables(&self, width: usize) -> Vec<String> {
         match self {
-            Self::Facts(section) => vec![section.grid().text()],
-            Self::Records(records) => records.views.iter().map(|view| records.grid(view).text()).collect(),
-            Self::Text(text) => vec![text.text()],
+            Self::Facts(section) => vec![section.grid().text(width)],
+            Self::Records(records) => {
+                records.views.iter().map(|view| records.grid(view).text(width)).collect()
+            }
+            Self::Text(text) => vec![text.text(width)],
         }
     }
 }
@@ -289,9 +310,11 @@ struct Grid<'a> {
 }
 
 impl Grid<'_> {
-    fn text(self) -> String {
-        let note = if self.note.is_empty() { String::new() } else { wrapped("", self.note) };
-        format!("{}\n{}{note}", one_line(self.title), text::table(&self.header, self.rows, &self.right))
+    fn text(self, width: usize) -> String {
+        let note =
+            if self.note.is_empty() { String::new() } else { wrapped("", &one_line(self.note), width) };
+        let table = text::table(&self.header, self.rows, &self.right, width);
+        format!("{}{table}{note}", unmarked(&one_line(self.title), width))
     }
 }
 
@@ -327,11 +350,11 @@ impl Section {
 
 impl Records {
     fn grid<'a>(&'a self, view: &'a View) -> Grid<'a> {
-        let places: Vec<usize> = view
-            .columns
-            .iter()
-            .filter_map(|name| self.columns.iter().position(|column| column.name == *name))
-            .collect();
+        let named = |name: &&'static str| {
+            let name = *name;
+            self.columns.iter().enumerate().filter(move |(_, column)| column.name == name)
+        };
+        let places: Vec<usize> = view.columns.iter().flat_map(named).map(|(place, _)| place).collect();
         let header: Vec<&str> = places.iter().map(|&place| self.columns[place].heading.as_str()).collect();
         let decimals: Vec<usize> =
             places.iter().map(|&place| figure::decimals(self.rows.iter().map(|row| &row[place]))).collect();
@@ -362,7 +385,7 @@ impl Records {
         let named = (1..self.columns.len()).find(are_apart).unwrap_or(1);
         let line = |item: &str, column: &Column, cell: &Figure| {
             let (value, unit) = cell.csv();
-            vec![self.name.to_owned(), item.to_owned(), column.name.to_owned(), value, unit]
+            vec![self.name.to_owned(), item.to_owned(), column.full_name(), value, unit]
         };
         let record = |row: &Vec<Figure>| -> Vec<Vec<String>> {
             let item = named_by(row, named);
@@ -373,10 +396,10 @@ impl Records {
     }
 }
 
-/// Text within the width of the tables, after a list mark or none.
+/// Sentences in lines of at most so many columns, after a list mark or none.
 #[must_use]
-pub fn wrapped(mark: &str, text: &str) -> String {
-    let width = usize::from(text::WIDTH);
+pub fn wrapped(mark: &str, text: &str, width: usize) -> String {
+    let width = width.min(text::WIDEST_SENTENCES);
     let mut lines = String::new();
     let mut line = mark.to_owned();
     for word in text.split(' ') {
@@ -391,9 +414,8 @@ pub fn wrapped(mark: &str, text: &str) -> String {
     lines + &line + "\n"
 }
 
-/// A line within the width of the tables, its further lines set in. What follows a sign stays with it.
-fn continued(text: &str) -> String {
-    let width = usize::from(text::WIDTH);
+/// A line in lines of at most so many columns, the further ones set in. What follows a sign stays with it.
+fn continued(text: &str, width: usize) -> String {
     let words = text.trim_start();
     let margin = text.len() - words.len();
     let mut lines = String::new();
@@ -419,9 +441,12 @@ fn continued(text: &str) -> String {
     lines + &line + "\n"
 }
 
-/// A paragraph within the width of the tables.
-fn unmarked(text: &str) -> String {
-    wrapped("", text).lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect()
+/// A paragraph in lines of at most so many columns.
+fn unmarked(text: &str, width: usize) -> String {
+    wrapped("", text, width)
+        .lines()
+        .map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)))
+        .collect()
 }
 
 /// The cells of the first columns, which name a thing.
@@ -437,7 +462,7 @@ mod tests {
     fn a_long_line_goes_on_further_in_and_signs_stay_with_what_follows() {
         let term = "a".repeat(30);
         let line = format!("  i = {term} + {term} − {term} = 1");
-        assert_eq!(continued(&line), format!("  i = {term} + {term}\n      − {term} = 1\n"));
-        assert_eq!(continued("  i = 1"), "  i = 1\n");
+        assert_eq!(continued(&line, 80), format!("  i = {term} + {term}\n      − {term} = 1\n"));
+        assert_eq!(continued("  i = 1", 80), "  i = 1\n");
     }
 }

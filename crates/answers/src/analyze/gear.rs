@@ -1,9 +1,9 @@
 //! Everything about one gear.
 
+use super::elements::{self, SlipAndTorque};
 use super::planet_bearings::{self, PlanetBearing};
 use super::records::{
-    GearFacts, Kind, OneWayClutch, ShiftElementKind, State, links_of, member_name, meshes, one_way_clutches,
-    planet_name,
+    GearFacts, Kind, OneWayClutch, State, member_name, meshes, one_way_clutches, planet_name,
 };
 use super::{Input, OperatingPoint, Worked, warnings};
 use crate::gearbox::Subject;
@@ -12,7 +12,7 @@ use crate::tolerance::ROUNDED;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Physical;
 use epicyclic_train::power_flow::SetPower;
-use epicyclic_train::{self as train, Direction, Gearbox, LoadCase, Operation, PlanetSet};
+use epicyclic_train::{self as train, Gearbox, LoadCase, Operation, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Power;
@@ -111,24 +111,12 @@ pub struct Planet {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftElement {
-    /// Its name.
-    pub shift_element: String,
     /// What it is.
-    pub kind: ShiftElementKind,
-    /// The two links that it joins; `ground` is the housing.
-    pub links: [String; 2],
-    /// Whether it is engaged.
-    pub engaged: bool,
-    /// Slip over the input's speed: speed of the first link less that of the second.
-    pub slip_of_input: Option<f64>,
-    /// Slip.
-    pub slip_rad_s: Option<f64>,
-    /// Torque without losses, over the input's.
-    pub ideal_torque_of_input: Option<f64>,
-    /// Torque with losses, over the input's.
-    pub torque_of_input: Option<f64>,
-    /// Torque at the load.
-    pub torque_n_m: Option<f64>,
+    #[serde(flatten)]
+    pub element: elements::ShiftElement,
+    /// What it does in this gear.
+    #[serde(flatten)]
+    pub does: SlipAndTorque,
 }
 
 /// Torques on the gearbox from outside.
@@ -370,21 +358,12 @@ impl Scene<'_> {
         self.worked.operation.as_ref()
     }
 
-    /// Driven from the output, because the load brakes.
     fn is_back_driven(&self) -> bool {
-        self.operation().is_some_and(|operation| operation.direction == Direction::BackDrive)
+        self.worked.is_back_driven()
     }
 
-    /// Torques with losses in the direction in which power runs.
     fn case(&self) -> Option<&LoadCase> {
-        let analysis = &self.worked.analysis;
-        if self.is_back_driven() { analysis.back_driving() } else { analysis.driving() }
-    }
-
-    /// A torque of the case as a multiple of the input's.
-    fn of_input(&self, torque: impl Fn(&LoadCase) -> Option<f64>) -> Option<f64> {
-        let case = self.case()?;
-        torque(case).map(|torque| torque / case.input)
+        self.worked.case()
     }
 
     /// Powers are known when both a load and a speed are.
@@ -442,20 +421,9 @@ impl Scene<'_> {
     }
 
     fn shift_elements(&self) -> Vec<ShiftElement> {
-        let analysis = &self.worked.analysis;
-        let one = |(place, element): (usize, &train::ShiftElement)| {
-            let torque = self.operation().and_then(|operation| operation.shift_elements[place]);
-            ShiftElement {
-                shift_element: element.id().to_owned(),
-                kind: ShiftElementKind::of(element),
-                links: links_of(self.gearbox, element),
-                engaged: analysis.gear().engaged().contains(&place),
-                slip_of_input: analysis.slips()[place],
-                slip_rad_s: self.worked.speed_rad_s(analysis.slips()[place]),
-                ideal_torque_of_input: analysis.ideal().and_then(|case| case.shift_elements[place]),
-                torque_of_input: self.of_input(|case| case.shift_elements[place]),
-                torque_n_m: torque.map(Physical::si),
-            }
+        let one = |(place, element): (usize, &train::ShiftElement)| ShiftElement {
+            element: elements::ShiftElement::of(self.gearbox, element),
+            does: SlipAndTorque::of(self.worked, place),
         };
         self.gearbox.shift_elements().iter().enumerate().map(one).collect()
     }
@@ -513,7 +481,7 @@ impl Scene<'_> {
                     member: member_name(set, member),
                     link: self.gearbox.link_name(*link).to_owned(),
                     ideal_torque_of_input: self.worked.analysis.ideal().and_then(of),
-                    torque_of_input: self.of_input(of),
+                    torque_of_input: self.worked.of_input(of),
                     torque_n_m: at.map(|torques| torques[member].si()),
                     power_of_entering: power.map(|power| power.members[member]),
                     circulating_of_entering: self.case().map(circulating),
@@ -577,16 +545,16 @@ impl Scene<'_> {
     fn warnings(&self, subject: &Subject<'_>, facts: &GearFacts) -> Vec<Warning> {
         let analysis = &self.worked.analysis;
         let mut all = warnings::of_gearbox(subject);
-        all.extend(warnings::fast_planets(self.gearbox, analysis));
+        all.extend(warnings::fast_planets_of(self.gearbox, &[analysis]));
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });
         }
-        all.extend(warnings::released(self.gearbox, self.worked));
+        all.extend(warnings::released(self.gearbox, &[self.worked]));
         if self.worked.input.load.is_some() && self.operation().is_none() && self.worked.released.is_empty() {
             let message = "no torques follow from the load in this state".to_owned();
             all.push(Warning { name: "no-load", message });
         }
-        all.extend(warnings::contradictions(self.gearbox, analysis));
+        all.extend(warnings::contradictions(self.gearbox, &[analysis]));
         if let Some(kreines) = analysis.kreines().filter(|kreines| !kreines.reversed.is_empty()) {
             let sets = kreines.reversed.join(", ");
             let message = format!(
@@ -594,10 +562,7 @@ impl Scene<'_> {
             );
             all.push(Warning { name: "kreines", message });
         }
-        if analysis.is_self_locking() == Some(true) {
-            let message = "the gear is self-locking when driven from its output".to_owned();
-            all.push(Warning { name: "self-locking", message });
-        }
+        all.extend(warnings::self_locking(&[analysis]));
         all
     }
 }

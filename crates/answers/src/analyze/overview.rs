@@ -1,12 +1,15 @@
 //! All gears of a gearbox side by side.
 
+use super::elements::{self, InGear};
 use super::planet_bearings::{self, PlanetBearing};
-use super::records::{GearFacts, OneWayClutch, ShiftElementKind, links_of, one_way_clutches};
-use super::{Input, OperatingPoint, Worked, warnings};
+use super::progression::{self, Deviation, Progression};
+use super::records::{GearFacts, OneWayClutch, one_way_clutches};
+use super::shifts::{self, MOST_GEARS, Shift};
+use super::{Input, OperatingPoint, Worked, planets, warnings};
 use crate::gearbox::Subject;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Physical as _;
-use epicyclic_train::{self as train, Analysis, Gearbox};
+use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -24,10 +27,16 @@ pub struct Overview {
     pub operating_point: OperatingPoint,
     /// Its gears. Their `engaged` is the engagement table.
     pub gears: Vec<Gear>,
-    /// Its shift elements, the columns of the engagement table.
-    pub shift_elements: Vec<ShiftElement>,
+    /// Its gears by input, output and direction of rotation: spread, and ideal progressions.
+    pub progressions: Vec<Progression>,
+    /// Its shift elements, the columns of the engagement table, with their largest torque and slip.
+    pub shift_elements: Vec<elements::OverGears>,
+    /// The shifts between neighbouring gears, towards the smaller ratio.
+    pub shifts: Vec<Shift>,
     /// What the one-way clutches do in each gear.
     pub one_way_clutches: Vec<OneWayClutch>,
+    /// The planets with their largest speeds and forces.
+    pub planets: Vec<planets::OverGears>,
     /// The planet bearings in each gear, where the size of any set is known.
     pub planet_bearings: Vec<PlanetBearing>,
     /// What the reader should know.
@@ -43,77 +52,83 @@ pub struct Gear {
     pub facts: GearFacts,
     /// Ratio step: the ratio of the gear before over this one's, between the same links in the same direction.
     pub step: Option<f64>,
+    /// The ratio over that of the geometric progression between the first and the last gear of its progression, less 1;
+    /// `null` where there are no other gears between these.
+    pub geometric_deviation: Option<f64>,
+    /// The ratio over that of the progressive progression between the same, less 1.
+    pub progressive_deviation: Option<f64>,
     /// Circulating power over what enters.
     pub circulating_of_entering: Option<f64>,
     /// Largest speed of a link over the input's.
     pub largest_speed_of_input: Option<f64>,
     /// Largest speed of a planet relative to its carrier, over the input's speed.
     pub largest_planet_speed_of_input: Option<f64>,
+    /// Slip and torque of the shift elements.
+    pub shift_elements: Vec<InGear>,
     /// Speed of the output at the operating point.
     pub output_speed_rad_s: Option<f64>,
     /// Torque on the output at the operating point.
     pub output_torque_n_m: Option<f64>,
 }
 
-/// A shift element.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct ShiftElement {
-    /// Its name.
-    pub shift_element: String,
-    /// What it is.
-    pub kind: ShiftElementKind,
-    /// The two links that it joins; `ground` is the housing.
-    pub links: [String; 2],
-}
-
-impl ShiftElement {
-    /// Those of a gearbox.
-    pub(crate) fn all(gearbox: &Gearbox) -> Vec<Self> {
-        let one = |element: &train::ShiftElement| Self {
-            shift_element: element.id().to_owned(),
-            kind: ShiftElementKind::of(element),
-            links: links_of(gearbox, element),
-        };
-        gearbox.shift_elements().iter().map(one).collect()
-    }
-}
-
 impl Answer for Overview {
     const NAME: &'static str = "analyze";
 }
 
-/// All gears with the input as asked.
+/// All gears with the input as asked; `progression_factor` is that of the progressive progression, by default the one that fits best.
 ///
 /// # Errors
-/// [`Error::Load`] for a load that a gear cannot take, [`Error::Gearbox`] for speeds and loads that are no numbers.
-pub fn answer(subject: &Subject<'_>, input: Input) -> Result<Overview, Error> {
+/// [`Error::Load`] for a load that a gear cannot take, [`Error::ProgressionFactor`] for a factor that leaves no progression,
+/// [`Error::Gearbox`] for speeds and loads that are no numbers.
+pub fn answer(
+    subject: &Subject<'_>,
+    input: Input,
+    progression_factor: Option<f64>,
+) -> Result<Overview, Error> {
     let gearbox = &subject.gearbox;
     let worked = gearbox
         .gears()
         .iter()
         .map(|gear| Worked::new(gearbox, gear.name(), input))
         .collect::<Result<Vec<Worked<'_>>, Error>>()?;
-    let gears = || worked.iter().map(|worked| &worked.analysis);
+    let analyses: Vec<&Analysis<'_>> = worked.iter().map(|worked| &worked.analysis).collect();
+    let ordered = progression::ordered(&analyses);
+    let (progressions, deviations) = progression::of(&analyses, &ordered, progression_factor)?;
     let mut all = warnings::of_gearbox(subject);
-    all.extend(gears().flat_map(|gear| warnings::fast_planets(gearbox, gear)));
-    all.extend(gears().flat_map(|gear| warnings::contradictions(gearbox, gear)));
-    all.extend(worked.iter().flat_map(|worked| warnings::released(gearbox, worked)));
+    all.extend(warnings::fast_planets_of(gearbox, &analyses));
+    all.extend(warnings::contradictions(gearbox, &analyses));
+    all.extend(warnings::released(gearbox, &worked.iter().collect::<Vec<_>>()));
+    all.extend(warnings::self_locking(&analyses));
+    let shifts = if worked.len() > MOST_GEARS {
+        let message = format!("shifts are told of at most {MOST_GEARS} gears; these are {}", worked.len());
+        all.push(Warning { name: "shifts", message });
+        vec![]
+    } else {
+        shifts::between(gearbox, &analyses, &ordered, input.speed, 0)
+    };
+    let gears: Vec<Gear> =
+        (0..worked.len()).map(|place| Gear::of(subject, &worked, place, deviations[place])).collect();
+    let duties: Vec<(&str, &[InGear])> =
+        gears.iter().map(|gear| (gear.facts.gear.as_str(), &gear.shift_elements[..])).collect();
+    let bearings = planet_bearings::of_gears(subject, &worked)?;
     Ok(Overview {
         gearbox: gearbox.name().to_owned(),
         source: subject.source.clone(),
         has_losses: subject.has_losses(),
         operating_point: OperatingPoint::of(input),
-        gears: (0..worked.len()).map(|place| Gear::of(subject, &worked, place)).collect(),
-        shift_elements: ShiftElement::all(gearbox),
-        one_way_clutches: gears().flat_map(|gear| one_way_clutches(gearbox, gear)).collect(),
-        planet_bearings: planet_bearings::of_gears(subject, &worked)?,
+        progressions,
+        shift_elements: elements::OverGears::all(gearbox, &duties),
+        shifts,
+        one_way_clutches: analyses.iter().flat_map(|gear| one_way_clutches(gearbox, gear)).collect(),
+        planets: planets::OverGears::all(gearbox, &worked, &bearings),
+        planet_bearings: bearings,
         warnings: all,
+        gears,
     })
 }
 
 impl Gear {
-    fn of(subject: &Subject<'_>, all: &[Worked<'_>], place: usize) -> Self {
+    fn of(subject: &Subject<'_>, all: &[Worked<'_>], place: usize, deviation: Deviation) -> Self {
         let worked = &all[place];
         let analysis = &worked.analysis;
         let before = place.checked_sub(1).map(|before| &all[before].analysis);
@@ -121,9 +136,12 @@ impl Gear {
         Self {
             facts: GearFacts::of(subject, analysis),
             step: before.and_then(|before| step(before, analysis)),
+            geometric_deviation: deviation.geometric,
+            progressive_deviation: deviation.progressive,
             circulating_of_entering: analysis.driving().map(|case| case.power.circulating),
             largest_speed_of_input: largest_speed(&subject.gearbox, analysis),
             largest_planet_speed_of_input: largest_planet_speed(analysis),
+            shift_elements: InGear::all(&subject.gearbox, worked),
             output_speed_rad_s: worked.speed_rad_s(output_speed),
             output_torque_n_m: worked.operation.as_ref().map(|operation| operation.output.si()),
         }

@@ -7,71 +7,156 @@ use crate::gearbox::Subject;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::speeds::SetMotion;
-use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
+use epicyclic_train::{self as train, Analysis, Gearbox};
 
 /// Speed of a planet relative to its carrier, over the input's, that is usually not exceeded.
 const USUAL_PLANET_SPEED: f64 = 2.0;
 
-/// A planet of a set that turns faster on its carrier than is usual: more than twice the input's speed.
-#[must_use]
-pub fn fast_planet(gear: &str, set: &str, relative_speed_of_input: f64) -> Option<Warning> {
-    let speed = relative_speed_of_input.abs();
-    (speed > USUAL_PLANET_SPEED).then(|| {
-        let message = format!(
-            "in gear {gear} a planet of set {set} turns at {} times the input's speed relative to its carrier; \
+/// A planet of a set in a gear.
+pub(crate) struct PlanetSpeed<'a> {
+    pub(crate) gear: &'a str,
+    pub(crate) set: &'a str,
+    /// Its speed relative to its carrier, over the input's.
+    pub(crate) relative: f64,
+}
+
+/// Planets that turn faster on their carriers than is usual, more than twice the input's speed: all in one warning.
+pub(crate) fn fast_planets(planets: &[PlanetSpeed<'_>]) -> Option<Warning> {
+    let fast: Vec<&PlanetSpeed<'_>> =
+        planets.iter().filter(|planet| planet.relative.abs() > USUAL_PLANET_SPEED).collect();
+    let speed = |planet: &PlanetSpeed<'_>| trimmed(planet.relative.abs(), 4);
+    let message = match fast[..] {
+        [] => return None,
+        [only] => format!(
+            "in gear {} a planet of set {} turns at {} times the input's speed relative to its carrier; \
              {USUAL_PLANET_SPEED} is the usual limit",
-            trimmed(speed, 4)
-        );
-        Warning { name: "planet-speed", message }
-    })
-}
-
-/// The fastest planet of each set, where it is faster than usual.
-pub(super) fn fast_planets(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<Warning> {
-    let of_set = |(set, motion): (&PlanetSet, &SetMotion)| {
-        let planets = motion.planets.iter().flatten().map(|planet| planet.relative.abs());
-        fast_planet(gear.gear().name(), set.id(), planets.reduce(f64::max)?)
+            only.gear,
+            only.set,
+            speed(only)
+        ),
+        _ => {
+            let mut sets: Vec<(&str, Vec<String>)> = vec![];
+            for planet in fast {
+                let in_gear = format!("{} in gear {}", speed(planet), planet.gear);
+                match sets.iter_mut().find(|(set, _)| *set == planet.set) {
+                    Some((_, gears)) => gears.push(in_gear),
+                    None => sets.push((planet.set, vec![in_gear])),
+                }
+            }
+            let sets: Vec<String> =
+                sets.iter().map(|(set, gears)| format!("set {set}: {}", gears.join(", "))).collect();
+            format!(
+                "planets turn faster relative to their carriers than {USUAL_PLANET_SPEED} times the input's speed, \
+                 the usual limit: {}",
+                sets.join("; ")
+            )
+        }
     };
-    gearbox.sets().iter().zip(gear.sets()).filter_map(of_set).collect()
+    Some(Warning { name: "planet-speed", message })
 }
 
-/// One-way clutches that do not do what the gear's engaged elements say.
-pub(super) fn contradictions(gearbox: &Gearbox, gear: &Analysis<'_>) -> Vec<Warning> {
-    let name = gear.gear().name();
-    let all = gear.one_way_clutches().into_iter().filter_map(|one| {
-        let clutch = gearbox.shift_elements()[one.shift_element].id();
-        let message = match one.drive {
-            Duty::WouldOverrun => format!(
-                "gear {name} relies on the one-way clutch {clutch}, whose torque would turn it free: leave it out of \
-                 the gear, or exchange its links"
-            ),
-            Duty::WouldHold => format!(
-                "in gear {name} the one-way clutch {clutch} would hold, since its first link would turn slower than \
-                 its second: name it in the gear, or exchange its links"
-            ),
-            _ => return None,
+/// The fastest planet of each set in these gears, where one is faster than usual.
+pub(super) fn fast_planets_of(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Option<Warning> {
+    let of_gear = |gear: &&'_ Analysis<'_>| -> Vec<(usize, f64)> {
+        let of_set = |(place, motion): (usize, &SetMotion)| {
+            let planets = motion.planets.iter().flatten().map(|planet| planet.relative.abs());
+            Some((place, planets.reduce(f64::max)?))
         };
-        Some(Warning { name: "one-way-clutch", message })
-    });
-    all.collect()
+        gear.sets().iter().enumerate().filter_map(of_set).collect()
+    };
+    let all: Vec<PlanetSpeed<'_>> = gears
+        .iter()
+        .flat_map(|gear| of_gear(gear).into_iter().map(move |found| (gear, found)))
+        .map(|(gear, (set, relative))| PlanetSpeed {
+            gear: gear.gear().name(),
+            set: gearbox.sets()[set].id(),
+            relative,
+        })
+        .collect();
+    fast_planets(&all)
+}
+
+/// `gear 1`, `gears 1, 2`.
+fn named(gears: &[&str]) -> String {
+    format!("gear{} {}", if gears.len() == 1 { "" } else { "s" }, gears.join(", "))
+}
+
+/// Gears by what they have in common, in the order in which each first comes.
+fn grouped<'a, Key: PartialEq>(all: impl IntoIterator<Item = (Key, &'a str)>) -> Vec<(Key, Vec<&'a str>)> {
+    let mut groups: Vec<(Key, Vec<&str>)> = vec![];
+    for (key, gear) in all {
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, gears)) => gears.push(gear),
+            None => groups.push((key, vec![gear])),
+        }
+    }
+    groups
+}
+
+/// One-way clutches that do not do what the engaged elements of gears say.
+pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+    let of_gear = |gear: &&'_ Analysis<'_>| -> Vec<(usize, Duty)> {
+        let all = gear.one_way_clutches().into_iter();
+        all.filter(|one| one.drive.is_contradiction()).map(|one| (one.shift_element, one.drive)).collect()
+    };
+    let all =
+        gears.iter().flat_map(|gear| of_gear(gear).into_iter().map(|found| (found, gear.gear().name())));
+    let message = |((clutch, duty), gears): ((usize, Duty), Vec<&str>)| {
+        let (verb, the_gear) =
+            if gears.len() == 1 { ("relies", "the gear") } else { ("rely", "these gears") };
+        let (clutch, gears) = (gearbox.shift_elements()[clutch].id(), named(&gears));
+        let message = if duty == Duty::WouldOverrun {
+            format!(
+                "{gears} {verb} on the one-way clutch {clutch}, whose torque would turn it free: leave it out of \
+                 {the_gear}, or exchange its links"
+            )
+        } else {
+            format!(
+                "in {gears} the one-way clutch {clutch} would hold, since its first link would turn slower than its \
+                 second: name it in {the_gear}, or exchange its links"
+            )
+        };
+        Warning { name: "one-way-clutch", message }
+    };
+    grouped(all).into_iter().map(message).collect()
 }
 
 /// One-way clutches that let go at the load, and what would have to be engaged besides.
-pub(super) fn released(gearbox: &Gearbox, worked: &Worked<'_>) -> Vec<Warning> {
-    let gear = worked.analysis.gear().name();
-    let one = |place: &usize| {
-        let clutch = gearbox.shift_elements()[*place].id();
-        let remedy = match &beside(gearbox, *place)[..] {
+pub(super) fn released(gearbox: &Gearbox, gears: &[&Worked<'_>]) -> Vec<Warning> {
+    let all = gears
+        .iter()
+        .flat_map(|worked| worked.released.iter().map(|place| (*place, worked.analysis.gear().name())));
+    let message = |(place, gears): (usize, Vec<&str>)| {
+        let clutch = gearbox.shift_elements()[place].id();
+        let remedy = match &beside(gearbox, place)[..] {
             [] => "no other shift element joins its links".to_owned(),
             elements => format!("engage {} besides", elements.join(" or ")),
         };
+        let verb = if gears.len() == 1 { "does" } else { "do" };
         let message = format!(
-            "gear {gear} does not take this load: the torque on the one-way clutch {clutch} would be reversed, so it \
-             overruns; {remedy}"
+            "{} {verb} not take this load: the torque on the one-way clutch {clutch} would be reversed, so it overruns; \
+             {remedy}",
+            named(&gears)
         );
         Warning { name: "one-way-clutch", message }
     };
-    worked.released.iter().map(one).collect()
+    grouped(all).into_iter().map(message).collect()
+}
+
+/// Gears that cannot be driven from their outputs.
+pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
+    let held: Vec<&str> = gears
+        .iter()
+        .filter(|gear| gear.is_self_locking() == Some(true))
+        .map(|gear| gear.gear().name())
+        .collect();
+    let message = match held[..] {
+        [] => return None,
+        [_] if gears.len() == 1 => "the gear is self-locking when driven from its output".to_owned(),
+        [one] => format!("gear {one} is self-locking when driven from its output"),
+        _ => format!("{} are self-locking when driven from their output", named(&held)),
+    };
+    Some(Warning { name: "self-locking", message })
 }
 
 /// Remarks on the gearbox itself.

@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::analyze::gear::OneGear;
 use crate::analyze::overview::Overview;
+use crate::analyze::shifts::{self, Shifts};
 use crate::analyze::{Input, analysis, gear, moving, overview};
 use crate::drawability::Conflict;
 use crate::gearbox::Subject;
@@ -32,6 +33,8 @@ pub struct GearboxReport {
     pub overview: Overview,
     /// Each gear in full, in their order.
     pub gears: Vec<OneGear>,
+    /// All shifts; `null` of a gearbox with more gears than they are told of.
+    pub shifts: Option<Shifts>,
     /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
     pub conflict: Option<Conflict>,
     /// What changes with the `k` of one set while the others stay as they are. Sets with more than two central gears, which have no one
@@ -93,8 +96,12 @@ pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxRepo
     };
     let report = GearboxReport {
         sets: gearbox.sets().iter().map(|set| set.id().to_owned()).collect(),
-        overview: overview::answer(subject, input)?,
+        overview: overview::answer(subject, input, None)?,
         gears: names().map(|gear| gear::answer(subject, gear, input)).collect::<Result<_, Error>>()?,
+        shifts: match shifts::answer(subject, input.speed) {
+            Err(Error::ManyGears { .. }) => None,
+            shifts => Some(shifts?),
+        },
         conflict,
         over_k: over_k(gearbox),
     };

@@ -35,6 +35,8 @@ analyze: real-transmissions.yaml
   --transmission 8HP
 analyze: real-transmissions.yaml --transmission 8HP
   --efficiency 97%
+  --shifts
+  --progression 1.05
 analyze: every-gearbox-key.yaml --format json
   --gear 1
   --all-combinations
@@ -72,6 +74,17 @@ analyze: every-gearbox-key.yaml --gear 1 --speed '1475 rpm'
   --power '75 kW'
 analyze: every-gearbox-key.yaml --speed '1475 rpm'
   --power '75 kW'
+compare: real-transmissions.yaml ravigneaux.yaml --transmission 8HP
+  --transmission TH400
+  --efficiency 97%
+  --format csv
+  --output compared.html
+compare: II-3 II-4 --k1 2.15 --k2 2.35
+  --k1 2.5
+  --k2 2.5
+compare: II-3 D.T2.B+T1.B.T2 --ratio1 1.465 --ratio2 2.56
+  --ratio1 1.5
+  --ratio2 2.5
 synthesize: --ratios '2.56, 1.465' --format json
   --ratios '2.5, 1.465'
   --tolerance 2%
@@ -355,6 +368,11 @@ man:
 const REFUSED: &str = "\
 analyze: real-transmissions.yaml --speed '100 rpm' | add --transmission
 analyze: real-transmissions.yaml --efficiency 97% | add --transmission
+compare: real-transmissions.yaml ravigneaux.yaml | name one of
+compare: scheme-ii-3.yaml ravigneaux.yaml --transmission 8HP | leave it out
+compare: scheme-ii-3.yaml ravigneaux.yaml --k1 2 | the file says how large
+compare: ravigneaux.yaml | two gearboxes
+analyze: real-transmissions.yaml --progression 1.05 | add --transmission
 select: --ratios 2.5 --sun 20 | --teeth
 select: --ratios 2.5 --planet-count 4 | --teeth
 select: --ratios 2.5 --face-width-ratio 0.5 | --load-factor
@@ -476,7 +494,18 @@ fn check(commands: &[&str]) {
 
 #[test]
 fn every_option_of_gearboxes_changes_the_answer() {
-    check(&["teeth", "drive", "analyze", "schemes", "draw", "report", "schema", "completions", "man"]);
+    check(&[
+        "teeth",
+        "drive",
+        "analyze",
+        "compare",
+        "schemes",
+        "draw",
+        "report",
+        "schema",
+        "completions",
+        "man",
+    ]);
     check(&["synthesize", "atlas"]);
 }
 

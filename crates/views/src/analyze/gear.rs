@@ -178,15 +178,15 @@ fn planets(one: &OneGear) -> Records {
 fn shift_elements(one: &OneGear) -> Records {
     let row = |element: &ShiftElement| {
         vec![
-            text(&element.shift_element),
-            kind(element.kind),
-            joins(&element.links),
-            engaged(element.engaged),
-            multiple(element.slip_of_input),
-            column(element.slip_rad_s, Dimension::AngularSpeed),
-            multiple(element.ideal_torque_of_input),
-            multiple(element.torque_of_input),
-            column(element.torque_n_m, Dimension::Torque),
+            text(&element.element.shift_element),
+            kind(element.element.kind),
+            joins(&element.element.links),
+            engaged(element.does.engaged),
+            multiple(element.does.slip_of_input),
+            column(element.does.slip_rad_s, Dimension::AngularSpeed),
+            multiple(element.does.ideal_torque_of_input),
+            multiple(element.does.torque_of_input),
+            column(element.does.torque_n_m, Dimension::Torque),
         ]
     };
     let mut shown = vec!["shift_element", "joins", "engaged", "slip_of_input"];

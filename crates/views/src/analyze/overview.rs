@@ -1,14 +1,20 @@
 //! All gears of a gearbox side by side.
 
-use super::planet_bearings;
-use super::shared::{column, exact, one_way_clutches, self_locking, state, warnings, yes_no};
+use super::shared::{
+    column, exact, headed, joins, kind, one_way_clutches, self_locking, state, warnings, yes_no,
+};
+use super::{planet_bearings, shifts};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View};
+use epicyclic_answers::analyze::elements::{self, InGear, SlipAndTorque};
 use epicyclic_answers::analyze::overview::{Gear, Overview};
+use epicyclic_answers::analyze::planets::{self, LargestForce};
+use epicyclic_answers::analyze::progression::Progression;
 use epicyclic_answers::analyze::records::{Published, State};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_formats::Dimension;
+use epicyclic_formats::quantity::format::trimmed;
 
 impl AsReport for Overview {
     fn report(&self) -> Report {
@@ -16,26 +22,53 @@ impl AsReport for Overview {
         parts.extend(
             self.source.iter().map(|source| Part::Text(Text::paragraph(format!("Source: {source}")))),
         );
+        if !self.shift_elements.is_empty() && !has_marks(self) {
+            parts.push(Part::Text(engagement_table(self)));
+        }
         parts.push(Part::Records(gears(self)));
         let states: Vec<String> =
             self.gears.iter().filter(|gear| gear.facts.state != State::Driven).map(state_of).collect();
         if !states.is_empty() {
             parts.push(Part::Text(Text::list("Gears that are not simply driven", states)));
         }
-        let bearings = planet_bearings::records(&self.planet_bearings, &self.operating_point, false);
-        parts.extend(bearings.map(Part::Records));
         if !self.shift_elements.is_empty() {
-            parts.push(Part::Text(engagement_table(self)));
+            parts.push(Part::Records(shift_elements(self)));
+        }
+        if !self.shifts.is_empty() {
+            parts.push(Part::Records(shifts::records(&self.shifts, "Shifts between neighbouring gears")));
         }
         if !self.one_way_clutches.is_empty() {
             parts.push(Part::Records(one_way_clutches(&self.one_way_clutches, false)));
         }
+        parts.extend(planets(self).map(Part::Records));
+        let bearings = planet_bearings::records(&self.planet_bearings, &self.operating_point, false);
+        parts.extend(bearings.map(Part::Records));
         Report { title: Some(self.gearbox.clone()), parts, warnings: warnings(&self.warnings) }
     }
 }
 
+/// The widest engagement table, in letters, that stands beside the ratios.
+const WIDEST_MARKS: usize = 30;
+
+/// Whether the engagement table is part of the table of gears.
+fn has_marks(overview: &Overview) -> bool {
+    let names = overview.shift_elements.iter().map(|one| one.element.shift_element.chars().count() + 2);
+    !overview.shift_elements.is_empty() && names.sum::<usize>() <= WIDEST_MARKS
+}
+
 fn gears(overview: &Overview) -> Records {
-    let mut views = vec![View::new("Gears", &["gear", "engaged", "state", "ratio", "exact_ratio", "step"])];
+    let mut shown = vec!["gear"];
+    shown.extend(has_marks(overview).then_some("mark"));
+    // Where all are driven nothing needs saying.
+    if overview.gears.iter().any(|gear| gear.facts.state != State::Driven) {
+        shown.push("state");
+    }
+    shown.extend(["ratio", "exact_ratio", "step"]);
+    if overview.gears.iter().any(|gear| gear.geometric_deviation.is_some()) {
+        shown.extend(["geometric_deviation", "progressive_deviation"]);
+    }
+    let mut views =
+        vec![View { note: progression_note(&overview.progressions), ..View::new("Gears", &shown) }];
     if overview.gears.iter().any(|gear| gear.facts.published.is_some()) {
         views.push(View::new("Published ratios", &["gear", "published", "computed", "agrees", "remark"]));
     }
@@ -58,13 +91,196 @@ fn gears(overview: &Overview) -> Records {
     if at.speed_rad_s.is_some() || at.torque_n_m.is_some() || at.power_w.is_some() {
         views.push(View::new("Output", &["gear", "output_speed", "output_torque"]));
     }
+    // Of one gear the table of shift elements says all.
+    if overview.gears.len() > 1 && !overview.shift_elements.is_empty() {
+        views.extend(over_gears(overview));
+    }
     Records {
         name: "gears",
-        columns: columns(),
+        columns: columns().into_iter().chain(element_columns(overview)).collect(),
         rows: overview.gears.iter().map(row).collect(),
         views,
         is_answer: true,
     }
+}
+
+/// Torque and slip of the shift elements gear by gear.
+fn over_gears(overview: &Overview) -> [View; 2] {
+    let at = &overview.operating_point;
+    let has_torques = overview.gears.iter().flat_map(|gear| &gear.shift_elements);
+    let has_torques = has_torques.clone().any(|one| one.duty.torque_n_m.is_some());
+    let (torque, torques) = if has_torques {
+        ("torque", "Torque of the shift elements, N·m")
+    } else {
+        ("torque_of_input", "Torque of the shift elements over the input's")
+    };
+    let (slip, slips) = if at.speed_rad_s.is_some() {
+        ("slip", "Slip of the shift elements, rpm")
+    } else {
+        ("slip_of_input", "Slip of the shift elements over the input's speed")
+    };
+    let view = |title, what, note: &str| View { note: note.to_owned(), ..View::new(title, &["gear", what]) };
+    [
+        view(torques, torque, "With losses, on the first link of those that are engaged."),
+        view(slips, slip, "Of those that are open: speed of the first link less that of the second."),
+    ]
+}
+
+/// Columns of each shift element: its mark in the engagement table, its torque and its slip.
+fn element_columns(overview: &Overview) -> Vec<Column> {
+    let of = |name: &String| {
+        [
+            Column::words("mark", "").for_people(),
+            Column::number("torque_of_input", ""),
+            Column::quantity("torque", Dimension::Torque),
+            Column::number("slip_of_input", ""),
+            Column::quantity("slip", Dimension::AngularSpeed),
+        ]
+        .map(|column| column.of(name))
+    };
+    overview.shift_elements.iter().flat_map(|one| of(&one.element.shift_element)).collect()
+}
+
+/// What a shift element does in a gear: the torque of one that is engaged, the slip of one that is open.
+fn element_cells(one: &InGear) -> [Figure; 5] {
+    let SlipAndTorque { engaged, slip_of_input, slip_rad_s, torque_of_input, torque_n_m, .. } = one.duty;
+    let engaged_alone = |value: Option<f64>| value.filter(|_| engaged);
+    let open_alone = |value: Option<f64>| value.filter(|_| !engaged);
+    [
+        Figure::Mark(engaged),
+        multiple(engaged_alone(torque_of_input)),
+        column(engaged_alone(torque_n_m), Dimension::Torque),
+        multiple(open_alone(slip_of_input)),
+        column(open_alone(slip_rad_s), Dimension::AngularSpeed),
+    ]
+}
+
+/// Spread and ideal steps.
+fn progression_note(progressions: &[Progression]) -> String {
+    let of = |one: &Progression| {
+        let ends = [one.gears.first(), one.gears.last()].map(|gear| gear.map_or("", String::as_str));
+        let mut text = format!("Gears {} to {}: spread {}", ends[0], ends[1], trimmed(one.spread, 5));
+        if let Some(factor) = one.progression_factor {
+            let how = if one.progression_factor_is_given { "as given" } else { "best fit" };
+            let step = trimmed(one.geometric_step, 5);
+            text += &format!(", geometric step {step}, progression factor {} ({how})", trimmed(factor, 5));
+        }
+        text + "."
+    };
+    let mut notes: Vec<String> = progressions.iter().map(of).collect();
+    if progressions.iter().any(|one| one.progression_factor.is_some()) {
+        notes.push(
+            "Geom., progr.: the ratio over that of equal steps, and of steps each larger by the factor than the next, less 1."
+                .to_owned(),
+        );
+    }
+    notes.join(" ")
+}
+
+/// The largest torque and slip of each shift element.
+fn shift_elements(overview: &Overview) -> Records {
+    let largest = || overview.shift_elements.iter().filter_map(|one| one.largest_torque.as_ref());
+    let has_torque = largest().any(|torque| torque.torque_n_m.is_some());
+    let mut shown = vec!["shift_element", "joins", "torque_of_input"];
+    shown.extend(has_torque.then_some("torque"));
+    shown.extend(["torque_gear", "slip_of_input"]);
+    shown.extend(overview.operating_point.speed_rad_s.map(|_| "slip"));
+    shown.push("slip_gear");
+    let row = |one: &elements::OverGears| {
+        let (torque, slip) = (one.largest_torque.as_ref(), one.largest_slip.as_ref());
+        let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
+        vec![
+            text(&one.element.shift_element),
+            kind(one.element.kind),
+            joins(&one.element.links),
+            multiple(torque.map(|torque| torque.torque_of_input)),
+            column(torque.and_then(|torque| torque.torque_n_m), Dimension::Torque),
+            gear(torque.map(|torque| &torque.gear)),
+            multiple(slip.map(|slip| slip.slip_of_input)),
+            column(slip.and_then(|slip| slip.slip_rad_s), Dimension::AngularSpeed),
+            gear(slip.map(|slip| &slip.gear)),
+        ]
+    };
+    Records {
+        name: "shift_elements",
+        columns: vec![
+            Column::words("shift_element", "element"),
+            Column::words("kind", "kind"),
+            Column::words("joins", "joins"),
+            Column::number("torque_of_input", "T"),
+            Column::quantity("torque", Dimension::Torque),
+            Column::words("torque_gear", "in gear"),
+            Column::number("slip_of_input", "slip"),
+            Column::quantity("slip", Dimension::AngularSpeed),
+            Column::words("slip_gear", "in gear"),
+        ],
+        rows: overview.shift_elements.iter().map(row).collect(),
+        views: vec![View {
+            note: "T, slip: over the input's torque, with losses, and its speed.".to_owned(),
+            ..View::new("Shift elements: largest torque and slip", &shown)
+        }],
+        is_answer: false,
+    }
+}
+
+/// The largest speed of each planet and force on it; `None` where neither follows.
+fn planets(overview: &Overview) -> Option<Records> {
+    let all = &overview.planets;
+    let has = |of: fn(&planets::OverGears) -> bool| all.iter().any(of);
+    // Of one gear the table of losses has the speed.
+    let is_told = has(|one| one.largest_speed.is_some()) && overview.gears.len() > 1;
+    if !is_told && !has(|one| one.largest_force.is_some()) {
+        return None;
+    }
+    let mut shown = vec!["set", "planet", "relative_speed_of_input"];
+    shown.extend(overview.operating_point.speed_rad_s.map(|_| "relative_speed"));
+    shown.push("speed_gear");
+    let forces: [(&str, fn(&LargestForce) -> Option<f64>); 3] = [
+        ("force", |force| force.force_n),
+        ("tangential_force", |force| force.tangential_force_n),
+        ("tangential_force_per_input_n_m", |force| force.tangential_force_per_input_n_m),
+    ];
+    let known = forces
+        .into_iter()
+        .find(|(_, force)| all.iter().any(|one| one.largest_force.as_ref().and_then(force).is_some()));
+    if let Some((force, _)) = known {
+        shown.extend([force, "force_gear"]);
+    }
+    let row = |one: &planets::OverGears| {
+        let (speed, force) = (one.largest_speed.as_ref(), one.largest_force.as_ref());
+        let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
+        vec![
+            text(&one.set),
+            text(&one.planet),
+            multiple(speed.map(|speed| speed.relative_speed_of_input)),
+            column(speed.and_then(|speed| speed.relative_speed_rad_s), Dimension::AngularSpeed),
+            gear(speed.map(|speed| &speed.gear)),
+            column(force.and_then(|force| force.force_n), Dimension::Force),
+            column(force.and_then(|force| force.tangential_force_n), Dimension::Force),
+            multiple(force.and_then(|force| force.tangential_force_per_input_n_m)),
+            gear(force.map(|force| &force.gear)),
+        ]
+    };
+    Some(Records {
+        name: "planets",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("planet", "planet"),
+            Column::number("relative_speed_of_input", "speed"),
+            Column::quantity("relative_speed", Dimension::AngularSpeed),
+            Column::words("speed_gear", "in gear"),
+            headed("force", "force, N", Dimension::Force),
+            headed("tangential_force", "tangential force, N", Dimension::Force),
+            Column::number("tangential_force_per_input_n_m", "tangential force, N at 1 N·m"),
+            Column::words("force_gear", "in gear"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "Speed: relative to the carrier, over the input's.".to_owned(),
+            ..View::new("Planets: largest speed, and force on the bearing where it follows", &shown)
+        }],
+        is_answer: false,
+    })
 }
 
 fn columns() -> Vec<Column> {
@@ -78,6 +294,8 @@ fn columns() -> Vec<Column> {
         Column::number("ratio", "i"),
         Column::number("exact_ratio", "exact"),
         Column::number("step", "step"),
+        Column::number("geometric_deviation", "geom."),
+        Column::number("progressive_deviation", "progr."),
         Column::number("published", "published"),
         Column::number("computed", "computed"),
         Column::words("agrees", "agrees"),
@@ -98,7 +316,7 @@ fn columns() -> Vec<Column> {
 fn row(gear: &Gear) -> Vec<Figure> {
     let facts = &gear.facts;
     let published = facts.published.as_ref();
-    vec![
+    let mut cells = vec![
         text(&facts.gear),
         Figure::Texts(facts.engaged.clone()),
         text(&facts.input),
@@ -108,6 +326,8 @@ fn row(gear: &Gear) -> Vec<Figure> {
         multiple(facts.ratio),
         exact(facts.exact_ratio),
         multiple(gear.step),
+        gear.geometric_deviation.map_or(Figure::None, Figure::Share),
+        gear.progressive_deviation.map_or(Figure::None, Figure::Share),
         published.map_or(Figure::None, printed),
         multiple(published.and_then(|published| published.computed)),
         yes_no(published.and_then(|published| published.agrees)),
@@ -122,7 +342,9 @@ fn row(gear: &Gear) -> Vec<Figure> {
         multiple(gear.largest_planet_speed_of_input),
         column(gear.output_speed_rad_s, Dimension::AngularSpeed),
         column(gear.output_torque_n_m, Dimension::Torque),
-    ]
+    ];
+    cells.extend(gear.shift_elements.iter().flat_map(element_cells));
+    cells
 }
 
 /// A published ratio with its decimals.
@@ -161,7 +383,7 @@ fn state_of(gear: &Gear) -> String {
 }
 
 fn engagement_table(overview: &Overview) -> Text {
-    let names = || overview.shift_elements.iter().map(|element| &element.shift_element);
+    let names = || overview.shift_elements.iter().map(|one| &one.element.shift_element);
     let header = ["gear".to_owned()].into_iter().chain(names().cloned()).collect();
     let row = |gear: &Gear| {
         let mark = |name: &String| if gear.facts.engaged.contains(name) { "x" } else { "." }.to_owned();

@@ -68,7 +68,7 @@ fn columns() -> Vec<Column> {
         Column::words("set", "set"),
         Column::words("gear", "gear"),
         Column::words("planet", "planet"),
-        Column::number("planets", "planets"),
+        Column::number("planets", "n"),
         headed("carrier_radius", "at radius, mm", Dimension::Length),
         headed("planet_mass", "mass, kg", Dimension::Mass),
         Column::number("carrier_torque_of_input", "|T_H|"),
@@ -112,8 +112,8 @@ fn note(bearings: &[PlanetBearing], is_sized: bool, turns: bool) -> String {
     let mut notes = vec![];
     if is_sized {
         notes.push(
-            "Tangential: along the orbit, positive against the carrier. Radial: of the meshes, outwards positive. All \
-             planets carry alike."
+            "n: planets, which carry alike. Tangential: along the orbit, positive against the carrier. Radial: of the \
+             meshes, outwards positive."
                 .to_owned(),
         );
         if !turns {

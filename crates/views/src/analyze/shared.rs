@@ -61,7 +61,8 @@ pub(super) fn self_locking(direction: Option<SelfLocking>) -> Figure {
     })
 }
 
-pub(super) fn kind(kind: ShiftElementKind) -> Figure {
+/// What a shift element is, in words.
+pub(crate) fn kind(kind: ShiftElementKind) -> Figure {
     let words = match kind {
         ShiftElementKind::Brake => "brake",
         ShiftElementKind::Clutch => "clutch",

@@ -32,6 +32,9 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
         all.push(Block::picture(ladder, "Ratios of all gears on a logarithmic scale, with their steps."));
     }
     sections.push(Section::new("Gears", all));
+    if let Some(shifts) = report.shifts.as_ref().filter(|shifts| !shifts.shifts.is_empty()) {
+        sections.push(Section::new("Shifts", vec![Block::Answer(shifts.report())]));
+    }
     for (place, gear) in report.gears.iter().enumerate() {
         let mut blocks = of_gear(shown, place)?;
         blocks.push(Block::Answer(gear.report()));

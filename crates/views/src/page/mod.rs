@@ -6,8 +6,10 @@
 //! | [`drive`] | a planetary drive |
 //! | [`motor`] | a hydromotor |
 //! | [`synthesis`] | a search for gearboxes |
+//! | [`compare`] | gearboxes side by side |
 //! | [`sheet`] | any of them: sections of answers, pictures and words |
 
+pub mod compare;
 pub mod drive;
 pub mod gearbox;
 pub mod motor;

@@ -1,0 +1,32 @@
+//! The page of a comparison: the figures of the gearboxes side by side, and the scheme of each.
+
+use super::sheet::{Block, Section, Sheet};
+use crate::{AsReport as _, Error};
+use epicyclic_answers::compare::Comparison;
+use epicyclic_answers::compare::page::Drawn;
+use epicyclic_pictures::gearbox::scheme::{self, Show};
+
+/// The comparison, and the gearboxes as schemes where they are drawable.
+///
+/// # Errors
+/// [`Error::Picture`] for a scheme that cannot be made into a picture.
+pub fn sheet(answer: &Comparison, drawn: &[Drawn<'_>]) -> Result<Sheet, Error> {
+    let mut sections = vec![Section::new("Side by side", vec![Block::Answer(answer.report())])];
+    for Drawn { gearbox, layout } in drawn {
+        let block = match layout {
+            Some(layout) => {
+                let options = scheme::Options::default();
+                let scene =
+                    scheme::scene(gearbox, layout, Show::Structure, &options).map_err(Error::Picture)?;
+                Block::picture(scene, "Kinematic scheme, the half above the axis.")
+            }
+            None => Block::words("It cannot be drawn without links that cross."),
+        };
+        sections.push(Section::new(gearbox.name(), vec![block]));
+    }
+    let left_out = "Losses outside the meshes: bearings, seals, churning oil, drag torques of open clutches and brakes. Strength \
+                    and sizes. What happens while it shifts.";
+    sections.push(Section::new("What is left out", vec![Block::words(left_out)]));
+    let names: Vec<&str> = answer.gearboxes.iter().map(|one| one.gearbox.as_str()).collect();
+    Ok(Sheet { title: "Gearboxes side by side".to_owned(), about: names.join("; "), sections })
+}
