@@ -5,6 +5,7 @@ use crate::writing::{Content, write_files};
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
+use epicyclic_views::page::{Imprint, Sheet};
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
 use std::io::{self, IsTerminal as _, Write};
@@ -84,6 +85,23 @@ impl OutputArgs {
         if let Some(report) = report.filter(|_| self.is_file()) {
             tell(&report);
         }
+        Ok(())
+    }
+
+    /// Writes a page about an answer, with other files of the same call, all of them or none. What the answer warns of is shown here
+    /// as well.
+    pub(crate) fn deliver_page<A: Answer + AsReport>(
+        &self,
+        files: Vec<Content>,
+        answer: &A,
+        sheet: Result<Sheet, epicyclic_views::Error>,
+        imprint: &Imprint,
+    ) -> Result<(), Failure> {
+        finite::check(answer)?;
+        let report = answer.report();
+        report.refuse_infinite()?;
+        self.write_with(files, &sheet?.html(imprint)?)?;
+        tell(&report);
         Ok(())
     }
 
