@@ -212,13 +212,24 @@ impl<'a> Solver<'a> {
     /// Takes from functions the gears that they do not reach in a box; nothing where the gears cannot each have their own.
     fn reduce(&mut self, cuboid: &[[f64; 2]], left: &mut Left) -> Option<()> {
         let gears = self.gears.len();
-        let mut reached = 0;
-        for (function, mask) in left.iter_mut() {
-            *mask = self.reached(cuboid, *function, *mask);
-            reached |= *mask;
+        // Gears that one function reaches, at most.
+        let (mut once, mut twice) = (0u32, 0u32);
+        for (_, mask) in left.iter() {
+            twice |= once & mask;
+            once |= mask;
+        }
+        // A function that a gear has alone ends the box if it does not reach it, so these come first.
+        for alone in [true, false] {
+            for (function, mask) in left.iter_mut().filter(|(_, mask)| (mask & !twice != 0) == alone) {
+                let reached = self.reached(cuboid, *function, *mask);
+                if (*mask & !reached) & !twice != 0 {
+                    return None;
+                }
+                *mask = reached;
+            }
         }
         left.retain(|(_, mask)| *mask != 0);
-        if reached.count_ones() as usize != gears || left.len() < gears {
+        if left.len() < gears {
             return None;
         }
         self.settle(left)
@@ -261,15 +272,11 @@ impl<'a> Solver<'a> {
     fn reached(&mut self, cuboid: &[[f64; 2]], function: usize, gears: u32) -> u32 {
         self.evaluate(cuboid, function);
         let [above, below] = &self.values;
-        let (mut positive, mut negative) = (true, true);
-        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for (above, below) in above.iter().zip(below) {
-            positive &= *below > 0.0;
-            negative &= *below < 0.0;
-            let ratio = above / below;
-            least = if ratio < least { ratio } else { least };
-            most = if ratio > most { ratio } else { most };
-        }
+        let ([positive, negative], [least, most]) =
+            match (above.as_slice().try_into(), below.as_slice().try_into()) {
+                (Ok(above), Ok(below)) => extremes::<16>(above, below),
+                _ => extremes_of(above.iter().zip(below)),
+            };
         let bounds = self.widened.iter().enumerate().filter(|(gear, _)| gears >> gear & 1 == 1);
         let reached = bounds.filter(|(_, bounds)| {
             if positive || negative {
@@ -382,6 +389,26 @@ impl<'a> Solver<'a> {
         let (up, down) = (ratio.numerator.value(&next) - above, ratio.denominator.value(&next) - below);
         (up * below - above * down) / (below * below)
     }
+}
+
+/// [`extremes_of`] with a number of corners that is known beforehand, so that several are worked out at a time.
+fn extremes<const CORNERS: usize>(above: &[f64; CORNERS], below: &[f64; CORNERS]) -> ([bool; 2], [f64; 2]) {
+    extremes_of(above.iter().zip(below))
+}
+
+/// Whether all denominators are positive, whether all are negative, and the least and the greatest quotient.
+#[inline]
+fn extremes_of<'a>(corners: impl Iterator<Item = (&'a f64, &'a f64)>) -> ([bool; 2], [f64; 2]) {
+    let (mut positive, mut negative) = (true, true);
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (above, below) in corners {
+        positive &= *below > 0.0;
+        negative &= *below < 0.0;
+        let ratio = above / below;
+        least = if ratio < least { ratio } else { least };
+        most = if ratio > most { ratio } else { most };
+    }
+    ([positive, negative], [least, most])
 }
 
 /// The product of the upper bounds of a box over the lower.
