@@ -39,7 +39,7 @@ impl Link {
         [Self::D, Self::B, Self::T1, Self::T2].into_iter().find(|link| link.name() == name)
     }
 
-    const fn role(self) -> Role {
+    pub(crate) const fn role(self) -> Role {
         match self {
             Self::D => Role::D,
             Self::B => Role::B,

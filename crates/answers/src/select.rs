@@ -5,10 +5,12 @@
 //! | [`candidate`] | a mechanism with its figures, and what the criteria say of it |
 //! | [`required`] | what is wanted, as a record |
 //! | [`duty`] | speed and load of the input |
+//! | [`page`] | what a page of it draws |
 //! | [`teeth`] | the choice over all tooth numbers of both sets |
 
 pub mod candidate;
 pub mod duty;
+pub mod page;
 pub mod required;
 pub mod teeth;
 

@@ -2,6 +2,7 @@
 
 use crate::analyze::refuse;
 use crate::failure::Failure;
+use crate::imprint::{self, PageArgs};
 use crate::input;
 use crate::named::{self, Read, Sizes};
 use crate::options::efficiency;
@@ -43,12 +44,16 @@ pub(crate) struct Args {
     efficiency: Option<Quantity<Ratio>>,
 
     #[command(flatten)]
+    page: PageArgs,
+
+    #[command(flatten)]
     output: OutputArgs,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     once(args)?;
+    args.page.only_of_a_page(args.output.is_page())?;
     let is_named = |name: &String| !input::exists(Path::new(name));
     // Sizes are for those that are named; where none is, the files say why they take none.
     let sizes = |name: &String| {
@@ -89,7 +94,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if !args.output.is_page() {
         return args.output.deliver(&answer);
     }
-    args.output.write_with(vec![], &page::compare::sheet(&answer, &drawn(&candidates))?.html()?)
+    let sheet = page::compare::sheet(&answer, &drawn(&candidates), imprint::command());
+    args.output.deliver_page(vec![], &answer, sheet, &args.page.imprint())
 }
 
 /// Standard input is read to its end once.

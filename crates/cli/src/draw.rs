@@ -318,6 +318,11 @@ fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<
         Some(gear) if args.power => scheme::Show::Power(gear),
         Some(gear) => scheme::Show::Gear(gear),
     };
-    let options = scheme::Options { title: args.title.clone(), whole: args.whole, gearing: subject.gearing };
+    let options = scheme::Options {
+        title: args.title.clone(),
+        whole: args.whole,
+        gearing: subject.gearing,
+        ..scheme::Options::default()
+    };
     Ok(scheme::scene(gearbox, &layout, shown, &options)?)
 }

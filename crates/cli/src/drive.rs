@@ -1,9 +1,12 @@
 //! The command `drive`: a planetary drive from its file to its starting time.
 
 use crate::failure::Failure;
+use crate::imprint::PageArgs;
 use crate::input;
 use crate::output::OutputArgs;
 use epicyclic_answers::drive::of_file;
+use epicyclic_answers::report::drive::DriveReport;
+use epicyclic_views::page;
 use std::path::PathBuf;
 
 /// A planetary drive from power, speed and ratio to its starting time.
@@ -11,7 +14,7 @@ use std::path::PathBuf;
 /// Chooses the teeth (or takes those given), then calculates speeds, torques, diameters, shafts with their bearings,
 /// masses, inertias, forces, the equivalent inertia referred to the sun's shaft, and how the drive starts. The sun
 /// drives, the ring is fixed, the load is on the carrier. Warnings are part of the answer; with --output they are shown
-/// here too.
+/// here too. In a file whose name ends in .html the answer is a page, with drawing and plots.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -40,10 +43,21 @@ pub(crate) struct Args {
     file: PathBuf,
 
     #[command(flatten)]
+    page: PageArgs,
+
+    #[command(flatten)]
     output: OutputArgs,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    args.output.deliver(&of_file(&input::document(&args.file)?)?)
+    args.page.only_of_a_page(args.output.is_page())?;
+    let (document, bytes) = input::with_bytes(&args.file)?;
+    let drive = of_file(&document)?;
+    if !args.output.is_page() {
+        return args.output.deliver(&drive);
+    }
+    let report = DriveReport::of(drive);
+    let sheet = page::drive::sheet(&report, String::from_utf8_lossy(&bytes).into_owned());
+    args.output.deliver_page(vec![], &report.drive, sheet, &args.page.imprint())
 }

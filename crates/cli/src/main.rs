@@ -21,6 +21,7 @@
 //! | [`lists`] | options that take several values |
 //! | [`options`] | the option that a refusal speaks of |
 //! | [`input`] | files that are read |
+//! | [`imprint`] | what the options say of a page |
 //! | [`output`] | formats of an answer, and where it goes |
 //! | [`writing`] | files written whole, and all of a call or none |
 //! | [`apart`] | that no output is the input or another output |
@@ -39,6 +40,7 @@ mod completions;
 mod draw;
 mod drive;
 mod failure;
+mod imprint;
 mod input;
 mod interrupt;
 mod lists;

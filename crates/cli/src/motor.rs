@@ -5,11 +5,14 @@ mod files;
 mod search;
 
 use crate::failure::Failure;
+use crate::imprint::{self, PageArgs};
 use crate::output::OutputArgs;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor::Designed;
+use epicyclic_answers::report;
 use epicyclic_drawing::Scene;
 use epicyclic_formats::{Number, Quantity};
+use epicyclic_views::page;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
@@ -113,6 +116,9 @@ pub(crate) struct Design {
     files: Files,
 
     #[command(flatten)]
+    page: PageArgs,
+
+    #[command(flatten)]
     output: OutputArgs,
 }
 
@@ -196,10 +202,17 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(Command::Search(args)) = &args.command {
         return search::run(args);
     }
+    let Design { files, page: options, output, .. } = &args.design;
+    options.only_of_a_page(output.is_page())?;
     let designed = design::read(&args.design)?;
-    let files = files::content(&args.design.files, &designed)?;
+    let files = files::content(files, &designed)?;
+    if output.is_page() {
+        let report = report::motor::answer(None, &designed).map_err(design::refuse)?;
+        let sheet = page::motor::sheet(&report, &designed, imprint::command());
+        return output.deliver_page(files, &report.motor, sheet, &options.imprint());
+    }
     let answer = answers::motor::answer(&designed).map_err(design::refuse)?;
-    args.design.output.deliver_with(files, &answer)
+    output.deliver_with(files, &answer)
 }
 
 /// A motor as a drawing.

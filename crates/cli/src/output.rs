@@ -5,6 +5,7 @@ use crate::writing::{Content, write_files};
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
+use epicyclic_views::page::{Imprint, Sheet};
 use epicyclic_views::text::WIDTH;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
@@ -106,6 +107,23 @@ impl OutputArgs {
         let wanted = terminal.map(|(width, _)| usize::from(width.0)).or_else(columns);
         // A terminal that does not know its size says 0.
         wanted.filter(|columns| *columns > 0).map_or(WIDTH, |columns| columns.max(NARROWEST))
+    }
+
+    /// Writes a page about an answer, with other files of the same call, all of them or none. What the answer warns of is shown here
+    /// as well.
+    pub(crate) fn deliver_page<A: Answer + AsReport>(
+        &self,
+        files: Vec<Content>,
+        answer: &A,
+        sheet: Result<Sheet, epicyclic_views::Error>,
+        imprint: &Imprint,
+    ) -> Result<(), Failure> {
+        finite::check(answer)?;
+        let report = answer.report();
+        report.refuse_infinite()?;
+        self.write_with(files, &sheet?.html(imprint)?)?;
+        tell(&report);
+        Ok(())
     }
 
     /// Writes the answer and other files of the same call, all of them or none.

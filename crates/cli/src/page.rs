@@ -2,16 +2,18 @@
 
 use crate::analyze::{Choice, Load, refuse, subject};
 use crate::failure::Failure;
+use crate::imprint::PageArgs;
 use crate::named::Read;
 use crate::output::Target;
 use epicyclic_answers as answers;
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::report::drive::DriveReport;
 use epicyclic_answers::report::{About, Report, gearbox, motor};
+use epicyclic_formats::document::Segment;
 use epicyclic_formats::{Document, Path, Problem, visible};
 use epicyclic_views::page::{self, Sheet};
 
-/// A page about a gearbox, a drive or a motor: input, drawings, tables, plots, checks, sources.
+/// A page about a gearbox, a drive or a motor: the answer, then tables, drawings, plots, checks, sources, the input.
 ///
 /// One HTML file that needs no network, to be read in a browser and printed. What the file describes shows in its keys: power and
 /// ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a motor.
@@ -33,6 +35,9 @@ pub(crate) struct Args {
     format: Format,
 
     #[command(flatten)]
+    page: PageArgs,
+
+    #[command(flatten)]
     target: Target,
 }
 
@@ -47,6 +52,7 @@ enum Format {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    args.page.only_of_a_page(args.format == Format::Html)?;
     let Read { document, bytes, .. } = args.choice.document(false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
@@ -78,16 +84,35 @@ fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, 
     let (report, shown) = gearbox::answer(&subject, args.load.input()).map_err(refuse)?;
     match args.format {
         Format::Json => json(file, About::Gearbox(Box::new(report))),
-        Format::Html => html(page::gearbox::sheet(&report, &shown, file)),
+        Format::Html => {
+            let own = own_lines(document, &subject.base, &file);
+            html(args, page::gearbox::sheet(&report, &shown, own))
+        }
     }
     .map_err(|failure| failure.in_file(document, &subject.base))
+}
+
+/// Of a list of transmissions the lines of one; all of any other file, and of a list whose items do not stand in lines of their own.
+fn own_lines(document: &Document, base: &Path, file: &str) -> String {
+    let Some(Segment::Index(place)) = base.segments().last() else { return file.to_owned() };
+    let line = |place: usize| {
+        let item = Path::root().key("transmissions").index(place);
+        document.value_at(&item).map(|_| document.position(&item).line)
+    };
+    let (Some(first), next) = (line(*place), line(place + 1)) else { return file.to_owned() };
+    let starts_alone = place.checked_sub(1).and_then(line).is_none_or(|before| before < first);
+    if !starts_alone || next.is_some_and(|next| next <= first) {
+        return file.to_owned();
+    }
+    let count = next.map_or(usize::MAX, |next| next - first);
+    file.lines().skip(first.saturating_sub(1)).take(count).flat_map(|line| [line, "\n"]).collect()
 }
 
 fn of_drive(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let report = DriveReport::of(answers::drive::of_file(document)?);
     match args.format {
         Format::Json => json(file, About::Drive(Box::new(report))),
-        Format::Html => html(page::drive::sheet(&report, file)),
+        Format::Html => html(args, page::drive::sheet(&report, file)),
     }
     .map_err(|failure| failure.in_file(document, &Path::root()))
 }
@@ -97,7 +122,7 @@ fn of_motor(args: &Args, document: &Document, file: String) -> Result<String, Fa
     let report = motor::answer(title, &designed)?;
     match args.format {
         Format::Json => json(file, About::Motor(Box::new(report))),
-        Format::Html => html(page::motor::sheet(&report, &designed, file)),
+        Format::Html => html(args, page::motor::sheet(&report, &designed, file)),
     }
 }
 
@@ -106,6 +131,6 @@ fn json(file: String, about: About) -> Result<String, Failure> {
 }
 
 /// What HTML does not allow in a name, or turns its reading around, is written out.
-fn html(sheet: Result<Sheet, epicyclic_views::Error>) -> Result<String, Failure> {
-    Ok(visible::lines(&sheet?.html()?).into_owned())
+fn html(args: &Args, sheet: Result<Sheet, epicyclic_views::Error>) -> Result<String, Failure> {
+    Ok(visible::lines(&sheet?.html(&args.page.imprint())?).into_owned())
 }

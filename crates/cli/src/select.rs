@@ -1,12 +1,14 @@
 //! The command `select`: which gearbox gives these speeds.
 
 use crate::failure::Failure;
+use crate::imprint::{self, PageArgs};
 use crate::lists::{List, Numbers, Quantities};
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use epicyclic_answers::Error;
 use epicyclic_answers::select::duty::{Duty, DutyProblem, DutyQuantity, Load};
+use epicyclic_answers::select::page::drawn;
 use epicyclic_answers::select::teeth::{self, SizeLimits};
 use epicyclic_answers::select::{self, Wanted};
 use epicyclic_formats::{Number, Physical, Quantity, Span};
@@ -16,6 +18,7 @@ use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
+use epicyclic_views::page;
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
 
 /// Designs shown unless said otherwise: in a table, and of tooth numbers.
@@ -77,6 +80,9 @@ pub(crate) struct Args {
 
     #[command(flatten)]
     teeth_bounds: BoundOptions,
+
+    #[command(flatten)]
+    page: PageArgs,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -240,6 +246,7 @@ struct BoundOptions {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    args.page.only_of_a_page(args.output.is_page())?;
     let duty = args.duty.duty();
     duty.torque().map_err(|error| refuse(args, error))?;
     let requirements = requirements(args, &duty)?;
@@ -253,9 +260,17 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         (None, _) => usize::MAX,
     };
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
+    let eta0 = requirements.eta0;
     let found = select::answer(&Wanted { requirements, order, space, most, duty });
     let found = found.map_err(|error| refuse(args, error))?;
-    args.output.deliver(&found)?;
+    if args.output.is_page() {
+        let best = found.candidates.first().filter(|one| one.accepted);
+        let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
+        let sheet = page::selection::sheet(&found, drawn.as_ref(), imprint::command());
+        args.output.deliver_page(vec![], &found, sheet, &args.page.imprint())?;
+    } else {
+        args.output.deliver(&found)?;
+    }
     if found.accepted == 0 { Err(nothing_found()) } else { Ok(()) }
 }
 
@@ -269,13 +284,21 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
         greatest_module: length(args.size.greatest_module),
     };
     let bounds = bounds(args)?;
+    let eta0 = requirements.eta0;
     let wanted = teeth::Wanted { requirements, order, structures, bounds, limits, most, duty };
     let shown = Progress::new();
     let found =
         teeth::answer(&wanted, &|progress| shown.at(progress.done as f64 / progress.of.max(1) as f64));
     drop(shown);
     let found = found.map_err(|error| refuse(args, error))?;
-    args.output.deliver(&found)?;
+    if args.output.is_page() {
+        let best = found.designs.first().map(|design| &design.candidate);
+        let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
+        let sheet = page::selection::sheet_with_teeth(&found, drawn.as_ref(), imprint::command());
+        args.output.deliver_page(vec![], &found, sheet, &args.page.imprint())?;
+    } else {
+        args.output.deliver(&found)?;
+    }
     if found.searched.accepted == 0 || (found.designs.is_empty() && most > 0) {
         return Err(nothing_found());
     }

@@ -1,6 +1,7 @@
 //! The command `synthesize`: every gearbox that has a list of ratios.
 
 use crate::failure::Failure;
+use crate::imprint::{self, PageArgs};
 use crate::input;
 use crate::interrupt::Hearing;
 use crate::lists::List;
@@ -181,6 +182,9 @@ pub(crate) struct Args {
     transmission: Option<String>,
 
     #[command(flatten)]
+    page: PageArgs,
+
+    #[command(flatten)]
     output: OutputArgs,
 }
 
@@ -308,6 +312,7 @@ enum Class {
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    args.page.only_of_a_page(args.output.is_page() && args.shard.is_none())?;
     let tolerance = args.tolerance.0.si();
     if !(tolerance > 0.0 && tolerance < 1.0) {
         return Err(Failure::Option { option: "--tolerance", message: "above 0 and below 100 %".into() });
@@ -385,8 +390,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let files = save(args, &found, &kept)?;
     if args.output.is_page() {
-        let sheet = page::synthesis::sheet(&found, &drawn(&kept, DRAWN)?)?;
-        args.output.write_with(files, &sheet.html()?)?;
+        let sheet = page::synthesis::sheet(&found, &drawn(&kept, DRAWN)?, imprint::command());
+        args.output.deliver_page(files, &found, sheet, &args.page.imprint())?;
     } else {
         args.output.deliver_with(files, &found)?;
     }

@@ -44,13 +44,89 @@ fn is_sound(page: &str) {
     assert_eq!(once.len(), names.len());
 }
 
+/// Structure: what a reader needs first stands first, the input last, and nothing has to be fetched.
+fn is_in_order(page: &str) {
+    let place = |part: &str| page.find(part).unwrap_or_else(|| unreachable!("{part}"));
+    let (answer, contents) = (place("<section class=\"answer\">"), place("<nav aria-label=\"Contents\">"));
+    assert!(place("<h1>") < answer && answer < contents);
+    let told = page[answer..contents].contains("What to object to");
+    assert!(told != page[answer..contents].contains("No warnings."), "one of both");
+    let headings = sections(page);
+    assert_eq!(headings.first(), Some(&"Contents"));
+    assert_eq!(headings.last(), Some(&"Input"));
+    assert!(page.ends_with("</html>\n") && place("<pre") > page.rfind("<h2").unwrap());
+    // The contents lead to every chapter.
+    for rest in page.split("<a href=\"#").skip(1) {
+        let name = rest.split_once('"').unwrap().0;
+        assert!(page.contains(&format!(" id=\"{name}\"")), "{name}");
+    }
+    assert_eq!(page.matches("<a href").count() + 1, headings.len());
+    // Every picture says in words what it is, and has a caption.
+    assert!(page.matches("<svg").count() > 0);
+    for picture in page.split("<svg").skip(1) {
+        let start = picture.split_once('>').unwrap().0;
+        assert!(
+            start.contains("role=\"img\"")
+                && start.contains("aria-label=\"")
+                && !start.contains("aria-label=\"\"")
+        );
+        let rest = picture.split_once("</svg>").unwrap().1;
+        assert!(rest.trim_start().starts_with("<figcaption>"), "{start}");
+    }
+}
+
+/// The size of the letters of each picture on paper, in points: its width there is `1.1·w`, at most a column or the page.
+fn letters_on_paper(page: &str) -> Vec<f64> {
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    let after = |text: &str, name: &str| -> String {
+        text.split_once(name).unwrap().1.split('"').next().unwrap().to_owned()
+    };
+    let mut sizes = vec![];
+    for figure in page.split("<figure").skip(1) {
+        let figure = figure.split_once("</figure>").unwrap().0;
+        let width = number(&after(figure, "--w: "));
+        let room = if figure.starts_with(" class=\"wide\"") { 186.0 } else { 90.5 };
+        let of_page = (1.1 * width).min(room);
+        let box_width = number(after(figure, "viewBox=\"").split(' ').nth(2).unwrap());
+        let letters =
+            figure.split("font-size=\"").skip(1).map(|rest| number(rest.split('"').next().unwrap()));
+        let smallest = letters.reduce(f64::min).unwrap();
+        sizes.push(smallest * of_page / box_width * 72.0 / 25.4);
+    }
+    sizes
+}
+
 #[test]
-fn the_page_of_a_drive_has_its_input_drawing_results_and_plots() {
+fn letters_in_pictures_are_not_smaller_than_8_points_on_paper() {
+    let pages: [&[&str]; 10] = [
+        &["scheme-ii-3.yaml"],
+        &["ravigneaux.yaml"],
+        &["wolfrom.yaml"],
+        &["power-split.yaml"],
+        &["sized-gearbox.yaml"],
+        &["every-gearbox-key.yaml"],
+        &["xe215cll-drive.yaml"],
+        &["motor-5x3.yaml"],
+        &["real-transmissions.yaml", "--transmission", "8HP"],
+        &["real-transmissions.yaml", "--transmission", "TH400"],
+    ];
+    for arguments in pages {
+        let page = page(arguments);
+        is_sound(&page);
+        is_in_order(&page);
+        // A width is a whole number of millimetres.
+        let small: Vec<f64> = letters_on_paper(&page).into_iter().filter(|size| *size < 7.95).collect();
+        assert_eq!(small, [0.0; 0], "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_page_of_a_drive_has_its_results_drawing_and_plots() {
     let page = page(&["xe215cll-drive.yaml"]);
     is_sound(&page);
     assert_eq!(
         sections(&page),
-        ["Input", "Drawing", "Results and checks", "Plots", "What is left out", "Sources"]
+        ["Contents", "Results and checks", "Plots", "What is left out", "Sources", "Input"]
     );
     assert!(page.contains("106.5 kW") && page.contains("<h1>Travel drive of the XE215CLL</h1>"));
     assert_eq!(page.matches("<svg").count(), 3);
@@ -58,23 +134,128 @@ fn the_page_of_a_drive_has_its_input_drawing_results_and_plots() {
 }
 
 #[test]
+fn a_drive_and_a_motor_are_a_page_in_a_file_that_ends_in_html() {
+    let folder = here();
+    let file = examples().join("xe215cll-drive.yaml");
+    let file = file.to_str().unwrap();
+    let done = output(folder.path(), &["drive", file, "-o", "drive.html"]);
+    assert!(done.status.success() && text(&done.stderr).contains("too thin"), "{done:?}");
+    let same = output(folder.path(), &["report", file, "-o", "report.html"]);
+    assert!(same.status.success());
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(read("drive.html"), read("report.html"));
+    let line = "motor --stator 5 --rotor 3 --z3 55 --zs 10 --module 2mm --svg motor.svg -o motor.html";
+    let line: Vec<&str> = line.split(' ').collect();
+    assert!(output(folder.path(), &line).status.success());
+    let page = read("motor.html");
+    is_sound(&page);
+    is_in_order(&page);
+    assert!(page.contains("<pre>epicyclic motor --stator 5") && !page.contains("motor.html"));
+    assert!(read("motor.svg").contains("<svg"));
+}
+
+#[test]
+fn the_page_of_a_choice_has_the_best_and_its_scheme_first() {
+    let folder = here();
+    for (name, line) in [
+        ("three.html", &["select", "--speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s", "--all-structures"][..]),
+        ("two.html", &["select", "--speeds", "0.8 m/s, 3.15 m/s"]),
+        ("teeth.html", &["select", "--ratios", "1.465, 2.56", "--teeth", "--ring", "50..60", "--limit", "2"]),
+    ] {
+        let done = output(folder.path(), &[line, &["-o", name]].concat());
+        assert!(done.status.success() && done.stdout.is_empty(), "{done:?}");
+        let page = fs::read_to_string(folder.path().join(name)).unwrap();
+        is_sound(&page);
+        is_in_order(&page);
+        assert_eq!(page.matches("<svg").count(), 1);
+        let first = page.split_once("<nav").unwrap().0;
+        assert!(
+            first.contains("Kinematic scheme of the best") && first.contains("<td>direct</td>"),
+            "{name}"
+        );
+    }
+    let none = output(folder.path(), &["select", "--ratios", "90", "-o", "none.html"]);
+    assert_eq!(none.status.code(), Some(1));
+    let page = fs::read_to_string(folder.path().join("none.html")).unwrap();
+    is_sound(&page);
+    assert!(page.contains("<h1>No gearbox meets every criterion</h1>"));
+}
+
+#[test]
+fn a_page_says_for_whom_it_is_only_where_that_is_given() {
+    let given = page(&[
+        "minimal-drive.yaml",
+        "--project",
+        "Winch <7>",
+        "--customer",
+        "Mine North",
+        "--author",
+        "A. Engineer",
+        "--date",
+        "22 November 2026",
+        "--paper",
+        "a4",
+    ]);
+    is_sound(&given);
+    for part in [
+        "<dd>Winch &lt;7&gt;</dd>",
+        "<dd>Mine North</dd>",
+        "<dd>A. Engineer</dd>",
+        "<dd>22 November 2026</dd>",
+    ] {
+        assert!(given.contains(part), "{part}");
+    }
+    assert!(given.contains("size: A4;") && given.contains("Winch \\3c 7\\3e "));
+    let plain = page(&["minimal-drive.yaml"]);
+    assert!(!plain.contains("<dl") && plain.contains("@page { @bottom-left"));
+    assert_eq!(plain, page(&["minimal-drive.yaml"]), "the same input gives the same page");
+}
+
+#[test]
 fn the_page_of_a_gearbox_has_each_gear() {
     let page = page(&["scheme-ii-3.yaml", "--torque", "500 N·m", "--speed", "1475 rpm"]);
     is_sound(&page);
     let sections = sections(&page);
-    for heading in ["Input", "Gears", "Gear slow", "Gear middle", "Gear fast", "Another k", "Sources"] {
+    for heading in ["All gears", "Gear slow", "Gear middle", "Gear fast", "Another k", "Sources", "Input"] {
         assert!(sections.contains(&heading), "{heading}: {sections:?}");
     }
     assert!(page.contains("-1240.9"), "the torque at the output");
+    let first = page.split_once("<nav").unwrap().0;
+    assert!(
+        first.contains("Kinematic scheme")
+            && first.contains("-1240.9")
+            && first.contains("turns at 2.279 times")
+    );
     // The scheme and the levers, the ladder, scheme and speed plan of each gear, and the plots of two rows.
     assert_eq!(page.matches("<svg").count(), 3 + 2 * 3 + 6);
+    // Each note once for all gears.
+    assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 1);
+}
+
+/// A design at the end of the usual range of `k`, or beyond it, is still on its curves.
+#[test]
+fn plots_over_k_reach_around_the_design_and_mark_it() {
+    for k in ["5", "1.4", "9"] {
+        let folder = here();
+        let done = output(folder.path(), &["report", "I", "--k1", k, "-o", "page.html"]);
+        assert!(done.status.success(), "{done:?}");
+        let page = fs::read_to_string(folder.path().join("page.html")).unwrap();
+        let plots: Vec<&str> =
+            page.split("<figure").skip(1).filter(|one| one.contains("over k of set")).collect();
+        assert!(!plots.is_empty());
+        for plot in plots {
+            // The line across the field, and its sample in the legend.
+            assert_eq!(plot.matches("class=\"layer-marks\"").count(), 2, "k {k}");
+            assert!(plot.contains("<circle"), "k {k}: a dot on a curve");
+        }
+    }
 }
 
 #[test]
 fn the_page_of_a_motor_has_drawings_results_and_plots() {
     let page = page(&["motor-5x3.yaml"]);
     is_sound(&page);
-    assert_eq!(sections(&page), ["Input", "Drawings", "Results and checks", "Plots", "Sources"]);
+    assert_eq!(sections(&page), ["Contents", "Drawings", "Results and checks", "Plots", "Sources", "Input"]);
     assert!(page.contains("<h1>Motor 5×3</h1>") && page.contains("Flow, ripple 7.64 %"));
     assert_eq!(page.matches("<svg").count(), 5);
 }
@@ -84,6 +265,8 @@ fn one_of_several_transmissions_is_named() {
     let page = page(&["real-transmissions.yaml", "--transmission", "8HP", "--efficiency", "97%"]);
     is_sound(&page);
     assert!(page.contains("346/105"));
+    let input = page.split_once("<pre").unwrap().1;
+    assert!(input.contains("8HP") && !input.contains("TH400"), "its own lines of the list");
     let file = examples().join("real-transmissions.yaml");
     let refused = output(here().path(), &["report", file.to_str().unwrap()]);
     assert!(!refused.status.success() && refused.stdout.is_empty());
@@ -110,10 +293,11 @@ fn the_page_of_a_search_has_its_answer_and_the_schemes_of_the_first() {
     assert!(done.status.success() && done.stdout.is_empty(), "{done:?}");
     let page = fs::read_to_string(folder.path().join("search.html")).unwrap();
     is_sound(&page);
+    is_in_order(&page);
     let headings =
-        ["Search and solutions", "Families", "Gearbox 1", "Gearbox 2", "Gearbox 3", "What is left out"];
+        ["Contents", "Search and solutions", "Families", "Schemes of the first", "What is left out", "Input"];
     assert_eq!(sections(&page), headings);
-    assert_eq!(page.matches("<svg").count(), 3);
+    assert_eq!(page.matches("<svg").count(), 4);
     assert!(page.contains("Scheme II-3 of the catalogue"));
 }
 
@@ -125,7 +309,8 @@ fn the_page_of_a_comparison_has_the_tables_and_the_scheme_of_each() {
     assert!(done.status.success() && done.stdout.is_empty(), "{done:?}");
     let page = fs::read_to_string(folder.path().join("compared.html")).unwrap();
     is_sound(&page);
-    assert_eq!(sections(&page), ["Side by side", "II-3", "III-1", "What is left out"]);
+    is_in_order(&page);
+    assert_eq!(sections(&page), ["Contents", "II-3", "III-1", "What is left out", "Input"]);
     assert_eq!(page.matches("<svg").count(), 2);
 }
 

@@ -5,6 +5,8 @@ use epicyclic_drawing::{Align, Color, Dash, Error, LayerId, Point, Scene, Shape,
 
 /// Height of the letters.
 const LETTERS_MM: f64 = 2.5;
+/// Radius of a dot on a curve.
+const DOT_MM: f64 = 0.9;
 /// Colours of the curves, told apart by their lightness too; after the last the first comes again, dashed.
 const COLORS: [Color; 6] = [
     Color::new(0, 90, 160),
@@ -36,7 +38,7 @@ pub struct Plot {
     pub up: String,
     /// The curves.
     pub curves: Vec<Curve>,
-    /// Places marked by an upright line.
+    /// Places marked by an upright line, and by a dot on each curve that has a point there.
     pub marks: Vec<Mark>,
     /// Width and height of the field of the curves in millimetres.
     pub size_mm: [f64; 2],
@@ -104,6 +106,12 @@ impl Plot {
         self
     }
 
+    /// The same with its field of another width and height.
+    #[must_use]
+    pub fn sized(self, size_mm: [f64; 2]) -> Self {
+        Self { size_mm, ..self }
+    }
+
     /// The scene. A plot without any point is its empty field.
     ///
     /// # Errors
@@ -131,6 +139,11 @@ impl Plot {
                         Shape::Circle { centre: at(only).into(), radius: 0.6 },
                     ),
                     more => scene.add_styled(curves, style(place), Shape::polyline(more.iter().map(at))),
+                }
+                let is_marked = |point: &&[f64; 2]| self.marks.iter().any(|mark| mark.at == point[0]);
+                for point in piece.iter().filter(is_marked) {
+                    let dot = Shape::Circle { centre: at(point).into(), radius: DOT_MM };
+                    scene.add_styled(curves, Style::filled(style(place).color), dot);
                 }
             }
         }
@@ -187,8 +200,10 @@ impl Field {
     fn new(plot: &Plot) -> Self {
         let points = || plot.curves.iter().flat_map(|curve| pieces(&curve.points)).flatten();
         let [width, height] = plot.size_mm;
+        // A mark stands in the field though no curve comes to it.
+        let marked = plot.marks.iter().map(|mark| mark.at).filter(|at| at.is_finite());
         Self {
-            across: Axis::new(points().map(|[x, _]| *x), width, false),
+            across: Axis::new(points().map(|[x, _]| *x).chain(marked), width, false),
             up: Axis::new(points().map(|[_, y]| *y), height, true),
         }
     }
@@ -311,6 +326,22 @@ mod tests {
     fn gaps_split_a_curve() {
         let points = [[0.0, 1.0], [1.0, 2.0], [2.0, f64::NAN], [3.0, 1.0]];
         assert_eq!(pieces(&points).map(<[_]>::len).collect::<Vec<_>>(), [2, 1]);
+    }
+
+    #[test]
+    fn a_mark_stands_in_the_field_with_a_dot_on_each_curve_that_has_its_point() {
+        let inside = Plot::new("p", "x", "y").with(Curve::new("a", vec![[0.0, 1.0], [1.0, 2.0], [2.0, 3.0]]));
+        let dots = |plot: Plot| {
+            let scene = plot.scene().unwrap();
+            scene.items().iter().filter(|item| matches!(item.shape, Shape::Circle { .. })).count()
+        };
+        assert_eq!(dots(inside.clone().mark("here", 1.0)), 1);
+        assert_eq!(dots(inside.clone().mark("between", 0.5)), 0);
+        let outside = inside.mark("far", 5.0);
+        assert!(Field::new(&outside).across.holds(5.0));
+        let scene = outside.scene().unwrap();
+        let marks = scene.items().iter().filter(|item| scene.layer_of(item).name == "marks");
+        assert_eq!(marks.count(), 2, "the line, and its sample in the legend");
     }
 
     #[test]

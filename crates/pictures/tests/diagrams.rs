@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Picture, catalogue, check, in_service};
+use common::{Picture, catalogue, check, in_service, met};
 use epicyclic_drawing::{Color, Shape};
 use epicyclic_pictures::gearbox::levers::{Lever, levers as levers_of};
 use epicyclic_pictures::gearbox::{Error, ladder, levers, speeds};
@@ -29,10 +29,24 @@ fn no_label_of_a_speed_plan_meets_anything() {
     }
 }
 
+/// For a page: no wider than asked, and no higher than a page.
+#[test]
+fn a_narrow_speed_diagram_keeps_its_width() {
+    for gearbox in all() {
+        for gear in gears(&gearbox) {
+            let scene = speeds::narrow(&gearbox, &gear, 220.0).unwrap();
+            assert_eq!(met(&scene), [""; 0], "{}", scene.title());
+            let bounds = scene.bounds();
+            assert!(bounds.width() < 225.0 && bounds.height() < 270.0, "{}: {bounds:?}", scene.title());
+        }
+    }
+}
+
 #[test]
 fn no_label_of_a_lever_meets_anything() {
     for gearbox in all() {
         check(&levers::scene(&gearbox, None, Some(&format!("{} levers", gearbox.name()))).unwrap());
+        assert_eq!(met(&levers::bare(&gearbox, None).unwrap()), [""; 0], "{}", gearbox.name());
         for gear in gears(&gearbox) {
             let title = format!("{} gear {} levers", gearbox.name(), gear.gear().name());
             check(&levers::scene(&gearbox, Some(&gear), Some(&title)).unwrap());
@@ -45,6 +59,7 @@ fn no_label_of_a_ladder_meets_anything() {
     for gearbox in all() {
         let title = format!("{} ladder", gearbox.name());
         check(&ladder::scene(&gearbox, &gears(&gearbox), Some(&title)).unwrap());
+        assert_eq!(met(&ladder::bare(&gearbox, &gears(&gearbox)).unwrap()), [""; 0], "{title}");
     }
 }
 

@@ -11,7 +11,7 @@ use epicyclic_gears::teeth::ToothCount;
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::Error;
-use epicyclic_pictures::gearbox::scheme::{ALONG_MM, Options, Show, UP_MM, scene};
+use epicyclic_pictures::gearbox::scheme::{ALONG_MM, Options, Show, UP_MM, narrow, scene};
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::{Gearbox, LinkId};
@@ -53,6 +53,25 @@ fn no_label_of_a_gear_meets_anything() {
             }
         }
     }
+}
+
+/// For a page: drawn together to about the width of a column, as far as all labels keep their room.
+#[test]
+fn a_narrow_scheme_is_narrower_and_no_label_meets_anything() {
+    let mut narrower = 0;
+    for gearbox in all() {
+        let layout = layout(&gearbox);
+        for gear in gearbox.gears() {
+            let analysis = gearbox.analyze(gear.name()).unwrap();
+            for show in [Show::Structure, Show::Power(&analysis)] {
+                let drawn = narrow(&gearbox, &layout, show, 100.0).unwrap();
+                assert_eq!(met(&drawn), [""; 0], "{}", drawn.title());
+                let usual = scene(&gearbox, &layout, show, &Options::default()).unwrap();
+                narrower += usize::from(drawn.bounds().width() < 0.85 * usual.bounds().width());
+            }
+        }
+    }
+    assert!(narrower > 100, "{narrower}");
 }
 
 /// The same for all structures of two sets that can be drawn, with input and output on one side or two.

@@ -4,7 +4,7 @@
 //! as a list of sections, items and quantities, or, where the answer is one list of like things, as a table of them
 //! with the units in its header.
 
-mod html;
+pub(crate) mod html;
 
 use crate::figure::{self, Figure, suffix};
 use crate::text::{self, Error};

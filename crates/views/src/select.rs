@@ -4,6 +4,9 @@ mod best;
 mod teeth;
 mod words;
 
+pub(crate) use best::in_short;
+pub(crate) use words::unmet;
+
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, View};

@@ -5,3 +5,6 @@ pub(crate) const NOTHING: f64 = 1e-12;
 
 /// A curve whose values differ by less, over the largest, is a level line.
 pub(crate) const LEVEL: f64 = 1e-9;
+
+/// Less circulating power, over what enters, is not objected to.
+pub(crate) const CIRCULATES: f64 = 1e-6;

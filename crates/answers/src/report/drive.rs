@@ -6,8 +6,8 @@ use serde::Serialize;
 
 /// Places of the curve over the ratio, less one.
 const STEPS: u32 = 100;
-/// Where that curve begins.
-const LEAST_RATIO: f64 = 2.2;
+/// Where that curve begins at the latest, and over the drive's own ratio less 1.
+const LEAST_RATIO: [f64; 2] = [2.2, 0.8];
 /// Where it ends at the earliest, and over the drive's own ratio.
 const GREATEST_RATIO: [f64; 2] = [10.0, 1.5];
 
@@ -25,7 +25,7 @@ pub struct DriveReport {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EfficiencyOverRatio {
-    /// Ratios, sun to carrier with the ring fixed.
+    /// Ratios, sun to carrier with the ring fixed, the drive's own among them, from the least.
     pub ratios: Vec<f64>,
     /// The efficiency at each.
     pub efficiencies: Vec<f64>,
@@ -45,9 +45,17 @@ impl EfficiencyOverRatio {
     fn of(drive: &Drive) -> Self {
         let basic = drive.efficiencies.basic;
         let [greatest, over_own] = GREATEST_RATIO;
-        let greatest = (over_own * drive.tooth_numbers.ratio).max(greatest);
-        let ratio = |i| LEAST_RATIO + (greatest - LEAST_RATIO) * f64::from(i) / f64::from(STEPS);
-        let ratios: Vec<f64> = (0..=STEPS).map(ratio).collect();
+        let own = drive.tooth_numbers.ratio;
+        let greatest = (over_own * own).max(greatest);
+        let [least, over_own] = LEAST_RATIO;
+        let least = (1.0 + over_own * (own - 1.0)).min(least);
+        let ratio = |i| least + (greatest - least) * f64::from(i) / f64::from(STEPS);
+        let mut ratios: Vec<f64> = (0..=STEPS).map(ratio).collect();
+        // The drive itself is on its curve.
+        let place = ratios.partition_point(|ratio| *ratio < own);
+        if ratios.get(place) != Some(&own) {
+            ratios.insert(place, own);
+        }
         let efficiencies = ratios.iter().map(|ratio| (1.0 + (ratio - 1.0) * basic) / ratio).collect();
         Self { ratios, efficiencies }
     }

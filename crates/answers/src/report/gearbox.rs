@@ -20,6 +20,8 @@ const PLACES: [u32; 2] = [60, 12];
 const ANALYSES: usize = 6000;
 /// The `k` usual for a set with one sun, one ring and one kind of planet.
 const USUAL_K: [f64; 2] = [1.5, 4.5];
+/// How far the range goes beyond the set's own `k` where that is at the end of the usual ones: over `k − 1` below, over `k` above.
+const BEYOND_K: [f64; 2] = [0.6, 1.3];
 /// The range of `k` of other sets over their own.
 const OVER_OWN_K: [f64; 2] = [0.6, 1.6];
 
@@ -52,7 +54,7 @@ pub struct OverK {
     pub own_k: f64,
     /// Whether it loses power.
     pub has_losses: bool,
-    /// Values of its `k`.
+    /// Values of its `k`, its own among them, from the least.
     pub k: Vec<f64>,
     /// What each gear does at each `k`.
     pub gears: Vec<GearOverK>,
@@ -113,7 +115,7 @@ fn over_k(gearbox: &Gearbox) -> Vec<OverK> {
     let of_set = |(place, set): (usize, &PlanetSet)| {
         let kind = set.kind().filter(|_| !set.is_pair())?;
         let own_k = set.basic_ratio().get().abs();
-        let k = values(gearbox, range(kind, own_k));
+        let k = with_own(values(gearbox, range(kind, own_k)), own_k);
         let others: Vec<Option<Gearbox>> = k.iter().map(|k| with_k(gearbox, place, *k)).collect();
         let gears = gearbox.gears().iter().map(|gear| GearOverK::of(&others, gear.name(), place)).collect();
         Some(OverK { set: set.id().to_owned(), own_k, has_losses: set.has_losses(), k, gears })
@@ -144,10 +146,12 @@ impl GearOverK {
     }
 }
 
-/// The `k` to look at: those usual for a set with sun and ring, and its own.
+/// The `k` to look at: those usual for a set with sun and ring, and some on either side of its own.
 fn range(kind: SetKind, k: f64) -> [f64; 2] {
     match kind {
-        SetKind::Simple => [k.min(USUAL_K[0]), k.max(USUAL_K[1])],
+        SetKind::Simple => {
+            [(1.0 + BEYOND_K[0] * (k - 1.0)).min(USUAL_K[0]), (BEYOND_K[1] * k).max(USUAL_K[1])]
+        }
         _ => OVER_OWN_K.map(|part| part * k),
     }
 }
@@ -157,6 +161,15 @@ fn values(gearbox: &Gearbox, [low, high]: [f64; 2]) -> Vec<f64> {
     let each = ANALYSES / (gearbox.sets().len() * gearbox.gears().len()).max(1);
     let places = u32::try_from(each).unwrap_or(most).clamp(fewest, most);
     (0..=places).map(|i| low + (high - low) * f64::from(i) / f64::from(places)).collect()
+}
+
+/// The same places with the set's own `k` among them, so that each curve has the gearbox itself.
+fn with_own(mut values: Vec<f64>, own: f64) -> Vec<f64> {
+    let place = values.partition_point(|value| *value < own);
+    if values.get(place) != Some(&own) {
+        values.insert(place, own);
+    }
+    values
 }
 
 /// The gearbox with another `k` of one set; `None` where that is no set.
@@ -170,4 +183,22 @@ fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
         }
     };
     gearbox.to_builder().map_sets(change).build().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_places_reach_beyond_the_sets_own_k_and_hold_it() {
+        for own in [1.2, 1.5, 2.15, 4.5, 5.0, 12.0] {
+            let [low, high] = range(SetKind::Simple, own);
+            assert!(1.0 < low && low < own && own < high, "{own}: {low} to {high}");
+            let places = with_own(vec![low, own - 0.01, high], own);
+            assert!(places.contains(&own) && places.is_sorted() && places.len() == 4);
+            assert_eq!(with_own(places.clone(), own), places);
+        }
+        let [low, high] = range(SetKind::DoublePlanet, 2.0);
+        assert!(low < 2.0 && 2.0 < high);
+    }
 }

@@ -31,6 +31,12 @@ teeth: --ratio 6 --no-undercut
 drive: minimal-drive.yaml
   --format csv
   --output drive.txt
+drive: minimal-drive.yaml --output page.html
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 analyze: real-transmissions.yaml
   --transmission 8HP
 analyze: real-transmissions.yaml --transmission 8HP
@@ -82,6 +88,12 @@ compare: real-transmissions.yaml ravigneaux.yaml --transmission 8HP
 compare: II-3 II-4 --k1 2.15 --k2 2.35
   --k1 2.5
   --k2 2.5
+compare: II-3 II-4 --k1 2.15 --k2 2.35 --output compared.html
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 compare: II-3 D.T2.B+T1.B.T2 --ratio1 1.465 --ratio2 2.56
   --ratio1 1.5
   --ratio2 2.5
@@ -138,6 +150,12 @@ synthesize: --ratios '2.56, 1.465' --teeth --ring 60..100
   --teeth-limit 2
 synthesize: --ratios '3.059, 1.625, 1, 0.696, -2.294' --sets 2 --elements 5 --engaged 2 --class all-sparse --format csv
   --all-gearboxes
+synthesize: --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1 --output page.html
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 synthesize: --ratios '2.2, 1' --sets 2 --elements 2 --engaged 1 --class all-sparse
   --direct
 synthesize: --ratios '2.56, 1.465' --save one.yaml
@@ -191,6 +209,12 @@ select: --ratios '1.465, 2.56' --teeth --ring 50..60 --sun 18..30 --planet ..24 
   --planet 18
   --ring 57..60
   --planet-count 4
+select: --ratios 2.5 --output page.html
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 schemes: II-3 --k1 2.15 --k2 2.35 --format json
   --k1 2
   --k2 2
@@ -277,6 +301,12 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --svg motor.svg --cs
   --angle '20 deg'
   --view teeth
   --points 50
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --output page.html
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..10 --module '2 mm' --places 4 --format json
   --displacement '200 cm3/rev'
   --pressure '15 MPa'
@@ -356,6 +386,11 @@ report: scheme-ii-3.yaml --speed '1475 rpm'
 report: minimal-drive.yaml
   --output page.html
   --format json
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 schema: drive
   --output drive.json
 completions: bash
@@ -385,6 +420,11 @@ motor search: --displacement '250 cm3/rev' --z3 55 --csv a.csv --angle '5 deg' |
 motor search: --displacement '250 cm3/rev' --z3 55 --design 2 | --csv
 motor search: --displacement '250 cm3/rev' --z3 55 --module '2 mm' --tolerance 5% | --width
 draw: sized-gearbox.yaml --efficiency 97% | --power
+drive: minimal-drive.yaml --project 'Winch 7' | .html
+select: --ratios 2.5 --paper a4 | .html
+synthesize: --ratios '2.56, 1.465' --date today --output boxes.txt | .html
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --author me | .html
+report: minimal-drive.yaml --customer me --format json | .html
 ";
 
 /// A command line, and what is added to it.

@@ -10,8 +10,8 @@ use crate::tolerance::MARK;
 use epicyclic_drawing::{Align, Color, Dash, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 
-/// Height of the scale.
-const HEIGHT_MM: f64 = 100.0;
+/// Height of the scale: of a drawing of its own, and on a page.
+const HEIGHTS_MM: [f64; 2] = [100.0, 70.0];
 /// From rung to rung of the labels.
 const PITCH_MM: f64 = 5.0;
 
@@ -28,6 +28,24 @@ struct Rung<'a> {
 /// # Errors
 /// [`Error::NoRatio`] where no gear has a ratio.
 pub fn scene(gearbox: &Gearbox, gears: &[Analysis], title: Option<&str>) -> Result<Scene, Error> {
+    drawn(gearbox, gears, title, HEIGHTS_MM[0], true)
+}
+
+/// The same lower and without title, for a page that says it itself.
+///
+/// # Errors
+/// Those of [`scene`].
+pub fn bare(gearbox: &Gearbox, gears: &[Analysis]) -> Result<Scene, Error> {
+    drawn(gearbox, gears, None, HEIGHTS_MM[1], false)
+}
+
+fn drawn(
+    gearbox: &Gearbox,
+    gears: &[Analysis],
+    title: Option<&str>,
+    height_mm: f64,
+    is_headed: bool,
+) -> Result<Scene, Error> {
     let mut rungs: Vec<Rung<'_>> = gears
         .iter()
         .filter_map(|gear| Some(Rung { name: gear.gear().name(), ratio: gear.ratio()? }))
@@ -37,7 +55,7 @@ pub fn scene(gearbox: &Gearbox, gears: &[Analysis], title: Option<&str>) -> Resu
     let (Some(least), Some(most)) = (rungs.first(), rungs.last()) else {
         return Err(Error::NoRatio { gearbox: gearbox.name().into(), gears: gears.len() });
     };
-    let scale = Scale::around(least.ratio.abs(), most.ratio.abs());
+    let scale = Scale::around(least.ratio.abs(), most.ratio.abs(), height_mm);
 
     let mut scene = Scene::new(title.map_or_else(|| format!("{}: ratios", gearbox.name()), str::to_owned));
     let axis = scene.layer("scale", Style::line(0.25))?;
@@ -45,7 +63,7 @@ pub fn scene(gearbox: &Gearbox, gears: &[Analysis], title: Option<&str>) -> Resu
     let steps = scene.layer("steps", Style::line(0.18).color(Color::GREY))?;
     let labels = scene.layer("labels", Style::line(0.1))?;
 
-    scene.add(axis, Shape::line([0.0, 0.0], [0.0, HEIGHT_MM]));
+    scene.add(axis, Shape::line([0.0, 0.0], [0.0, height_mm]));
     for tick in scale.ticks() {
         let y = scale.y(tick);
         scene.add(axis, Shape::line([-1.5, y], [0.0, y]));
@@ -91,10 +109,12 @@ pub fn scene(gearbox: &Gearbox, gears: &[Analysis], title: Option<&str>) -> Resu
         scene.add(labels, Text::new(at, LETTERS_MM, format!("φ = {}", decimal(step))).align(Align::Left));
     }
 
-    let top = scene.bounds().top.max(HEIGHT_MM) + 7.0;
+    let top = scene.bounds().top.max(height_mm) + 7.0;
     let left = scene.bounds().left;
-    let heading = Text::new([left, top + 5.0], TITLE_MM, scene.title()).align(Align::Left);
-    scene.add(labels, heading);
+    if is_headed {
+        let heading = Text::new([left, top + 5.0], TITLE_MM, scene.title()).align(Align::Left);
+        scene.add(labels, heading);
+    }
     scene.add(labels, Text::new([-2.5, top - 1.0], LETTERS_MM, "|i|").align(Align::Right));
     scene.add(labels, Text::new([48.0, top - 1.0], LETTERS_MM, "gear").align(Align::Left));
     scene.add(labels, Text::new([ratios_at, top - 1.0], LETTERS_MM, "i").align(Align::Right));
@@ -133,23 +153,24 @@ fn words(gears: &[Analysis], rungs: &[Rung<'_>], counted: &[usize]) -> Vec<Strin
 struct Scale {
     low: f64,
     high: f64,
+    height_mm: f64,
 }
 
 impl Scale {
-    fn around(least: f64, most: f64) -> Self {
+    fn around(least: f64, most: f64, height_mm: f64) -> Self {
         let below = marks(least).into_iter().filter(|mark| *mark <= least * (1.0 + MARK)).fold(0.0, f64::max);
         let above = marks(most).into_iter().filter(|mark| *mark >= most * (1.0 - MARK));
         let above = above.fold(f64::INFINITY, f64::min);
         // A gear of 1 alone still needs a scale.
         if below < above * (1.0 - MARK) {
-            Self { low: below, high: above }
+            Self { low: below, high: above, height_mm }
         } else {
-            Self { low: below / 2.0, high: above * 2.0 }
+            Self { low: below / 2.0, high: above * 2.0, height_mm }
         }
     }
 
     fn y(&self, ratio: f64) -> f64 {
-        HEIGHT_MM * (ratio / self.low).ln() / (self.high / self.low).ln()
+        self.height_mm * (ratio / self.low).ln() / (self.high / self.low).ln()
     }
 
     fn ticks(&self) -> Vec<f64> {
@@ -193,12 +214,12 @@ mod tests {
 
     #[test]
     fn the_scale_ends_at_round_numbers() {
-        let scale = Scale::around(0.6667, 4.7143);
+        let scale = Scale::around(0.6667, 4.7143, 100.0);
         assert_eq!((scale.low, scale.high), (0.5, 5.0));
         assert_eq!(scale.ticks().iter().map(|tick| short(*tick)).collect::<Vec<_>>(), ["0.5", "1", "2", "5"]);
         // Equal steps are equal distances.
         assert!((scale.y(4.0) - scale.y(2.0) - (scale.y(2.0) - scale.y(1.0))).abs() < MARK);
-        let one = Scale::around(1.0, 1.0);
+        let one = Scale::around(1.0, 1.0, 100.0);
         assert!(one.low < 1.0 && one.high > 1.0);
     }
 }

@@ -37,6 +37,28 @@ struct Node {
 /// # Errors
 /// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow.
 pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) -> Result<Scene, Error> {
+    let mut sheet = drawn(gearbox, gear, heading)?;
+    sheet.legend();
+    sheet.scene.check()?;
+    Ok(sheet.scene)
+}
+
+/// The same without title and explanations, for a page that says them itself.
+///
+/// # Errors
+/// Those of [`scene`].
+pub fn bare(gearbox: &Gearbox, gear: Option<&Analysis>) -> Result<Scene, Error> {
+    let sheet = drawn(gearbox, gear, None)?;
+    sheet.scene.check()?;
+    Ok(sheet.scene)
+}
+
+/// All but the legend.
+fn drawn<'a>(
+    gearbox: &'a Gearbox,
+    gear: Option<&'a Analysis<'a>>,
+    heading: Option<&str>,
+) -> Result<Sheet<'a>, Error> {
     if let Some(gear) = gear {
         known(gearbox, gear)?;
     }
@@ -50,14 +72,12 @@ pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) 
     };
     let levers = levers(gearbox);
     let placed = on_paper(&levers, gear);
-    let mut sheet = Sheet { gearbox, gear, levers: &levers, placed: &placed, scene, layers };
+    let mut sheet = Sheet { gearbox, gear, levers, placed, scene, layers };
     sheet.joints();
     sheet.levers();
     let held = sheet.shift_elements();
     sheet.names(&held);
-    sheet.legend();
-    sheet.scene.check()?;
-    Ok(sheet.scene)
+    Ok(sheet)
 }
 
 /// Nodes on paper from the lower end up: levers side by side, each turned and shifted so that the first node in common with one before
@@ -116,8 +136,8 @@ struct Layers {
 struct Sheet<'a> {
     gearbox: &'a Gearbox,
     gear: Option<&'a Analysis<'a>>,
-    levers: &'a [Lever],
-    placed: &'a [Vec<Node>],
+    levers: Vec<Lever>,
+    placed: Vec<Vec<Node>>,
     scene: Scene,
     layers: Layers,
 }
@@ -139,7 +159,7 @@ impl Sheet<'_> {
 
     /// The levers, and across each the line of its speeds.
     fn levers(&mut self) {
-        for nodes in self.placed {
+        for nodes in &self.placed {
             let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { continue };
             self.scene.add(self.layers.levers, Shape::line(first.at, last.at));
             if let (Some((_, from)), Some((_, to))) = (first.speed, last.speed) {
@@ -236,7 +256,7 @@ impl Sheet<'_> {
             }
             places.put(&mut self.scene, layer, &words, tip, &wishes);
         }
-        for (lever, nodes) in self.levers.iter().zip(self.placed) {
+        for (lever, nodes) in self.levers.iter().zip(&self.placed) {
             for node in nodes {
                 let words = format!(
                     "{} ({})",

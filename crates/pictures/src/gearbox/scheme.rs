@@ -25,6 +25,7 @@ mod signs;
 use super::words::{self, decimal};
 use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
 use crate::tolerance::{CIRCULATES, IDLE, RESTS};
+use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_layout::Layout;
 use epicyclic_layout::layout::Point as Place;
@@ -36,6 +37,13 @@ pub(super) use flow::piece_of;
 pub const ALONG_MM: f64 = 13.0;
 /// Millimetres to a unit of the layout away from the axis.
 pub const UP_MM: f64 = 12.0;
+
+/// The least of [`Options::along_mm`] in [`narrow`], where several carriers fork around their planets and where not: the signs of
+/// neighbouring sets stay apart.
+const LEAST_ALONG_MM: [f64; 2] = [8.8, 7.4];
+
+/// How much wider the next trial of [`narrow`] is.
+const WIDER_MM: f64 = 0.8;
 
 /// Width of shafts, and of gears' rims.
 const SHAFT_MM: f64 = 0.7;
@@ -67,11 +75,15 @@ pub struct Options {
     pub whole: bool,
     /// Whether the lines of the sets say `k` or teeth.
     pub gearing: bool,
+    /// Without title and sets, for a page that says them itself. What the colours mean stays.
+    pub bare: bool,
+    /// Millimetres to a unit of the layout along the axis.
+    pub along_mm: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { title: None, whole: false, gearing: true }
+        Self { title: None, whole: false, gearing: true, bare: false, along_mm: ALONG_MM }
     }
 }
 
@@ -118,7 +130,7 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
         _ => None,
     };
     let title = options.title.clone().unwrap_or_else(|| title(gearbox, gear));
-    let mut sheet = Sheet::new(gearbox, layout, gear, load, &title)?;
+    let mut sheet = Sheet::new(gearbox, layout, gear, load, &title, options.along_mm)?;
     sheet.housing();
     sheet.shift_elements();
     sheet.links();
@@ -131,6 +143,34 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
     sheet.legend(options);
     sheet.scene.check()?;
     Ok(sheet.scene)
+}
+
+/// The same without title and sets, drawn together along the axis to be about so wide, as far as no label then meets anything: for a page.
+///
+/// # Errors
+/// Those of [`scene`].
+pub fn narrow(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, width_mm: f64) -> Result<Scene, Error> {
+    let draw =
+        |along_mm: f64| scene(gearbox, layout, show, &Options { bare: true, along_mm, ..Options::default() });
+    let usual = draw(ALONG_MM)?;
+    let too_wide = usual.bounds().width() - width_mm;
+    if too_wide <= 0.0 {
+        return Ok(usual);
+    }
+    let [forked, straight] = LEAST_ALONG_MM;
+    let forks = gearbox.drawn_sets().iter().filter(|set| signs::is_cut(set.kind)).count();
+    let least = if forks > 1 { forked } else { straight };
+    let units = layout.axis.to.x - layout.axis.from.x;
+    let mut along_mm = (ALONG_MM - too_wide / units.max(1.0)).clamp(least, ALONG_MM);
+    // A little wider each time until all labels have room.
+    while along_mm < ALONG_MM {
+        let drawn = draw(along_mm)?;
+        if overlaps(&drawn).is_empty() {
+            return Ok(drawn);
+        }
+        along_mm += WIDER_MM;
+    }
+    Ok(usual)
 }
 
 /// The load case that is drawn.
@@ -193,13 +233,10 @@ struct Sheet<'a> {
     pieces: Vec<Piece>,
     /// Width of the power that enters.
     entering_mm: f64,
+    /// Millimetres to a unit of the layout along the axis.
+    along_mm: f64,
     scene: Scene,
     layers: Layers,
-}
-
-/// A place of the layout on paper.
-fn at(place: Place) -> Point {
-    Point::new(ALONG_MM * place.x, UP_MM * place.y)
 }
 
 impl<'a> Sheet<'a> {
@@ -209,6 +246,7 @@ impl<'a> Sheet<'a> {
         gear: Option<&'a Analysis<'a>>,
         load: Option<&'a LoadCase>,
         title: &str,
+        along_mm: f64,
     ) -> Result<Self, Error> {
         let mut scene = Scene::new(title);
         let layers = Layers {
@@ -228,7 +266,12 @@ impl<'a> Sheet<'a> {
         let powers = pieces.iter().filter_map(|piece| piece.power).chain(members).map(f64::abs);
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
-        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, scene, layers })
+        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, along_mm, scene, layers })
+    }
+
+    /// A place of the layout on paper.
+    fn at(&self, place: Place) -> Point {
+        Point::new(self.along_mm * place.x, UP_MM * place.y)
     }
 
     /// Whether a link rests in the gear shown.
@@ -277,7 +320,7 @@ impl<'a> Sheet<'a> {
         for piece in &pieces {
             let look = self.look(piece.link, SHAFT_MM, piece.power, piece.circulating);
             for [from, to] in signs::without_forks(self, piece.link, [piece.from, piece.to]) {
-                self.line(self.layers.links, look, at(from), at(to));
+                self.line(self.layers.links, look, self.at(from), self.at(to));
             }
         }
         for piece in &pieces {
@@ -288,7 +331,7 @@ impl<'a> Sheet<'a> {
 
     /// The direction of a power that is not small, where there is room for an arrow.
     fn arrow(&mut self, piece: &Piece) {
-        let (from, to) = (at(piece.from), at(piece.to));
+        let (from, to) = (self.at(piece.from), self.at(piece.to));
         let length = (to.x - from.x).hypot(to.y - from.y);
         let Some(power) = piece.power.filter(|power| power.abs() > 0.02) else { return };
         let size = 1.6 + 0.75 * power.abs() * self.entering_mm;
@@ -332,16 +375,19 @@ impl<'a> Sheet<'a> {
     fn legend(&mut self, options: &Options) {
         let bounds = self.scene.bounds();
         let layer = self.layers.labels;
-        let title =
-            Text::new([bounds.left, bounds.top + 6.0], TITLE_MM, self.scene.title()).align(Align::Left);
-        self.scene.add(layer, title);
+        if !options.bare {
+            let at = [bounds.left, bounds.top + 6.0];
+            let title = Text::new(at, TITLE_MM, self.scene.title()).align(Align::Left);
+            self.scene.add(layer, title);
+        }
         let mut y = bounds.bottom - 6.0;
         let mut write = |scene: &mut Scene, x: f64, words: String| {
             scene.add(layer, Text::new([bounds.left + x, y], super::LETTERS_MM, words).align(Align::Left));
             y -= 4.6;
             y + 4.6
         };
-        for place in 0..self.gearbox.drawn_sets().len() {
+        let sets = if options.bare { 0 } else { self.gearbox.drawn_sets().len() };
+        for place in 0..sets {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
         }
         let Some(gear) = self.gear else { return };

@@ -21,12 +21,43 @@ use epicyclic_train::{Analysis, Gearbox};
 use radii::{Line, SpeedDiagram};
 use std::f64::consts::FRAC_PI_2;
 
-/// Height of each set's diagram.
-const HEIGHT_MM: f64 = 70.0;
-/// Width of the fastest point on its side.
-const FASTEST_MM: f64 = 45.0;
-/// Greatest width of the rays on one side, and their greatest height.
-const RAYS_MM: [f64; 2] = [75.0, 45.0];
+/// Sizes of the diagrams.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    /// Height of each set's diagram.
+    height_mm: f64,
+    /// Width of the fastest point on its side.
+    fastest_mm: f64,
+    /// Greatest width of the rays on one side, and their greatest height.
+    rays_mm: [f64; 2],
+    /// Length of a label of the speeds, beyond which it goes on in a further line.
+    label_mm: f64,
+    /// From one diagram of a row to the next.
+    apart_mm: f64,
+    /// Where a row of diagrams ends, if they stand in several rows; the rays then stand in the last, if they have room there.
+    row_mm: Option<f64>,
+}
+
+/// A drawing of its own.
+const USUAL: Size = Size {
+    height_mm: 70.0,
+    fastest_mm: 45.0,
+    rays_mm: [75.0, 45.0],
+    label_mm: f64::INFINITY,
+    apart_mm: 12.0,
+    row_mm: None,
+};
+/// Part of a page.
+const SMALL: Size = Size {
+    height_mm: 38.0,
+    fastest_mm: 18.0,
+    rays_mm: [22.0, 20.0],
+    label_mm: 34.0,
+    apart_mm: 7.0,
+    row_mm: None,
+};
+/// From the lowest of a row to the top of what stands in the next.
+const ROWS_APART_MM: f64 = 9.0;
 /// From label to label of the speeds.
 const PITCH_MM: f64 = 4.2;
 
@@ -35,6 +66,31 @@ const PITCH_MM: f64 = 4.2;
 /// # Errors
 /// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow.
 pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Result<Scene, Error> {
+    let (mut scene, layers) = drawn(gearbox, gear, heading, USUAL)?;
+    let bounds = scene.bounds();
+    let at = [bounds.left, bounds.top + 7.0];
+    let heading = Text::new(at, TITLE_MM, scene.title()).align(Align::Left);
+    scene.add(layers.labels, heading);
+    scene.check()?;
+    Ok(scene)
+}
+
+/// The same smaller, without title and explanations, in rows of about this width: for a page that says them itself.
+///
+/// # Errors
+/// Those of [`scene`].
+pub fn narrow(gearbox: &Gearbox, gear: &Analysis, width_mm: f64) -> Result<Scene, Error> {
+    let (scene, _) = drawn(gearbox, gear, None, Size { row_mm: Some(width_mm), ..SMALL })?;
+    scene.check()?;
+    Ok(scene)
+}
+
+fn drawn(
+    gearbox: &Gearbox,
+    gear: &Analysis,
+    heading: Option<&str>,
+    size: Size,
+) -> Result<(Scene, Layers), Error> {
     known(gearbox, gear)?;
     let mut scene = Scene::new(heading.map_or_else(|| title(gearbox, Some(gear)), str::to_owned));
     let layers = Layers {
@@ -48,18 +104,32 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
         (0..gearbox.drawn_sets().len()).map(|set| SpeedDiagram::of(gearbox, gear, set)).collect();
     // Millimetres across to one up, for a speed of 1.
     let widest = diagrams.iter().map(SpeedDiagram::widest).fold(LEAST_SPEED, f64::max);
-    let slope = FASTEST_MM / (HEIGHT_MM * widest);
-    let mut left = 0.0;
+    let slope = size.fastest_mm / (size.height_mm * widest);
+    let ends_at = size.row_mm.unwrap_or(f64::INFINITY);
+    let mut corner = Point::new(0.0, 0.0);
     for (set, diagram) in diagrams.iter().enumerate() {
-        left = panel(&mut scene, &layers, gearbox, diagram, set, left, slope);
+        let paper = Paper { layers: &layers, gearbox, size, slope };
+        let mut trial = scene.clone();
+        let next = paper.panel(&mut trial, diagram, set, corner);
+        if next - size.apart_mm > ends_at && corner.x > 0.0 {
+            corner = Point::new(0.0, scene.bounds().bottom - ROWS_APART_MM - size.height_mm);
+            corner.x = paper.panel(&mut scene, diagram, set, corner);
+        } else {
+            scene = trial;
+            corner.x = next;
+        }
     }
-    rays(&mut scene, &layers, gearbox, gear, &diagrams, slope);
+    let rays = Rays::of(gearbox, gear, &diagrams, slope, size);
     let bounds = scene.bounds();
-    let at = [bounds.left, bounds.top + 7.0];
-    let heading = Text::new(at, TITLE_MM, scene.title()).align(Align::Left);
-    scene.add(layers.labels, heading);
-    scene.check()?;
-    Ok(scene)
+    let pole = if size.row_mm.is_some() && corner.x + rays.width() <= ends_at {
+        rays.draw(&mut scene, &layers, Point::new(corner.x, corner.y + size.height_mm + 5.0))
+    } else {
+        rays.draw(&mut scene, &layers, Point::new(bounds.left, bounds.bottom - ROWS_APART_MM))
+    };
+    if size.row_mm.is_none() {
+        explain(&mut scene, &layers, Point::new(bounds.left, pole.y));
+    }
+    Ok((scene, layers))
 }
 
 struct Layers {
@@ -78,154 +148,218 @@ fn style(line: &Line) -> Style {
     }
 }
 
-/// One set: its gears on the left, velocities over radius on the right. Returns where the next may begin.
-fn panel(
-    scene: &mut Scene,
-    layers: &Layers,
-    gearbox: &Gearbox,
-    diagram: &SpeedDiagram,
-    set: usize,
-    left: f64,
+/// What all diagrams of a drawing share.
+struct Paper<'a> {
+    layers: &'a Layers,
+    gearbox: &'a Gearbox,
+    size: Size,
     slope: f64,
-) -> f64 {
-    let up = HEIGHT_MM / diagram.height;
-    let across = |speed_radius: f64| slope * up * speed_radius;
-    let lines = || diagram.lines.iter().flat_map(|line| [line.from, line.to]);
-    let back = lines().map(|[_, v]| across(-v)).fold(0.0, f64::max);
-    let ahead = lines().map(|[_, v]| across(v)).fold(0.0, f64::max);
-    // Levels with their names, gears, and then the axis of velocities.
-    let names = diagram.levels.iter().map(|(name, r)| format!("{name} {}", decimal(*r)));
-    let names: Vec<String> = names.collect();
-    let width =
-        names.iter().map(|name| Text::new([0.0, 0.0], LETTERS_MM, name).width_mm()).fold(0.0, f64::max);
-    let gears_at = left + width + 10.0;
-    let zero = gears_at + 9.0 + back;
-    let far = zero + ahead + 5.0;
+}
 
-    scene.add(layers.axes, Shape::line([gears_at - 5.0, 0.0], [far, 0.0]));
-    scene.add(layers.axes, Shape::line([zero, 0.0], [zero, HEIGHT_MM + 5.0]));
-    let mut levels: Vec<(f64, &String)> =
-        diagram.levels.iter().map(|level| up * level.1).zip(&names).collect();
-    levels.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let wanted: Vec<f64> = levels.iter().map(|level| level.0).collect();
-    for ((y, name), place) in levels.iter().zip(spread(&wanted, 4.4)) {
-        scene.add(layers.help, Shape::line([gears_at - 4.0, *y], [far, *y]));
-        scene.add(layers.help, Shape::line([left + width + 1.0, place], [gears_at - 4.0, *y]));
-        scene.add(layers.labels, Text::new([left + width, place], LETTERS_MM, *name).align(Align::Right));
-    }
-    for [from, to] in &diagram.toothed_gears {
-        let (from, to) = (up * from, up * to);
-        scene.add(layers.toothed_gears, Shape::line([gears_at, from + 0.5], [gears_at, to - 0.5]));
-        for y in [from + 0.5, to - 0.5] {
-            scene.add(layers.toothed_gears, Shape::line([gears_at - 2.0, y], [gears_at + 2.0, y]));
+impl Paper<'_> {
+    /// One set: its gears on the left, velocities over radius on the right. Returns where the next may begin.
+    fn panel(&self, scene: &mut Scene, diagram: &SpeedDiagram, set: usize, corner: Point) -> f64 {
+        let Self { layers, gearbox, size, slope } = *self;
+        let Point { x: left, y: base } = corner;
+        let up = size.height_mm / diagram.height;
+        let across = |speed_radius: f64| slope * up * speed_radius;
+        let lines = || diagram.lines.iter().flat_map(|line| [line.from, line.to]);
+        let back = lines().map(|[_, v]| across(-v)).fold(0.0, f64::max);
+        let ahead = lines().map(|[_, v]| across(v)).fold(0.0, f64::max);
+        // Levels with their names, gears, and then the axis of velocities.
+        let names = diagram.levels.iter().map(|(name, r)| format!("{name} {}", decimal(*r)));
+        let names: Vec<String> = names.collect();
+        let width =
+            names.iter().map(|name| Text::new([0.0, 0.0], LETTERS_MM, name).width_mm()).fold(0.0, f64::max);
+        let gears_at = left + width + 10.0;
+        let zero = gears_at + 9.0 + back;
+        let far = zero + ahead + 5.0;
+
+        scene.add(layers.axes, Shape::line([gears_at - 5.0, base], [far, base]));
+        scene.add(layers.axes, Shape::line([zero, base], [zero, base + size.height_mm + 5.0]));
+        let mut levels: Vec<(f64, &String)> =
+            diagram.levels.iter().map(|level| base + up * level.1).zip(&names).collect();
+        levels.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let wanted: Vec<f64> = levels.iter().map(|level| level.0).collect();
+        for ((y, name), place) in levels.iter().zip(spread(&wanted, 4.4)) {
+            scene.add(layers.help, Shape::line([gears_at - 4.0, *y], [far, *y]));
+            scene.add(layers.help, Shape::line([left + width + 1.0, place], [gears_at - 4.0, *y]));
+            scene.add(layers.labels, Text::new([left + width, place], LETTERS_MM, *name).align(Align::Right));
         }
-    }
-    for planet_pin in &diagram.planet_pins {
-        scene.add(
-            layers.toothed_gears,
-            Shape::line([gears_at - 2.0, up * planet_pin], [gears_at + 3.0, up * planet_pin]),
-        );
-    }
-    let on = |[r, v]: [f64; 2]| Point::new(zero + across(v), up * r);
-    for line in &diagram.lines {
-        scene.add_styled(layers.lines, style(line), Shape::line(on(line.from), on(line.to)));
-        if line.link.is_none() {
-            for end in [line.from, line.to] {
-                let dot = Shape::Circle { centre: on(end), radius: 0.7 };
-                scene.add_styled(layers.lines, Style::filled(Color::BLACK), dot);
+        for [from, to] in &diagram.toothed_gears {
+            let (from, to) = (base + up * from, base + up * to);
+            scene.add(layers.toothed_gears, Shape::line([gears_at, from + 0.5], [gears_at, to - 0.5]));
+            for y in [from + 0.5, to - 0.5] {
+                scene.add(layers.toothed_gears, Shape::line([gears_at - 2.0, y], [gears_at + 2.0, y]));
             }
         }
-    }
-    let mut places = Places::around(scene);
-    for line in &diagram.lines {
-        let (from, to) = (on(line.from), on(line.to));
-        let half = 0.5 * Text::new(to, LETTERS_MM, &*line.name).width_mm() + 1.2;
-        let mut wishes = vec![];
-        for part in [0.5, 0.6, 0.4, 0.75, 0.3, 0.9] {
-            let at = Point::new(from.x + part * (to.x - from.x), from.y + part * (to.y - from.y));
-            wishes.extend(
-                [[half, -1.5], [-half, 1.5], [half, 1.5], [-half, -1.5]]
-                    .map(|[dx, dy]| Point::new(at.x + dx, at.y + dy)),
-            );
+        for planet_pin in &diagram.planet_pins {
+            let y = base + up * planet_pin;
+            scene.add(layers.toothed_gears, Shape::line([gears_at - 2.0, y], [gears_at + 3.0, y]));
         }
-        let middle = Point::new(f64::midpoint(from.x, to.x), f64::midpoint(from.y, to.y));
-        places.put(scene, layers.labels, &line.name, middle, &wishes);
+        let on = |[r, v]: [f64; 2]| Point::new(zero + across(v), base + up * r);
+        for line in &diagram.lines {
+            scene.add_styled(layers.lines, style(line), Shape::line(on(line.from), on(line.to)));
+            if line.link.is_none() {
+                for end in [line.from, line.to] {
+                    let dot = Shape::Circle { centre: on(end), radius: 0.7 };
+                    scene.add_styled(layers.lines, Style::filled(Color::BLACK), dot);
+                }
+            }
+        }
+        let mut places = Places::around(scene);
+        for line in &diagram.lines {
+            let (from, to) = (on(line.from), on(line.to));
+            let half = 0.5 * Text::new(to, LETTERS_MM, &*line.name).width_mm() + 1.2;
+            let mut wishes = vec![];
+            for part in [0.5, 0.6, 0.4, 0.75, 0.3, 0.9] {
+                let at = Point::new(from.x + part * (to.x - from.x), from.y + part * (to.y - from.y));
+                wishes.extend(
+                    [[half, -1.5], [-half, 1.5], [half, 1.5], [-half, -1.5]]
+                        .map(|[dx, dy]| Point::new(at.x + dx, at.y + dy)),
+                );
+            }
+            let middle = Point::new(f64::midpoint(from.x, to.x), f64::midpoint(from.y, to.y));
+            places.put(scene, layers.labels, &line.name, middle, &wishes);
+        }
+        let caption = match size.row_mm {
+            None => words::set(gearbox, set, true),
+            Some(_) => words::set_name(gearbox, set),
+        };
+        let caption = Text::new([left, base - 6.0], LETTERS_MM, caption).align(Align::Left);
+        let next = far.max(caption.bounds().right) + size.apart_mm;
+        scene.add(layers.labels, caption);
+        next
     }
-    let caption = Text::new([left, -6.0], LETTERS_MM, words::set(gearbox, set, true)).align(Align::Left);
-    let next = far.max(caption.bounds().right) + 12.0;
-    scene.add(layers.labels, caption);
-    next
 }
 
 /// Rays from a pole, parallel to the lines of the diagrams, to the scale of speeds.
-fn rays(
-    scene: &mut Scene,
-    layers: &Layers,
-    gearbox: &Gearbox,
-    gear: &Analysis,
-    diagrams: &[SpeedDiagram],
-    slope: f64,
-) {
-    // Each speed once, with all that has it.
-    let mut speeds: Vec<(f64, Vec<String>, Style)> = vec![];
-    let mut enter = |speed: f64, name: String, style: Style| match speeds
-        .iter_mut()
-        .find(|(other, ..)| (other - speed).abs() < ONE_RAY)
-    {
-        Some((_, names, _)) => names.push(name),
-        None => speeds.push((speed, vec![name], style)),
-    };
-    for (link, name) in gearbox.links().iter().enumerate() {
-        let line = diagrams
+struct Rays {
+    /// Each speed once, from the least.
+    speeds: Vec<(f64, Style)>,
+    /// Lines of their labels, each with the place of its speed.
+    labels: Vec<(usize, String)>,
+    /// Width of the longest line.
+    longest_mm: f64,
+    /// Where the labels stand, from the pole.
+    places: Vec<f64>,
+    height_mm: f64,
+    /// Millimetres to a speed of 1.
+    unit_mm: f64,
+}
+
+impl Rays {
+    fn of(gearbox: &Gearbox, gear: &Analysis, diagrams: &[SpeedDiagram], slope: f64, size: Size) -> Self {
+        // Each speed once, with all that has it.
+        let mut speeds: Vec<(f64, Vec<String>, Style)> = vec![];
+        let mut enter = |speed: f64, name: String, style: Style| match speeds
+            .iter_mut()
+            .find(|(other, ..)| (other - speed).abs() < ONE_RAY)
+        {
+            Some((_, names, _)) => names.push(name),
+            None => speeds.push((speed, vec![name], style)),
+        };
+        for (link, name) in gearbox.links().iter().enumerate() {
+            let line = diagrams
+                .iter()
+                .flat_map(|diagram| &diagram.lines)
+                .find(|line| line.link.is_some_and(|id| id.index() == link));
+            // Links that belong to no set have no line, and the housing is the pole's own.
+            let (Some(line), Some(speed)) = (line, gear.speeds()[link]) else { continue };
+            enter(speed, name.clone(), style(line));
+        }
+        for line in diagrams
             .iter()
             .flat_map(|diagram| &diagram.lines)
-            .find(|line| line.link.is_some_and(|id| id.index() == link));
-        // Links that belong to no set have no line, and the housing is the pole's own.
-        let (Some(line), Some(speed)) = (line, gear.speeds()[link]) else { continue };
-        enter(speed, name.clone(), style(line));
+            .filter(|line| line.link.is_none() && line.has_ray)
+        {
+            let [[r, v], [further, faster]] = [line.from, line.to];
+            enter((faster - v) / (further - r), line.name.clone(), style(line));
+        }
+        speeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let fastest = speeds.iter().map(|speed| speed.0.abs()).fold(LEAST_SPEED, f64::max);
+        let [width, height] = size.rays_mm;
+        let height_mm = height.min(width / (slope * fastest));
+        let unit_mm = slope * height_mm;
+        let label = |(place, (speed, names, _)): (usize, &(f64, Vec<String>, Style))| {
+            lines_of(&format!("{}:", decimal(*speed)), names, size.label_mm).map(move |line| (place, line))
+        };
+        let labels: Vec<(usize, String)> = speeds.iter().enumerate().flat_map(label).collect();
+        let longest_mm = labels.iter().map(|(_, label)| width_of(label)).fold(0.0, f64::max);
+        let wanted: Vec<f64> = labels.iter().map(|(speed, _)| unit_mm * speeds[*speed].0).collect();
+        let places = spread(&wanted, PITCH_MM);
+        let speeds = speeds.into_iter().map(|(speed, _, style)| (speed, style)).collect();
+        Self { speeds, labels, longest_mm, places, height_mm, unit_mm }
     }
-    for line in
-        diagrams.iter().flat_map(|diagram| &diagram.lines).filter(|line| line.link.is_none() && line.has_ray)
-    {
-        let [[r, v], [further, faster]] = [line.from, line.to];
-        enter((faster - v) / (further - r), line.name.clone(), style(line));
-    }
-    speeds.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let fastest = speeds.iter().map(|speed| speed.0.abs()).fold(LEAST_SPEED, f64::max);
-    let [width, height] = RAYS_MM;
-    let height = height.min(width / (slope * fastest));
-    let unit = slope * height;
-    let least = speeds.first().map_or(0.0, |speed| speed.0).min(0.0);
-    let most = speeds.last().map_or(0.0, |speed| speed.0).max(0.0);
 
-    let labels: Vec<String> =
-        speeds.iter().map(|(speed, names, _)| format!("{}: {}", decimal(*speed), names.join(", "))).collect();
-    let longest =
-        labels.iter().map(|label| Text::new([0.0, 0.0], LETTERS_MM, label).width_mm()).fold(0.0, f64::max);
-    let bounds = scene.bounds();
-    let scale_y = bounds.bottom - longest - 16.0;
-    let wanted: Vec<f64> = speeds.iter().map(|speed| unit * speed.0).collect();
-    let places = spread(&wanted, PITCH_MM);
-    let reach = places.first().copied().unwrap_or(0.0).min(unit * least);
-    let pole = Point::new(bounds.left + 6.0 - reach, scale_y - height);
-
-    let ends = [pole.x + unit * least - 4.0, pole.x + unit * most + 4.0];
-    scene.add(layers.axes, Shape::line([ends[0], scale_y], [ends[1], scale_y]));
-    for (((speed, _, style), label), place) in speeds.iter().zip(&labels).zip(&places) {
-        let tip = Point::new(pole.x + unit * speed, scale_y);
-        scene.add_styled(layers.lines, *style, Shape::line(pole, tip));
-        let foot = Point::new(pole.x + place, scale_y + 6.0);
-        scene.add(layers.axes, Shape::polyline([tip, Point::new(tip.x, tip.y + 1.5), foot]));
-        let text = Text::new([foot.x, foot.y + 1.0], LETTERS_MM, label).align(Align::Left);
-        scene.add(layers.labels, text.turned(FRAC_PI_2));
+    /// Ends of the scale, and beyond them of the labels, from the pole.
+    fn ends(&self) -> [f64; 4] {
+        let least = self.speeds.first().map_or(0.0, |speed| speed.0).min(0.0);
+        let most = self.speeds.last().map_or(0.0, |speed| speed.0).max(0.0);
+        let (least, most) = (self.unit_mm * least, self.unit_mm * most);
+        let first = self.places.first().copied().unwrap_or(0.0).min(least);
+        let last = self.places.last().copied().unwrap_or(0.0).max(most);
+        [least, most, first, last]
     }
-    scene.add_styled(layers.lines, Style::filled(Color::BLACK), Shape::Circle { centre: pole, radius: 0.9 });
-    scene.add(layers.labels, Text::new([pole.x + 4.0, pole.y - 2.6], LETTERS_MM, "pole"));
+
+    fn width(&self) -> f64 {
+        let [_, _, first, last] = self.ends();
+        last - first + 2.0 * 6.0
+    }
+
+    /// Below and to the right of a corner; returns where their pole is.
+    fn draw(&self, scene: &mut Scene, layers: &Layers, corner: Point) -> Point {
+        let scale_y = corner.y - self.longest_mm - 7.0;
+        let [least, most, first, _] = self.ends();
+        let pole = Point::new(corner.x + 6.0 - first, scale_y - self.height_mm);
+        let ends = [pole.x + least - 4.0, pole.x + most + 4.0];
+        scene.add(layers.axes, Shape::line([ends[0], scale_y], [ends[1], scale_y]));
+        let mut last = None;
+        for ((speed, label), place) in self.labels.iter().zip(&self.places) {
+            let foot = Point::new(pole.x + place, scale_y + 6.0);
+            // Further lines of a label have no ray of their own.
+            if last.replace(speed) != Some(speed) {
+                let (speed, style) = self.speeds[*speed];
+                let tip = Point::new(pole.x + self.unit_mm * speed, scale_y);
+                scene.add_styled(layers.lines, style, Shape::line(pole, tip));
+                scene.add(layers.axes, Shape::polyline([tip, Point::new(tip.x, tip.y + 1.5), foot]));
+            }
+            let text = Text::new([foot.x, foot.y + 1.0], LETTERS_MM, label).align(Align::Left);
+            scene.add(layers.labels, text.turned(FRAC_PI_2));
+        }
+        let dot = Shape::Circle { centre: pole, radius: 0.9 };
+        scene.add_styled(layers.lines, Style::filled(Color::BLACK), dot);
+        scene.add(layers.labels, Text::new([pole.x + 4.0, pole.y - 2.6], LETTERS_MM, "pole"));
+        pole
+    }
+}
+
+/// Names after what stands before the first, in lines of about a length.
+fn lines_of(first: &str, names: &[String], length_mm: f64) -> impl Iterator<Item = String> + use<> {
+    let mut lines = vec![first.to_owned()];
+    for (place, name) in names.iter().enumerate() {
+        let comma = if place + 1 < names.len() { "," } else { "" };
+        match lines.last_mut() {
+            Some(line) if place == 0 || width_of(line) + width_of(name) < length_mm => {
+                *line += &format!(" {name}{comma}");
+            }
+            _ => lines.push(format!("{name}{comma}")),
+        }
+    }
+    lines.into_iter()
+}
+
+fn width_of(words: &str) -> f64 {
+    Text::new([0.0, 0.0], LETTERS_MM, words).width_mm()
+}
+
+/// What the diagrams and the rays are, below the pole.
+fn explain(scene: &mut Scene, layers: &Layers, at: Point) {
     let words = [
         "above: velocities over radius, radii over that of the first central gear of the set",
         "rays parallel to the lines above; at their ends the speeds over the input's",
     ];
-    for (words, y) in words.into_iter().zip([pole.y - 8.0, pole.y - 12.6]) {
-        scene.add(layers.labels, Text::new([bounds.left, y], LETTERS_MM, words).align(Align::Left));
+    for (words, y) in words.into_iter().zip([at.y - 8.0, at.y - 12.6]) {
+        scene.add(layers.labels, Text::new([at.x, y], LETTERS_MM, words).align(Align::Left));
     }
 }

@@ -15,13 +15,17 @@ pub(super) fn decimal(value: f64) -> String {
     format!("{value:.decimals$}").replace('-', "−")
 }
 
-/// A drawn set by its number, name, kind and gearing: `1 (P1): simple, z 48/96, k = 2.000`.
-pub(super) fn set(gearbox: &Gearbox, place: usize, gearing: bool) -> String {
+/// A drawn set by its number, and its name where that is another: `set 1 (P1)`.
+pub(super) fn set_name(gearbox: &Gearbox, place: usize) -> String {
     let number = (place + 1).to_string();
+    let id = gearbox.sets()[gearbox.drawn_sets()[place].set].id();
+    if id == number { format!("set {number}") } else { format!("set {number} ({id})") }
+}
+
+/// The same with its kind and gearing: `set 1 (P1): simple, z 48/96, k = 2.000`.
+pub(super) fn set(gearbox: &Gearbox, place: usize, gearing: bool) -> String {
     let drawn = &gearbox.drawn_sets()[place];
-    let id = gearbox.sets()[drawn.set].id();
-    let name = if id == number { String::new() } else { format!(" ({id})") };
-    let mut words = format!("set {number}{name}: {}", drawn.kind);
+    let mut words = format!("{}: {}", set_name(gearbox, place), drawn.kind);
     if gearing {
         if let Some([first, second]) = drawn.teeth(gearbox) {
             words += &format!(", z {}/{}", first.get(), second.get());

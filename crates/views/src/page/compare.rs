@@ -1,23 +1,26 @@
 //! The page of a comparison: the figures of the gearboxes side by side, and the scheme of each.
 
+use super::paper::PICTURE_MM;
 use super::sheet::{Block, Section, Sheet};
-use crate::{AsReport as _, Error};
+use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::compare::page::Drawn;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 
-/// The comparison, and the gearboxes as schemes where they are drawable.
+/// The comparison, and the gearboxes as schemes where they are drawable; `input` is the command as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
-pub fn sheet(answer: &Comparison, drawn: &[Drawn<'_>]) -> Result<Sheet, Error> {
-    let mut sections = vec![Section::new("Side by side", vec![Block::Answer(answer.report())])];
+pub fn sheet(answer: &Comparison, drawn: &[Drawn<'_>], input: String) -> Result<Sheet, Error> {
+    let report = answer.report();
+    let objections = report.warnings.iter().flatten().map(|(_, warning)| warning.clone()).collect();
+    let first = vec![Block::Answer(Report { title: None, warnings: None, ..report })];
+    let mut sections = vec![];
     for Drawn { gearbox, layout } in drawn {
         let block = match layout {
             Some(layout) => {
-                let options = scheme::Options::default();
-                let scene =
-                    scheme::scene(gearbox, layout, Show::Structure, &options).map_err(Error::Picture)?;
+                let scene = scheme::narrow(gearbox, layout, Show::Structure, PICTURE_MM[0])
+                    .map_err(Error::Picture)?;
                 Block::picture(scene, "Kinematic scheme, the half above the axis.")
             }
             None => Block::words("It cannot be drawn without links that cross."),
@@ -28,5 +31,12 @@ pub fn sheet(answer: &Comparison, drawn: &[Drawn<'_>]) -> Result<Sheet, Error> {
                     and sizes. What happens while it shifts.";
     sections.push(Section::new("What is left out", vec![Block::words(left_out)]));
     let names: Vec<&str> = answer.gearboxes.iter().map(|one| one.gearbox.as_str()).collect();
-    Ok(Sheet { title: "Gearboxes side by side".to_owned(), about: names.join("; "), sections })
+    Ok(Sheet {
+        title: "Gearboxes side by side".to_owned(),
+        about: names.join("; "),
+        answer: first,
+        objections,
+        sections,
+        input,
+    })
 }

@@ -1,16 +1,21 @@
 //! The page of a planetary drive.
 
+use super::paper::PLOT_MM;
 use super::sheet::{Block, Section, Sheet};
+use crate::figure::Figure;
+use crate::quantities::{optional, quantity};
+use crate::report::{Part, Row, Section as Facts};
 use crate::units::rpm;
-use crate::{AsReport as _, Error};
+use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::drive::{Drive, Gear};
 use epicyclic_answers::report::drive::DriveReport;
+use epicyclic_formats::Dimension::{self, AngularSpeed, Inertia, Power, Time, Torque};
 use epicyclic_formats::Physical as _;
 use epicyclic_pictures::gear_set::{Circles, GearSet};
 use epicyclic_pictures::plot::{Curve, Plot};
 use uom::si::f64::{Angle, Length};
 
-/// Input, drawing, results, plots of a drive; `file` is its file as it was written.
+/// Key figures and drawing, results, plots of a drive; `file` is its file as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a drive too large for a drawing.
@@ -48,45 +53,65 @@ pub fn sheet(report: &DriveReport, file: String) -> Result<Sheet, Error> {
         "Planetary drive {}-{}-{} with {} planets, ratio {:.4}, efficiency {:.4}",
         numbers.sun, numbers.planet, numbers.ring, numbers.planets, numbers.ratio, drive.efficiencies.overall
     );
+    let drawing = Block::picture(
+        picture(set.scene())?,
+        "The gear set along its axis, to scale: tip, pitch and root circles, planets at their assembly angles.",
+    );
+    let list = |points: &[&str]| vec![Block::List(points.iter().map(|point| (*point).to_owned()).collect())];
     Ok(Sheet {
         title: drive.title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
         about,
+        answer: vec![in_short(drive), drawing],
+        objections: drive.warnings.iter().map(|warning| warning.message.clone()).collect(),
         sections: vec![
-            Section::new("Input", vec![Block::File(file)]),
             Section::new(
-                "Drawing",
-                vec![Block::picture(
-                    picture(set.scene())?,
-                    "The gear set along its axis, to scale: tip, pitch and root circles, planets at their assembly angles.",
-                )],
+                "Results and checks",
+                vec![Block::Answer(Report { warnings: None, ..drive.report() })],
             ),
-            Section::new("Results and checks", vec![Block::Answer(drive.report())]),
             Section::new("Plots", plots),
             Section::new(
                 "What is left out",
-                vec![Block::List(
-                    [
-                        "Losses outside the meshes: bearings, seals, churning oil.",
-                        "Uneven load of the planets; profile shift; strength of teeth; life of bearings.",
-                        "Torques that change while the drive starts.",
-                    ]
-                    .map(str::to_owned)
-                    .to_vec(),
-                )],
+                list(&[
+                    "Losses outside the meshes: bearings, seals, churning oil.",
+                    "Uneven load of the planets; profile shift; strength of teeth; life of bearings.",
+                    "Torques that change while the drive starts.",
+                ]),
             ),
             Section::new(
                 "Sources",
-                vec![Block::List(
-                    [
-                        "Method of the travel drive: the document excavator-dynamics, formulas (1) to (12), with the corrections listed in the project's book.",
-                        "Efficiency: M. A. Kreines' rule, equal to the balance of torques.",
-                    ]
-                    .map(str::to_owned)
-                    .to_vec(),
-                )],
+                list(&[
+                    "Method of the travel drive: the document excavator-dynamics, formulas (1) to (12), with the corrections listed in the project's book.",
+                    "Efficiency: M. A. Kreines' rule, equal to the balance of torques.",
+                ]),
             ),
         ],
+        input: file,
     })
+}
+
+/// What the drive does, in a few figures.
+fn in_short(drive: &Drive) -> Block {
+    let (numbers, start) = (&drive.tooth_numbers, &drive.start.with_losses);
+    let teeth = [numbers.sun, numbers.planet, numbers.ring].map(|teeth| teeth.to_string()).join(" / ");
+    let one = |label, symbol, figure| Row::new("", label, symbol, [figure]);
+    let rows = vec![
+        one("power in", "N₁", quantity(Power, drive.powers.input_w)),
+        one("power out", "N_H", quantity(Power, drive.powers.output_w)),
+        one("speed of the sun", "ω₁", quantity(AngularSpeed, drive.speeds.sun_rad_s)),
+        one("speed of the carrier", "ω_H", quantity(AngularSpeed, drive.speeds.carrier_rad_s)),
+        one("torque on the sun", "T₁", quantity(Torque, drive.torques.sun_n_m)),
+        one("torque of the carrier", "T_H", quantity(Torque, drive.torques.carrier_n_m)),
+        one("ratio", "U", Figure::Number(numbers.ratio)),
+        one("teeth of sun, planet, ring", "z", Figure::Text(teeth)),
+        one("planets", "N", Figure::Count(numbers.planets)),
+        one("module", "m", quantity(Dimension::Length, drive.gear_set.module_m)),
+        one("face width", "b", quantity(Dimension::Length, drive.gear_set.face_width_m)),
+        one("efficiency", "η", Figure::Number(drive.efficiencies.overall)),
+        one("equivalent inertia at the sun", "J", quantity(Inertia, drive.equivalent_inertia.total_kg_m2)),
+        one("time to full speed", "t", optional(Time, start.starting_time_s)),
+    ];
+    let section = Facts { name: "", title: "The drive", columns: &[], rows, note: "" };
+    Block::Answer(Report { parts: vec![Part::Facts(section)], ..Report::default() })
 }
 
 fn efficiency_over_ratio(report: &DriveReport) -> Plot {
@@ -95,6 +120,7 @@ fn efficiency_over_ratio(report: &DriveReport) -> Plot {
     Plot::new("Efficiency over ratio", "ratio U", "efficiency η")
         .with(Curve::new(format!("η₀ = {:.4}", drive.efficiencies.basic), points.collect()))
         .mark("this drive", drive.tooth_numbers.ratio)
+        .sized(PLOT_MM)
 }
 
 /// Speed of the sun from rest, without and with losses; `None` where it never starts.
@@ -109,6 +135,6 @@ fn start(drive: &Drive) -> Option<Plot> {
         Some(time) => Curve::new(name, vec![[0.0, 0.0], [time, speed], [longest, speed]]),
         None => Curve::new(format!("{name}: does not start"), vec![[0.0, 0.0], [longest, 0.0]]),
     };
-    let plot = Plot::new("Start", "time, s", "speed of the sun, rpm");
+    let plot = Plot::new("Start", "time, s", "speed of the sun, rpm").sized(PLOT_MM);
     Some(starts.into_iter().map(curve).fold(plot, Plot::with))
 }

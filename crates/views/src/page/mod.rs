@@ -5,15 +5,21 @@
 //! | [`gearbox`] | a gearbox: all gears, each gear in full, and what another `k` would change |
 //! | [`drive`] | a planetary drive |
 //! | [`motor`] | a hydromotor |
+//! | [`selection`] | the choice of a gearbox |
 //! | [`synthesis`] | a search for gearboxes |
 //! | [`compare`] | gearboxes side by side |
-//! | [`sheet`] | any of them: sections of answers, pictures and words |
+//! | [`sheet`] | any of them: the answer, chapters of answers, pictures and words, the input |
+//! | [`imprint`] | what a page says of itself |
 
 pub mod compare;
 pub mod drive;
 pub mod gearbox;
+pub mod imprint;
 pub mod motor;
+pub(crate) mod paper;
+pub mod selection;
 pub mod sheet;
 pub mod synthesis;
 
+pub use imprint::{Imprint, Paper};
 pub use sheet::{Block, Section, Sheet};

@@ -1,42 +1,46 @@
 //! The page of a hydromotor.
 
+use super::paper::PLOT_MM;
 use super::sheet::{Block, Section, Sheet};
-use crate::{AsReport as _, Error};
+use crate::figure::{Figure, text};
+use crate::quantities::quantity;
+use crate::report::{Part, Row, Section as Facts};
+use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::motor::{Designed, Motor, OverAngle};
 use epicyclic_answers::report::motor::MotorReport;
 use epicyclic_drawing::Scene;
-use epicyclic_formats::Dimension;
+use epicyclic_formats::Dimension::{
+    self, AngularSpeed, Area, Length, Power, Pressure, Torque, Volume, VolumeRate,
+};
 use epicyclic_pictures::motor;
 use epicyclic_pictures::plot::{Curve, Plot};
 
-/// Input, drawings, results, plots of a hydromotor; `file` is its file as it was written.
+/// Key figures and drawing, results, plots of a hydromotor; `input` is its file or command as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a motor too large for a drawing.
-pub fn sheet(report: &MotorReport, designed: &Designed, file: String) -> Result<Sheet, Error> {
+pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result<Sheet, Error> {
     let MotorReport { title, motor: answer, over_angle } = report;
     let Designed { motor, profile, angle, .. } = designed;
     let angle = *angle;
     let about = crate::motor::title(&answer.numbers);
-    let mut drawings = vec![
-        Block::picture(
-            motor::centrodes(motor, angle)?,
-            "Centrodes of stator, rotor and satellites, and how the stator's arcs are constructed.",
-        ),
-        Block::picture(
-            motor::chambers(motor, angle)?,
-            "Chambers between neighbouring satellites, by their pressure.",
-        ),
-    ];
-    if let Ok(profile) = profile {
-        drawings.insert(
-            1,
-            Block::picture(
-                motor::teeth(profile, angle)?,
-                "Teeth of all wheels, every satellite in mesh with both.",
-            ),
-        );
-    }
+    let centrodes = Block::picture(
+        motor::centrodes(motor, angle)?,
+        "Centrodes of stator, rotor and satellites, and how the stator's arcs are constructed.",
+    );
+    let chambers = Block::picture(
+        motor::chambers(motor, angle)?,
+        "Chambers between neighbouring satellites, by their pressure.",
+    );
+    // The teeth show the motor best; where there are none, the centrodes.
+    let (drawing, drawings) = match profile {
+        Ok(profile) => {
+            let teeth = motor::teeth(profile, angle)?;
+            let caption = "Teeth of all wheels, every satellite in mesh with both, at the angle asked for.";
+            (Block::picture(teeth, caption), vec![centrodes, chambers])
+        }
+        Err(_) => (centrodes, vec![chambers]),
+    };
     let plots = vec![
         Block::picture(
             picture(&flow(answer, over_angle))?,
@@ -52,14 +56,55 @@ pub fn sheet(report: &MotorReport, designed: &Designed, file: String) -> Result<
     Ok(Sheet {
         title: title.clone().unwrap_or_else(|| about.clone()),
         about,
+        answer: vec![in_short(answer), drawing],
+        objections: answer.warnings.iter().map(|warning| warning.message.clone()).collect(),
         sections: vec![
-            Section::new("Input", vec![Block::File(file)]),
             Section::new("Drawings", drawings),
-            Section::new("Results and checks", vec![Block::Answer(answer.report())]),
+            Section::new(
+                "Results and checks",
+                vec![Block::Answer(Report { warnings: None, ..answer.report() })],
+            ),
             Section::new("Plots", plots),
             Section::new("Sources", vec![Block::List(sources.map(str::to_owned).to_vec())]),
         ],
+        input,
     })
+}
+
+/// What the motor does, in a few figures.
+fn in_short(motor: &Motor) -> Block {
+    let (numbers, work) = (&motor.numbers, &motor.work);
+    let maybe = |label, symbol, dimension, si: Option<f64>| {
+        Some(Row::new("", label, symbol, [quantity(dimension, si?)]))
+    };
+    let known = [
+        maybe("width", "b", Length, work.width_m),
+        maybe("displacement a revolution", "q", Volume, work.displacement_m3),
+        maybe("pressure drop", "Δp", Pressure, work.pressure_pa),
+        maybe("mean torque", "T", Torque, work.torque_n_m),
+        maybe("speed of the rotor", "n", AngularSpeed, work.speed_rad_s),
+        maybe("mean flow", "Q", VolumeRate, work.flow_m3_s),
+        maybe("power", "P", Power, work.power_w),
+    ];
+    let teeth = [numbers.stator_teeth, numbers.rotor_teeth, numbers.satellite_teeth];
+    let teeth = teeth.map(|teeth| teeth.to_string()).join(" / ");
+    let one = |label, symbol, figure| Row::new("", label, symbol, [figure]);
+    let mut rows = vec![
+        one(
+            "lobes of stator, rotor",
+            "N / n",
+            text(format!("{} / {}", numbers.stator_lobes, numbers.rotor_lobes)),
+        ),
+        one("teeth of stator, rotor, satellite", "Z₃ / Z₁ / Z_s", text(teeth)),
+        one("module", "m", quantity(Length, numbers.module_m)),
+        one("satellites", "N + n", Figure::Count(numbers.satellites)),
+        one("greatest diameter of the stator's centrode", "", quantity(Length, motor.size.stator_outer_m)),
+        one("displacement a revolution over width", "q/b", quantity(Area, work.displacement_per_width_m2)),
+        one("ripple of flow and torque", "δ", Figure::Share(work.ripple)),
+    ];
+    rows.extend(known.into_iter().flatten());
+    let section = Facts { name: "", title: "The motor", columns: &[], rows, note: "" };
+    Block::Answer(Report { parts: vec![Part::Facts(section)], ..Report::default() })
 }
 
 fn picture(plot: &Plot) -> Result<Scene, Error> {
@@ -79,6 +124,7 @@ fn flow(answer: &Motor, over_angle: &OverAngle) -> Plot {
     let mean = vec![over_angle.mean_flow_per_width_m2; over_angle.angles_rad.len()];
     let ripple = 100.0 * answer.work.ripple;
     Plot::new(format!("Flow, ripple {ripple:.2} %"), "angle of the rotor, deg", "flow, mm² a radian")
+        .sized(PLOT_MM)
         .with(Curve::new("flow", points(over_angle, &over_angle.flow_per_width_m2)))
         .with(Curve::new("mean", points(over_angle, &mean)))
 }
@@ -88,6 +134,6 @@ fn areas(over_angle: &OverAngle) -> Plot {
     let curve = |(index, areas): (usize, &Vec<f64>)| {
         Curve::new(format!("chamber {index}"), points(over_angle, areas))
     };
-    let plot = Plot::new("Chambers", "angle of the rotor, deg", "area, mm²");
+    let plot = Plot::new("Chambers", "angle of the rotor, deg", "area, mm²").sized(PLOT_MM);
     over_angle.chamber_areas_m2.iter().enumerate().map(curve).fold(plot, Plot::with)
 }

@@ -1,7 +1,10 @@
-//! A page of one file: sections of answers, pictures and words, to be read without a network and printed.
+//! A page: the answer first, then chapters of answers, pictures and words, the input last. To be read without a network and printed.
 
+use super::imprint::Imprint;
+use super::paper::{COLUMN_MM, SMALLEST_MM};
+use crate::report::html::Piece;
 use crate::{Error, Report};
-use epicyclic_drawing::{Scene, svg};
+use epicyclic_drawing::{Scene, Shape, svg};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// A page.
@@ -11,8 +14,14 @@ pub struct Sheet {
     pub title: String,
     /// What it is about, in a line.
     pub about: String,
+    /// The answer in short, on the first page.
+    pub answer: Vec<Block>,
+    /// What there is to object to, below the answer.
+    pub objections: Vec<String>,
     /// In their order.
     pub sections: Vec<Section>,
+    /// What was calculated, as it was written: a file or a command. It stands last.
+    pub input: String,
 }
 
 /// A section of a page.
@@ -22,12 +31,29 @@ pub struct Section {
     pub heading: String,
     /// What stands in it.
     pub blocks: Vec<Block>,
+    /// In which order.
+    pub order: Order,
+}
+
+/// The order of what stands in two columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// As given.
+    AsGiven,
+    /// What goes across both columns after the rest, so that it leaves no gaps in them.
+    WideLast,
 }
 
 impl Section {
-    /// A heading and what stands below it.
+    /// A heading and what stands below it, in the order given.
     pub fn new(heading: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self { heading: heading.into(), blocks }
+        Self { heading: heading.into(), blocks, order: Order::AsGiven }
+    }
+
+    /// The same with what goes across both columns after the rest.
+    #[must_use]
+    pub fn wide_last(self) -> Self {
+        Self { order: Order::WideLast, ..self }
     }
 }
 
@@ -47,8 +73,6 @@ pub enum Block {
     Words(String),
     /// A list of sentences.
     List(Vec<String>),
-    /// A file as it was written.
-    File(String),
 }
 
 impl Block {
@@ -63,69 +87,22 @@ impl Block {
     }
 }
 
-/// Rules of the page: black on white, tables and pictures whole on a printed page.
-///
-/// Pictures are drawn 1.4 times as large as on paper, so that the letters of all are of one size, but no wider than the page. On a
-/// narrow screen they would be too small to read that way: there they scroll sideways within the page, as wide tables do.
-const STYLE: &str = "\
-:root { font: 15px/1.45 Arial, Helvetica, 'Liberation Sans', sans-serif; color: #111; background: #fff; }
-body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.7rem; margin: 0; } h2 { font-size: 1.25rem; border-bottom: 1px solid #999; margin-top: 2.2rem; }
-h3 { font-size: 1rem; margin: 1.2rem 0 .3rem; } .about, .fine, .note, figcaption, footer { color: #555; }
-nav ul { columns: 3 10rem; padding-left: 1.1rem; } a { color: #00508c; } h1, li { overflow-wrap: anywhere; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-.table { overflow-x: auto; }
-th, td { padding: .12rem .7rem .12rem 0; text-align: left; vertical-align: top; } thead th { border-bottom: 1px solid #999; }
-tbody tr:nth-child(even) { background: #f4f5f7; } .number { text-align: right; }
-figure { margin: 1rem 0; } figure svg { width: min(100%, calc(1.4mm * var(--width))); max-height: 60rem; }
-pre { overflow-x: auto; font-size: .85rem; }
-pre.file { background: #f4f5f7; padding: .6rem; } ul.warnings li { color: #8a2c00; }
-.note { max-width: 45rem; margin: .3rem 0; font-size: .9rem; } footer { margin-top: 3rem; font-size: .85rem; }
-@media screen and (max-width: 45rem) {
-  figure { overflow-x: auto; } figcaption { position: sticky; left: 0; }
-  figure svg { width: max(100%, min(calc(1mm * var(--width)), 44rem)); max-height: none; }
-}
-@page { margin: 18mm 15mm; }
-@media print {
-  :root { font-size: 10pt; } body { max-width: none; margin: 0; padding: 0; } nav { display: none; }
-  .table, figure { break-inside: avoid; } h2, h3 { break-after: avoid; } a { color: inherit; text-decoration: none; }
-  figure svg { max-height: 15cm; } pre { white-space: pre-wrap; } pre:not(.file) { break-inside: avoid; }
-}";
+/// Lines of an input beyond which it is long.
+const LONG_INPUT: usize = 12;
+
+/// Rules of all pages.
+const STYLE: &str = include_str!("page.css");
 
 impl Sheet {
-    /// What the answers warn of, each once: it stands first.
-    fn warnings(&self) -> Vec<&str> {
-        let reports =
-            self.sections.iter().flat_map(|section| &section.blocks).filter_map(|block| match block {
-                Block::Answer(report) => Some(report),
-                _ => None,
-            });
-        let mut all: Vec<&str> = vec![];
-        for (_, warning) in reports.flat_map(|report| report.warnings.iter().flatten()) {
-            if !all.contains(&warning.as_str()) {
-                all.push(warning);
-            }
-        }
-        all
-    }
-
     /// The page as text.
     ///
     /// # Errors
     /// [`Error::Picture`] for a picture that cannot be written.
-    pub fn html(&self) -> Result<String, Error> {
-        let name = |place: usize| format!("section-{}", place + 1);
-        let sections = self.sections.iter().enumerate().map(|(place, section)| {
-            let blocks = section.blocks.iter().map(Block::html).collect::<Result<Vec<_>, _>>()?;
-            Ok(html! {
-                section {
-                    h2 id=(name(place)) { (section.heading) }
-                    @for block in blocks { (block) }
-                }
-            })
-        });
+    pub fn html(&self, imprint: &Imprint) -> Result<String, Error> {
+        let answer = columns(&self.answer, Order::AsGiven)?;
+        let sections = self.sections.iter().map(|section| columns(&section.blocks, section.order));
         let sections = sections.collect::<Result<Vec<Markup>, Error>>()?;
-        let warnings = self.warnings();
+        let name = |place: usize| format!("section-{}", place + 1);
         let page = html! {
             (DOCTYPE)
             html lang="en" {
@@ -133,61 +110,148 @@ impl Sheet {
                     meta charset="utf-8";
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     title { (self.title) }
-                    style { (PreEscaped(STYLE)) }
+                    style { (PreEscaped(STYLE)) (PreEscaped(imprint.rules(&self.title))) }
                 }
                 body {
                     header {
                         h1 { (self.title) }
                         p.about { (self.about) }
-                        @if !warnings.is_empty() {
-                            ul.warnings { @for warning in warnings { li { (warning) } } }
-                        }
+                        (imprint.html())
                     }
-                    nav aria-label="Contents" { ul {
-                        @for (place, section) in self.sections.iter().enumerate() {
-                            li { a href={ "#" (name(place)) } { (section.heading) } }
+                    main {
+                        section.answer {
+                            (answer)
+                            (self.objections())
                         }
-                    } }
-                    main { @for section in sections { (section) } }
+                        nav aria-label="Contents" {
+                            h2 { "Contents" }
+                            ul {
+                                @for (place, section) in self.sections.iter().enumerate() {
+                                    li { a href={ "#" (name(place)) } { (section.heading) } }
+                                }
+                                li { a href="#input" { "Input" } }
+                            }
+                        }
+                        @for (place, (section, blocks)) in self.sections.iter().zip(sections).enumerate() {
+                            section { h2 id=(name(place)) { (section.heading) } (blocks) }
+                        }
+                        section { h2 #input { "Input" } pre class=[self.input_class()] { (self.input) } }
+                    }
                     footer {
-                        "Calculated by epicyclic " (env!("CARGO_PKG_VERSION")) ". What is left out is said above; check what matters."
+                        "Calculated by epicyclic " (env!("CARGO_PKG_VERSION")) ". Check what matters, and what is left out."
                     }
                 }
             }
         };
         Ok(page.into_string() + "\n")
     }
+
+    /// Many lines stand in two columns on paper.
+    fn input_class(&self) -> Option<&'static str> {
+        (self.input.lines().count() > LONG_INPUT).then_some("long")
+    }
+
+    fn objections(&self) -> Markup {
+        html! {
+            @if self.objections.is_empty() {
+                p { "No warnings." }
+            } @else {
+                div.objections {
+                    h3 { "What to object to" }
+                    ul { @for objection in &self.objections { li { (objection) } } }
+                }
+            }
+        }
+    }
+}
+
+/// Blocks in two columns where there is room for two; what is too wide for one goes across both.
+fn columns(blocks: &[Block], order: Order) -> Result<Markup, Error> {
+    let blocks = blocks.iter().map(Block::pieces).collect::<Result<Vec<_>, _>>()?;
+    let mut pieces: Vec<Piece> = blocks.into_iter().flatten().collect();
+    if order == Order::WideLast {
+        pieces.sort_by_key(|piece| piece.is_wide);
+    }
+    Ok(html! { div.columns { @for piece in pieces { (piece.html) } } })
 }
 
 impl Block {
-    fn html(&self) -> Result<Markup, Error> {
+    fn pieces(&self) -> Result<Vec<Piece>, Error> {
+        let wide = |html| vec![Piece { html, is_wide: true }];
         Ok(match self {
-            Self::Answer(report) => report.html(),
+            Self::Answer(report) => report.pieces(),
             Self::Picture { scene, caption } => {
                 let image = svg::embed(scene).map_err(epicyclic_pictures::Error::from)?;
-                let width_mm = scene.bounds().grown(svg::MARGIN_MM).width().ceil();
-                html! { figure style=(format!("--width: {width_mm}")) { (PreEscaped(image)) figcaption { (caption) } } }
+                let width_mm = least_width_mm(scene).ceil();
+                let is_wide = width_mm > COLUMN_MM;
+                let class = is_wide.then_some("wide");
+                let html = html! {
+                    figure class=[class] style=(format!("--w: {width_mm}")) {
+                        (PreEscaped(image))
+                        figcaption { (caption) }
+                    }
+                };
+                vec![Piece { html, is_wide }]
             }
-            Self::Words(words) => html! { p { (words) } },
-            Self::List(points) => html! { ul { @for point in points { li { (point) } } } },
-            Self::File(text) => html! { pre.file { (text) } },
+            Self::Words(words) => wide(html! { p.wide { (words) } }),
+            Self::List(points) => wide(html! { ul.wide { @for point in points { li { (point) } } } }),
         })
     }
+}
+
+/// The width at which the smallest letters of a picture are as large as the smallest on paper.
+fn least_width_mm(scene: &Scene) -> f64 {
+    let letters = scene.items().iter().filter_map(|item| match &item.shape {
+        Shape::Text(text) => Some(text.font_size_mm()),
+        _ => None,
+    });
+    let width_mm = scene.bounds().grown(svg::MARGIN_MM).width();
+    letters.reduce(f64::min).map_or(width_mm, |letters| width_mm * SMALLEST_MM / letters)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use epicyclic_drawing::{Style, Text};
+
+    fn sheet(sections: Vec<Section>) -> Sheet {
+        Sheet {
+            title: "A <b>".to_owned(),
+            about: "test".to_owned(),
+            answer: vec![Block::words("42")],
+            objections: vec!["too <fast>".to_owned()],
+            sections,
+            input: "gearbox: <script>\n".to_owned(),
+        }
+    }
 
     #[test]
     fn a_page_is_whole_in_itself_and_escapes_what_it_is_given() {
-        let blocks = vec![Block::words("1 < 2"), Block::File("gearbox: <script>\n".to_owned())];
-        let sections = vec![Section::new("Inputs & more", blocks)];
-        let sheet = Sheet { title: "A <b>".to_owned(), about: "test".to_owned(), sections };
-        let page = sheet.html().unwrap();
+        let sections = vec![Section::new("Inputs & more", vec![Block::words("1 < 2")])];
+        let page = sheet(sections).html(&Imprint::default()).unwrap();
         assert!(page.starts_with("<!DOCTYPE html>"));
         assert!(page.contains("<h1>A &lt;b&gt;</h1>") && page.contains("gearbox: &lt;script&gt;"));
         assert!(page.contains("<a href=\"#section-1\">Inputs &amp; more</a>"));
+        assert!(page.contains("<li>too &lt;fast&gt;</li>"));
         assert!(!page.contains("http"), "nothing from a network");
+    }
+
+    #[test]
+    fn the_answer_stands_first_and_the_input_last() {
+        let page = sheet(vec![Section::new("Chapter", vec![])]).html(&Imprint::default()).unwrap();
+        let places = ["<p class=\"wide\">42", "What to object to", "<nav", "Chapter</h2>", "<pre>"];
+        let places = places.map(|part| page.find(part).unwrap());
+        assert!(places.is_sorted(), "{places:?}");
+    }
+
+    #[test]
+    fn a_pictures_width_is_that_of_letters_of_8_points() {
+        let mut scene = Scene::new("letters of 5.08 mm, twice 8 pt");
+        let layer = scene.layer("all", Style::line(0.2)).unwrap();
+        scene.add(layer, Shape::line([0.0, 0.0], [192.0, 0.0]));
+        assert!((least_width_mm(&scene) - 200.0).abs() < 1e-9, "no letters");
+        let height_mm = 2.0 * SMALLEST_MM * 2.5 / Text::new([0.0, 0.0], 2.5, "").font_size_mm();
+        scene.add(layer, Text::new([9.0, 0.0], height_mm, "a"));
+        assert!((least_width_mm(&scene) - 100.0).abs() < 1e-9);
     }
 }

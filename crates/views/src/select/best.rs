@@ -2,7 +2,8 @@
 
 use super::{joined, name, words};
 use crate::figure::{Figure, multiple, text};
-use crate::report::{Column, Part, Records, Text, View};
+use crate::quantities::column;
+use crate::report::{Column, Part, Records, Report, Text, View};
 use crate::schemes::speed_lines;
 use epicyclic_answers::catalogue::ShiftElement;
 use epicyclic_answers::select::candidate::{BrakedGear, Candidate, GearOperation};
@@ -20,6 +21,44 @@ pub(super) fn parts(one: &Candidate) -> Vec<Part> {
         parts.push(Part::Records(of_members(one)));
     }
     parts
+}
+
+/// A candidate in one table: gears with their shift elements, ratios, efficiencies, and what the output does.
+pub(crate) fn in_short(one: &Candidate) -> Report {
+    let rows = one.engagement_table.iter().map(|line| {
+        let braked = one.gears.iter().find(|gear| gear.gear == line.gear);
+        let at = one.operation.iter().find(|gear| gear.gear == line.gear);
+        vec![
+            text(line.gear.name()),
+            text(line.engaged.name()),
+            Figure::Multiple(line.ratio),
+            multiple(braked.map_or(Some(1.0), |gear| gear.efficiency)),
+            column(Dimension::AngularSpeed, at.and_then(|gear| gear.output_speed_rad_s)),
+            column(Dimension::Torque, at.and_then(|gear| gear.output_torque_n_m)),
+        ]
+    });
+    let shown = ["gear", "engaged", "ratio", "efficiency", "output_speed", "output_torque"];
+    let has_torque = one.operation.iter().any(|gear| gear.output_torque_n_m.is_some());
+    let shown = &shown[..4 + usize::from(!one.operation.is_empty()) + usize::from(has_torque)];
+    let ks = one.sets.iter().enumerate();
+    let ks: Vec<String> = ks.map(|(place, set)| format!("k{} = {:.4}", place + 1, set.k)).collect();
+    let note = format!("{}. rpm, N·m: of the output.", ks.join(", "));
+    let note = if one.operation.is_empty() { format!("{}.", ks.join(", ")) } else { note };
+    let records = Records {
+        name: "gears",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("engaged", "engaged"),
+            Column::number("ratio", "i"),
+            Column::number("efficiency", "η"),
+            Column::quantity("output_speed", Dimension::AngularSpeed),
+            Column::quantity("output_torque", Dimension::Torque),
+        ],
+        rows: rows.collect(),
+        views: vec![View { note, ..View::new(heading("gears", one), shown) }],
+        is_answer: false,
+    };
+    Report { parts: vec![Part::Records(records)], ..Report::default() }
 }
 
 fn heading(what: &str, one: &Candidate) -> String {

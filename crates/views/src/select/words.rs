@@ -126,6 +126,11 @@ fn needed(k: Option<&[f64]>) -> String {
     format!("{} needed, and k of a simple set is above 1", bad.collect::<Vec<_>>().join(" and "))
 }
 
+/// Criteria that a candidate does not meet, required or not.
+pub(crate) fn unmet(one: &Candidate) -> Vec<String> {
+    one.criteria.iter().filter(|verdict| !verdict.met).map(|verdict| objection(one, verdict)).collect()
+}
+
 /// Required criteria that a candidate does not meet.
 pub(super) fn objections(one: &Candidate) -> String {
     let all = one.criteria.iter().filter(|verdict| verdict.required && !verdict.met);

@@ -1,6 +1,6 @@
 //! Names: shift elements, members, links.
 
-use super::{Sheet, UP_MM, WEB_MM, at};
+use super::{Sheet, UP_MM, WEB_MM};
 use crate::gearbox::place::{Places, beside};
 use epicyclic_drawing::Point;
 use epicyclic_layout::layout::{LinkShape, Point as Place, SetStack};
@@ -34,7 +34,7 @@ impl Sheet<'_> {
                 .get(shift_element)
                 .map_or("direct", |shift_element| shift_element.id())
                 .to_owned();
-            let (one, other) = (at(one), at(other));
+            let (one, other) = (self.at(one), self.at(other));
             let middle = Point::new(one.x, f64::midpoint(one.y, other.y));
             let mut wishes = vec![];
             for dy in [0.0, -1.5, 1.5, -3.0, 3.0] {
@@ -54,7 +54,7 @@ impl Sheet<'_> {
             let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let (sun_rim, ring_rim) =
                 if kind.is_pair() { (stack.planet, stack.planet) } else { (stack.sun_mesh, stack.ring_mesh) };
-            let x = at(Place { x: stack.x, y: 0.0 }).x;
+            let x = self.at(Place { x: stack.x, y: 0.0 }).x;
             let up = |y: f64| UP_MM * y;
             let web = |from: f64, to: f64| {
                 [0.5, 0.35, 0.65, 0.2, 0.8].map(|part| Point::new(x, up(from) + part * (up(to) - up(from))))
@@ -103,7 +103,7 @@ impl Sheet<'_> {
         for shaft in [self.layout.input, self.layout.output] {
             let name = self.gearbox.link_name(shaft.link).to_owned();
             let outward = if shaft.at.x <= self.layout.axis.from.x { -1.0 } else { 1.0 };
-            let end = at(shaft.at);
+            let end = self.at(shaft.at);
             let tip = Point::new(end.x + 5.4 * outward, end.y);
             let half = 0.5 * epicyclic_drawing::Text::new(tip, 2.5, &*name).width_mm();
             let mut wishes = vec![Point::new(tip.x, tip.y + 3.2), Point::new(tip.x, tip.y - 3.6)];
@@ -118,7 +118,7 @@ impl Sheet<'_> {
                 continue;
             }
             let name = self.gearbox.link_name(shape.link).to_owned();
-            let wishes = wishes(shape, &name);
+            let wishes = wishes(shape, &name, |place| self.at(place));
             if let Some(&(anchor, _)) = wishes.first() {
                 let wishes: Vec<Point> = wishes.into_iter().map(|(_, wish)| wish).collect();
                 self.put(places, &name, anchor, &wishes);
@@ -128,7 +128,7 @@ impl Sheet<'_> {
 }
 
 /// Along the shafts of a link, the longest first, and then its webs; each with the point of the link it stands at.
-fn wishes(shape: &LinkShape, name: &str) -> Vec<(Point, Point)> {
+fn wishes(shape: &LinkShape, name: &str, at: impl Fn(Place) -> Point) -> Vec<(Point, Point)> {
     let mut segments: Vec<[Point; 2]> = shape.segments.iter().map(|s| [at(s.from), at(s.to)]).collect();
     let length = |[from, to]: &[Point; 2]| (to.x - from.x) + (to.y - from.y);
     segments.sort_by(|one, other| {

@@ -1,6 +1,6 @@
 //! Signs: housing, central gears, planets on their planet pins, brakes and clutches, ends of shafts.
 
-use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM, at};
+use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use crate::gearbox::{ENGAGED, RESTING};
 use crate::tolerance::IDLE;
 use epicyclic_drawing::{Color, Point, Shape, Style};
@@ -20,7 +20,7 @@ const PLANET_PIN_MM: f64 = 3.2;
 const HATCH_MM: f64 = 1.8;
 
 /// Whether the carrier of a set is not drawn straight through its planet.
-fn is_cut(kind: SetKind) -> bool {
+pub(super) fn is_cut(kind: SetKind) -> bool {
     matches!(kind, SetKind::DoublePlanet | SetKind::MeshingSuns) || kind.is_pair()
 }
 
@@ -31,7 +31,7 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
     if from.y != to.y {
         return left;
     }
-    let half = FORK_MM / super::ALONG_MM;
+    let half = FORK_MM / sheet.along_mm;
     for stack in &sheet.layout.sets {
         let kind = sheet.gearbox.drawn_sets()[stack.set].kind;
         if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
@@ -58,7 +58,7 @@ impl Sheet<'_> {
     /// Axis and wall, and what stands out of the wall.
     pub(super) fn housing(&mut self) {
         let (axis, wall) = (self.layout.axis, self.layout.housing);
-        let (left, right) = (at(axis.from), at(axis.to));
+        let (left, right) = (self.at(axis.from), self.at(axis.to));
         self.scene.add(self.layers.axis, Shape::line([left.x - 13.0, 0.0], [right.x + 13.0, 0.0]));
         self.hatched(wall);
         let ground = self.layout.links.iter().filter(|shape| shape.link == LinkId::GROUND);
@@ -71,7 +71,7 @@ impl Sheet<'_> {
     }
 
     fn hatched(&mut self, segment: Segment) {
-        let (from, to) = (at(segment.from), at(segment.to));
+        let (from, to) = (self.at(segment.from), self.at(segment.to));
         self.scene.add_styled(self.layers.housing, Style::line(SHAFT_MM), Shape::line(from, to));
         let upright = from.x == to.x;
         let length = (to.x - from.x).max(to.y - from.y);
@@ -87,14 +87,17 @@ impl Sheet<'_> {
     /// Brakes and clutches: plates, filled between where engaged.
     pub(super) fn shift_elements(&mut self) {
         for mark in self.layout.clutches.clone() {
-            let ends = [mark.lower, mark.upper].map(|(link, place)| (Some(link), at(place)));
+            let ends = [mark.lower, mark.upper].map(|(link, place)| (Some(link), self.at(place)));
             self.plates(mark.shift_element, ends);
         }
         for mark in self.layout.brakes.clone() {
-            self.plates(mark.shift_element, [(Some(mark.link), at(mark.link_end)), (None, at(mark.housing))]);
+            self.plates(
+                mark.shift_element,
+                [(Some(mark.link), self.at(mark.link_end)), (None, self.at(mark.housing))],
+            );
             if mark.housing.y != self.layout.housing.from.y {
                 // A plate of its own on what stands out of the wall, hatched on its far side.
-                let (plate, away) = (at(mark.housing), (mark.housing.y - mark.link_end.y).signum());
+                let (plate, away) = (self.at(mark.housing), (mark.housing.y - mark.link_end.y).signum());
                 for i in -1..=1 {
                     let x = plate.x + 1.7 * f64::from(i) - 0.6;
                     let stroke = Shape::line([x, plate.y], [x + 1.2, plate.y + 1.2 * away]);
@@ -126,7 +129,7 @@ impl Sheet<'_> {
     pub(super) fn sets(&mut self) {
         for stack in self.layout.sets.clone() {
             let kind = self.gearbox.drawn_sets()[stack.set].kind;
-            let x = at(Place { x: stack.x, y: 0.0 }).x;
+            let x = self.at(Place { x: stack.x, y: 0.0 }).x;
             // Rims of stepped planets' gears stand on two sides.
             let aside = if kind.is_stepped() { 3.2 } else { 0.0 };
             let (sun_mesh, ring_mesh) = match kind.is_pair() {
@@ -310,7 +313,7 @@ impl Sheet<'_> {
             None => [self.layout.input.link, self.layout.output.link],
         };
         for shaft in [self.layout.input, self.layout.output] {
-            let end = at(shaft.at);
+            let end = self.at(shaft.at);
             let outward = if shaft.at.x <= self.layout.axis.from.x { -1.0 } else { 1.0 };
             let sense = if shaft.link == input {
                 -outward
@@ -337,7 +340,7 @@ impl Sheet<'_> {
             self.scene.add_styled(
                 self.layers.links,
                 style,
-                Shape::Circle { centre: at(shaft.at), radius: 1.2 },
+                Shape::Circle { centre: self.at(shaft.at), radius: 1.2 },
             );
         }
     }

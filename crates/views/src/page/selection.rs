@@ -1,0 +1,69 @@
+//! The page of the choice of a gearbox: the best, why it is, the others, those rejected.
+
+use super::paper::PICTURE_MM;
+use super::sheet::{Block, Section, Sheet};
+use crate::report::Part;
+use crate::select::{in_short, unmet};
+use crate::{AsReport as _, Error, Report};
+use epicyclic_answers::select::Select;
+use epicyclic_answers::select::candidate::Candidate;
+use epicyclic_answers::select::teeth::SelectTeeth;
+use epicyclic_answers::synthesize::page::Drawn;
+use epicyclic_pictures::gearbox::scheme::{self, Show};
+
+/// A choice among mechanisms; `drawn` is the best, `input` the command as it was written.
+///
+/// # Errors
+/// [`Error::Picture`] for a scheme that cannot be made into a picture.
+pub fn sheet(select: &Select, drawn: Option<&Drawn>, input: String) -> Result<Sheet, Error> {
+    let best = select.candidates.first().filter(|one| one.accepted);
+    page(select.report(), best, drawn, input)
+}
+
+/// A choice over tooth numbers; `drawn` is the best, `input` the command as it was written.
+///
+/// # Errors
+/// [`Error::Picture`] for a scheme that cannot be made into a picture.
+pub fn sheet_with_teeth(select: &SelectTeeth, drawn: Option<&Drawn>, input: String) -> Result<Sheet, Error> {
+    page(select.report(), select.designs.first().map(|design| &design.candidate), drawn, input)
+}
+
+fn page(
+    report: Report,
+    best: Option<&Candidate>,
+    drawn: Option<&Drawn>,
+    input: String,
+) -> Result<Sheet, Error> {
+    let title = match best {
+        Some(best) => format!("Gearbox {}", best.scheme.unwrap_or(&best.structure)),
+        None => "No gearbox meets every criterion".to_owned(),
+    };
+    let mut answer: Vec<Block> = best.map(|best| Block::Answer(in_short(best))).into_iter().collect();
+    if let Some((drawn, layout)) = drawn.and_then(|drawn| Some((drawn, drawn.layout.as_deref()?))) {
+        let scene = scheme::narrow(&drawn.gearbox, layout, Show::Structure, PICTURE_MM[0]);
+        let caption = "Kinematic scheme of the best, the half above the axis.";
+        answer.push(Block::picture(scene.map_err(Error::Picture)?, caption));
+    }
+    // The reasons belong to the answer, the tables are chapters.
+    let (reasons, tables): (Vec<Part>, Vec<Part>) =
+        report.parts.into_iter().partition(|part| matches!(part, Part::Text(_)));
+    answer.push(Block::Answer(Report { parts: reasons, ..Report::default() }));
+    let left_out = [
+        "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes.",
+        "Profile shift and strength of teeth; what happens while it shifts.",
+    ];
+    Ok(Sheet {
+        title,
+        about: report.title.unwrap_or_default(),
+        answer,
+        objections: best.map(unmet).unwrap_or_default(),
+        sections: vec![
+            Section::new(
+                "Designs and the best in full",
+                vec![Block::Answer(Report { parts: tables, ..Report::default() })],
+            ),
+            Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]),
+        ],
+        input,
+    })
+}
