@@ -6,23 +6,26 @@
 //! | [`required`] | what is wanted, as a record |
 //! | [`duty`] | speed and load of the input |
 //! | [`page`] | what a page of it draws |
+//! | [`saved`] | a design as a gearbox |
 //! | [`teeth`] | the choice over all tooth numbers of both sets |
 
 pub mod candidate;
 pub mod duty;
 pub mod page;
 pub mod required;
+pub mod saved;
 pub mod teeth;
 
 use crate::catalogue::SetLinks;
 use crate::tolerance::OBJECTIVE;
 use crate::{Answer, Error};
-use candidate::{Candidate, Ranked};
+use candidate::{Candidate, Criterion, Ranked};
 use duty::Duty;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::{self as selection, Order, Requirements, Selection, Space, select_with};
 use required::{Objective, Required};
+use saved::Saved;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -57,6 +60,20 @@ pub struct Select {
     pub candidates: Vec<Candidate>,
     /// Mechanisms that no ring-to-sun ratios give the ratios.
     pub unreachable: Vec<Unreachable>,
+    /// What the first candidate leaves to object to, and how many candidates do not.
+    pub remedies: Vec<Remedy>,
+}
+
+/// A criterion that is not required and that the first candidate does not meet, and what requiring it would leave.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Remedy {
+    /// Which criterion.
+    pub criterion: Criterion,
+    /// How many candidates meet it, and all that is required, among the same mechanisms.
+    pub accepted: usize,
+    /// How many of all structures do; `null` where those were the mechanisms, or some of the same mechanisms do.
+    pub accepted_of_all_structures: Option<usize>,
 }
 
 /// A mechanism that cannot give the ratios wanted of its gears.
@@ -96,12 +113,22 @@ impl Unreachable {
 /// # Errors
 /// [`Error::Selection`] of requirements that cannot be, [`Error::Duty`].
 pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
+    solve(wanted, None).map(|(answer, _)| answer)
+}
+
+/// The same, with the candidate of a number, from 1, as a gearbox; none where there is no such number.
+///
+/// # Errors
+/// As [`answer`].
+pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Saved>), Error> {
     let Wanted { requirements, order, space, most, duty } = wanted;
     duty.torque()?;
     let found = select_with(requirements, space, *order, Some(&drawable_direct_clutches))?;
     let ranked = ranked(&found);
     let (accepted, rejected) = (found.accepted.len(), found.rejected.len());
-    let best = ranked.first().filter(|_| accepted > 0).map(|first| &first.candidate.objectives);
+    let first = ranked.first().filter(|_| accepted > 0).map(|first| first.candidate);
+    let best = first.map(|first| &first.objectives);
+    let remedies = first.map_or_else(|| Ok(vec![]), |first| remedies(first, wanted))?;
     let told = (0..accepted.min(*most)).chain(accepted..accepted + rejected.min(*most));
     let candidates = told
         .map(|place| {
@@ -119,14 +146,47 @@ pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
         };
         order.objectives().into_iter().find(decides).map(Objective::of)
     });
-    Ok(Select {
+    let saved = saved
+        .and_then(|no| ranked.get(no.checked_sub(1)?))
+        .map(|one| Saved::of(one.candidate, requirements, &[]))
+        .transpose()?;
+    let answer = Select {
         required: Required::of(requirements, *order, duty)?,
         accepted,
         rejected,
         decided_by,
         candidates,
         unreachable: found.unreachable.iter().map(Unreachable::of).collect(),
-    })
+        remedies,
+    };
+    Ok((answer, saved))
+}
+
+/// What a candidate leaves to object to, and how many candidates there are that do not.
+fn remedies(first: &selection::Candidate, wanted: &Wanted) -> Result<Vec<Remedy>, Error> {
+    let mut remedies = vec![];
+    for verdict in first.objections() {
+        let mut requirements = wanted.requirements.clone();
+        match verdict.criterion {
+            selection::Criterion::SameDirection => requirements.limits.same_direction = true,
+            selection::Criterion::Circulation => requirements.limits.circulation = verdict.limits[1],
+            _ => continue,
+        }
+        let count = |space: &Space| {
+            let found = select_with(&requirements, space, wanted.order, Some(&drawable_direct_clutches))?;
+            Ok::<_, Error>(found.accepted.len())
+        };
+        let accepted = count(&wanted.space)?;
+        let is_all = matches!(wanted.space, Space::All);
+        let accepted_of_all_structures =
+            if accepted == 0 && !is_all { Some(count(&Space::All)?) } else { None };
+        remedies.push(Remedy {
+            criterion: Criterion::of(verdict.criterion),
+            accepted,
+            accepted_of_all_structures,
+        });
+    }
+    Ok(remedies)
 }
 
 /// The accepted, the best first, then the rejected.
@@ -154,6 +214,7 @@ fn differs(
         selection::Objective::RingToSun => of.ring_to_sun,
         selection::Objective::RatioError => of.ratio_error,
         selection::Objective::Size => of.size,
+        selection::Objective::Circulation => of.circulation.unwrap_or(0.0),
     };
     (value(one) - value(other)).abs() > OBJECTIVE
 }

@@ -6,11 +6,14 @@ use crate::lists::{List, Numbers, Quantities};
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use crate::writing::Content;
 use epicyclic_answers::Error;
 use epicyclic_answers::select::duty::{Duty, DutyProblem, DutyQuantity, Load};
 use epicyclic_answers::select::page::drawn;
+use epicyclic_answers::select::saved::Saved;
 use epicyclic_answers::select::teeth::{self, SizeLimits};
 use epicyclic_answers::select::{self, Wanted};
+use epicyclic_formats::gearbox::written;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
@@ -19,6 +22,7 @@ use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
 use epicyclic_views::page;
+use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
 
 /// Designs shown unless said otherwise: in a table, and of tooth numbers.
@@ -40,7 +44,8 @@ Example:
 
 Objectives of --order: efficiency (the least of a gear), speed (the largest of a
 link, or of a planet relative to its carrier), k (distance of ln k from --prefer),
-error (of a ratio), size (of the largest ring at one load of the teeth).")]
+error (of a ratio), size (of the largest ring at one load of the teeth), and without
+--teeth circulation (the largest circulating power of a gear).")]
 pub(crate) struct Args {
     /// Speeds of the machine, the slowest first.
     #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
@@ -65,6 +70,14 @@ pub(crate) struct Args {
     /// The objective that decides first, then the next for equal values: size, efficiency.
     #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
     order: List<Objective>,
+
+    /// Write the best design as a gearbox file that analyze, draw and report read.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+
+    /// With --save: the design with this number in place of the best.
+    #[arg(long, value_name = "N", requires = "save", default_value = "1")]
+    nth: usize,
 
     #[command(flatten)]
     wanted: RatioOptions,
@@ -156,6 +169,10 @@ struct Criteria {
     /// Greatest slip of the open direct-drive clutch over the input's speed.
     #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
     clutch_slip: Number,
+
+    /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an objection.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    circulation: Option<Quantity<Ratio>>,
 
     /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in direct drive.
     #[arg(long)]
@@ -261,21 +278,25 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     let space = if args.all_structures { Space::All } else { Space::Catalogue };
     let eta0 = requirements.eta0;
-    let found = select::answer(&Wanted { requirements, order, space, most, duty });
-    let found = found.map_err(|error| refuse(args, error))?;
+    let nth = args.save.is_some().then_some(args.nth);
+    let found = select::solve(&Wanted { requirements, order, space, most, duty }, nth);
+    let (found, saved) = found.map_err(|error| refuse(args, error))?;
+    let designs = found.accepted + found.rejected;
+    let files = save(args, saved, found.accepted, designs)?;
     if args.output.is_page() {
         let best = found.candidates.first().filter(|one| one.accepted);
         let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
         let sheet = page::selection::sheet(&found, drawn.as_ref(), imprint::command());
-        args.output.deliver_page(vec![], &found, sheet, &args.page.imprint())?;
+        args.output.deliver_page(files, &found, sheet, &args.page.imprint())?;
     } else {
-        args.output.deliver(&found)?;
+        args.output.deliver_with(files, &found)?;
     }
     if found.accepted == 0 { Err(nothing_found()) } else { Ok(()) }
 }
 
 fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty) -> Result<(), Failure> {
-    let most = args.limit.unwrap_or(SHOWN);
+    let nth = args.save.is_some().then_some(args.nth);
+    let most = args.limit.unwrap_or(SHOWN).max(nth.unwrap_or(0));
     let structures = if args.all_structures { Structure::all() } else { Structure::catalogue() };
     let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
     let limits = SizeLimits {
@@ -288,16 +309,17 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     let wanted = teeth::Wanted { requirements, order, structures, bounds, limits, most, duty };
     let shown = Progress::new();
     let found =
-        teeth::answer(&wanted, &|progress| shown.at(progress.done as f64 / progress.of.max(1) as f64));
+        teeth::solve(&wanted, nth, &|progress| shown.at(progress.done as f64 / progress.of.max(1) as f64));
     drop(shown);
-    let found = found.map_err(|error| refuse(args, error))?;
+    let (found, saved) = found.map_err(|error| refuse(args, error))?;
+    let files = save(args, saved, found.shown, found.shown)?;
     if args.output.is_page() {
         let best = found.designs.first().map(|design| &design.candidate);
         let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
         let sheet = page::selection::sheet_with_teeth(&found, drawn.as_ref(), imprint::command());
-        args.output.deliver_page(vec![], &found, sheet, &args.page.imprint())?;
+        args.output.deliver_page(files, &found, sheet, &args.page.imprint())?;
     } else {
-        args.output.deliver(&found)?;
+        args.output.deliver_with(files, &found)?;
     }
     if found.searched.accepted == 0 || (found.designs.is_empty() && most > 0) {
         return Err(nothing_found());
@@ -306,6 +328,22 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
         complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
     }
     Ok(())
+}
+
+/// The file of --save with its content; where there is no design, none.
+fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> Result<Vec<Content>, Failure> {
+    let Some(file) = &args.save else { return Ok(vec![]) };
+    let Some(Saved { scheme, gearbox }) = saved else {
+        if accepted == 0 {
+            return Ok(vec![]);
+        }
+        let message = format!("{}: there are designs 1 to {designs}", args.nth);
+        return Err(Failure::Option { option: "--nth", message });
+    };
+    let comment =
+        format!("Design {} of epicyclic select: {scheme}, with the direct-drive clutch chosen.", args.nth);
+    let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
+    Ok(vec![(file.clone(), text.into_bytes())])
 }
 
 /// The answer says why; this says it to whoever sees only the end.
@@ -372,6 +410,7 @@ fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
             link_speed: criteria.link_speed.get(),
             planet_speed: criteria.planet_speed.get(),
             clutch_slip: criteria.clutch_slip.get(),
+            circulation: criteria.circulation.map_or(usual.circulation, |share| share.0.si()),
             same_direction: criteria.same_direction,
             drawable: !criteria.allow_crossing,
         },
@@ -466,6 +505,7 @@ fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
         E::Limit { what: Limited::LinkSpeed, .. } => "--link-speed",
         E::Limit { what: Limited::PlanetSpeed, .. } => "--planet-speed",
         E::Limit { what: Limited::ClutchSlip, .. } => "--clutch-slip",
+        E::Limit { what: Limited::Circulation, .. } => "--circulation",
         E::Limit { what: Limited::Module, .. } => "--least-module, --greatest-module",
         E::Limit { what: Limited::RingDiameter, .. } | E::SizeWithoutTorque => "--ring-diameter",
         E::Rating { what: Rated::MeshLoadFactor, .. } => "--mesh-load-factors",
@@ -479,7 +519,7 @@ fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
             Some(option) => option,
             None => return Failure::Selection(E::GearSet(error.clone())),
         },
-        E::RepeatedObjective { .. } | E::UnknownObjective { .. } => "--order",
+        E::RepeatedObjective { .. } | E::UnknownObjective { .. } | E::NoObjectiveOfTeeth { .. } => "--order",
         _ => return Failure::Selection(error),
     };
     Failure::Option { option, message: error.to_string() }

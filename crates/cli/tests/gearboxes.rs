@@ -813,6 +813,44 @@ fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
+/// The file holds what was chosen: ratios, teeth, and the direct-drive clutch of least torque that can be drawn.
+#[test]
+fn a_saved_choice_has_its_ratios_and_its_direct_drive_clutch() {
+    let folder = here();
+    let list = ["select", "--ratios", "1.465, 2.56", "--planet-speed", "3", "--format", "json"];
+    let run = |more: &[&str]| {
+        let done = output(folder.path(), &[&list[..], more].concat());
+        assert!(done.status.success(), "{done:?}");
+        serde_json::from_slice::<serde_json::Value>(&done.stdout).unwrap()
+    };
+    let teeth = ["--save", "teeth.yaml", "--teeth", "--ring", "..60", "--limit", "1"];
+    let found = [run(&["--save", "k.yaml", "--nth", "2"]), run(&teeth)];
+    let chosen = [&found[0]["candidates"][1], &found[1]["designs"][0]["candidate"]];
+    for (file, candidate) in ["k.yaml", "teeth.yaml"].into_iter().zip(chosen) {
+        let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        assert!(text.contains("teeth: [") == (file == "teeth.yaml"), "{text}");
+        let clutches = candidate["direct_drive_clutches"].as_array().unwrap();
+        let clutch = clutches.iter().find(|clutch| clutch["chosen"] == true).unwrap();
+        let links = clutch["links"].as_array().unwrap().iter().map(|link| link.as_str().unwrap());
+        let links = format!("links: [{}]", links.collect::<Vec<_>>().join(", "));
+        assert!(text.contains(&links), "{links} in {text}");
+        let analyzed = analyzed(folder.path(), file);
+        for gear in candidate["gears"].as_array().unwrap() {
+            let name = gear["gear"].as_str().unwrap();
+            let (_, ratio) = analyzed.iter().find(|(other, _)| other == name).unwrap();
+            assert!((ratio / gear["ratio"].as_f64().unwrap() - 1.0).abs() < 1e-9, "{file} {name}");
+        }
+        assert!(analyzed.iter().any(|(_, ratio)| (ratio - 1.0).abs() < 1e-12), "direct drive");
+    }
+    for line in [&["draw", "k.yaml", "-o", "k.svg"][..], &["report", "teeth.yaml", "-o", "teeth.html"]] {
+        let done = output(folder.path(), line);
+        assert!(done.status.success(), "{line:?}: {done:?}");
+    }
+    let refused = output(folder.path(), &[&list[..], &["--save", "no.yaml", "--nth", "99"]].concat());
+    assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
+}
+
 #[test]
 fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
     let folder = here();

@@ -2,7 +2,7 @@
 
 use super::mechanism::{Mechanism, largest_error};
 use super::objectives::{Objectives, ring_to_sun_distance};
-use super::requirements::{Limits, Requirements};
+use super::requirements::{Limits, OBJECTED_CIRCULATION, Requirements};
 use super::size::relative_ring_diameter;
 use super::tolerance::SLACK;
 use super::{Drawing, Error, NotDrawable};
@@ -34,6 +34,8 @@ pub struct GearReport {
     pub ideal_brake_torque: f64,
     /// Torques on the suns, with losses.
     pub sun_torques: Vec<f64>,
+    /// Circulating power over what enters; `None` where the gear is self-locking.
+    pub circulation: Option<f64>,
 }
 
 /// A line of the engagement table.
@@ -65,6 +67,8 @@ pub enum Criterion {
     PlanetSpeed,
     /// Slip of the open direct-drive clutch.
     ClutchSlip,
+    /// Circulating power of every braked gear.
+    Circulation,
     /// Output turns alike in all gears, direct drive among them.
     SameDirection,
     /// No self-crossing: the scheme can be drawn in the half-plane.
@@ -80,6 +84,7 @@ impl fmt::Display for Criterion {
             Self::LinkSpeed => "link speed",
             Self::PlanetSpeed => "planet speed",
             Self::ClutchSlip => "clutch slip",
+            Self::Circulation => "circulating power",
             Self::SameDirection => "same direction of rotation",
             Self::Drawable => "no self-crossing",
         })
@@ -244,6 +249,7 @@ impl Candidate {
                     relative_ring_diameter(k[set], torque, requirements.rating.planets, &requirements.rating)
                 })
                 .fold(0.0, f64::max),
+            circulation: Some(greatest_circulation(&gears).0),
         };
         let mut candidate =
             Self { mechanism, k, gears, direct_clutches, direct_clutch, verdicts: vec![], objectives };
@@ -293,6 +299,21 @@ impl Candidate {
             within(Criterion::PlanetSpeed, planets, [0.0, limits.planet_speed]),
             within(Criterion::ClutchSlip, (slipping, pair), [0.0, limits.clutch_slip]),
             Verdict {
+                required: limits.circulation.is_finite(),
+                ..within(
+                    Criterion::Circulation,
+                    greatest_circulation(&self.gears),
+                    [
+                        0.0,
+                        if limits.circulation.is_finite() {
+                            limits.circulation
+                        } else {
+                            OBJECTED_CIRCULATION
+                        },
+                    ],
+                )
+            },
+            Verdict {
                 required: limits.same_direction,
                 ..within(Criterion::SameDirection, directions, [1.0, 1.0])
             },
@@ -328,6 +349,7 @@ fn gear_report(gearbox: &Gearbox, gear: SchemeGear, wanted: f64) -> Result<GearR
         sun_torques: (0..gearbox.sets().len())
             .map(|set| loaded.and_then(|case| case.members[set].as_ref()).map_or(0.0, |torques| torques[0]))
             .collect(),
+        circulation: loaded.map(|case| case.power.circulating),
     })
 }
 
@@ -344,6 +366,14 @@ fn least_efficiency(gears: &[GearReport]) -> (f64, Evidence) {
         .map(of)
         .min_by(|one, other| one.0.total_cmp(&other.0))
         .unwrap_or((1.0, Evidence::Gear(SchemeGear::First)))
+}
+
+/// The largest circulating power over what enters; a self-locking gear has none.
+fn greatest_circulation(gears: &[GearReport]) -> (f64, Evidence) {
+    gears.iter().fold((0.0, Evidence::Gear(SchemeGear::First)), |most, gear| {
+        let of = gear.circulation.unwrap_or(0.0);
+        if of > most.0 { (of, Evidence::Gear(gear.gear)) } else { most }
+    })
 }
 
 /// The largest speeds of links and of planets relative to their carriers.

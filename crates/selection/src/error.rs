@@ -75,6 +75,12 @@ pub enum Error {
         /// Which.
         objective: Objective,
     },
+    /// An objective that a search over teeth does not compare by.
+    #[error("`{objective}` is no objective of a search over teeth: it can have a limit there")]
+    NoObjectiveOfTeeth {
+        /// Which.
+        objective: Objective,
+    },
     /// A name that no objective bears.
     #[error("no objective `{name}`: there are {}", known.join(", "))]
     UnknownObjective {
@@ -167,6 +173,7 @@ impl Error {
             Self::Rating { .. } => "rating",
             Self::PlanetNumber { .. } => "planet-number",
             Self::RepeatedObjective { .. } => "repeated-objective",
+            Self::NoObjectiveOfTeeth { .. } => "no-objective-of-teeth",
             Self::UnknownObjective { .. } => "unknown-objective",
             Self::SizeWithoutTorque => "size-without-torque",
             Self::TooManyToothSets { .. } => "too-many-tooth-sets",

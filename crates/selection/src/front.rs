@@ -1,6 +1,6 @@
 //! The Pareto front of designs by their objectives.
 
-use super::objectives::{Costs, Objectives, Order};
+use super::objectives::{Objectives, Order};
 
 /// One point of a Pareto front.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,11 +11,12 @@ pub struct Entry {
     pub members: Vec<usize>,
 }
 
-/// The Pareto front of some designs, the best first by an order.
-pub(crate) fn front(costs: &[Costs], order: Order) -> Vec<Entry> {
+/// The Pareto front of some designs by their costs, the best first by an order; `objectives` are those of a design.
+pub(crate) fn front<const N: usize>(
+    costs: &[[f64; N]],
+    order: Order,
+    objectives: impl Fn(usize) -> Objectives,
+) -> Vec<Entry> {
     let entries = epicyclic_pareto::front(costs, |one, other| order.compare(one, other));
-    entries
-        .into_iter()
-        .map(|members| Entry { objectives: Objectives::of_costs(costs[members[0]]), members })
-        .collect()
+    entries.into_iter().map(|members| Entry { objectives: objectives(members[0]), members }).collect()
 }

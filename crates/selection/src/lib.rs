@@ -148,7 +148,7 @@ pub fn select_with(
         }
     }
     let costs: Vec<_> = found.accepted.iter().map(|candidate| candidate.objectives.costs()).collect();
-    found.front = front::front(&costs, order);
+    found.front = front::front(&costs, order, |place| found.accepted[place].objectives);
     found.best = (0..costs.len()).collect();
     found.best.sort_by(|&a, &b| order.compare(&costs[a], &costs[b]).then(a.cmp(&b)));
     Ok(found)

@@ -15,11 +15,14 @@ pub enum Objective {
     RatioError,
     /// The largest ring.
     Size,
+    /// The largest circulating power.
+    Circulation,
 }
 
 impl Objective {
     /// All of them, in the order of [`Order::default`](crate::Order::default).
-    pub const ALL: [Self; 5] = [Self::Efficiency, Self::Speed, Self::RingToSun, Self::RatioError, Self::Size];
+    pub const ALL: [Self; 6] =
+        [Self::Efficiency, Self::Speed, Self::RingToSun, Self::RatioError, Self::Size, Self::Circulation];
 
     /// Its name.
     #[must_use]
@@ -30,6 +33,7 @@ impl Objective {
             Self::RingToSun => "k",
             Self::RatioError => "error",
             Self::Size => "size",
+            Self::Circulation => "circulation",
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Five objectives, the Pareto front over them, and an order that picks the best.
+//! Six objectives, the Pareto front over them, and an order that picks the best.
 //!
 //! | objective | better | meaning |
 //! |---|---|---|
@@ -7,11 +7,14 @@
 //! | [`RingToSun`](Objective::RingToSun) | less | Σ distance of ln k from [ln 2.5, ln 3] |
 //! | [`RatioError`](Objective::RatioError) | less | the largest relative error of a ratio |
 //! | [`Size`](Objective::Size) | less | the largest ring diameter, [`size`](super::size) |
+//! | [`Circulation`](Objective::Circulation) | less | the largest circulating power of a braked gear, over what enters |
 //!
 //! Nothing is weighed against anything. One design dominates another if it is nowhere worse and
 //! somewhere better; the front holds what nothing dominates. Designs whose objectives are all equal are
 //! one entry. "Equal" is settled on a grid of 2⁻⁴⁰ ≈ 10⁻¹²: of the size that of its cube, relative; of the distance that of
 //! the ratio whose logarithm it is.
+//!
+//! The search over teeth knows the first five alone: there circulating power can have a limit.
 //!
 //! A grid alone does not tell what is alike: where a value lies half-way between two points, the last bit decides, and it
 //! depends on the way the value was computed. So the search over teeth places each value as its exact value would be
@@ -36,7 +39,7 @@ impl FromStr for Objective {
 
 /// An order of the objectives: the first decides, the next where it is equal, and so on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Order([Objective; 5]);
+pub struct Order([Objective; Objective::ALL.len()]);
 
 impl Order {
     /// These first, the others after them in the order of [`Objective::ALL`].
@@ -49,27 +52,29 @@ impl Order {
         if let Some(place) = (0..first.len()).find(|&place| first[..place].contains(&first[place])) {
             return Err(Error::RepeatedObjective { objective: first[place] });
         }
-        all.try_into().map(Self).map_err(|_| unreachable!("each of the five once"))
+        all.try_into().map(Self).map_err(|_| unreachable!("each of them once"))
     }
 
     /// The objectives, the decisive one first.
     #[must_use]
-    pub fn objectives(self) -> [Objective; 5] {
+    pub fn objectives(self) -> [Objective; Objective::ALL.len()] {
         self.0
     }
 
-    /// Which of two costs comes first.
-    pub(crate) fn compare(self, one: &Costs, other: &Costs) -> std::cmp::Ordering {
+    /// Which of two costs comes first, as far as they go.
+    pub(crate) fn compare<const N: usize>(self, one: &[f64; N], other: &[f64; N]) -> std::cmp::Ordering {
         let by = |objective: &Objective| {
             let place = *objective as usize;
-            one[place].total_cmp(&other[place])
+            one.get(place)
+                .zip(other.get(place))
+                .map_or(std::cmp::Ordering::Equal, |(one, other)| one.total_cmp(other))
         };
         self.0.iter().map(by).find(|found| found.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
     }
 }
 
 impl Default for Order {
-    /// Efficiency, speed, ring-to-sun ratio, error, size.
+    /// Efficiency, speed, ring-to-sun ratio, error, size, circulation.
     fn default() -> Self {
         Self(Objective::ALL)
     }
@@ -88,11 +93,16 @@ pub struct Objectives {
     pub ratio_error: f64,
     /// The largest ring's relative diameter; times [`Rating::unit`](super::size::Rating::unit) in metres.
     pub size: f64,
+    /// The largest circulating power of a braked gear, over what enters; `None` where it was not asked for, as in a search over teeth.
+    pub circulation: Option<f64>,
 }
 
 /// Objectives as costs, on the grid: all to be made small, in the order of [`Objective::ALL`]. For the distance stands
 /// `e` to its power, for the size its cube.
-pub(crate) type Costs = [f64; 5];
+pub(crate) type AllCosts = [f64; Objective::ALL.len()];
+
+/// The costs that a search over teeth knows: all but the last.
+pub(crate) type Costs = [f64; Objective::ALL.len() - 1];
 
 /// Rounds to a multiple of 2⁻⁴⁰; of more than 2¹¹ nothing is lost that could matter.
 #[inline]
@@ -108,16 +118,25 @@ pub(crate) fn on_relative_grid(value: f64) -> f64 {
 }
 
 impl Objectives {
-    pub(crate) fn costs(&self) -> Costs {
+    pub(crate) fn costs(&self) -> AllCosts {
         let cube = self.size * self.size * self.size;
-        let [efficiency, speed, distance, error] =
-            [-self.efficiency, self.speed, self.ring_to_sun.exp(), self.ratio_error].map(on_grid);
-        [efficiency, speed, distance, error, on_relative_grid(cube)]
+        let [efficiency, speed, distance, error, circulation] = [
+            -self.efficiency,
+            self.speed,
+            self.ring_to_sun.exp(),
+            self.ratio_error,
+            self.circulation.unwrap_or(0.0),
+        ]
+        .map(on_grid);
+        [efficiency, speed, distance, error, on_relative_grid(cube), circulation]
     }
 
-    pub(crate) fn of_costs([efficiency, speed, distance, ratio_error, cube]: Costs) -> Self {
+    pub(crate) fn of_costs(
+        [efficiency, speed, distance, ratio_error, cube]: Costs,
+        circulation: Option<f64>,
+    ) -> Self {
         let ring_to_sun = distance.ln();
-        Self { efficiency: -efficiency, speed, ring_to_sun, ratio_error, size: cube.cbrt() }
+        Self { efficiency: -efficiency, speed, ring_to_sun, ratio_error, size: cube.cbrt(), circulation }
     }
 
     /// Whether this is nowhere worse than the other and somewhere better.
@@ -147,7 +166,7 @@ mod tests {
     fn an_order_names_each_once() {
         let order = Order::new(&[Objective::Size, Objective::Speed]).unwrap();
         let names = order.objectives().map(Objective::name);
-        assert_eq!(names, ["size", "speed", "efficiency", "k", "error"]);
+        assert_eq!(names, ["size", "speed", "efficiency", "k", "error", "circulation"]);
         let twice = Order::new(&[Objective::Size, Objective::Size]);
         assert_eq!(twice, Err(Error::RepeatedObjective { objective: Objective::Size }));
         assert_eq!("error".parse(), Ok(Objective::RatioError));

@@ -17,6 +17,7 @@ words! {
         LinkSpeed "link speed"
         PlanetSpeed "planet speed"
         ClutchSlip "clutch slip"
+        Circulation "circulation"
         Module "module"
         RingDiameter "ring diameter"
     }

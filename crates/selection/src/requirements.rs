@@ -29,6 +29,10 @@ pub enum Signs {
     Any,
 }
 
+/// From here on a person would object to circulating power, over what enters, where no limit is given: half of the power that
+/// the sets are loaded by then comes from the loop and not from the input, and it has no part in the output.
+pub const OBJECTED_CIRCULATION: f64 = 0.5;
+
 /// Limits of section 3.1; infinity (of an efficiency 0) lifts one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
@@ -44,6 +48,9 @@ pub struct Limits {
     pub planet_speed: f64,
     /// Greatest slip of the open direct-drive clutch over the input's speed, 2.
     pub clutch_slip: f64,
+    /// Greatest circulating power of a gear over what enters; infinite by default, and then more than
+    /// [`OBJECTED_CIRCULATION`] is an objection.
+    pub circulation: f64,
     /// Whether all gears, direct drive among them, must turn the output alike. Off: mixed
     /// directions are reported.
     pub same_direction: bool,
@@ -60,6 +67,7 @@ impl Default for Limits {
             link_speed: 2.0,
             planet_speed: 2.0,
             clutch_slip: 2.0,
+            circulation: f64::INFINITY,
             same_direction: false,
             drawable: true,
         }
@@ -152,6 +160,7 @@ impl Requirements {
             (Limited::LinkSpeed, limits.link_speed),
             (Limited::PlanetSpeed, limits.planet_speed),
             (Limited::ClutchSlip, limits.clutch_slip),
+            (Limited::Circulation, limits.circulation),
         ] {
             if value.is_nan() || value < 0.0 {
                 return Err(Error::Limit { what, value });

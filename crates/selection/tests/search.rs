@@ -63,6 +63,20 @@ fn equals_brute_force(search: &ToothSearch) -> Result<usize, TestCaseError> {
 }
 
 #[test]
+fn circulating_power_has_a_limit_and_is_no_objective_over_teeth() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { ring: 12..=48, ..Bounds::default() };
+    let accepted = |search: &ToothSearch| search.best(1).unwrap().counts().feasible;
+    let all = accepted(&search);
+    search.requirements.limits.circulation = 0.2;
+    let few = accepted(&search);
+    assert!(0 < few && few < all, "{few} of {all}");
+    assert!(equals_brute_force(&search).unwrap() > 0);
+    search.order = Order::new(&[Objective::Circulation]).unwrap();
+    assert!(matches!(search.front(), Err(Error::NoObjectiveOfTeeth { .. })));
+}
+
+#[test]
 fn the_excavator_wheel_over_small_rings() {
     let mut search = ToothSearch::new(excavator());
     search.bounds = Bounds { ring: 12..=48, ..Bounds::default() };
@@ -79,6 +93,7 @@ proptest! {
         least_planets in 2..4_u32,
         tolerance in 0.005..0.2_f64,
         limits in (0.85..0.97_f64, 1.0..4.0_f64, 1.0..6.0_f64, 0.8..3.0_f64),
+        circulation in prop_oneof![2 => Just(f64::INFINITY), 1 => 0.0..1.5_f64],
         switches in (any::<bool>(), any::<bool>(), any::<bool>()),
         objective in 0..5_usize,
         some in proptest::collection::vec(0..111_usize, 12),
@@ -87,6 +102,7 @@ proptest! {
         requirements.tolerance = tolerance;
         (requirements.limits.efficiency, requirements.limits.link_speed) = (limits.0, limits.1);
         (requirements.limits.planet_speed, requirements.limits.clutch_slip) = (limits.2, limits.3);
+        requirements.limits.circulation = circulation;
         requirements.limits.drawable = switches.0;
         requirements.signs = if switches.1 { Signs::Any } else { Signs::Alike };
         if switches.2 {
@@ -126,7 +142,8 @@ fn the_first_before_a_bound_are_the_first_of_all() {
     let mut search = ToothSearch::new(excavator());
     search.bounds.ring = 12..=80;
     search.requirements.signs = Signs::Any;
-    for objective in Objective::ALL {
+    let of_teeth = Objective::ALL.into_iter().filter(|objective| *objective != Objective::Circulation);
+    for objective in of_teeth {
         search.order = Order::new(&[objective]).unwrap();
         let all = search.best(257).unwrap();
         for count in [1, 10, 100] {

@@ -108,8 +108,9 @@ fn the_document_missed_a_structure_of_both_sets_with_positive_ratios_and_more_th
     let etas: Vec<f64> = best.gears.iter().map(|gear| gear.efficiency.unwrap()).collect();
     assert!((etas[0] - 0.98181).abs() < 1e-5 && etas[1] > 0.98, "{etas:?}");
     // Its planets turn at 2.16 times the input's speed at the exact ratios; within the tolerance there
-    // are teeth that keep to 2: see the search.
-    assert_eq!(objections(best), [Criterion::PlanetSpeed]);
+    // are teeth that keep to 2: see the search. Of its input three quarters circulate in one of its gears.
+    assert_eq!(objections(best), [Criterion::PlanetSpeed, Criterion::Circulation]);
+    assert!((best.objectives.circulation.unwrap() - 0.7277).abs() < 1e-4, "{:?}", best.objectives);
     assert!((best.objectives.speed - 2.157).abs() < 1e-3);
 }
 

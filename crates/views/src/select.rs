@@ -76,13 +76,23 @@ fn accepted_views(select: &Select, accepted: &[Candidate]) -> Vec<View> {
             "link_speed",
             "planet_speed",
             "clutch_slip",
+            "circulating",
             "brake_torque_1",
             "brake_torque_2",
             "clutch",
             "clutch_torque",
         ]
     } else {
-        &["no", "link_speed", "planet_speed", "clutch_slip", "brake_torque_1", "clutch", "clutch_torque"]
+        &[
+            "no",
+            "link_speed",
+            "planet_speed",
+            "clutch_slip",
+            "circulating",
+            "brake_torque_1",
+            "clutch",
+            "clutch_torque",
+        ]
     };
     vec![
         View { note: note(accepted), ..View::new(heading, main) },
@@ -94,10 +104,10 @@ fn accepted_views(select: &Select, accepted: &[Candidate]) -> Vec<View> {
             )
         },
         View {
-            note: "Slip: of the open direct-drive clutch. Torques: on the brakes, with losses, and on the direct-drive \
-                   clutch chosen."
+            note: "Slip: of the open direct-drive clutch. Circ.: circulating power over what enters. Torques: on the \
+                   brakes, with losses, and on the direct-drive clutch chosen."
                 .to_owned(),
-            ..View::new("Largest speeds, and torques, over the input's", torques)
+            ..View::new("Largest speeds and circulating power, and torques, over the input's", torques)
         },
         View::new(
             "Criteria met",
@@ -109,6 +119,7 @@ fn accepted_views(select: &Select, accepted: &[Candidate]) -> Vec<View> {
                 "meets_link_speed",
                 "meets_planet_speed",
                 "meets_clutch_slip",
+                "meets_circulation",
                 "meets_direction",
                 "meets_drawable",
             ],
@@ -240,6 +251,7 @@ fn candidates(all: &[Candidate], views: Vec<View>) -> Records {
         Column::number("link_speed", "link"),
         Column::number("planet_speed", "planet"),
         Column::number("clutch_slip", "slip"),
+        Column::number("circulating", "circ."),
         Column::number("brake_torque_1", "T of K1"),
         Column::number("brake_torque_2", "T of K2"),
         Column::words("clutch", "clutch").for_people(),
@@ -252,6 +264,7 @@ fn candidates(all: &[Candidate], views: Vec<View>) -> Records {
         Column::words("meets_link_speed", "link"),
         Column::words("meets_planet_speed", "planet"),
         Column::words("meets_clutch_slip", "slip"),
+        Column::words("meets_circulation", "circ."),
         Column::words("meets_direction", "same direction"),
         Column::words("meets_drawable", "drawable"),
         Column::words("because", "because"),
@@ -278,6 +291,7 @@ fn row(one: &Candidate) -> Vec<Figure> {
         value(Criterion::LinkSpeed),
         value(Criterion::PlanetSpeed),
         value(Criterion::ClutchSlip),
+        Figure::Multiple(one.objectives.circulating_of_entering),
         brake(0),
         brake(1),
         clutch.map_or(Figure::None, |clutch| text(joined(clutch))),
@@ -290,6 +304,7 @@ fn row(one: &Candidate) -> Vec<Figure> {
         met(Criterion::LinkSpeed),
         met(Criterion::PlanetSpeed),
         met(Criterion::ClutchSlip),
+        met(Criterion::Circulation),
         met(Criterion::SameDirection),
         met(Criterion::Drawable),
         text(words::objections(one)),

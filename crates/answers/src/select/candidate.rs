@@ -131,6 +131,8 @@ pub struct Objectives {
     pub ring_to_sun_distance: f64,
     /// The largest error of a ratio, as a share of it.
     pub ratio_error: f64,
+    /// Circulating power of the gear where it is largest, over what enters.
+    pub circulating_of_entering: f64,
     /// Size of the largest ring, relative.
     pub size: f64,
     /// Pitch diameter of the largest ring; `null` without a torque and a load factor.
@@ -149,6 +151,8 @@ pub struct BrakedGear {
     pub ratio: f64,
     /// Its efficiency; `null` where it is self-locking.
     pub efficiency: Option<f64>,
+    /// Circulating power over what enters; `null` where the gear is self-locking.
+    pub circulating_of_entering: Option<f64>,
     /// Torque of the brake on its link, with losses; `null` where the gear is self-locking.
     pub brake_torque_of_input: Option<f64>,
     /// Speeds in each set.
@@ -227,6 +231,8 @@ pub enum Criterion {
     PlanetSpeed,
     /// Slip of the open direct-drive clutch.
     ClutchSlip,
+    /// Circulating power in the braked gears.
+    Circulation,
     /// The same direction of rotation of the output in all gears.
     SameDirection,
     /// Drawable with nested shafts, no link across another.
@@ -318,6 +324,7 @@ impl Objectives {
             speed_of_input: objectives.speed,
             ring_to_sun_distance: objectives.ring_to_sun,
             ratio_error: objectives.ratio_error,
+            circulating_of_entering: objectives.circulation.unwrap_or_default(),
             size: objectives.size,
             ring_diameter_m: requirements.rating.unit().map(|unit| unit.si() * objectives.size),
         }
@@ -368,6 +375,7 @@ impl BrakedGear {
             wanted_ratio: gear.wanted,
             ratio: gear.ratio,
             efficiency: gear.efficiency,
+            circulating_of_entering: gear.circulation,
             brake_torque_of_input: gear.brake_torque.map(plain),
             sets: sets
                 .map(|(set, roles)| SetSpeeds::of(roles.map(speed), gear.planets.get(set).copied()))
@@ -416,7 +424,7 @@ impl Verdict {
 }
 
 impl Criterion {
-    fn of(criterion: selection::Criterion) -> Self {
+    pub(super) fn of(criterion: selection::Criterion) -> Self {
         match criterion {
             selection::Criterion::Ratio => Self::RatioError,
             selection::Criterion::RingToSun => Self::RingToSunRatio,
@@ -424,6 +432,7 @@ impl Criterion {
             selection::Criterion::LinkSpeed => Self::LinkSpeed,
             selection::Criterion::PlanetSpeed => Self::PlanetSpeed,
             selection::Criterion::ClutchSlip => Self::ClutchSlip,
+            selection::Criterion::Circulation => Self::Circulation,
             selection::Criterion::SameDirection => Self::SameDirection,
             // The criteria are not exhaustive for other crates.
             _ => Self::Drawable,

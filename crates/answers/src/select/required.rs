@@ -36,6 +36,8 @@ pub struct Required {
     pub greatest_planet_speed_of_input: Option<f64>,
     /// Greatest slip of the open direct-drive clutch; `null` where there is no limit.
     pub greatest_clutch_slip_of_input: Option<f64>,
+    /// Greatest circulating power of a gear over what enters; `null` where there is no limit.
+    pub greatest_circulating_of_entering: Option<f64>,
     /// Whether all gears must turn the output in the same direction.
     pub same_direction: bool,
     /// Whether the scheme must be drawable: realizable with nested shafts, no link across another.
@@ -90,6 +92,8 @@ pub enum Objective {
     RatioError,
     /// The largest ring at the same load of the teeth; less is better.
     Size,
+    /// The largest circulating power of a braked gear; less is better.
+    Circulation,
 }
 
 impl Objective {
@@ -102,6 +106,7 @@ impl Objective {
             selection::Objective::RingToSun => Self::RingToSunRatio,
             selection::Objective::RatioError => Self::RatioError,
             selection::Objective::Size => Self::Size,
+            selection::Objective::Circulation => Self::Circulation,
         }
     }
 }
@@ -135,6 +140,7 @@ impl Required {
             greatest_link_speed_of_input: finite(limits.link_speed),
             greatest_planet_speed_of_input: finite(limits.planet_speed),
             greatest_clutch_slip_of_input: finite(limits.clutch_slip),
+            greatest_circulating_of_entering: finite(limits.circulation),
             same_direction: limits.same_direction,
             drawable: limits.drawable,
             planets: rating.planets,

@@ -4,6 +4,7 @@ use super::candidate::{Candidate, Ranked};
 use super::decisive;
 use super::duty::Duty;
 use super::required::{Required, finite};
+use super::saved::Saved;
 use crate::tolerance::LEAST_MODULE_M;
 use crate::units::millimetres;
 use crate::{Answer, Error};
@@ -157,6 +158,18 @@ impl Answer for SelectTeeth {
 /// # Errors
 /// [`Error::OneSet`], [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
 pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<SelectTeeth, Error> {
+    solve(wanted, None, watch).map(|(answer, _)| answer)
+}
+
+/// The same, with the design of a number, from 1, as a gearbox; none where there is no such number.
+///
+/// # Errors
+/// As [`answer`].
+pub fn solve(
+    wanted: &Wanted,
+    saved: Option<usize>,
+    watch: &(dyn Fn(Progress) + Sync),
+) -> Result<(SelectTeeth, Option<Saved>), Error> {
     let Wanted { requirements, order, structures, bounds, limits, most, duty } = wanted;
     duty.torque()?;
     if requirements.series.braked().len() != 2 {
@@ -177,8 +190,8 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
         watch(progress);
         ControlFlow::Continue(())
     })?;
-    let designs = designs(wanted, &found)?;
-    Ok(SelectTeeth {
+    let (designs, saved) = designs(wanted, saved, &found)?;
+    let answer = SelectTeeth {
         required: Required::of(requirements, *order, duty)?,
         size_limits: RequiredSize {
             greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
@@ -188,7 +201,8 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
         searched: Searched::of(found.counts()),
         shown: designs.len(),
         designs,
-    })
+    };
+    Ok((answer, saved))
 }
 
 impl Searched {
@@ -203,14 +217,20 @@ impl Searched {
     }
 }
 
-fn designs(wanted: &Wanted, found: &Found) -> Result<Vec<Design>, Error> {
+fn designs(
+    wanted: &Wanted,
+    save: Option<usize>,
+    found: &Found,
+) -> Result<(Vec<Design>, Option<Saved>), Error> {
     let requirements = &wanted.requirements;
     let mut designs = vec![];
+    let mut saved = None;
     for entry in found.entries().iter().take(wanted.most) {
         let Some((first, count)) = found.first_design(entry) else { continue };
         let Some(mut candidate) = measured(requirements, &first)? else { continue };
         // The ratios of the teeth were taken for those wanted; what they are compared with is what was asked.
-        candidate.objectives = entry.objectives;
+        let circulation = candidate.objectives.circulation;
+        candidate.objectives = selection::Objectives { circulation, ..entry.objectives };
         for (gear, wanted) in candidate.gears.iter_mut().zip(first.wanted) {
             gear.wanted = wanted;
         }
@@ -227,6 +247,10 @@ fn designs(wanted: &Wanted, found: &Found) -> Result<Vec<Design>, Error> {
         let no = u32::try_from(designs.len() + 1).unwrap_or(u32::MAX);
         let best = found.entries().first();
         let behind = best.and_then(|best| decisive(wanted.order, &best.objectives, &entry.objectives));
+        if save == Some(designs.len() + 1) {
+            let teeth = first.pairs.first().map_or(&[][..], |pair| pair);
+            saved = Some(Saved::of(&candidate, requirements, teeth)?);
+        }
         let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
         designs.push(Design {
             tooth_numbers,
@@ -234,7 +258,7 @@ fn designs(wanted: &Wanted, found: &Found) -> Result<Vec<Design>, Error> {
             candidate: Candidate::of(&ranked, behind, requirements, &wanted.duty)?,
         });
     }
-    Ok(designs)
+    Ok((designs, saved))
 }
 
 /// The design judged as it is: the ratios that its teeth give are the ones wanted.

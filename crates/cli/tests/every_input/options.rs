@@ -182,6 +182,7 @@ select: --ratios '1.465, 2.56' --format json
   --link-speed 1.5
   --planet-speed 1.5
   --clutch-slip 1.5
+  --circulation 30%
   --same-direction
   --allow-crossing
   --input '1475 rpm'
@@ -190,6 +191,10 @@ select: --ratios '1.465, 2.56' --format json
   --mesh-load-factors '1, 1.1, 1.1, 1.2, 1.2, 1.3, 1.4'
   --format csv
   --output select.json
+select: --ratios '1.465, 2.56'
+  --save winner.yaml
+select: --ratios '1.465, 2.56' --save one.yaml
+  --nth 2
 select: --ratios '1.465, 2.56'
   --teeth --ring 50..60 --limit 2
 select: --ratios '1.465, 2.56' --all-structures

@@ -152,7 +152,10 @@ pub(super) fn first_of_front(costs: &[Costs], order: Order, count: usize) -> Vec
                     return entries;
                 }
                 kept.push(cost);
-                entries.push(Entry { objectives: Objectives::of_costs(cost), members: vec![place as usize] });
+                entries.push(Entry {
+                    objectives: Objectives::of_costs(cost, None),
+                    members: vec![place as usize],
+                });
             }
         }
         if taken >= costs.len() {

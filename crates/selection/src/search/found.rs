@@ -144,7 +144,7 @@ impl Found {
         for first in levels[0].of(&self.tooth_sets).iter().filter(|teeth| fits(0, teeth)) {
             for second in levels[1].of(&self.tooth_sets).iter().filter(|teeth| fits(1, teeth)) {
                 let theirs = patch.costs(&measured, levels, [share(first), share(second)]);
-                if Objectives::of_costs(theirs) == costs {
+                if Objectives::of_costs(theirs, None) == costs {
                     pairs.push([*first, *second]);
                 }
             }

@@ -86,7 +86,7 @@ pub use found::{Counts, Found, ToothDesign};
 
 use crate::Error;
 use crate::front::{Entry, front};
-use crate::objectives::{Costs, Order};
+use crate::objectives::{Costs, Objective, Objectives, Order};
 use crate::quantity::Limited;
 use crate::requirements::Requirements;
 use crate::threads::map;
@@ -124,7 +124,7 @@ pub struct ToothSearch {
     pub structures: Vec<Structure>,
     /// Bounds of the tooth numbers of both sets.
     pub bounds: Bounds,
-    /// Order of objectives by which entries are sorted.
+    /// Order of objectives by which entries are sorted; circulating power, which is not compared here, stands last.
     pub order: Order,
     /// Module that each set needs at the load factor K, limits included.
     pub module: Option<RangeInclusive<Length>>,
@@ -211,7 +211,7 @@ impl ToothSearch {
     ///
     /// # Errors
     /// Invalid bounds, limits and ratios, [`Error::RatioCount`] unless two ratios are
-    /// wanted, [`Error::SizeWithoutTorque`].
+    /// wanted, [`Error::SizeWithoutTorque`], [`Error::NoObjectiveOfTeeth`].
     pub fn front(&self) -> Result<Found, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
     }
@@ -231,7 +231,7 @@ impl ToothSearch {
             }
             Ok(())
         })?;
-        found.entries = front(&held.costs, self.order);
+        found.entries = front(&held.costs, self.order, |place| Objectives::of_costs(held.costs[place], None));
         found.points = held.points;
         Ok(found)
     }
@@ -343,6 +343,9 @@ impl ToothSearch {
     /// Levels, patches and windows: all that comes before trying.
     fn prepared(&self) -> Result<Found, Error> {
         self.requirements.check()?;
+        if !self.order.objectives().ends_with(&[Objective::Circulation]) {
+            return Err(Error::NoObjectiveOfTeeth { objective: Objective::Circulation });
+        }
         let size = self.size_limits()?;
         let counted = self.bounds.count()?;
         if counted > MOST_TOOTH_SETS {

@@ -61,6 +61,7 @@ pub(crate) struct Allowed {
     pub(super) link_speed: f64,
     pub(super) planet_speed: f64,
     pub(super) clutch_slip: f64,
+    pub(super) circulation: f64,
     pub(super) efficiency: f64,
 }
 
@@ -72,6 +73,7 @@ impl Allowed {
             link_speed: allowed(limits.link_speed),
             planet_speed: allowed(limits.planet_speed),
             clutch_slip: allowed(limits.clutch_slip),
+            circulation: allowed(limits.circulation),
             efficiency: limits.efficiency - SLACK * (1.0 + limits.efficiency),
         }
     }
@@ -217,6 +219,13 @@ impl Patch {
         if efficiency < allowed.efficiency {
             return None;
         }
+        if allowed.circulation.is_finite()
+            && [0, 1]
+                .into_iter()
+                .any(|gear| circulation([one, two], gear, &speeds[gear]) > allowed.circulation)
+        {
+            return None;
+        }
         // A loaded k is rounded twice, 1 + k once more; a product of two such and a difference of products make eight
         // times the rounding of the terms, and five more operations follow.
         let doubt = ROUNDING * (9.0 * cancelled + 6.0);
@@ -324,6 +333,31 @@ impl Measured {
     }
 }
 
+/// What circulates in a gear between two sets, with losses, over what enters.
+///
+/// Each set gives or takes power at each link. What one gives and the other takes at a link can go round if as much
+/// comes back at other links: of two sets there is no other loop. As the definition asks ([`epicyclic_train::power_flow`]), it is
+/// the most that goes through the link with the most.
+fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f64 {
+    let x = [Role::T2.index(), Role::T1.index()][gear];
+    let (one, two) = (&one.loaded[gear], &two.loaded[gear]);
+    let [_, d] = fraction(one, two, gear);
+    // What enters set 1 and set 2 at each link, where 1 enters the gear at D.
+    let enters =
+        |role: usize| [one[role] * two[x], -two[role] * one[x]].map(|torque| torque / d * speeds[role]);
+    let passes = |role: usize, from: usize| {
+        let at = enters(role);
+        f64::min(-at[from], at[1 - from]).max(0.0)
+    };
+    let forth = [0, 1, 2, 3].map(|role| passes(role, 0));
+    let back = [0, 1, 2, 3].map(|role| passes(role, 1));
+    let most = |of: &[f64; 4], other: &[f64; 4]| {
+        let sum: f64 = other.iter().sum();
+        of.iter().fold(0.0_f64, |most, one| most.max(one.min(sum)))
+    };
+    most(&forth, &back).max(most(&back, &forth))
+}
+
 /// Distance of two numbers of 40 bits near a value.
 #[inline]
 fn relative_step(value: f64) -> f64 {
@@ -353,4 +387,53 @@ fn in_reach(structure: Structure, wanted: Wanted, [low, high]: [f64; 2]) -> bool
         let hair = SLACK * to.abs().max(from.abs());
         reach.meets(from, to, hair)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::ToothSearch;
+    use epicyclic_gears::synthesis::Bounds;
+    use epicyclic_schemes::RatioSeries;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(8))]
+
+        #[test]
+        fn circulating_power_is_that_of_the_solver(
+            q in 1.05..2.5_f64,
+            step in 1.05..3.0_f64,
+            pair in any::<prop::sample::Index>(),
+        ) {
+            let mut requirements = Requirements::new(RatioSeries::of_braked_gears(&[q, q * step]).unwrap());
+            requirements.limits.drawable = false;
+            let mut search = ToothSearch::new(requirements.clone());
+            search.bounds = Bounds { ring: 12..=70, ..Bounds::default() };
+            let found = search.prepared().unwrap();
+            for patch in &found.patches {
+                let strip = patch.strips[pair.index(patch.strips.len())];
+                let places = [strip[0], strip[1] + (strip[2] - strip[1]) / 2].map(|place| place as usize);
+                let levels = places.map(|place| &found.levels[place]);
+                let sides = [0, 1].map(|set| patch.side(set, levels[set]));
+                let k = levels.map(|level| level.k);
+                let gearbox = patch.structure.gearbox(k, requirements.eta0, [Role::D, Role::B]).unwrap();
+                for (gear, name) in ["1", "2"].into_iter().enumerate() {
+                    let analysis = gearbox.analyze(name).unwrap();
+                    let Some(case) = analysis.driving() else { continue };
+                    let mut speeds = [0.0; 4];
+                    for role in Role::ALL {
+                        let link = gearbox.link(role.symbol()).unwrap();
+                        speeds[role.index()] = analysis.speed(link).unwrap();
+                    }
+                    let found = circulation([&sides[0], &sides[1]], gear, &speeds);
+                    let largest = case.power.largest;
+                    prop_assert!(
+                        (found - case.power.circulating).abs() < 1e-9 * largest * largest,
+                        "{} k {k:?} gear {name}: {found}, by the solver {}", patch.structure, case.power.circulating
+                    );
+                }
+            }
+        }
+    }
 }

@@ -62,6 +62,7 @@ pub(crate) fn front(designs: &[Design]) -> Vec<Design> {
 }
 
 struct Model {
+    structure: Structure,
     gearbox: Gearbox,
     gears: [CompiledGear; 2],
     links: [LinkId; 4],
@@ -79,7 +80,7 @@ impl Model {
         } else {
             DIRECT_CLUTCH_PAIRS.to_vec()
         };
-        Some(Self { gearbox, gears, links, direct_clutches })
+        Some(Self { structure, gearbox, gears, links, direct_clutches })
     }
 
     fn costs(
@@ -131,6 +132,17 @@ impl Model {
             && efficiency >= limits.efficiency - 1e-9 * (1.0 + limits.efficiency);
         if !met {
             return None;
+        }
+        if limits.circulation.is_finite() {
+            // By the power flow of the whole gearbox.
+            let gearbox = self.structure.gearbox(k, requirements.eta0, [Role::D, Role::B]).ok()?;
+            let circulates = ["1", "2"].map(|gear| {
+                let analysis = gearbox.analyze(gear).expect("a gear");
+                analysis.driving().map_or(0.0, |case| case.power.circulating)
+            });
+            if !circulates.into_iter().all(|value| within(value, limits.circulation)) {
+                return None;
+            }
         }
         let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
         let distance: f64 = k.iter().map(|k| (k.ln() - k.clamp(low, high).ln()).abs()).sum();

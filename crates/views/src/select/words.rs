@@ -6,7 +6,7 @@ use epicyclic_answers::select::candidate::{
     Candidate, Criterion, InSource, InSourceStanding, Reach, ReachKind, Verdict,
 };
 use epicyclic_answers::select::required::Objective;
-use epicyclic_answers::select::{Select, Unreachable};
+use epicyclic_answers::select::{Remedy, Select, Unreachable};
 use epicyclic_formats::quantity::format::trimmed;
 
 /// Mechanisms out of reach that are told one by one.
@@ -20,10 +20,13 @@ pub(super) fn why(select: &Select, accepted: &[Candidate]) -> Text {
         Some((best, others)) => {
             let mut points = vec![why_first(select, best)];
             let objections = best.criteria.iter().filter(|verdict| !verdict.met);
-            points.extend(
-                objections
-                    .map(|one| format!("objection, not a required criterion: {}", objection(best, one))),
-            );
+            points.extend(objections.map(|one| {
+                format!(
+                    "objection, not a required criterion: {}{}",
+                    objection(best, one),
+                    remedy(select, one)
+                )
+            }));
             points.extend(others.iter().map(|other| behind(best, other)));
             (format!("Why {} is first", named(best)), points)
         }
@@ -71,6 +74,7 @@ fn extreme(objective: Objective, best: &Candidate) -> String {
         }
         Objective::RatioError => format!("its ratios are nearest to the wanted ones, {shown} off"),
         Objective::Size => format!("its largest ring is the smallest, {shown}"),
+        Objective::Circulation => format!("the least power circulates in it, {shown} of what enters"),
     }
 }
 
@@ -82,6 +86,7 @@ fn shown(objective: Objective, one: &Candidate) -> String {
         Objective::RingToSunRatio => trimmed(of.ring_to_sun_distance, 4),
         Objective::RatioError => format!("{} %", trimmed(100.0 * of.ratio_error, 3)),
         Objective::Size => trimmed(of.size, 4),
+        Objective::Circulation => trimmed(of.circulating_of_entering, 4),
     }
 }
 
@@ -95,6 +100,7 @@ fn behind(best: &Candidate, other: &Candidate) -> String {
         Objective::RingToSunRatio => ("distance of the ring-to-sun ratios", "above"),
         Objective::RatioError => ("error of the ratio", "above"),
         Objective::Size => ("size", "above"),
+        Objective::Circulation => ("circulating power", "above"),
     };
     let reversed = if other.mixed_directions { "; and its output reverses against direct drive" } else { "" };
     format!("{name}: {what} {}, {than} {}{reversed}", shown(objective, other), shown(objective, best))
@@ -161,6 +167,12 @@ fn objection(one: &Candidate, verdict: &Verdict) -> String {
             let clutch = chosen(one).map_or_else(|| "no direct-drive clutch".to_owned(), joined);
             format!("slip {value} of the direct-drive clutch ({clutch}), greatest {greatest}")
         }
+        Criterion::Circulation => {
+            format!(
+                "{value} of what enters circulates in {gear}, {} {greatest}",
+                if verdict.required { "greatest" } else { "more than" }
+            )
+        }
         Criterion::SameDirection => {
             let backward = one.gears.iter().filter(|gear| gear.ratio < 0.0);
             let gears: Vec<&str> = backward.map(|gear| gear.gear.name()).collect();
@@ -171,6 +183,28 @@ fn objection(one: &Candidate, verdict: &Verdict) -> String {
             let crossing = verdict.crossing.as_deref().unwrap_or_default();
             format!("not drawable: {crossing}")
         }
+    }
+}
+
+/// Which option requires a criterion that is not required, and what it leaves.
+fn remedy(select: &Select, verdict: &Verdict) -> String {
+    let Some(remedy) = select.remedies.iter().find(|remedy| remedy.criterion == verdict.criterion) else {
+        return String::new();
+    };
+    let option = match verdict.criterion {
+        Criterion::Circulation => {
+            format!("--circulation {}", trimmed(verdict.greatest.unwrap_or_default(), 4))
+        }
+        _ => "--same-direction".to_owned(),
+    };
+    match remedy {
+        Remedy { accepted: 0, accepted_of_all_structures: None | Some(0), .. } => {
+            "; of the designs that meet the criteria none is free of it".to_owned()
+        }
+        Remedy { accepted: 0, accepted_of_all_structures: Some(all), .. } => {
+            format!("; {option} with --all-structures leaves {}", of(*all, "design"))
+        }
+        Remedy { accepted, .. } => format!("; {option} leaves {}", of(*accepted, "design")),
     }
 }
 
