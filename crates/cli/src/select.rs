@@ -82,10 +82,10 @@ pub(crate) struct Args {
     teeth_bounds: BoundOptions,
 
     #[command(flatten)]
-    page: PageArgs,
+    output: OutputArgs,
 
     #[command(flatten)]
-    output: OutputArgs,
+    page: PageArgs,
 }
 
 /// How the ratios are taken.
