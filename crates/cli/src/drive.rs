@@ -43,10 +43,10 @@ pub(crate) struct Args {
     file: PathBuf,
 
     #[command(flatten)]
-    page: PageArgs,
+    output: OutputArgs,
 
     #[command(flatten)]
-    output: OutputArgs,
+    page: PageArgs,
 }
 
 /// Runs the command.

@@ -116,10 +116,10 @@ pub(crate) struct Design {
     files: Files,
 
     #[command(flatten)]
-    page: PageArgs,
+    output: OutputArgs,
 
     #[command(flatten)]
-    output: OutputArgs,
+    page: PageArgs,
 }
 
 /// Form of the teeth; lengths in modules.

@@ -35,10 +35,10 @@ pub(crate) struct Args {
     format: Format,
 
     #[command(flatten)]
-    page: PageArgs,
+    target: Target,
 
     #[command(flatten)]
-    target: Target,
+    page: PageArgs,
 }
 
 /// How a page is written.

@@ -95,10 +95,10 @@ pub(crate) struct Args {
     teeth_bounds: BoundOptions,
 
     #[command(flatten)]
-    page: PageArgs,
+    output: OutputArgs,
 
     #[command(flatten)]
-    output: OutputArgs,
+    page: PageArgs,
 }
 
 /// How the ratios are taken.

@@ -182,10 +182,10 @@ pub(crate) struct Args {
     transmission: Option<String>,
 
     #[command(flatten)]
-    page: PageArgs,
+    output: OutputArgs,
 
     #[command(flatten)]
-    output: OutputArgs,
+    page: PageArgs,
 }
 
 /// What a gearbox has to keep besides its ratios.

@@ -7,7 +7,6 @@ const MOST: usize = 600;
 
 /// Longer files, and the most lines that each may have: what it had when the rule came.
 const LONGER: &[(&str, usize)] = &[
-    ("crates/answers/src/analyze/gear.rs", 615),
     ("crates/answers/src/motor.rs", 670),
     ("xtask/src/calculations/gears.rs", 610),
     ("xtask/src/calculations/schemes.rs", 780),

@@ -3,7 +3,7 @@
 use super::Worked;
 use super::records::{ShiftElementKind, links_of};
 use crate::tolerance::ROUNDED;
-use epicyclic_formats::Physical as _;
+use epicyclic_formats::Physical;
 use epicyclic_train::{self as train, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -64,7 +64,7 @@ impl SlipAndTorque {
             slip_rad_s: worked.speed_rad_s(analysis.slips()[place]),
             ideal_torque_of_input: analysis.ideal().and_then(|case| case.shift_elements[place]),
             torque_of_input: worked.of_input(|case| case.shift_elements[place]),
-            torque_n_m: torque.map(|torque| torque.si()),
+            torque_n_m: torque.map(Physical::si),
         }
     }
 }

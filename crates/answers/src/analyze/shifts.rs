@@ -9,7 +9,7 @@ use super::progression::{Ordered, ordered};
 use super::warnings;
 use crate::gearbox::Subject;
 use crate::{Answer, Error, Warning};
-use epicyclic_formats::Physical as _;
+use epicyclic_formats::Physical;
 use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -112,7 +112,7 @@ pub fn answer(subject: &Subject<'_>, speed: Option<AngularVelocity>) -> Result<S
     let gears: Vec<&Analysis<'_>> = gears.iter().collect();
     Ok(Shifts {
         gearbox: gearbox.name().to_owned(),
-        input_speed_rad_s: speed.map(|speed| speed.si()),
+        input_speed_rad_s: speed.map(Physical::si),
         shifts: between(gearbox, &gears, &ordered(&gears), speed, usize::MAX),
         warnings: warnings::of_gearbox(subject),
     })

@@ -67,7 +67,7 @@ fn by_ratio(ratios: &[Vec<Option<f64>>]) -> Vec<Row> {
             let mut gears: Vec<(f64, usize)> =
                 ratios.iter().enumerate().filter_map(of_sign).filter(|(ratio, _)| *ratio > 0.0).collect();
             gears.sort_by(|one, other| other.0.total_cmp(&one.0));
-            beside = laid(beside, &gears, gearbox);
+            beside = laid(&beside, &gears, gearbox);
         }
         rows.extend(beside.into_iter().map(|(_, row)| row));
     }
@@ -86,7 +86,7 @@ fn by_ratio(ratios: &[Vec<Option<f64>>]) -> Vec<Row> {
 }
 
 /// The gears of one more gearbox laid beside the rows so that the cost is least.
-fn laid(rows: Vec<(f64, Row)>, gears: &[(f64, usize)], gearbox: usize) -> Vec<(f64, Row)> {
+fn laid(rows: &[(f64, Row)], gears: &[(f64, usize)], gearbox: usize) -> Vec<(f64, Row)> {
     let alone = 0.5 * FARTHEST.ln();
     let pair = |row: usize, gear: usize| f64::abs((rows[row].0 / gears[gear].0).ln());
     let width = gears.len() + 1;
@@ -171,7 +171,7 @@ mod tests {
             let gears: Vec<(f64, usize)> = other.iter().copied().zip(0..).collect();
             let rows: Vec<(f64, Row)> =
                 one.iter().enumerate().map(|(place, ratio)| (*ratio, vec![Some(place)])).collect();
-            let laid = laid(rows, &gears, 1);
+            let laid = laid(&rows, &gears, 1);
             let cost: f64 = laid
                 .iter()
                 .map(|(_, row)| match row[..] {

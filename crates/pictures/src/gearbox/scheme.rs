@@ -40,10 +40,10 @@ pub const UP_MM: f64 = 12.0;
 
 /// The least of [`Options::along_mm`] in [`narrow`], where several carriers fork around their planets and where not: the signs of
 /// neighbouring sets stay apart.
-const LEAST_ALONG_MM: [f64; 2] = [8.8, 7.4];
+const LEAST_ALONG_MM: [f64; 2] = [8.6, 7.0];
 
 /// How much wider the next trial of [`narrow`] is.
-const WIDER_MM: f64 = 0.8;
+const WIDER_MM: f64 = 0.25;
 
 /// Width of shafts, and of gears' rims.
 const SHAFT_MM: f64 = 0.7;

@@ -223,6 +223,9 @@ fn shift_elements(overview: &Overview) -> Records {
     }
 }
 
+/// One of the forces that are told.
+type OfForce = fn(&LargestForce) -> Option<f64>;
+
 /// The largest speed of each planet and force on it; `None` where neither follows.
 fn planets(overview: &Overview) -> Option<Records> {
     let all = &overview.planets;
@@ -235,7 +238,7 @@ fn planets(overview: &Overview) -> Option<Records> {
     let mut shown = vec!["set", "planet", "relative_speed_of_input"];
     shown.extend(overview.operating_point.speed_rad_s.map(|_| "relative_speed"));
     shown.push("speed_gear");
-    let forces: [(&str, fn(&LargestForce) -> Option<f64>); 3] = [
+    let forces: [(&str, OfForce); 3] = [
         ("force", |force| force.force_n),
         ("tangential_force", |force| force.tangential_force_n),
         ("tangential_force_per_input_n_m", |force| force.tangential_force_per_input_n_m),

@@ -181,8 +181,9 @@ mod tests {
     #[test]
     fn what_is_wider_than_a_column_goes_across_both() {
         let row = |count: usize| vec![vec!["-1.2345".to_owned(); count]];
-        // Seven letters, of which six are 0.556 of 8 pt wide and two narrower: about 10 mm.
-        assert!((text_mm("-1.2345") - 10.2).abs() < 0.5, "{}", text_mm("-1.2345"));
+        // Helvetica's widths: of a hyphen, five digits and a point.
+        let width_mm_of_one = (0.333 + 5.0 * 0.556 + 0.278) * SMALLEST_MM;
+        assert!((text_mm("-1.2345") - width_mm_of_one).abs() < 1e-9, "{}", text_mm("-1.2345"));
         let is_wide = |count: usize| width_mm(&[], &row(count)) > COLUMN_MM;
         assert_eq!([5, 7, 8].map(is_wide), [false, false, true]);
         let long = vec![vec!["a sentence of many short words that is broken into lines".to_owned(); 2]];
