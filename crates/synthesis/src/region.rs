@@ -13,6 +13,9 @@
 //! greatest value is at a corner. With that value added the linear parts are inequalities that every point keeps. They
 //! are wrong by the square of the range's width; a linear programme over them bounds each `k`, and `t`.
 //!
+//! Where some `k` are equal, polynomials are their [polar forms](crate::equal), and the sum of what those `k` have in an inequality stands
+//! at the first of them.
+//!
 //! # Complete
 //! A range is given up where the programme, or the signs at the corners, prove that it holds no point with more than was
 //! found. One that is below 10⁻⁷ of each `k` is given up as well. Where the outermost points fill a surface, ranges along all of

@@ -8,6 +8,9 @@
 //! are left, each is tried. When all gears have theirs, a point is sought from the middle of the box; if none is
 //! found, the box is halved.
 //!
+//! Where some `k` have to be equal, boxes have one range for them, and polynomials their [polar forms](crate::equal). Where gears with
+//! overlapping bounds have to fall, a box is given up in which the highest ratio of the one is not above the lowest of the next.
+//!
 //! # Complete
 //! A box is given up when it provably has no solution. A box that shrinks below 10⁻⁷ of its `k` with neither a solution nor a proof is
 //! *undecided*, and counted.

@@ -63,6 +63,19 @@ fn a_part_with_double_planet_sets_is_read_as_it_was_written() {
 }
 
 #[test]
+fn which_k_are_equal_is_read_as_it_was_written() {
+    let gears = [2.56, 1.465].map(|ratio: f64| Bounds { least: 0.95 * ratio, most: 1.05 * ratio });
+    let wish = Wish { equal_k: 2, ..Wish::new(gears.into(), 2, vec![1.4..=4.5; 2]) };
+    let class = Class::new(Kind::Core, 2, 4).unwrap();
+    let work = go_on(class, &wish, Share::WHOLE, Work::default(), &|_| ControlFlow::Continue(())).unwrap();
+    let equal = work.found.iter().map(|(_, found)| found.solution.equal.sets().count());
+    assert!(!work.found.is_empty() && equal.into_iter().all(|count| count == 2));
+    let searches = vec![(asked(class, &wish), work)];
+    let part = Part { version: VERSION.into(), share: Share::WHOLE, searches };
+    assert_eq!(Part::from_parquet(part.to_parquet().unwrap()).unwrap(), part);
+}
+
+#[test]
 fn parts_together_are_the_whole_search_in_any_order() {
     let (class, wish) = question();
     let whole = search(class, &wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap();

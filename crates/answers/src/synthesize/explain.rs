@@ -688,6 +688,12 @@ mod tests {
     }
 
     #[test]
+    fn a_gearbox_whose_k_cannot_be_equal_is_told_so() {
+        let equal = Wanted { equal_k: 2, ..wanted(&LIST, Kind::AllSparse, 5, 2, four_speed()) };
+        assert_eq!(explained(&equal).reasons, [Reason::of_count(Obstacle::EqualK, 2)]);
+    }
+
+    #[test]
     fn a_set_of_another_form_is_no_part_of_a_search() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ravigneaux.yaml");
         let document = Document::parse_one("ravigneaux.yaml", &std::fs::read(file).unwrap()).unwrap();
