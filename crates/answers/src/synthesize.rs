@@ -319,7 +319,8 @@ pub fn solve_by<E: From<Error>>(
     wanted: &Wanted,
     search: &mut dyn FnMut(&Searching, &Wish) -> Result<run::Answer, E>,
 ) -> Result<(Synthesis, Vec<Kept>), E> {
-    let choices = Choices::wanted(wanted)?;
+    let k_double = (*wanted.double_planets.end() > 0).then(|| wanted.k_double.clone());
+    let choices = wanted.teeth.as_ref().map(|teeth| Choices::wanted(teeth, k_double)).transpose()?;
     let order = rank::Objective::order(&wanted.order);
     let gears = wanted.gears().map_err(Error::from)?;
     let mut answer = Synthesis {
@@ -404,7 +405,8 @@ pub fn solve_by<E: From<Error>>(
     if let (Some(teeth), Some(choices)) = (&wanted.teeth, &choices) {
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
-            let (told, best) = Teeth::of(kept, &gears, wanted, choices, teeth)?;
+            let k = wanted.ranges(solution.sets.len(), kept.found.structure.double_planets());
+            let (told, best) = Teeth::of(kept, &gears, &k, choices, teeth)?;
             (solution.teeth, kept.teeth) = (Some(told), best);
         }
     }

@@ -2,16 +2,20 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer};
-use epicyclic_formats::WantedRatio;
+use epicyclic_answers::synthesize::teeth::TeethWanted;
+use epicyclic_answers::synthesize::{Set, Solution, Wanted, answer, saved, solve};
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::wanted_ratio::Wanted as Ratio;
+use epicyclic_formats::{Document, WantedRatio};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_selection::{Limits, Requirements, Signs, Space, select};
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
+use epicyclic_synthesis::teeth::{Aim, Alike};
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
@@ -139,4 +143,36 @@ fn the_structures_of_select_are_class_core_of_two_sets_and_four_links() {
         enumerate::all(Class::new(Kind::Core, 2, 4).unwrap()).into_iter().collect();
     assert_eq!(of_roles.len(), 111);
     assert_eq!(of_roles, all);
+}
+
+#[test]
+fn a_file_with_the_teeth_of_a_double_planet_set_is_read_back() {
+    let bounds = Bounds { ring: 60..=90, ..Bounds::default() };
+    let teeth = TeethWanted { bounds, alike: Alike::default(), aim: Aim::Deviation, most: 1 };
+    let wanted = Wanted { double_planets: 1..=1, teeth: Some(teeth), ..wanted(vec![2.56, 1.465], 0.01) };
+    let (found, kept) = solve(&wanted, &|_, _| ControlFlow::Continue(())).unwrap();
+    let with_teeth = found.solutions.iter().zip(&kept).filter(|(_, kept)| !kept.teeth.is_empty());
+    let mut read = 0;
+    for (solution, kept) in with_teeth {
+        let gearbox = saved::gearbox(kept, "saved", kept.teeth.first()).unwrap();
+        let text = saved::file(&gearbox, &[]).unwrap();
+        let file: GearboxFile = Document::parse_one("saved.yaml", text.as_bytes()).unwrap().read().unwrap();
+        let again = file.gearbox().unwrap();
+        assert!(again.sets().iter().zip(gearbox.sets()).all(|(one, other)| one.kind() == other.kind()));
+        let told = &solution.teeth.as_ref().unwrap().choices[0];
+        let mut fastest: f64 = 0.0;
+        for (gear, ratio) in again.gears().iter().zip(&told.ratios) {
+            let analysis = again.analyze_gear(gear).unwrap();
+            let exact = analysis.exact_ratio().unwrap();
+            assert_eq!((*exact.numer(), *exact.denom()), (ratio.numerator, ratio.denominator));
+            let planets = analysis.sets().iter().flat_map(|set| &set.planets);
+            fastest = planets.fold(fastest, |all, planet| all.max(planet.unwrap().relative.abs()));
+        }
+        assert_eq!(told.greatest_planet_speed, fastest);
+        for (set, teeth) in solution.sets.iter().zip(&told.sets) {
+            assert_eq!(set.is_double_planet, teeth.outer_planet.is_some());
+        }
+        read += 1;
+    }
+    assert!(read > 5, "{read}");
 }

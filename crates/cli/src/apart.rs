@@ -112,8 +112,8 @@ mod tests {
             "motor --dxf <FILE>",
             "motor --svg <FILE>",
         ];
-        let of_synthesis = ["synthesize --save <FILE>"];
+        let saved = ["select --save <FILE>", "synthesize --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        assert_eq!(options, [&drawings[..], &of_search, &of_synthesis].concat());
+        assert_eq!(options, [&drawings[..], &of_search, &saved].concat());
     }
 }

@@ -78,7 +78,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("compare", &["compare", "ravigneaux.yaml", "real-transmissions.yaml", "--transmission", "8HP"]),
     ("compare", &["compare", "II-3", "scheme-ii-3.yaml", "--ratio1", "1.5", "--ratio2", "2.56"]),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
-    ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s"]),
+    ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s", "--circulation", "0.3"]),
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
     (
         "synthesize",

@@ -228,8 +228,8 @@ fn the_page_of_a_gearbox_has_each_gear() {
     );
     // The scheme and the levers, the ladder, scheme and speed plan of each gear, and the plots of two rows.
     assert_eq!(page.matches("<svg").count(), 3 + 2 * 3 + 6);
-    // Each note once for all gears.
-    assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 1);
+    // A note once for the tables of all gears together, and once for those of each.
+    assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 2);
 }
 
 /// A design at the end of the usual range of `k`, or beyond it, is still on its curves.

@@ -166,6 +166,11 @@ fn class(name: ClassName) -> String {
     .to_owned()
 }
 
+/// `580000`; from 10⁷ on `8.6e8`, which leaves room for the other columns.
+fn space(of: f64) -> String {
+    if of < 1e7 { significant(of, 2) } else { format!("{of:.1e}") }
+}
+
 fn searched(classes: &[Searched]) -> Records {
     let row = |of: &Searched| {
         vec![
@@ -178,7 +183,7 @@ fn searched(classes: &[Searched]) -> Records {
             figure::count(of.gears),
             figure::count(of.structures),
             Figure::Number(of.space),
-            Figure::Text(significant(of.space, 2)),
+            Figure::Text(space(of.space)),
             figure::count(of.structures_searched),
             figure::count(of.structures_in_reach),
             figure::count(of.solutions),

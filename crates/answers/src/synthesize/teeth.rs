@@ -1,7 +1,7 @@
 //! Tooth numbers of a solution.
 
 use super::gear::WantedGear;
-use super::{Kept, Wanted, saved};
+use super::{Kept, saved};
 use crate::Error;
 use crate::shared::Fraction;
 use epicyclic_gears::synthesis::Bounds as ToothBounds;
@@ -11,6 +11,7 @@ use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, SetTeeth, designs};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::RangeInclusive;
 
 /// Which tooth numbers are wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,14 +77,14 @@ pub(super) struct Choices {
 }
 
 impl Choices {
-    /// Those wanted; none where no tooth numbers are.
-    pub(super) fn wanted(wanted: &Wanted) -> Result<Option<Self>, Error> {
-        let Some(teeth) = &wanted.teeth else { return Ok(None) };
-        let simple = Choice::within(&teeth.bounds)?;
-        let is_double_planet = *wanted.double_planets.end() > 0;
-        let real = ToothBounds { ring_to_sun_ratio: wanted.k_double.clone(), ..teeth.bounds.clone() };
-        let double_planet = is_double_planet.then(|| Choice::of_double_planets(&real)).transpose()?;
-        Ok(Some(Self { simple, double_planet }))
+    /// Those wanted; of double-planet sets with `k` in this range, where such sets are searched.
+    pub(super) fn wanted(teeth: &TeethWanted, k_double: Option<RangeInclusive<f64>>) -> Result<Self, Error> {
+        let of_double_planets = |k| {
+            let bounds = ToothBounds { ring_to_sun_ratio: k, ..teeth.bounds.clone() };
+            Choice::of_double_planets(&bounds)
+        };
+        let double_planet = k_double.map(of_double_planets).transpose()?;
+        Ok(Self { simple: Choice::within(&teeth.bounds)?, double_planet })
     }
 
     /// That of each set of a structure.
@@ -97,7 +98,7 @@ impl Choices {
 }
 
 impl Teeth {
-    /// Those of a solution, its best choices also as the search has them.
+    /// Those of a solution with these ranges of each set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
     ///
     /// # Errors
     /// Those of the solver; none are known for tooth numbers of a search.
@@ -107,7 +108,7 @@ impl Teeth {
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],
-        wanted: &Wanted,
+        k: &[RangeInclusive<f64>],
         choices: &Choices,
         teeth: &TeethWanted,
     ) -> Result<(Self, Vec<Design>), Error> {
@@ -118,9 +119,8 @@ impl Teeth {
         // k that are equal are so in teeth: exactly, since ratios are fractions of whole numbers.
         ratios.extend(solution.equal.ratios());
         bounds.resize(ratios.len(), Bounds { least: 1.0, most: 1.0 });
-        let k = wanted.ranges(structure.sets().len(), structure.double_planets());
         let choices = choices.of(structure);
-        let mut all = designs(&ratios, &bounds, &k, &choices, teeth.alike, teeth.aim, teeth.most);
+        let mut all = designs(&ratios, &bounds, k, &choices, teeth.alike, teeth.aim, teeth.most);
         all.first.iter_mut().for_each(|design| design.ratios.truncate(gears.len()));
         let told = all.first.iter().map(|design| TeethOfSets::of(kept, design, gears));
         let choices = told.collect::<Result<_, _>>()?;
