@@ -5,7 +5,7 @@ use super::sheet::{Block, Section, Sheet};
 use crate::figure::Figure;
 use crate::report::{Part, Records, View};
 use crate::tolerance::{CIRCULATES, LEVEL};
-use crate::{AsReport as _, Error, Report, drawability};
+use crate::{AsReport, Error, Report, drawability};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::records::State;
 use epicyclic_answers::report::gearbox::{GearOverK, GearboxReport, OverK, Shown};
@@ -43,7 +43,7 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
          from the carrier to the second central gear of its first set.",
     ));
     let mut sections = vec![Section::new("All gears", chapter).wide_last()];
-    let mut gears: Vec<Report> = report.gears.iter().map(|gear| gear.report()).collect();
+    let mut gears: Vec<Report> = report.gears.iter().map(AsReport::report).collect();
     sections.push(notes_of(&mut gears));
     for (place, (gear, answer)) in report.gears.iter().zip(gears).enumerate() {
         let mut blocks = of_gear(shown, place)?;
