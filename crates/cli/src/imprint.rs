@@ -83,7 +83,7 @@ fn words(arguments: impl IntoIterator<Item = OsString>) -> String {
     while let Some(word) = arguments.next() {
         if matches!(word.as_str(), "-o" | "--output") {
             arguments.next();
-        } else if !word.starts_with("--output=") && !(word.starts_with("-o") && !word.starts_with("--")) {
+        } else if !["--output=", "-o"].iter().any(|start| word.starts_with(start)) {
             line.push(' ');
             // Only a NUL cannot be quoted, and no argument holds one.
             line += &shlex::try_quote(&word).unwrap_or_default();

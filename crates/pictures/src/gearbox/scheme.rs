@@ -40,7 +40,7 @@ pub const UP_MM: f64 = 12.0;
 
 /// The least of [`Options::along_mm`] in [`narrow`], where several carriers fork around their planets and where not: the signs of
 /// neighbouring sets stay apart.
-const LEAST_ALONG_MM: [f64; 2] = [8.6, 7.0];
+const LEAST_ALONG_MM: [f64; 2] = [8.5, 7.0];
 
 /// How much wider the next trial of [`narrow`] is.
 const WIDER_MM: f64 = 0.25;

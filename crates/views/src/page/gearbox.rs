@@ -5,7 +5,7 @@ use super::sheet::{Block, Section, Sheet};
 use crate::figure::Figure;
 use crate::report::{Part, Records, View};
 use crate::tolerance::{CIRCULATES, LEVEL};
-use crate::{AsReport as _, Error, Report, drawability};
+use crate::{AsReport, Error, Report, drawability};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::records::State;
 use epicyclic_answers::report::gearbox::{GearOverK, GearboxReport, OverK, Shown};
@@ -46,7 +46,7 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
     if let Some(shifts) = report.shifts.as_ref().filter(|shifts| !shifts.shifts.is_empty()) {
         sections.push(Section::new("Shifts", vec![Block::Answer(shifts.report())]).wide_last());
     }
-    let mut gears: Vec<Report> = report.gears.iter().map(|gear| gear.report()).collect();
+    let mut gears: Vec<Report> = report.gears.iter().map(AsReport::report).collect();
     sections.push(notes_of(&mut gears));
     for (place, (gear, answer)) in report.gears.iter().zip(gears).enumerate() {
         let mut blocks = of_gear(shown, place)?;
