@@ -12,7 +12,7 @@ use epicyclic_schemes::structures::{Role, SetRoles, gearbox};
 /// fixed.
 ///
 /// # Errors
-/// [`Error::Scheme`] of a candidate whose sets are no simple sets; there is none in an answer.
+/// [`Error::Design`] of a candidate whose sets are no simple sets; there is none in an answer.
 pub fn drawn(candidate: &Candidate, eta0: MeshEfficiency) -> Result<Drawn, Error> {
     let sets: Vec<(SetRoles, f64)> = candidate
         .sets
