@@ -195,7 +195,10 @@ const RUNS: &[(&str, &[&str])] = &[
             "20",
         ],
     ),
-    ("select", &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "2"]),
+    (
+        "select",
+        &["select", "--speeds", WHEEL, "--teeth", "--ring", "..60", "--limit", "2", "--circulation", "2"],
+    ),
     (
         "select",
         &[
