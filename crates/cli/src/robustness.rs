@@ -269,7 +269,7 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
     let mut all = vec!["epicyclic".to_owned()];
     all.extend(line.iter().cloned());
     all.extend(["-o".to_owned(), answer.display().to_string()]);
-    if line[0] == "synthesize" {
+    if ["select", "synthesize"].contains(&line[0].as_str()) {
         all.push(format!("--save={}", answer.with_extension("yaml").display()));
     }
     if line[0] == "motor" {
@@ -290,8 +290,9 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
         Ok(()) => {
             let text = std::fs::read_to_string(answer).unwrap();
             let mut words = text.split(|c: char| !c.is_alphanumeric());
-            // A title may be any word.
-            let is_titled = line.iter().any(|word| word.starts_with("--title"));
+            // What is said of a picture or a page may be any word.
+            let says = ["--title", "--project", "--customer", "--author", "--date"];
+            let is_titled = line.iter().any(|word| says.iter().any(|option| word.starts_with(option)));
             let no_number = |word: &str| word == "NaN" || word == "inf";
             assert!(!text.is_empty() && (is_titled || !words.any(no_number)), "{line:?}\n{text}");
             // JSON and CSV have what there is.
