@@ -128,7 +128,7 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
     let (accepted, rejected) = (found.accepted.len(), found.rejected.len());
     let first = ranked.first().filter(|_| accepted > 0).map(|first| first.candidate);
     let best = first.map(|first| &first.objectives);
-    let remedies = first.map_or_else(|| Ok(vec![]), |first| remedies(first, wanted))?;
+    let remedies = first.map_or_else(|| Ok(vec![]), |first| remedies(first, &found, wanted))?;
     let told = (0..accepted.min(*most)).chain(accepted..accepted + rejected.min(*most));
     let candidates = told
         .map(|place| {
@@ -162,8 +162,8 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
     Ok((answer, saved))
 }
 
-/// What a candidate leaves to object to, and how many candidates there are that do not.
-fn remedies(first: &selection::Candidate, wanted: &Wanted) -> Result<Vec<Remedy>, Error> {
+/// What the first candidate leaves to object to, and how many candidates there are that do not.
+fn remedies(first: &selection::Candidate, found: &Selection, wanted: &Wanted) -> Result<Vec<Remedy>, Error> {
     let mut remedies = vec![];
     for verdict in first.objections() {
         let mut requirements = wanted.requirements.clone();
@@ -172,14 +172,17 @@ fn remedies(first: &selection::Candidate, wanted: &Wanted) -> Result<Vec<Remedy>
             selection::Criterion::Circulation => requirements.limits.circulation = verdict.limits[1],
             _ => continue,
         }
-        let count = |space: &Space| {
-            let found = select_with(&requirements, space, wanted.order, Some(&drawable_direct_clutches))?;
-            Ok::<_, Error>(found.accepted.len())
+        // Every candidate was judged by the criterion already.
+        let meets = |one: &&selection::Candidate| {
+            one.verdicts.iter().any(|other| other.criterion == verdict.criterion && other.met)
         };
-        let accepted = count(&wanted.space)?;
-        let is_all = matches!(wanted.space, Space::All);
-        let accepted_of_all_structures =
-            if accepted == 0 && !is_all { Some(count(&Space::All)?) } else { None };
+        let accepted = found.accepted.iter().filter(meets).count();
+        let accepted_of_all_structures = if accepted == 0 && !matches!(wanted.space, Space::All) {
+            let all = select_with(&requirements, &Space::All, wanted.order, Some(&drawable_direct_clutches))?;
+            Some(all.accepted.len())
+        } else {
+            None
+        };
         remedies.push(Remedy {
             criterion: Criterion::of(verdict.criterion),
             accepted,

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 mod common;
+#[path = "common/found.rs"]
+mod found;
 
 use common::Random;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -13,10 +15,10 @@ use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::ratio::{Polynomial, Ratio};
 use epicyclic_synthesis::run::{Answer, Found, Share, search};
 use epicyclic_synthesis::search::Search;
-use epicyclic_synthesis::structure::Structure;
 use epicyclic_synthesis::ternary::Ternary;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, enumerate};
+use found::holds;
 use std::ops::ControlFlow;
 
 fn around(ratio: f64, tolerance: f64) -> Bounds {
@@ -30,20 +32,6 @@ fn wish(ratios: &[f64], tolerance: f64, sets: usize, elements: usize, equal_k: u
 
 fn all(class: Class, wish: &Wish) -> Answer {
     search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap()
-}
-
-/// Whether a structure with these elements is among what was found.
-fn holds(found: &[Found], structure: &Structure, wanted: &[Element]) -> bool {
-    found.iter().filter(|found| found.structure == *structure).any(|found| {
-        structure.automorphisms().iter().any(|order| {
-            let names = structure.renaming(order);
-            wanted.iter().all(|pair| {
-                let mut image = pair.map(|link| names[usize::from(link)]);
-                image.sort_unstable();
-                found.solution.elements.iter().any(|pairs| pairs.contains(&image))
-            })
-        })
-    })
 }
 
 /// A solution by the solver: its ratios are within their bounds at `k` of which so many are one number, and so are their ranges.

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 mod common;
+#[path = "common/found.rs"]
+mod found;
 
 use common::Random;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -55,17 +57,7 @@ fn holds(found: &[Found], structure: &str, wanted: &[&str]) -> bool {
         [links[0], links[1]]
     };
     let wanted: Vec<[u8; 2]> = wanted.iter().map(|name| pair(name)).collect();
-    found.iter().filter(|found| found.structure == structure).any(|found| {
-        // An automorphism may have given another set of the same solution.
-        structure.automorphisms().iter().any(|order| {
-            let names = structure.renaming(order);
-            wanted.iter().all(|pair| {
-                let mut image = pair.map(|link| names[usize::from(link)]);
-                image.sort_unstable();
-                found.solution.elements.iter().any(|pairs| pairs.contains(&image))
-            })
-        })
-    })
+    found::holds(found, &structure, &wanted)
 }
 
 /// Every solution by the solver: each gear within its bounds.

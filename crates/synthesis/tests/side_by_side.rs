@@ -2,17 +2,20 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+#[path = "common/found.rs"]
+mod found;
+
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_synthesis::judge::judge;
 use epicyclic_synthesis::motion::{Element, Motion, elements};
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::rules::Rules;
-use epicyclic_synthesis::run::{Answer, Found, Share, search};
+use epicyclic_synthesis::run::{Answer, Share, search};
 use epicyclic_synthesis::shifts::Shifts;
-use epicyclic_synthesis::structure::Structure;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, enumerate};
+use found::holds;
 use std::ops::ControlFlow;
 
 const TOLERANCE: f64 = 0.05;
@@ -31,20 +34,6 @@ fn two_free() -> Wish {
 
 fn all(class: Class, wish: &Wish) -> Answer {
     search(class, wish, Share::WHOLE, &|_| ControlFlow::Continue(())).unwrap()
-}
-
-/// Whether a structure with these elements is among what was found.
-fn holds(found: &[Found], structure: &Structure, wanted: &[Element]) -> bool {
-    found.iter().filter(|found| found.structure == *structure).any(|found| {
-        structure.automorphisms().iter().any(|order| {
-            let names = structure.renaming(order);
-            wanted.iter().all(|pair| {
-                let mut image = pair.map(|link| names[usize::from(link)]);
-                image.sort_unstable();
-                found.solution.elements.iter().any(|pairs| pairs.contains(&image))
-            })
-        })
-    })
 }
 
 /// Functions, each with the elements of all choices that have it, as bits.
