@@ -234,6 +234,19 @@ fn the_page_of_a_gearbox_has_each_gear() {
 
 /// A design at the end of the usual range of `k`, or beyond it, is still on its curves.
 #[test]
+fn what_the_first_page_objects_to_is_not_said_again_with_every_gear() {
+    let page = page(&["real-transmissions.yaml", "--transmission", "Prius"]);
+    let (first, chapters) = page.split_once("<nav").unwrap();
+    let objections =
+        ["equal centre distances need shifted profiles", "planets turn faster relative to their carriers"];
+    for objection in objections {
+        assert_eq!(first.matches(objection).count(), 1, "{objection}");
+        assert_eq!(chapters.matches(objection).count(), 0, "{objection}");
+    }
+    assert!(!chapters.contains("<h3>Warnings</h3>"), "nor an empty list");
+}
+
+#[test]
 fn plots_over_k_reach_around_the_design_and_mark_it() {
     for k in ["5", "1.4", "9"] {
         let folder = here();

@@ -44,9 +44,10 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
     ));
     let mut sections = vec![Section::new("All gears", chapter).wide_last()];
     if let Some(shifts) = report.shifts.as_ref().filter(|shifts| !shifts.shifts.is_empty()) {
-        sections.push(Section::new("Shifts", vec![Block::Answer(shifts.report())]).wide_last());
+        let shifts = untold(shifts.report(), overview);
+        sections.push(Section::new("Shifts", vec![Block::Answer(shifts)]).wide_last());
     }
-    let mut gears: Vec<Report> = report.gears.iter().map(AsReport::report).collect();
+    let mut gears: Vec<Report> = report.gears.iter().map(|gear| untold(gear.report(), overview)).collect();
     sections.push(notes_of(&mut gears));
     for (place, (gear, answer)) in report.gears.iter().zip(gears).enumerate() {
         let mut blocks = of_gear(shown, place)?;
@@ -80,6 +81,15 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
         sections,
         input: file,
     })
+}
+
+/// The same without the warnings of a kind that the first page tells for all gears.
+fn untold(mut report: Report, overview: &Overview) -> Report {
+    let is_told = |name: &str| overview.warnings.iter().any(|told| told.name == name);
+    if let Some(warnings) = &mut report.warnings {
+        warnings.retain(|(name, _)| !is_told(name));
+    }
+    report
 }
 
 /// The gears in one table: engaged shift elements, ratios, steps, efficiencies, and what the output does.

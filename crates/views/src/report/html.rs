@@ -91,7 +91,7 @@ impl Text {
                 @if let Some((header, rows)) = table {
                     div.table { table {
                         thead { tr { @for title in header { th { (title) } } } }
-                        tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
+                        tbody { @for row in rows { tr { @for cell in row { td class=[words(cell)] { (cell) } } } } }
                     } }
                 }
             }
@@ -117,7 +117,9 @@ impl Grid<'_> {
                         } }
                     }
                     tbody { @for row in &self.rows { tr {
-                        @for (place, cell) in row.iter().enumerate() { td class=[number(place)] { (cell) } }
+                        @for (place, cell) in row.iter().enumerate() {
+                            td class=[number(place).or(words(cell))] { (cell) }
+                        }
                     } } }
                 } }
                 @if !self.note.is_empty() { p.note { (self.note) } }
@@ -152,6 +154,11 @@ fn width_mm(header: &[&str], rows: &[Vec<String>]) -> f64 {
 fn broken_mm(cell: &str) -> f64 {
     let longest = cell.split_whitespace().map(text_mm).fold(0.0, f64::max);
     text_mm(cell).min(WORDS_MM).max(longest)
+}
+
+/// A cell whose words are broken into lines: on a narrow screen they would become a column of single words.
+fn words(cell: &str) -> Option<&'static str> {
+    (text_mm(cell) > WORDS_MM).then_some("words")
 }
 
 fn text_mm(words: &str) -> f64 {
@@ -189,6 +196,17 @@ mod tests {
         let long = vec![vec!["a sentence of many short words that is broken into lines".to_owned(); 2]];
         assert!(width_mm(&[], &long) < COLUMN_MM);
         assert_eq!([class(false, 60), class(true, 9)], [Some("long"), Some("wide")]);
+    }
+
+    #[test]
+    fn a_cell_of_many_words_is_marked_as_such() {
+        assert_eq!(words("a sentence of many short words that is broken into lines"), Some("words"));
+        assert_eq!(words("turbine - ground"), None);
+        let row =
+            [["scheme", "because"], ["III-3", "speed 4.29 of planet 1 relative to its carrier in gear 1"]];
+        let table = row.map(|row| row.map(str::to_owned).to_vec()).to_vec();
+        let table = Text { table, ..Text::default() }.piece().html.into_string();
+        assert!(table.contains("<td class=\"words\">speed"), "{table}");
     }
 
     #[test]
