@@ -1,6 +1,7 @@
 //! What this crate refuses.
 
 use crate::gear_kind::GearKind;
+use crate::involute::fault::ShiftFault;
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
@@ -224,6 +225,42 @@ pub enum Error {
         second_deg: f64,
     },
 
+    /// Two gears of different helix angle cannot mesh.
+    #[error("helix angles {first_deg}° and {second_deg}° differ; gears in mesh on parallel axes share one")]
+    HelixAnglesDiffer {
+        /// Helix angle of the first gear, degrees.
+        first_deg: f64,
+        /// Helix angle of the second gear, degrees.
+        second_deg: f64,
+    },
+
+    /// A profile shift or tip alteration that leaves no tooth.
+    #[error("{kind} gear of {teeth} teeth, profile shift x = {shift}, tip alteration k = {tip_alteration}: {}", shift_fault(*fault, *shift))]
+    ShiftOutOfRange {
+        /// Teeth of the gear.
+        teeth: u32,
+        /// External or internal.
+        kind: GearKind,
+        /// Its profile shift, modules.
+        shift: f64,
+        /// Its tip alteration, modules.
+        tip_alteration: f64,
+        /// What is wrong.
+        fault: ShiftFault,
+    },
+
+    /// A sum of profile shifts at which the flanks have no common working pressure angle.
+    #[error(
+        "sum of the profile shifts {sum}: the gears have no mesh without backlash; it must be {} {limit:.4}",
+        if *sum < *limit { "above" } else { "below" }
+    )]
+    ShiftSumOutOfRange {
+        /// Sum of both shifts, modules.
+        sum: f64,
+        /// What it must be above, of an internal pair below.
+        limit: f64,
+    },
+
     /// Two internal gears cannot mesh.
     #[error(
         "both gears are internal ({first} and {second} teeth); an internal gear meshes with an external one"
@@ -318,12 +355,30 @@ impl Error {
             Self::NoInternalTip { .. } => "no-internal-tip",
             Self::ModulesDiffer { .. } => "modules-differ",
             Self::PressureAnglesDiffer { .. } => "pressure-angles-differ",
+            Self::HelixAnglesDiffer { .. } => "helix-angles-differ",
+            Self::ShiftOutOfRange { .. } => "shift-out-of-range",
+            Self::ShiftSumOutOfRange { .. } => "shift-sum-out-of-range",
             Self::BothInternal { .. } => "both-internal",
             Self::InternalNotLarger { .. } => "internal-not-larger",
             Self::NoStandardDiameter { .. } => "no-standard-diameter",
             Self::UnknownBearing { .. } => "unknown-bearing",
             Self::NoSuchBore { .. } => "no-such-bore",
             Self::NoBearingForShaft { .. } => "no-bearing-for-shaft",
+        }
+    }
+}
+
+fn shift_fault(fault: ShiftFault, shift: f64) -> String {
+    match fault {
+        ShiftFault::NotFinite => "a number is needed".to_owned(),
+        ShiftFault::NoCircle => "no root or tip circle is left: take a shift nearer to 0".to_owned(),
+        ShiftFault::NoTooth => "its tips lie at or below its roots: shorten them less".to_owned(),
+        ShiftFault::Pointed { tip_thickness } => {
+            let remedy =
+                if shift > 0.0 { "take a smaller shift or a shorter tooth" } else { "take a shorter tooth" };
+            format!(
+                "its teeth are pointed before the tip circle (thickness {tip_thickness:.3} modules): {remedy}"
+            )
         }
     }
 }

@@ -13,6 +13,7 @@
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
 //! | [`rack`] | the basic rack that all checks take, and undercut |
 //! | [`mesh`] | circles of gears and centre distance from teeth alone, clearance between planets |
+//! | [`involute`] | gears with profile shift: circles, thickness, the mesh of a pair, measures, interference |
 //! | [`geometry`] | diameters of a gear, centre distance of a pair |
 //! | [`mass`] | volume, mass and polar inertia of rings and gears |
 //! | [`carrier`] | the same of a planet carrier |
@@ -51,6 +52,7 @@ pub mod efficiency;
 pub mod error;
 mod gear_kind;
 pub mod geometry;
+pub mod involute;
 pub mod life;
 pub mod mass;
 pub mod mesh;

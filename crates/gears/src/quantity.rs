@@ -9,6 +9,8 @@ words! {
         AddendumCoefficient "addendum coefficient"
         ClearanceCoefficient "clearance coefficient"
         PressureAngle "pressure angle"
+        RootFillet "root fillet radius"
+        HelixAngle "helix angle"
         TipGap "tip gap"
         Module "module"
         CentreDistance "centre distance"

@@ -1,0 +1,49 @@
+//! Cylindrical gears with profile shift: circles, tooth thickness, the mesh of a pair, measures, interference.
+//!
+//! Names and signs are those of ISO 21771. All lengths are in normal modules `m_n`; multiply by the module for
+//! millimetres. Diameters and centre distances are given as positive numbers, of internal gears too; in formulas the
+//! teeth `z` of an internal gear, its diameters, and the centre distance of its mesh are negative.
+//!
+//! ```text
+//! tan α_t = tan α_n/cos β                d = z/cos β                     d_b = d·cos α_t
+//! d_a = d + 2·(h_aP* + x + k)            d_f = d − 2·(h_aP* + c_P* − x)
+//! inv α_wt = inv α_t + 2·tan α_n·(x_1 + x_2)/(z_1 + z_2)                 inv α = tan α − α
+//! a = a_d·cos α_t/cos α_wt               a_d = (z_1 + z_2)/(2·cos β)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `z` | teeth, negative of an internal gear | 1 |
+//! | `α_n`, `α_t`, `α_wt` | pressure angle: normal, transverse, working transverse | rad |
+//! | `β`, `β_b` | helix angle at the reference and at the base cylinder | rad |
+//! | `x` | profile shift coefficient; above 0 it moves the tip circle outwards of an external gear, inwards of an internal one | modules |
+//! | `k` | tip alteration; below 0 it shortens the tooth | modules |
+//! | `h_aP*`, `c_P*`, `ρ_fP*` | [`Profile`] | modules |
+//! | `d`, `d_b`, `d_a`, `d_f`, `d_w` | diameters: reference, base, tip, root, working | modules |
+//! | `a`, `a_d` | centre distance: of the mesh, and of the reference circles | modules |
+//!
+//! The gears are cut by a rack: roots of rings that a shaper cuts are a little deeper. Left out: deviations, tip
+//! chamfers, deflection.
+//!
+//! | file | answers |
+//! |---|---|
+//! | [`function`] | the involute function and its inverse |
+//! | [`gear`] | one gear: circles, thickness, undercut, span and ball measures |
+//! | [`pair`] | two gears in mesh: working angle, centre distance, contact ratio, sliding, backlash |
+//! | [`fault`] | why a shift gives no gear |
+//! | [`interference`] | whether an internal pair turns, and can be put together |
+//!
+//! # Source
+//! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the NREL reference
+//! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
+
+pub mod fault;
+pub mod function;
+pub mod gear;
+pub mod interference;
+pub mod pair;
+#[cfg(test)]
+mod published;
+
+pub use gear::{InvoluteGear, Profile};
+pub use pair::Pair;

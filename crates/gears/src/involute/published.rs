@@ -1,0 +1,253 @@
+//! Gears that others calculated, to all printed digits.
+
+use super::{InvoluteGear, Pair, Profile};
+use crate::ToothCount;
+use crate::gear_kind::GearKind::{External, Internal};
+use crate::units::angle_from_degrees;
+
+fn gear(teeth: i32, shift: f64) -> InvoluteGear {
+    shaped(teeth, shift, Profile::default())
+}
+
+/// A gear with less than no teeth is internal.
+fn shaped(teeth: i32, shift: f64, profile: Profile) -> InvoluteGear {
+    let kind = if teeth < 0 { Internal } else { External };
+    InvoluteGear::new(kind, ToothCount::new(teeth.unsigned_abs()).unwrap(), profile, shift).unwrap()
+}
+
+/// Whether a value rounds to what is printed.
+fn is(value: f64, printed: &str) {
+    is_but_for(value, 0.0, printed);
+}
+
+/// The same, where the rounding of printed inputs moves the value by so much.
+fn is_but_for(value: f64, inputs: f64, printed: &str) {
+    let digits = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let unit = 10_f64.powi(-i32::try_from(digits).unwrap());
+    let published: f64 = printed.parse().unwrap();
+    assert!((value - published).abs() <= 0.5001 * unit + inputs, "{value}, printed {printed}");
+}
+
+/// Second stage of the NREL reference gearbox: 18/36/93 teeth, 18 + 2·36 ≠ 93, m = 21 mm, a = 584 mm.
+fn wind() -> [Pair; 2] {
+    let m = 21.0;
+    let [sun, planet, ring] = [gear(18, 0.3890), gear(36, 0.5039), gear(-93, 0.1171)];
+    let pair = |one, other| Pair::at_centre_distance(one, other, 584.0 / m).unwrap();
+    // The shifts are printed to four digits: of those that round so, the ones that leave no backlash.
+    let shift = Pair::shift_sum(&sun, &planet, 584.0 / m).unwrap() - sun.shift();
+    let planet = planet.with_shift(shift).unwrap();
+    is(planet.shift(), "0.5039");
+    let ring = ring.with_shift(Pair::shift_sum(&planet, &ring, 584.0 / m).unwrap() - shift).unwrap();
+    is(ring.shift(), "0.1171");
+    let k = pair(sun, planet).tip_alteration();
+    is(m * k, "-1.750");
+    let [sun, planet] = [sun, planet].map(|gear| gear.with_tip_alteration(k).unwrap());
+    [pair(sun, planet), pair(planet, ring)]
+}
+
+#[test]
+fn a_stage_of_a_wind_gearbox_has_its_printed_circles() {
+    let m = 21.0;
+    let [outer, inner] = wind();
+    let ([sun, planet], ring) = (*outer.gears(), inner.gears()[1]);
+    for (gear, printed) in [
+        (sun, ["378.000", "355.204", "432.838", "341.838"]),
+        (planet, ["756.000", "710.408", "815.663", "724.663"]),
+        (ring, ["1953.000", "1835.220", "1906.081", "2000.581"]),
+    ] {
+        let circles =
+            [gear.reference_diameter(), gear.base_diameter(), gear.tip_diameter(), gear.root_diameter()];
+        for (circle, printed) in circles.into_iter().zip(printed) {
+            // Half of the last digit of a shift, on both sides.
+            is_but_for(m * circle, m * 1e-4, printed);
+        }
+    }
+}
+
+#[test]
+fn a_stage_of_a_wind_gearbox_has_its_printed_meshes() {
+    let m = 21.0;
+    let [outer, inner] = wind();
+    let ([sun, planet], ring) = (*outer.gears(), inner.gears()[1]);
+    for (pair, sum, angle, reference, working, contact) in [
+        (outer, "0.8929", "24.169", "567.0", ["389.333", "778.667"], "1.370"),
+        (inner, "0.6210", "15.630", "598.5", ["737.684", "1905.684"], "1.618"),
+    ] {
+        is(Pair::shift_sum(&pair.gears()[0], &pair.gears()[1], 584.0 / m).unwrap(), sum);
+        // Half a micrometre of the centre distance is 0.0002°.
+        is_but_for(pair.working_angle_rad().to_degrees(), 2e-4, angle);
+        is(m * pair.reference_centre_distance(), reference);
+        is(m * pair.working_diameters()[0], working[0]);
+        is(m * pair.working_diameters()[1], working[1]);
+        is(pair.transverse_contact_ratio(), contact);
+        assert!(pair.backlash().abs() < 1e-12, "{}", pair.backlash());
+    }
+    for (gear, printed) in [(sun, "12.910"), (planet, "14.858"), (ring, "18.937")] {
+        is_but_for(m * gear.tip_thickness(), m * 1e-4, printed);
+    }
+    // Printed from the planet's tip to the sun's root first, for both meshes.
+    let clearances = [outer, inner].map(|pair| pair.tip_clearances().map(|clearance| m * clearance));
+    is(clearances[0][0], "5.250");
+    is(clearances[0][1], "5.250");
+    is_but_for(clearances[1][0], m * 1e-4, "8.459");
+    is_but_for(clearances[1][1], m * 1e-4, "6.709");
+    let sliding = [outer, inner].map(|pair| pair.specific_sliding());
+    is(sliding[0][0][0], "0.533");
+    is(sliding[0][1][0], "0.614");
+    is(sliding[1][0][0], "0.309");
+    is(sliding[1][1][0], "-0.005");
+}
+
+#[test]
+fn a_stage_of_a_wind_gearbox_has_its_printed_measures() {
+    let m = 21.0;
+    let [outer, inner] = wind();
+    let ([sun, planet], ring) = (*outer.gears(), inner.gears()[1]);
+    for (gear, teeth, span, ball, over) in [
+        (sun, 3, "165.869", 45.0, "466.306"),
+        (planet, 5, "296.803", 40.0, "836.492"),
+        (ring, 11, "676.615", 35.0, "1900.511"),
+    ] {
+        is(m * gear.span(teeth), span);
+        is(m * gear.over_balls(ball / m).unwrap(), over);
+        assert!(gear.spanned_teeth().abs_diff(teeth) <= 1, "{}", gear.spanned_teeth());
+    }
+}
+
+/// FZG gears type C: 16/24, m = 4.5 mm, a = 91.5 mm.
+#[test]
+fn a_test_gear_has_its_printed_path_of_contact() {
+    let m = 4.5;
+    let pair = Pair::at_centre_distance(gear(16, 0.1817), gear(24, 0.1715), 91.5 / m).unwrap();
+    is(pair.transverse_contact_ratio(), "1.46");
+    let [start, end] = pair.contact().map(|radius| m * radius);
+    let pitch = m * pair.base_pitch();
+    let pitch_point = m * pair.working_diameters()[0] / 2.0 * pair.working_angle_rad().sin();
+    is(end - pitch - start, "6.14");
+    is(pitch_point - start, "9.68");
+    is(pitch, "13.28");
+    is(end - start, "19.43");
+}
+
+#[test]
+fn an_external_and_an_internal_pair_of_a_textbook() {
+    let m = 3.0;
+    let pair = Pair::at_centre_distance(gear(12, 0.6), gear(24, 0.36), 56.5 / m).unwrap();
+    // The centre distance is printed rounded, the angle is that without backlash.
+    let exact = Pair::without_backlash(gear(12, 0.6), gear(24, 0.36)).unwrap();
+    is(exact.working_angle_rad().to_degrees(), "26.0886");
+    let k = pair.tip_alteration();
+    is(exact.with_tip_alterations([k, k]).unwrap().transverse_contact_ratio(), "1.202");
+    for (gear, tip, root) in [(pair.gears()[0], "44.840", "32.100"), (pair.gears()[1], "79.400", "66.660")] {
+        is(m * gear.with_tip_alteration(k).unwrap().tip_diameter(), tip);
+        is(m * gear.root_diameter(), root);
+    }
+    let pair = Pair::without_backlash(gear(16, 0.0), gear(-24, -0.5)).unwrap();
+    // Printed is 31.09385, from an involute function rounded to 0.0604; its inputs give 31.09362.
+    is(pair.working_angle_rad().to_degrees(), "31.094");
+    is(m * pair.centre_distance(), "13.1683");
+    is(m * pair.gears()[0].base_diameter(), "45.1052");
+    // Printed 67.6578, cut off.
+    is(m * pair.gears()[1].base_diameter(), "67.658");
+}
+
+#[test]
+fn a_ring_of_50_teeth_turns_with_ever_larger_pinions_by_its_shift() {
+    for (pinion, shift, angle, distance, contact) in [
+        (49, 1.00, "61.0605", "0.971", "1.105"),
+        (47, 0.40, "37.4155", "1.775", "1.726"),
+        (45, 0.20, "28.2019", "2.666", "1.933"),
+        (43, 0.06, "22.3755", "3.557", "2.053"),
+    ] {
+        // The table lets contact go down to where a rack without a fillet would cut.
+        let sharp = Profile { fillet: 0.0, ..Profile::default() };
+        let pair = Pair::without_backlash(shaped(pinion, 0.0, sharp), shaped(-50, -shift, sharp)).unwrap();
+        is(pair.working_angle_rad().to_degrees(), angle);
+        is(pair.centre_distance(), distance);
+        is(pair.transverse_contact_ratio(), contact);
+    }
+}
+
+/// Of pairs without shift the smallest pinion free of involute interference.
+#[test]
+fn the_smallest_pinions_in_rings() {
+    for (ring, least) in [(34, 29), (40, 24), (50, 22), (60, 21), (80, 20), (100, 19), (200, 18)] {
+        let reaches = |pinion: i32| {
+            let pair = Pair::without_backlash(gear(pinion, 0.0), gear(-ring, 0.0)).unwrap();
+            pair.interference().unwrap().base
+        };
+        assert!(
+            reaches(least) >= 0.0 && reaches(least - 1) < 0.0,
+            "{ring}: {} {}",
+            reaches(least),
+            reaches(least - 1)
+        );
+    }
+}
+
+/// The smallest ring that a shaper without shift, its addendum 1.25 modules, can cut without trimming its tips.
+#[test]
+fn the_smallest_rings_that_shapers_cut() {
+    let cutter = |teeth| gear(teeth, 0.0).with_tip_alteration(0.25).unwrap();
+    for (teeth, least) in [
+        (15, 34),
+        (18, 36),
+        (21, 39),
+        (25, 43),
+        (30, 48),
+        (35, 53),
+        (40, 58),
+        (50, 68),
+        (60, 78),
+        (80, 98),
+        (100, 118),
+    ] {
+        let trimming = |ring: i32| {
+            let pair = Pair::without_backlash(cutter(teeth), gear(-ring, 0.0)).unwrap();
+            pair.interference().unwrap().trimming
+        };
+        assert!(
+            trimming(least) >= 0.0 && trimming(least - 1) < 0.0,
+            "{teeth}: {} {}",
+            trimming(least),
+            trimming(least - 1)
+        );
+    }
+}
+
+/// 21/43/108 teeth, m = 1.75 mm, a = 56.8 mm: 21 + 2·43 ≠ 108.
+#[test]
+fn a_set_of_a_course_closes() {
+    let m = 1.75;
+    let [sun, planet, ring] = [gear(21, 0.4380), gear(43, 0.0426), gear(-108, 0.0)];
+    let pair = |one, other| Pair::at_centre_distance(one, other, 56.8 / m).unwrap();
+    let (outer, inner) = (pair(sun, planet), pair(planet, ring));
+    assert!(outer.backlash().abs() < 1e-4 && inner.backlash().abs() < 1e-4);
+    let k = outer.tip_alteration();
+    let [sun, planet] = [sun, planet].map(|gear| gear.with_tip_alteration(k).unwrap());
+    // Both shifts are printed to 0.0001.
+    is_but_for(m * sun.tip_diameter(), 1.75e-4, "41.7008");
+    is_but_for(m * planet.tip_diameter(), 1.75e-4, "78.8170");
+    // With the shift of 0 that is printed 185.5.
+    is_but_for(m * ring.tip_diameter(), 1e-3, "185.4992");
+    is(m * sun.span(3), "13.9546");
+    is_but_for(m * planet.span(5), 1e-4, "24.3530");
+}
+
+/// First stage of the DTU 10 MW gearbox: 26/31/89, m = 30 mm, β = 8°.
+#[test]
+fn a_helical_set_has_its_printed_working_angles() {
+    let profile = Profile { helix_angle: angle_from_degrees(8.0), ..Profile::default() };
+    let [sun, planet, ring] =
+        [(26, 0.2702), (31, 0.2093), (-89, -0.1591)].map(|(teeth, shift)| shaped(teeth, shift, profile));
+    let pair = |one, other| Pair::at_centre_distance(one, other, 877.033 / 30.0).unwrap();
+    let (outer, inner) = (pair(sun, planet), pair(planet, ring));
+    is(outer.working_angle_rad().to_degrees(), "22.4787");
+    is(inner.working_angle_rad().to_degrees(), "19.9094");
+    assert!(
+        outer.backlash().abs() < 1e-4 && inner.backlash().abs() < 1e-4,
+        "{} {}",
+        outer.backlash(),
+        inner.backlash()
+    );
+}
