@@ -47,17 +47,18 @@
 //! differ by the loss. A planet between two central gears and nothing else hands on what it takes, and its mesh forces
 //! `F_c` are those of [`two_mesh_forces`](epicyclic_gears::planet_bearing::two_mesh_forces), which add to `F_t`; elsewhere
 //! `F_c = |T_c|/(N·r_c)`. Here the *moments about the main axis* are taken, which balance exactly, so that the bearings
-//! hand the carrier what the torques say. The force between two planets follows from the torques of the central gears
-//! on both sides of that mesh, `τ_q·g_p·N = ½·(Σ g·T beyond − Σ g·T on this side)`, with `g` the speeds relative to
-//! the carrier: without losses both halves are one number; with them it is right within half the set's loss. It needs
-//! no motion, so it also holds in a set that turns as a block. A central gear in mesh with planets of two kinds shares
-//! its torque among them likewise.
+//! hand the carrier what the torques say. The force between two planets follows from the power through their mesh:
+//! of the powers `g·T` of the central gears on both sides, with `g` the speeds relative to the carrier, each mesh on the way
+//! passes on its part `η`, and `τ_q·g_p·N` is the mean of what enters the mesh and of what leaves it. So a planet that carries
+//! nothing feels nothing. It needs no motion: where the powers add to nothing the set turns as a block or loses nothing, and no mesh takes a part.
+//! A central gear in mesh with planets of two kinds shares its torque among them likewise.
 //!
 //! # Left out
 //! Bevel planets ([`Lack::Bevel`]); the couple of the two planes of a stepped planet, which loads two bearings
 //! unequally; what the pins of a planet shaft (K-H-V) press on their disc beyond a pure couple; weight, helix angle,
 //! unequal load sharing; the difference between nominal and working pressure angle of shifted profiles.
 
+mod flows;
 mod forces;
 mod size;
 
@@ -76,6 +77,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::{Error, ToothCount};
+use flows::{Flows, Part};
 use uom::si::f64::Mass;
 
 impl Gearbox {
@@ -140,6 +142,7 @@ impl PlanetSet {
                     shafts: self.shafts_of(planet),
                     members: self.members().len(),
                     is_only: self.planets().len() == 1,
+                    flows: self.flows(),
                     loss_share: self.loss_share(planet),
                 };
                 if is_bevel {
@@ -247,8 +250,8 @@ impl PlanetSet {
             };
             let pitch_radius = places.radii[planet].zip(in_radii).map(|(radius, of)| metres(radius * of));
             let with = GearOf::Central(central);
-            let weights = Some(self.torque_from(central, mesh));
-            return Some(Contact { mesh, with, gear_kind, pitch_radius, direction: None, weights });
+            let part = Some(self.torque_from(central, mesh));
+            return Some(Contact { mesh, with, gear_kind, pitch_radius, direction: None, part });
         }
         let gears = planet_mesh(self, mesh)?;
         let own = gears.iter().position(|gear| planet_of(*gear) == Some(planet))?;
@@ -260,7 +263,7 @@ impl PlanetSet {
             gear_kind: GearKind::External,
             pitch_radius: None,
             direction: None,
-            weights: self.torque_between(planet, mesh),
+            part: self.torque_between(planet, mesh),
         };
         match places.pairs[mesh] {
             Ok(pair) => {
@@ -289,45 +292,34 @@ impl PlanetSet {
         Some(contact)
     }
 
-    /// Power that a mesh carries from its first gear's side, over a speed relative to the carrier of 1 of the first
-    /// central gear, for a torque of 1 on each central gear: the mean of what both sides say.
-    fn through(&self, mesh: usize) -> Vec<f64> {
-        let weight = |central: usize| {
-            let is_beyond =
-                self.tree.place(central).is_some_and(|place| self.tree.behind[mesh].contains(&place));
-            self.ratio_between(central, 0) * if is_beyond { -0.5 } else { 0.5 }
+    /// How its power runs through its meshes.
+    fn flows(&self) -> Flows {
+        let body = |gear: GearOf| match gear {
+            GearOf::Central(central) => self.centrals()[central].body,
+            GearOf::Planet(planet, _) => self.centrals().len() + planet,
         };
-        (0..self.centrals().len()).map(weight).collect()
+        Flows {
+            speeds: (0..self.centrals().len()).map(|central| self.ratio_between(central, 0)).collect(),
+            bodies: self.centrals().iter().map(|central| central.body).collect(),
+            meshes: self.meshes().iter().map(|mesh| (mesh.gears.map(body), mesh.efficiency.get())).collect(),
+        }
     }
 
-    /// `τ_q·N`: torque on all planets of a kind about their own axes through a mesh with other planets, for a torque of
-    /// 1 on each central gear.
-    fn torque_between(&self, planet: usize, mesh: usize) -> Option<Vec<f64>> {
+    /// `τ_q·N`: torque on all planets of a kind about their own axes through a mesh with other planets.
+    fn torque_between(&self, planet: usize, mesh: usize) -> Option<Part> {
         let g_planet = self.planet_factor(planet)?;
         let is_near = planet_of(self.meshes()[mesh].gears[0]) == Some(planet);
         let sign = if is_near { -1.0 } else { 1.0 };
-        Some(self.through(mesh).iter().map(|weight| sign * weight / g_planet).collect())
+        Some(Part::Between { mesh, factor: sign / g_planet })
     }
 
-    /// Part of a central gear's torque that goes through one of its meshes, for a torque of 1 on each central gear. All
-    /// parts make up the torque; what losses leave open is shared alike.
-    fn torque_from(&self, central: usize, mesh: usize) -> Vec<f64> {
+    /// Part of a central gear's torque that goes through one of its meshes.
+    fn torque_from(&self, central: usize, mesh: usize) -> Part {
         let gear = GearOf::Central(central);
-        let meshes: Vec<usize> =
-            (0..self.meshes().len()).filter(|&one| self.meshes()[one].gears.contains(&gear)).collect();
-        let own = |member: usize| if member == central { 1.0 } else { 0.0 };
-        if meshes.len() == 1 {
-            return (0..self.centrals().len()).map(own).collect();
-        }
-        let part = |mesh: usize, member: usize| {
-            let sign = if self.meshes()[mesh].gears[0] == gear { 1.0 } else { -1.0 };
-            sign * self.through(mesh)[member] / self.ratio_between(central, 0)
-        };
-        let weight = |member: usize| {
-            let all: f64 = meshes.iter().map(|&one| part(one, member)).sum();
-            part(mesh, member) + (own(member) - all) / meshes.len() as f64
-        };
-        (0..self.centrals().len()).map(weight).collect()
+        let meshes = (0..self.meshes().len()).filter(|&one| self.meshes()[one].gears.contains(&gear));
+        let sign = |one: usize| if self.meshes()[one].gears[0] == gear { 1.0 } else { -1.0 };
+        let all: Vec<(usize, f64)> = meshes.map(|one| (one, sign(one))).collect();
+        if all.len() == 1 { Part::Whole(central) } else { Part::Shared { central, mesh, all } }
     }
 
     fn planet_mass(&self, planet: usize, size: &SetSize, places: &Places) -> Result<Option<Mass>, Error> {

@@ -146,8 +146,15 @@ pub struct TorquesOfInput {
 impl TorquesOfInput {
     fn of(case: &LoadCase) -> Self {
         let of_input = |torque: f64| torque / case.input;
-        Self { input: 1.0, output: of_input(case.output), housing: of_input(case.housing) }
+        let output = of_input(case.output);
+        Self { input: 1.0, output, housing: rest(1.0, output) }
     }
+}
+
+/// What is left for the housing, `−T_in − T_out`; nothing where rounding alone leaves it.
+fn rest(input: f64, output: f64) -> f64 {
+    let rest = -input - output;
+    if rest.abs() <= ROUNDED * input.abs().max(output.abs()) { 0.0 } else { rest }
 }
 
 /// Torques at a load.
@@ -432,7 +439,7 @@ impl Scene<'_> {
         let at_load = |operation: &Operation| TorquesAtLoad {
             input_n_m: operation.input.si(),
             output_n_m: operation.output.si(),
-            housing_n_m: (-operation.input - operation.output).si(),
+            housing_n_m: rest(operation.input.si(), operation.output.si()),
         };
         Some(Torques {
             without_losses: TorquesOfInput::of(self.worked.analysis.ideal()?),

@@ -4,6 +4,7 @@ use super::Worked;
 use super::records::planet_name;
 use crate::Error;
 use crate::gearbox::Subject;
+use crate::tolerance::ROUNDED;
 use epicyclic_formats::Physical;
 use epicyclic_train::planet_bearings as train;
 use epicyclic_train::{Direction, LoadCase, PlanetSet};
@@ -29,9 +30,9 @@ pub struct PlanetBearing {
     pub carrier_radius_m: Option<f64>,
     /// Mass of one.
     pub planet_mass_kg: Option<f64>,
-    /// Size of the torque of the set's carrier over the input's.
+    /// Size of the torque of the set's carrier over the input's; none of a set of planets that differ, which share it.
     pub carrier_torque_of_input: Option<f64>,
-    /// The part of it for each planet.
+    /// The part of it for each planet; none of a set of planets that differ.
     pub carrier_torque_each_of_input: Option<f64>,
     /// Tangential force in N at 1 N·m on the input.
     pub tangential_force_per_input_n_m: Option<f64>,
@@ -162,14 +163,17 @@ fn one(
         let torques = case.members[bearing.set].as_ref()?;
         Some(torques.last()?.abs() / case.input.abs())
     };
-    let carrier_torque = case.and_then(of_carrier);
+    // Planets that differ share it as their places and meshes make them: their forces say how.
+    let carrier_torque = case.and_then(of_carrier).filter(|_| bearing.is_only());
     let per_unit = case.map(|case| bearing.of_unit_input(case)).transpose()?.unwrap_or_default();
     let carrier = analysis.speed(set.carrier());
     let speed = input.speed.zip(carrier).map(|(speed, of)| speed * of);
     let at = operation.as_ref().and_then(|operation| operation.members[bearing.set].as_deref());
     let forces = bearing.forces(at, speed)?;
     let planet = analysis.sets()[bearing.set].planets[bearing.planet];
-    let turning = input.speed.zip(planet).map(|(speed, planet)| speed * planet.relative);
+    // A set that turns as a block leaves the rounding of a difference.
+    let relative = |turning: f64| if turning.abs() < ROUNDED { 0.0 } else { turning };
+    let turning = input.speed.zip(planet).map(|(speed, planet)| speed * relative(planet.relative));
     let life = match forces.total.zip(turning) {
         Some((force, turning)) => bearing.life(force, turning)?,
         None => None,

@@ -1,5 +1,6 @@
 //! The bearing of a planet: its meshes, and the forces of torques and speed on it.
 
+use super::flows::{Flows, Part};
 use crate::planet_places::planet_of;
 use crate::planet_set::GearOf;
 use crate::tolerance::NO_TORQUE;
@@ -60,9 +61,8 @@ pub struct Contact {
     pub pitch_radius: Option<Length>,
     /// Towards another planet: unit vector outwards and along the positive direction of rotation.
     pub direction: Option<[f64; 2]>,
-    /// For a torque of 1 on each central gear: what of it this mesh brings about the main axis, of a central gear;
-    /// `τ_q·N`, of another planet.
-    pub(super) weights: Option<Vec<f64>>,
+    /// What of the torques on the central gears it brings.
+    pub(super) part: Option<Part>,
 }
 
 /// The bearing of a planet on its planet pin, as far as it is known.
@@ -93,6 +93,7 @@ pub struct PlanetBearing {
     pub(super) shafts: Vec<usize>,
     pub(super) members: usize,
     pub(super) is_only: bool,
+    pub(super) flows: Flows,
     /// Part of the loss that the first of its two meshes has, where it has two, both with central gears.
     pub(super) loss_share: Option<f64>,
 }
@@ -113,25 +114,26 @@ pub struct BearingForces {
 impl Contact {
     /// Whether it is a mesh with a planet through which the torque is not known.
     pub(super) fn is_weightless(&self) -> bool {
-        planet_of(self.with).is_some() && self.weights.is_none()
+        planet_of(self.with).is_some() && self.part.is_none()
     }
 
-    /// Its torque for these on the central gears.
-    pub(super) fn weighed(&self, torques_n_m: &[f64]) -> Option<f64> {
-        Some(self.weights.as_ref()?.iter().zip(torques_n_m).map(|(weight, torque)| weight * torque).sum())
+    /// Its torque for these on the central gears: about the main axis, with a central gear; `τ_q·N`, with another planet.
+    pub(super) fn weighed(&self, flows: &Flows, torques_n_m: &[f64]) -> Option<f64> {
+        Some(flows.torque(self.part.as_ref()?, torques_n_m))
     }
 
     /// Force of another planet on this one, outwards and along the positive direction, N; and its moment about the
     /// main axis, N·m.
     pub(super) fn of_planet(
         &self,
+        flows: &Flows,
         torques_n_m: &[f64],
         count: f64,
         tan_alpha: f64,
         radius_m: f64,
     ) -> Option<([f64; 2], f64)> {
         let [out, along] = self.direction?;
-        let about_own_n_m = self.weighed(torques_n_m)? / count;
+        let about_own_n_m = self.weighed(flows, torques_n_m)? / count;
         let across_n = about_own_n_m / in_metres(self.pitch_radius?);
         let apart_n = across_n.abs() * tan_alpha;
         let outwards_n = -across_n * along - apart_n * out;
@@ -141,6 +143,12 @@ impl Contact {
 }
 
 impl PlanetBearing {
+    /// Whether the set has no other planet: then its pins alone hand the carrier its torque.
+    #[must_use]
+    pub const fn is_only(&self) -> bool {
+        self.is_only
+    }
+
     /// The forces at this operating point.
     ///
     /// # Errors
@@ -186,7 +194,7 @@ impl PlanetBearing {
                 if planet_of(contact.with).is_some() {
                     return None;
                 }
-                let torque = contact.weighed(&of_centrals).map(torque);
+                let torque = contact.weighed(&self.flows, &of_centrals).map(torque);
                 let known = contact.pitch_radius.zip(torque);
                 Some(known.map(|(pitch_radius, torque)| Push {
                     kind: contact.gear_kind,
@@ -214,7 +222,8 @@ impl PlanetBearing {
             } else {
                 between.map(|[_, moment_n_m]| {
                     let gears = self.contacts.iter().filter(|contact| planet_of(contact.with).is_none());
-                    let of_gears: f64 = gears.filter_map(|gear| gear.weighed(&of_centrals)).sum();
+                    let of_gears: f64 =
+                        gears.filter_map(|gear| gear.weighed(&self.flows, &of_centrals)).sum();
                     let own = of_gears + self.shafts.iter().map(|&shaft| of_centrals[shaft]).sum::<f64>();
                     let largest = of_centrals.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
                     let is_against = n_m(*carrier) > NO_TORQUE * largest;
@@ -240,7 +249,7 @@ impl PlanetBearing {
         let meshing = self.contacts.iter().filter(|contact| planet_of(contact.with).is_some());
         meshing.into_iter().try_fold([0.0, 0.0], |[out, about], contact| {
             let ([outwards_n, _], moment_n_m) =
-                contact.of_planet(torques_n_m, count, tan_alpha, in_metres(radius))?;
+                contact.of_planet(&self.flows, torques_n_m, count, tan_alpha, in_metres(radius))?;
             Some([out + outwards_n, about + moment_n_m])
         })
     }

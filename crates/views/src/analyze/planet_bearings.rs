@@ -120,6 +120,13 @@ fn note(bearings: &[PlanetBearing], is_sized: bool, turns: bool) -> String {
             notes.push("--speed adds the centrifugal force.".to_owned());
         }
     }
+    let differ = |one: &PlanetBearing| {
+        let alike = bearings.iter().filter(|other| (&other.set, &other.gear) == (&one.set, &one.gear));
+        one.carrier_torque_of_input.is_none() && alike.count() > 1
+    };
+    if !is_sized && bearings.iter().any(differ) {
+        notes.push("Planets that differ share the carrier's torque as their sizes make them.".to_owned());
+    }
     let in_list =
         |bearing: &&PlanetBearing| bearing.missing.iter().any(|lack| lack.lack == LackName::NoSizesInList);
     if bearings.iter().all(|bearing| in_list(&bearing)) {
