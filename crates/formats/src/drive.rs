@@ -121,7 +121,8 @@ pub struct GearSetFile {
     /// Bore of the sun: `shaft`, the default, its shaft's diameter; `bearing`, its bearing's outside diameter; or a
     /// diameter.
     pub sun_bore: Option<BoreText>,
-    /// Bore of a planet: `bearing`, the default, `shaft`, or a diameter.
+    /// Bore of a planet: `bearing`, `shaft`, or a diameter. Default its bearing's outside diameter where that goes into the planet; else
+    /// the planet is taken as solid, with a warning.
     pub planet_bore: Option<BoreText>,
 }
 

@@ -95,6 +95,23 @@ fn message(finding: &Finding) -> String {
         Finding::PlanetPinOffCentre { hole_mm, centre_distance_mm } => format!(
             "the carrier's holes stand at a radius of {hole_mm:.2} mm, the planets at {centre_distance_mm:.2} mm"
         ),
+        Finding::PlanetBearingTooLarge { bearing, outside_mm, pin_mm, root_mm } => format!(
+            "bearing {bearing} on the planet pin of {pin_mm:.1} mm has an outside diameter of {outside_mm:.1} mm and does not go into the \
+             planet, whose root circle is {root_mm:.1} mm: the planet was taken as solid; give shafts.planet.diameter by the bending of \
+             the pin, or gear_set.planet_bore"
+        ),
+        Finding::PlanetBoreTooNarrow { bore_mm, pin_mm, bearing } => {
+            let goes_in = bearing.map_or_else(
+                || format!("planet pin of {pin_mm:.1} mm"),
+                |(name, outside_mm)| {
+                    format!("bearing {name} ({outside_mm:.1} mm) on the planet pin of {pin_mm:.1} mm")
+                },
+            );
+            format!(
+                "the planet's bore of {bore_mm:.1} mm is narrower than the {goes_in}: give shafts.planet.diameter and \
+                 shafts.planet.bearing that go in, or a wider gear_set.planet_bore"
+            )
+        }
         Finding::CarrierNeglected => {
             "the carrier was taken as massless: give its shape or its inertia".to_owned()
         }

@@ -36,7 +36,13 @@ pub(super) fn masses(
     let (width, density) = (gear_set.face_width, wanted.density);
     let sun_bore = bore(wanted.sun_bore, &shafts.sun, series)?;
     let sun = gear_mass(BoredGear::Sun, &gear_set.sun, sun_bore, width, density)?;
-    let planet_bore = bore(wanted.planet_bore, &shafts.planet, series)?;
+    let planet_bore = match wanted.planet_bore {
+        Bore::BearingOrSolid => bearing_or_solid(&shafts.planet, gear_set.planet.root_diameter(), warnings),
+        given => bore(given, &shafts.planet, series)?,
+    };
+    if let Bore::Given(given) = wanted.planet_bore {
+        warnings.extend(too_narrow(given, &shafts.planet));
+    }
     let planet = gear_mass(BoredGear::Planet, &gear_set.planet, planet_bore, width, density)?;
     let (mass, carrier_inertia) = match *carrier {
         CarrierSpec::Neglected => {
@@ -66,11 +72,39 @@ fn bore(wanted: Bore, shaft: &ShaftDesign, series: Series) -> Result<Length, Err
     Ok(match wanted {
         Bore::Given(bore) => bore,
         Bore::Shaft => shaft.used.diameter,
-        Bore::Bearing => match shaft.used.bearing {
+        Bore::Bearing | Bore::BearingOrSolid => match shaft.used.bearing {
             Some(bearing) => bearing.outside_diameter,
             // Refused again, now that the bearing is needed.
             None => bearing::smallest_for_shaft(series, shaft.used.diameter)?.outside_diameter,
         },
+    })
+}
+
+/// The bearing's outside diameter; none where no bearing goes into the planet, which is said.
+fn bearing_or_solid(pin: &ShaftDesign, root: Length, warnings: &mut Vec<Warning>) -> Length {
+    match pin.used.bearing {
+        Some(bearing) if bearing.outside_diameter < root => bearing.outside_diameter,
+        Some(bearing) => {
+            warnings.push(Warning::PlanetBearingTooLarge {
+                bearing: bearing.designation,
+                outside_mm: millimeters(bearing.outside_diameter),
+                pin_mm: millimeters(pin.used.diameter),
+                root_mm: millimeters(root),
+            });
+            Length::default()
+        }
+        // That there is none has been said.
+        None => Length::default(),
+    }
+}
+
+/// What of a pin and its bearing does not go into a given bore; a solid gear has no hole that was chosen.
+fn too_narrow(bore: Length, pin: &ShaftDesign) -> Option<Warning> {
+    let needs = pin.used.bearing.map_or(pin.used.diameter, |bearing| bearing.outside_diameter);
+    (bore > Length::default() && bore < needs).then(|| Warning::PlanetBoreTooNarrow {
+        bore_mm: millimeters(bore),
+        pin_mm: millimeters(pin.used.diameter),
+        bearing: pin.used.bearing.map(|bearing| (bearing.designation, millimeters(bearing.outside_diameter))),
     })
 }
 

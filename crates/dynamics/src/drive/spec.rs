@@ -86,7 +86,7 @@ pub struct GearSetSpec {
     pub density: MassDensity,
     /// Bore of the sun. Default [`Bore::Shaft`]; the source's is [`Bore::Bearing`].
     pub sun_bore: Bore,
-    /// Bore of a planet. Default [`Bore::Bearing`].
+    /// Bore of a planet. Default [`Bore::BearingOrSolid`].
     pub planet_bore: Bore,
 }
 
@@ -97,6 +97,8 @@ pub enum Bore {
     Shaft,
     /// Its bearing sits in it: the hole is the bearing's outside diameter.
     Bearing,
+    /// The same where the bearing goes into the gear; a solid gear, with a warning, where it does not.
+    BearingOrSolid,
     /// This wide; 0 for a solid gear.
     Given(Length),
 }
@@ -161,7 +163,7 @@ impl DriveSpec {
                 rack,
                 density: density(7850.0),
                 sun_bore: Bore::Shaft,
-                planet_bore: Bore::Bearing,
+                planet_bore: Bore::BearingOrSolid,
             },
             shafts: ShaftsSpec {
                 allowable_stress: stress(20.0),

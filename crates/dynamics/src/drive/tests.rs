@@ -438,7 +438,10 @@ fn impossible_drives_are_refused() {
     );
     refused!(|s| s.power = power(106.5e9), Error::Gear(Gear::NoStandardDiameter { .. }));
     refused!(
-        |s| s.shafts.planet = ShaftSpec { diameter: Some(mm(120.0)), bearing: None },
+        |s| {
+            s.gear_set.planet_bore = Bore::Bearing;
+            s.shafts.planet = ShaftSpec { diameter: Some(mm(120.0)), bearing: None };
+        },
         Error::Gear(Gear::NoBearingForShaft { series: 300, .. })
     );
     refused!(
@@ -505,6 +508,25 @@ prop_compose! {
         (spec.motor_inertia, spec.machine_inertia) = (inertia(attached[0]), inertia(attached[1]));
         spec
     }
+}
+
+/// What goes into a planet and what does not: the default takes it as solid, a bearing asked for is refused.
+#[test]
+fn a_planet_without_room_for_its_bearing_is_solid_and_said_to_be() {
+    let mut spec = DriveSpec::new(power(55e3), rpm(220.0), 5.2, mm(6.0), mm(70.0));
+    let found = design(&spec).unwrap();
+    let named =
+        |found: &DriveDesign| -> Vec<&'static str> { found.warnings.iter().map(Warning::name).collect() };
+    assert!(named(&found).contains(&"planet-bearing-too-large"));
+    assert_eq!(found.masses.planet.bore, Length::default());
+    spec.gear_set.planet_bore = Bore::Bearing;
+    assert!(matches!(design(&spec), Err(Error::BoreTooLarge { gear: BoredGear::Planet, .. })));
+    spec.gear_set.planet_bore = Bore::Given(mm(70.0));
+    assert!(named(&design(&spec).unwrap()).contains(&"planet-bore-too-narrow"));
+    let bearing = bearing::by_designation("208").unwrap();
+    spec.shafts.planet = ShaftSpec { diameter: Some(mm(40.0)), bearing: Some(bearing) };
+    spec.gear_set.planet_bore = Bore::Given(mm(80.0));
+    assert!(!named(&design(&spec).unwrap()).contains(&"planet-bore-too-narrow"));
 }
 
 prop_compose! {

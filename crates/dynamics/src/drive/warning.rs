@@ -106,6 +106,26 @@ pub enum Warning {
         /// Centre distance of sun and planet, mm.
         centre_distance_mm: f64,
     },
+    /// The bearing on the planet pin does not go into the planet, which was taken as solid.
+    PlanetBearingTooLarge {
+        /// Designation of the bearing.
+        bearing: &'static str,
+        /// Its outside diameter, mm.
+        outside_mm: f64,
+        /// Diameter of the pin, mm.
+        pin_mm: f64,
+        /// Root diameter of the planet, mm.
+        root_mm: f64,
+    },
+    /// A given bore of the planet is narrower than what is to go into it.
+    PlanetBoreTooNarrow {
+        /// The bore, mm.
+        bore_mm: f64,
+        /// Diameter of the planet pin, mm.
+        pin_mm: f64,
+        /// Designation and outside diameter, mm, of the bearing on it.
+        bearing: Option<(&'static str, f64)>,
+    },
     /// The carrier was taken as massless.
     CarrierNeglected,
 }
@@ -127,6 +147,8 @@ impl Warning {
             Self::RatioDeparts { .. } => "ratio-departs",
             Self::RatioOutsideUsualRange { .. } => "ratio-outside-usual-range",
             Self::PlanetPinOffCentre { .. } => "planet-pin-off-centre",
+            Self::PlanetBearingTooLarge { .. } => "planet-bearing-too-large",
+            Self::PlanetBoreTooNarrow { .. } => "planet-bore-too-narrow",
             Self::CarrierNeglected => "carrier-neglected",
         }
     }
