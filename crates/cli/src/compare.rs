@@ -17,8 +17,8 @@ use uom::si::f64::Ratio;
 
 /// Gearboxes side by side: ratios, steps, spread, efficiency, torques and slips of shift elements, speeds, circulating power, parts.
 ///
-/// Differences are counted from the first. Gears stand beside each other by their names where these are the same in all gearboxes, else
-/// by their ratios. Of a list of transmissions those are compared that --transmission names. Schemes and structures by their names take
+/// Differences are counted from the first. Gears stand beside each other by their names where these are the same in all gearboxes, with
+/// their ratios in the same order; else by their ratios. Of a list of transmissions those are compared that --transmission names. Schemes and structures by their names take
 /// the sizes that are given, all the same. With --output and a name that ends in .html the answer is a page with the schemes.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\

@@ -103,6 +103,44 @@ fn gearboxes_side_by_side() {
     ));
 }
 
+/// Gear names that two makers give in opposite order of the ratios name different gears; the order of a file says nothing of steps.
+#[test]
+fn gears_of_one_name_and_other_order_stand_by_their_ratios() {
+    let folder = here();
+    let file = fs::read_to_string(examples().join("scheme-ii-3.yaml")).unwrap();
+    let swapped = file
+        .replace("name: slow", "name: X")
+        .replace("name: middle", "name: slow")
+        .replace("name: X", "name: middle");
+    assert_ne!(file, swapped);
+    fs::write(folder.path().join("one.yaml"), &file).unwrap();
+    fs::write(folder.path().join("other.yaml"), swapped).unwrap();
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        let done = output(folder.path(), &[arguments, &["--format", "json"]].concat());
+        serde_json::from_slice(&done.stdout).unwrap()
+    };
+    assert_eq!(json(&["compare", "one.yaml", "one.yaml"])["gears_by"], "name");
+    let compared = json(&["compare", "one.yaml", "other.yaml"]);
+    assert_eq!(compared["gears_by"], "ratio");
+    for gear in compared["gears"].as_array().unwrap() {
+        let ratio =
+            gear["figures"].as_array().unwrap().iter().find(|figure| figure["figure"] == "ratio").unwrap();
+        let values = ratio["values"].as_array().unwrap();
+        assert_eq!(values[0]["value"], values[1]["value"], "{gear}");
+    }
+    let steps = |file: &str| -> Vec<(String, f64)> {
+        let gears = json(&["analyze", file])["gears"].as_array().unwrap().clone();
+        let mut steps: Vec<(String, f64)> = gears
+            .iter()
+            .filter_map(|gear| Some((gear["ratio"].as_f64()?.to_string(), gear["step"].as_f64()?)))
+            .collect();
+        steps.sort_by(|one, other| one.0.cmp(&other.0));
+        steps
+    };
+    assert_eq!(steps("one.yaml"), steps("other.yaml"));
+    assert!(steps("one.yaml").iter().all(|(_, step)| *step > 1.0));
+}
+
 #[test]
 fn ratios_as_formulas() {
     insta::assert_snapshot!(sessions(

@@ -50,7 +50,7 @@ pub struct Gear {
     /// What it engages, its state, ratio and efficiencies.
     #[serde(flatten)]
     pub facts: GearFacts,
-    /// Ratio step: the ratio of the gear before over this one's, between the same links in the same direction.
+    /// Ratio step: the next larger ratio of the progression over this one; none of the largest. The order of the file does not matter.
     pub step: Option<f64>,
     /// The ratio over that of the geometric progression between the first and the last gear of its progression, less 1;
     /// `null` where there are no other gears between these.
@@ -106,8 +106,10 @@ pub fn answer(
     } else {
         shifts::between(gearbox, &analyses, &ordered, input.speed, 0)
     };
-    let gears: Vec<Gear> =
-        (0..worked.len()).map(|place| Gear::of(subject, &worked, place, deviations[place])).collect();
+    let steps = progression::steps(&analyses, &ordered);
+    let gears: Vec<Gear> = (0..worked.len())
+        .map(|place| Gear::of(subject, &worked[place], steps[place], deviations[place]))
+        .collect();
     let duties: Vec<(&str, &[InGear])> =
         gears.iter().map(|gear| (gear.facts.gear.as_str(), &gear.shift_elements[..])).collect();
     let bearings = planet_bearings::of_gears(subject, &worked)?;
@@ -128,14 +130,12 @@ pub fn answer(
 }
 
 impl Gear {
-    fn of(subject: &Subject<'_>, all: &[Worked<'_>], place: usize, deviation: Deviation) -> Self {
-        let worked = &all[place];
+    fn of(subject: &Subject<'_>, worked: &Worked<'_>, step: Option<f64>, deviation: Deviation) -> Self {
         let analysis = &worked.analysis;
-        let before = place.checked_sub(1).map(|before| &all[before].analysis);
         let output_speed = analysis.speed(analysis.gear().output());
         Self {
             facts: GearFacts::of(subject, analysis),
-            step: before.and_then(|before| step(before, analysis)),
+            step,
             geometric_deviation: deviation.geometric,
             progressive_deviation: deviation.progressive,
             circulating_of_entering: analysis.driving().map(|case| case.power.circulating),
@@ -146,13 +146,6 @@ impl Gear {
             output_torque_n_m: worked.operation.as_ref().map(|operation| operation.output.si()),
         }
     }
-}
-
-/// Ratio of the gear before over this one's, between the same links and in the same direction.
-fn step(before: &Analysis<'_>, this: &Analysis<'_>) -> Option<f64> {
-    let (one, other) = (before.ratio()?, this.ratio()?);
-    let between = |analysis: &Analysis<'_>| [analysis.gear().input(), analysis.gear().output()];
-    (one * other > 0.0 && between(before) == between(this)).then(|| one / other)
 }
 
 fn largest_speed(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Option<f64> {

@@ -126,6 +126,18 @@ pub(super) fn of(
     Ok((all, deviations))
 }
 
+/// The step to each gear from the next larger ratio of its progression.
+pub(super) fn steps(gears: &[&Analysis<'_>], ordered: &[Ordered]) -> Vec<Option<f64>> {
+    let mut steps = vec![None; gears.len()];
+    for pair in ordered.iter().flat_map(|one| one.ranks.windows(2)) {
+        for &place in &pair[1] {
+            steps[place] =
+                gears[pair[0][0]].ratio().zip(gears[place].ratio()).map(|(one, other)| one / other);
+        }
+    }
+    steps
+}
+
 /// Ideal progressions between the first and the last of some ratios.
 #[derive(Debug)]
 struct Ideal {

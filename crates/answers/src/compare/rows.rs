@@ -1,12 +1,12 @@
 //! Which gears of several gearboxes stand beside each other.
 //!
-//! Where all gearboxes have gears of the same names, those of one name do. Otherwise gears stand together by their ratios: with one
+//! Where all gearboxes have gears of the same names in the same order of their ratios, those of one name do. Otherwise gears stand together by their ratios: with one
 //! gearbox after the other the gears are laid beside those of the gearboxes before, both by falling size of the ratio and apart by its
 //! sign, so that the sum of `|ln(i/i')|` over all pairs is least, where a gear that stays alone costs half of `ln 1.2`. No two gears whose
 //! ratios differ by more than a fifth are a pair.
 
 use crate::Error;
-use crate::analyze::overview::Overview;
+use crate::analyze::overview::{Gear, Overview};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -21,7 +21,7 @@ const FARTHEST: f64 = 1.2;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum GearsBy {
-    /// By their names, which are the same in all gearboxes.
+    /// By their names, which are the same in all gearboxes and in the same order of their ratios.
     Name,
     /// By their ratios.
     Ratio,
@@ -42,7 +42,9 @@ pub(super) fn of(overviews: &[Overview]) -> Result<(GearsBy, Vec<Row>), Error> {
     };
     let all: Vec<Vec<String>> = overviews.iter().map(names).collect();
     let sets: Vec<BTreeSet<&String>> = all.iter().map(|names| names.iter().collect()).collect();
-    if sets.windows(2).all(|pair| pair[0] == pair[1]) {
+    let orders: Vec<Vec<&str>> = overviews.iter().map(by_falling_ratio).collect();
+    let is_same = |pair: &[Vec<&str>]| pair[0] == pair[1];
+    if sets.windows(2).all(|pair| pair[0] == pair[1]) && orders.windows(2).all(is_same) {
         let first = all.first().map_or(&[][..], Vec::as_slice);
         let place =
             |name: &String| all.iter().map(|names| names.iter().position(|other| other == name)).collect();
@@ -53,6 +55,17 @@ pub(super) fn of(overviews: &[Overview]) -> Result<(GearsBy, Vec<Row>), Error> {
         .map(|overview| overview.gears.iter().map(|gear| gear.facts.ratio).collect())
         .collect();
     Ok((GearsBy::Ratio, by_ratio(&ratios)))
+}
+
+/// Names of the gears that have a ratio, the largest first, reverse gears last; equal ones by their names.
+fn by_falling_ratio(overview: &Overview) -> Vec<&str> {
+    let of = |gear: &'_ Gear| gear.facts.ratio;
+    let mut gears: Vec<&Gear> = overview.gears.iter().filter(|gear| of(gear).is_some()).collect();
+    gears.sort_by(|one, other| {
+        let key = |gear: &Gear| of(gear).unwrap_or_default();
+        key(other).total_cmp(&key(one)).then_with(|| one.facts.gear.cmp(&other.facts.gear))
+    });
+    gears.into_iter().map(|gear| gear.facts.gear.as_str()).collect()
 }
 
 /// Rows by ratio: forward gears, then those of negative ratio, then gears without a ratio, each alone.
