@@ -185,7 +185,7 @@ pub enum FigureName {
     MultipleTransitions,
     /// Lowest efficiency of a gear.
     LowestEfficiency,
-    /// Largest circulating power of a gear over what enters.
+    /// Largest circulating power of a gear over what enters; gears that turn as a block have none.
     LargestCirculatingPower,
     /// Largest speed of a link over the input's.
     LargestLinkSpeed,
@@ -310,9 +310,7 @@ const WHOLE: &[(FigureName, OfWhole)] = &[
     (FigureName::LowestEfficiency, |_, overview| {
         extreme(gears(overview, |gear| gear.facts.efficiency), f64::lt)
     }),
-    (FigureName::LargestCirculatingPower, |_, overview| {
-        extreme(gears(overview, |gear| gear.circulating_of_entering), f64::gt)
-    }),
+    (FigureName::LargestCirculatingPower, |_, overview| extreme(gears(overview, circulating), f64::gt)),
     (FigureName::LargestLinkSpeed, |_, overview| {
         extreme(gears(overview, |gear| gear.largest_speed_of_input), f64::gt)
     }),
@@ -348,6 +346,12 @@ fn gears(overview: &Overview, of: fn(&overview::Gear) -> Option<f64>) -> impl It
     overview.gears.iter().filter_map(move |gear| {
         Some(Value { value: of(gear)?, gear: Some(gear.facts.gear.clone()), part: None })
     })
+}
+
+/// Circulating power; none of a gearbox that turns as a block, where no mesh passes it on.
+fn circulating(gear: &overview::Gear) -> Option<f64> {
+    let rolls = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > ROUNDED);
+    gear.circulating_of_entering.filter(|_| rolls)
 }
 
 /// Steps between neighbours, whichever way the file lists them.

@@ -1,6 +1,7 @@
 //! The gearbox of a file, in whichever of the two formats it is written.
 
 use crate::Error;
+use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::gearbox::{
     DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
 };
@@ -145,12 +146,12 @@ fn gearbox(document: &Document, efficiency: Option<MeshEfficiency>) -> Result<Bo
         document.error(&Path::root().key(key), Problem::Refused { message: error.to_string() })
     })?;
     let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
+    let (source, published, base) = (None, vec![], Path::root());
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
-    let inputs = file.gears.iter().map(of_gear).collect();
-    let (source, published, base) = (None, vec![], Path::root());
+    let inputs = with_speeds(file.gears.iter().map(of_gear).collect(), document, &base)?;
     Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, inputs }))
 }
 
@@ -169,9 +170,24 @@ fn transmission<'d>(
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
-    let inputs = transmission.gears.iter().map(of_gear).collect();
+    let inputs = with_speeds(transmission.gears.iter().map(of_gear).collect(), document, &base)?;
     let rack = BasicRack::default();
     Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, inputs }))
+}
+
+/// Refuses torques of a gear without speeds: nothing would take them.
+fn with_speeds(
+    inputs: Vec<(String, GearInputs)>,
+    document: &Document,
+    base: &Path,
+) -> Result<Vec<(String, GearInputs)>, Error> {
+    let lacks = |(_, inputs): &&(String, GearInputs)| inputs.speeds.is_empty() && !inputs.torques.is_empty();
+    let Some((gear, GearInputs { torques, .. })) = inputs.iter().find(lacks) else { return Ok(inputs) };
+    let link = torques.keys().next().map_or("", String::as_str);
+    let message = format!(
+        "gear `{gear}`: torques stand beside speeds of the gear; write also speeds: {{ {link}: 100 rpm }}, 0 rpm at rest"
+    );
+    Err(document.error(&gear_place(document, base, gear, "torques"), Problem::Refused { message }).into())
 }
 
 fn names<'t>(transmissions: impl IntoIterator<Item = &'t Transmission>) -> Vec<String> {

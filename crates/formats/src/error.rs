@@ -259,6 +259,10 @@ pub fn nearest<'a>(text: &str, allowed: &'a [String]) -> Option<&'a str> {
 }
 
 fn suggestion(text: &str, allowed: &[String]) -> String {
+    if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()) {
+        // `efficiency: 0,99` within braces is two entries.
+        return "; a comma parts entries: write a decimal point before these digits?".to_owned();
+    }
     nearest(text, allowed).map(|best| format!("; write {best}?")).unwrap_or_default()
 }
 

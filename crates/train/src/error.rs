@@ -568,7 +568,7 @@ impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unreachable { link } => write!(f, "nothing ever joins `{link}` to a set"),
-            Self::NoGears => f.write_str("no gears are described: there is nothing to analyse"),
+            Self::NoGears => f.write_str("no gears are described: there is nothing to analyse; of a gearbox without shift elements write gears: [{ name: only }]"),
             Self::SameTerminals { gear, link } => {
                 write!(f, "input and output of gear `{gear}` are both `{link}`: its ratio is 1 by definition")
             }

@@ -8,3 +8,6 @@ pub(crate) const LEVEL: f64 = 1e-9;
 
 /// Less circulating power, over what enters, is not objected to.
 pub(crate) const CIRCULATES: f64 = 1e-6;
+
+/// A planet that turns slower on its pin, over the input's speed, does not turn.
+pub(crate) const RESTS: f64 = 1e-12;

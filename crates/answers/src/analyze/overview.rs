@@ -96,6 +96,7 @@ pub fn answer(
     let (progressions, deviations) = progression::of(&analyses, &ordered, progression_factor)?;
     let mut all = warnings::of_gearbox(subject);
     all.extend(warnings::fast_planets_of(gearbox, &analyses));
+    all.extend(warnings::not_driven(subject, &analyses));
     all.extend(warnings::contradictions(gearbox, &analyses));
     all.extend(warnings::released(gearbox, &worked.iter().collect::<Vec<_>>()));
     all.extend(warnings::self_locking(&analyses));

@@ -159,6 +159,19 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
     Some(Warning { name: "self-locking", message })
 }
 
+/// Gears whose output is not driven, one line for each state; but for those that the file gives speeds of several links.
+pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+    let is_told = |gear: &&&Analysis<'_>| {
+        !matches!(gear.state(), train::State::Driven) && !subject.has_inputs(gear.gear().name())
+    };
+    let states = grouped(gears.iter().filter(is_told).map(|gear| (gear.state().name(), gear.gear().name())));
+    let message = |(state, names): (&str, Vec<&str>)| match names[..] {
+        [one] => format!("gear {one} does not drive the output: {state}"),
+        _ => format!("{} do not drive the output: {state}", named(&names)),
+    };
+    states.into_iter().map(message).map(|message| Warning { name: "state", message }).collect()
+}
+
 /// Remarks on the gearbox itself.
 pub(super) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     let gearbox = &subject.gearbox;

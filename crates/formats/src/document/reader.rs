@@ -94,6 +94,9 @@ fn wrong_type(found: String, expected: &dyn Expected, correction: Option<String>
     let correction = correction.or_else(|| match (found.as_str(), expected.as_str()) {
         ("nothing", "a sequence") => Some("[] for an empty one".to_owned()),
         ("nothing", "a map") => Some("{} for an empty one".to_owned()),
+        (found, "a sequence") => {
+            found.strip_prefix("the number ").map(|number| format!("[{number}] for one entry"))
+        }
         _ => None,
     });
     Problem::WrongType { found, expected, correction }.into()

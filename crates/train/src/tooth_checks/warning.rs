@@ -11,6 +11,9 @@ pub struct NamedGear {
     pub teeth: u32,
 }
 
+/// What profile shifts of both meshes of a planet make up at the most, in modules: sums of `x` from about −0.5 to 1.5.
+const MOST_SHIFT: f64 = 2.0;
+
 /// Something about the teeth of a set that does not fit without profile shift, or needs a choice.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -145,12 +148,19 @@ impl fmt::Display for ToothWarning {
             Self::RingTooSmall { ring, planet, .. } => {
                 write!(f, "{ring} is not larger than the {planet} in it")
             }
-            Self::UnequalCentreDistances { planet, centrals: [one, other], distances, .. } => write!(
-                f,
-                "{planet} is {} modules from the axis by the {one} and {} by the {other}: equal centre distances need \
-                 shifted profiles",
-                distances[0], distances[1]
-            ),
+            Self::UnequalCentreDistances { planet, centrals: [one, other], distances, .. } => {
+                write!(
+                    f,
+                    "{planet} is {} modules from the axis by the {one} and {} by the {other}: ",
+                    distances[0], distances[1]
+                )?;
+                let apart = (distances[0] - distances[1]).abs();
+                if apart <= MOST_SHIFT {
+                    f.write_str("equal centre distances need shifted profiles")
+                } else {
+                    write!(f, "no profile shift makes up {apart} modules; take other teeth")
+                }
+            }
             Self::NoTriangle { planets: [one, other], radii, distance, .. } => write!(
                 f,
                 "{one} and {other} cannot mesh: their centres, {:.4} and {:.4} modules from the axis, cannot stand \

@@ -4,7 +4,7 @@ use super::paper::{PICTURE_MM, PLOT_MM};
 use super::sheet::{Block, Section, Sheet};
 use crate::figure::Figure;
 use crate::report::{Part, Records, View};
-use crate::tolerance::{CIRCULATES, LEVEL};
+use crate::tolerance::{CIRCULATES, LEVEL, RESTS};
 use crate::{AsReport, Error, Report, drawability};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::records::State;
@@ -138,7 +138,9 @@ fn objections(report: &GearboxReport) -> Vec<String> {
         all.extend(others.map(|warning| format!("gear {}: {}", gear.gear.gear, warning.message)));
     }
     let circulating = overview.gears.iter().filter_map(|gear| {
-        let power = gear.circulating_of_entering.filter(|power| *power > CIRCULATES)?;
+        // Where no planet turns on its pin the gearbox turns as a block, and no mesh passes the power on.
+        let turns = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > RESTS);
+        let power = gear.circulating_of_entering.filter(|power| turns && *power > CIRCULATES)?;
         Some(format!("{} ({})", gear.facts.gear, Figure::Multiple(power).table()))
     });
     let circulating: Vec<String> = circulating.collect();
