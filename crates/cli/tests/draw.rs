@@ -102,7 +102,7 @@ fn drawings_are_files_that_say_their_size() {
     assert_eq!(printed.trim_end(), read("ii-3.svg").trim_end());
 }
 
-/// Pictures of the documents are what the commands draw. To renew one, run the command with `-o docs/pictures/…` from the root.
+/// Pictures of the documents are what the commands draw. To renew one, run the command with `-o docs/src/pictures/…` from the root.
 #[test]
 fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
     let name = "D.T1.B+T2.B.T1";
@@ -203,7 +203,7 @@ fn pictures_of_the_documents_are_current() {
     for (command, picture) in [(power, "8hp-gear-3.svg"), (plan, "ii-3-speeds.svg")] {
         let args: Vec<&str> = command.split(' ').collect();
         let drawn = text(&output(root, &args).stdout);
-        let kept = fs::read_to_string(root.join("docs/pictures").join(picture)).unwrap_or_default();
-        assert!(drawn.trim_end() == kept.trim_end(), "epicyclic {command} -o docs/pictures/{picture}");
+        let kept = fs::read_to_string(root.join("docs/src/pictures").join(picture)).unwrap_or_default();
+        assert!(drawn.trim_end() == kept.trim_end(), "epicyclic {command} -o docs/src/pictures/{picture}");
     }
 }

@@ -304,7 +304,7 @@ fn the_picture_in_the_readme_is_what_the_program_draws() {
     let folder = here();
     let args = ["--l", "80 mm", "--angle", "20 deg", "--view", "chambers", "--svg", "motor-chambers.svg"];
     assert!(output(folder.path(), &with(&FIVE_THREE, &args)).status.success());
-    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures/motor-chambers.svg");
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/pictures/motor-chambers.svg");
     let [drawn, kept] =
         [folder.path().join("motor-chambers.svg"), kept].map(|file| fs::read_to_string(file).unwrap());
     assert!(drawn == kept, "to renew it: epicyclic motor {} {}", FIVE_THREE[1..].join(" "), args.join(" "));
