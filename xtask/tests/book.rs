@@ -14,7 +14,8 @@ use xtask::verify::{self, Arguments, Format};
 const PROMPT: &str = "$ cargo xtask ";
 
 fn figures() -> Vec<Figure> {
-    let arguments = Arguments { filter: String::new(), format: Format::Human, accept: false, cases: None };
+    let arguments =
+        Arguments { filter: String::new(), format: Format::Human, html: None, accept: false, cases: None };
     verify::outcomes(&arguments).unwrap().into_iter().flat_map(|outcome| outcome.figures).collect()
 }
 
@@ -141,6 +142,10 @@ fn the_book_builds_with_every_formula_and_no_dead_link() {
     let page = fs::read_to_string(pages.join("theory/gear-set.html")).unwrap();
     assert!(page.contains("<math display=\"block\"><msub><mi>i</mi><mn>0</mn></msub>"));
     assert!(!page.contains("$$") && !page.contains("\\frac"));
+    let verification = fs::read_to_string(pages.join("verification.html")).unwrap();
+    assert!(verification.contains("href=\"verification-report.html\""));
+    let report = fs::read_to_string(pages.join("verification-report.html")).unwrap();
+    assert!(report.contains("motion-of-the-printed-inertia"));
     assert!(
         fs::read_dir(&pages)
             .unwrap()

@@ -88,7 +88,7 @@ fn each_symbol_of_the_theory_is_in_the_table_where_it_is_first_used() {
             match listed {
                 Some(link) if link == place => {}
                 Some(link) => {
-                    faults.push(format!("{title}: {symbol} is first used in {place}, not in {link}"))
+                    faults.push(format!("{title}: {symbol} is first used in {place}, not in {link}"));
                 }
                 None if known.contains(&symbol) => {}
                 None => faults.push(format!("{title}: {symbol}, first used in {place}, is in no table")),

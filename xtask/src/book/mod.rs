@@ -10,7 +10,7 @@ pub mod formulas;
 pub mod links;
 pub mod symbols;
 
-use crate::project_root;
+use crate::{project_root, report, verify};
 use clap::Args;
 use formulas::Typesetter;
 use mdbook_driver::MDBook;
@@ -35,6 +35,10 @@ pub struct Arguments {
 
 /// A page that every book of ours has, by which its folder is known.
 const SIGN: &str = "toc.html";
+
+/// Where a chapter links the report of `verify`, which is then a page of the book.
+const REPORT_HERE: &str = "<!-- cargo xtask book links the report of verify here -->";
+const REPORT: &str = "verification-report.html";
 
 /// Runs the command.
 ///
@@ -84,9 +88,14 @@ pub fn build(source: &Path, pages: &Path) -> Result<usize, String> {
     config.build.build_dir = pages.to_owned();
     let mut book = MDBook::load_with_config(source, config).map_err(said)?;
     let typesetter = Typesetter::default();
-    let (mut chapters, mut faults) = (0, Vec::new());
+    let (mut chapters, mut has_report, mut faults) = (0, false, Vec::new());
     book.book.for_each_chapter_mut(|chapter| {
         chapters += 1;
+        if chapter.content.contains(REPORT_HERE) {
+            has_report = true;
+            let link = format!("[Every figure of every source with its verdict]({REPORT})");
+            chapter.content = chapter.content.replace(REPORT_HERE, &link);
+        }
         match typesetter.chapter(&chapter.content) {
             Ok(content) => chapter.content = content,
             Err(wrong) => {
@@ -99,5 +108,9 @@ pub fn build(source: &Path, pages: &Path) -> Result<usize, String> {
         return Err(format!("formulas that cannot be set:\n  {}", faults.join("\n  ")));
     }
     book.build().map_err(said)?;
+    if has_report {
+        let page = report::html::render(&verify::outcomes(&verify::Arguments::default())?);
+        fs::write(pages.join(REPORT), page).map_err(|error| format!("{REPORT}: {error}"))?;
+    }
     Ok(chapters)
 }
