@@ -6,7 +6,6 @@ mod common;
 
 use common::{examples, here, output, sessions, text};
 use std::fs;
-use std::path::Path;
 
 const BOXES: &str = "real-transmissions.yaml";
 

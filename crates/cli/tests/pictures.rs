@@ -66,8 +66,7 @@ fn pictures() -> Vec<(&'static str, String)> {
     pictures.extend(DRAWN.iter().map(|(name, command)| (*name, printed(command))));
     for (name, command, label) in ON_PAGES {
         let page = printed(command);
-        let start =
-            page.find(&format!("<svg aria-label=\"{label}\"")).unwrap_or_else(|| panic!("no {label}"));
+        let start = page.find(&format!("<svg aria-label=\"{label}\"")).unwrap();
         let picture = page[start..].split_once("</svg>").unwrap().0;
         pictures.push((name, format!("{picture}</svg>")));
     }
