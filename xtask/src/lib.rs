@@ -6,10 +6,12 @@
 //! | [`calculations`] | what a case can compute |
 //! | [`report`] | how an outcome is shown |
 //! | [`verify`], [`schema`], [`new_case`] | the commands, a file each |
+//! | [`book`] | the book as web pages: formulas, links, symbols |
 //! | [`tidy`] | what ARCHITECTURE.md promises of the code, a rule a file |
 //!
 //! One way through: YAML → case → calculation → domain types → result → judgement → report.
 
+pub mod book;
 pub mod calculations;
 pub mod cases;
 pub mod new_case;

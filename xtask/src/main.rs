@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
-use xtask::{new_case, schema, tidy, verify};
+use xtask::{book, new_case, schema, tidy, verify};
 
 /// Verification of the project against its source documents.
 #[derive(Debug, Parser)]
@@ -18,6 +18,7 @@ enum Command {
     Schema(schema::Arguments),
     NewCase(new_case::Arguments),
     Tidy(tidy::Arguments),
+    Book(book::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
         Command::Schema(arguments) => schema::run(&arguments),
         Command::NewCase(arguments) => new_case::run(&arguments),
         Command::Tidy(arguments) => tidy::run(&arguments),
+        Command::Book(arguments) => book::run(&arguments),
     };
     match result {
         Ok(code) => code,

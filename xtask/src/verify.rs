@@ -2,6 +2,7 @@
 
 use crate::cases::run::{Outcome, Snapshots, run as run_source};
 use crate::cases::{index, load};
+use crate::schema::write_whole;
 use crate::{calculations, project_root, report};
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
@@ -11,9 +12,9 @@ use std::process::ExitCode;
 /// Run the spec cases and hold every published figure against the computed one.
 ///
 /// Exit code 0 if everything holds, 1 if something does not, 2 if there was nothing to run.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(after_help = "Examples:\n  cargo xtask verify\n  cargo xtask verify excavator-dynamics\n  \
-    cargo xtask verify shaft --format json\n  cargo xtask verify --accept")]
+    cargo xtask verify shaft --format json\n  cargo xtask verify --html verification.html\n  cargo xtask verify --accept")]
 pub struct Arguments {
     /// Only sources or cases whose name contains this.
     #[arg(default_value = "")]
@@ -21,6 +22,9 @@ pub struct Arguments {
     /// How the outcome is written.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+    /// Write the outcome as a page too: every figure with what is printed, computed and said of it.
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
     /// Write changed snapshots and remove those without a case. Never touches what a case expects.
     #[arg(long)]
     pub accept: bool,
@@ -34,9 +38,10 @@ pub struct Arguments {
 }
 
 /// How an outcome is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Format {
     /// For people.
+    #[default]
     Human,
     /// For programs: every figure with its place.
     Json,
@@ -55,6 +60,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         Format::Json => report::json::render(&outcomes)?,
         Format::Junit => report::junit::render(&outcomes)?,
     };
+    if let Some(path) = &arguments.html {
+        write_whole(path, &report::html::render(&outcomes))
+            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    }
     match io::stdout().lock().write_all(text.as_bytes()) {
         // A reader that has seen enough.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {}

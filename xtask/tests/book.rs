@@ -1,11 +1,12 @@
-//! The book's chapter on the documents' errors lists all of them, each with the right value, and nothing else.
+//! The book: its chapter on the documents' errors lists all of them, each with the right value, and nothing else; its pages are whole.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
+use tempfile::TempDir;
 use xtask::cases::figure::{Figure, Status};
 use xtask::cases::tolerance::{Printed, Rounding};
 use xtask::verify::{self, Arguments, Format};
@@ -13,7 +14,8 @@ use xtask::verify::{self, Arguments, Format};
 const PROMPT: &str = "$ cargo xtask ";
 
 fn figures() -> Vec<Figure> {
-    let arguments = Arguments { filter: String::new(), format: Format::Human, accept: false, cases: None };
+    let arguments =
+        Arguments { filter: String::new(), format: Format::Human, html: None, accept: false, cases: None };
     verify::outcomes(&arguments).unwrap().into_iter().flat_map(|outcome| outcome.figures).collect()
 }
 
@@ -112,4 +114,75 @@ fn check(path: &Path) -> usize {
 fn the_books_commands_print_what_it_shows() {
     let run = check(&xtask::project_root().join("docs/src"));
     assert!(run >= 3, "{run}");
+}
+
+fn book(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_xtask")).arg("book").args(arguments).output().unwrap()
+}
+
+/// A book of one chapter, and where its pages are to go.
+fn small_book(chapter: &str) -> (TempDir, [String; 4]) {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("docs");
+    fs::create_dir_all(source.join("src")).unwrap();
+    fs::write(source.join("book.toml"), "[book]\ntitle = \"small\"\n").unwrap();
+    fs::write(source.join("src/SUMMARY.md"), "- [A](a.md)\n").unwrap();
+    fs::write(source.join("src/a.md"), chapter).unwrap();
+    let pages = folder.path().join("pages");
+    let arguments = ["--source", source.to_str().unwrap(), "-o", pages.to_str().unwrap()].map(str::to_owned);
+    (folder, arguments)
+}
+
+#[test]
+fn the_book_builds_with_every_formula_and_no_dead_link() {
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().join("made/book");
+    let output = book(&["-o", pages.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let page = fs::read_to_string(pages.join("theory/gear-set.html")).unwrap();
+    assert!(page.contains("<math display=\"block\"><msub><mi>i</mi><mn>0</mn></msub>"));
+    assert!(!page.contains("$$") && !page.contains("\\frac"));
+    let verification = fs::read_to_string(pages.join("verification.html")).unwrap();
+    assert!(verification.contains("href=\"verification-report.html\""));
+    let report = fs::read_to_string(pages.join("verification-report.html")).unwrap();
+    assert!(report.contains("motion-of-the-printed-inertia"));
+    assert!(
+        fs::read_dir(&pages)
+            .unwrap()
+            .any(|entry| { entry.unwrap().file_name().to_string_lossy().starts_with("searchindex") })
+    );
+    // An earlier book is replaced; nothing else is left beside it.
+    assert!(book(&["--output", pages.to_str().unwrap()]).status.success());
+    assert_eq!(fs::read_dir(folder.path().join("made")).unwrap().count(), 1);
+}
+
+#[test]
+fn a_book_with_a_fault_is_not_written() {
+    for (chapter, said) in [
+        ("A formula\n\n$$\n\\omgea\n$$\n", "a.md:3: "),
+        ("$\\frac{1}{$\n", "a.md:1: a dollar that begins no formula"),
+        ("[b](b.md)\n", "b.html does not exist"),
+        ("[b](#b)\n", "#b is no place of that page"),
+    ] {
+        let (folder, arguments) = small_book(chapter);
+        let output = book(&arguments.each_ref().map(String::as_str));
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && error.contains(said), "{chapter}: {error}");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "{chapter}");
+    }
+}
+
+#[test]
+fn a_folder_of_other_things_is_not_replaced() {
+    let (folder, arguments) = small_book("# A\n");
+    let pages = folder.path().join("pages");
+    fs::create_dir(&pages).unwrap();
+    fs::write(pages.join("thesis.tex"), "mine").unwrap();
+    let output = book(&arguments.each_ref().map(String::as_str));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("holds other things than a book"));
+    assert_eq!(fs::read_to_string(pages.join("thesis.tex")).unwrap(), "mine");
+    fs::remove_file(pages.join("thesis.tex")).unwrap();
+    assert!(book(&arguments.each_ref().map(String::as_str)).status.success());
+    assert!(pages.join("a.html").is_file());
 }

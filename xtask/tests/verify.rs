@@ -11,7 +11,13 @@ use xtask::cases::run::Outcome;
 use xtask::verify::{self, Arguments, Format};
 
 fn arguments(cases: &Path) -> Arguments {
-    Arguments { filter: String::new(), format: Format::Human, accept: false, cases: Some(cases.to_owned()) }
+    Arguments {
+        filter: String::new(),
+        format: Format::Human,
+        html: None,
+        accept: false,
+        cases: Some(cases.to_owned()),
+    }
 }
 
 fn outcomes(cases: &Path) -> Vec<Outcome> {
@@ -289,4 +295,55 @@ fn a_new_case_starts_from_a_file_that_reads() {
         let known = ["unknown-place", "missing-snapshot", "uncovered-place"];
         assert!(known.contains(&fault.name.as_str()), "{fault:?}");
     }
+}
+
+#[test]
+fn the_page_has_every_figure_and_what_is_said_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pages/verification.html");
+    let output = xtask(&["verify", "--html", file.to_str().unwrap()], &real_cases());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("\nverified: "));
+    let page = fs::read_to_string(&file).unwrap();
+    assert!(!page.contains("<script") && !page.contains("http"), "the page is whole in itself");
+    let escaped = |text: &str| {
+        text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    };
+    let (mut figures, mut arithmetic) = (0, 0);
+    for outcome in outcomes(&real_cases()) {
+        let section = page.split(&format!("<section id=\"{}\">", outcome.source)).nth(1).unwrap();
+        let section = section.split("</section>").next().unwrap();
+        assert_eq!(section.matches("<td class=\"verdict\">").count(), outcome.figures.len());
+        figures += outcome.figures.len();
+        for figure in &outcome.figures {
+            for text in [&figure.published, &figure.computed, &figure.because, &figure.arithmetic]
+                .into_iter()
+                .flatten()
+            {
+                assert!(section.contains(&escaped(text)), "{}: {text}", figure.name);
+            }
+            arithmetic += usize::from(figure.arithmetic.is_some());
+        }
+        for place in outcome.coverage.iter().filter_map(|place| place.excused.as_ref()) {
+            assert!(section.contains(&escaped(place)), "{place}");
+        }
+    }
+    assert!(figures > 600 && arithmetic > 40, "{figures} {arithmetic}");
+    assert_eq!(fs::read_dir(file.parent().unwrap()).unwrap().count(), 1);
+}
+
+#[test]
+fn the_page_says_what_does_not_hold() {
+    let folder = source(&[("a.yaml", SHAFT.replace("51.0", "51.9").as_bytes())]);
+    let file = folder.path().with_file_name("page.html");
+    let output = xtask(&["verify", "--html", file.to_str().unwrap()], &folder.path());
+    assert_eq!(output.status.code(), Some(1));
+    let page = fs::read_to_string(&file).unwrap();
+    for said in ["Not verified", "does not hold", "51.9 mm", "has no snapshot", "id=\"only-failed\""] {
+        assert!(page.contains(said), "{said}");
+    }
+    // A folder in place of the file: nothing is written, and the error says so.
+    let output = xtask(&["verify", "--html", folder.path().to_str().unwrap()], &folder.path());
+    assert_eq!(output.status.code(), Some(2));
+    assert!(words(&output.stderr).contains("cannot be written"));
 }

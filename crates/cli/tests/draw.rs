@@ -6,7 +6,6 @@ mod common;
 
 use common::{examples, here, output, sessions, text};
 use std::fs;
-use std::path::Path;
 
 const BOXES: &str = "real-transmissions.yaml";
 
@@ -102,7 +101,6 @@ fn drawings_are_files_that_say_their_size() {
     assert_eq!(printed.trim_end(), read("ii-3.svg").trim_end());
 }
 
-/// Pictures of the documents are what the commands draw. To renew one, run the command with `-o docs/pictures/…` from the root.
 #[test]
 fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
     let name = "D.T1.B+T2.B.T1";
@@ -193,17 +191,4 @@ fn what_is_drawn_and_what_cannot_be_are_told_as_data() {
     assert_eq!(none["conflict"]["shut_in"], serde_json::json!(["T1"]));
     assert_eq!(none["conflict"]["cannot_reach"], "housing");
     assert!(!folder.path().join("none.svg").exists());
-}
-
-#[test]
-fn pictures_of_the_documents_are_current() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap();
-    let power = "draw examples/real-transmissions.yaml --transmission 8HP --gear 3 --power --efficiency 0.97";
-    let plan = "draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --view speeds";
-    for (command, picture) in [(power, "8hp-gear-3.svg"), (plan, "ii-3-speeds.svg")] {
-        let args: Vec<&str> = command.split(' ').collect();
-        let drawn = text(&output(root, &args).stdout);
-        let kept = fs::read_to_string(root.join("docs/pictures").join(picture)).unwrap_or_default();
-        assert!(drawn.trim_end() == kept.trim_end(), "epicyclic {command} -o docs/pictures/{picture}");
-    }
 }

@@ -298,14 +298,3 @@ fn the_design_that_is_drawn_is_the_motor_listed() {
         [&again["work"]["displacement_m3"], &size["displacement_m3"]].map(|value| value.as_f64().unwrap());
     assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
 }
-
-#[test]
-fn the_picture_in_the_readme_is_what_the_program_draws() {
-    let folder = here();
-    let args = ["--l", "80 mm", "--angle", "20 deg", "--view", "chambers", "--svg", "motor-chambers.svg"];
-    assert!(output(folder.path(), &with(&FIVE_THREE, &args)).status.success());
-    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures/motor-chambers.svg");
-    let [drawn, kept] =
-        [folder.path().join("motor-chambers.svg"), kept].map(|file| fs::read_to_string(file).unwrap());
-    assert!(drawn == kept, "to renew it: epicyclic motor {} {}", FIVE_THREE[1..].join(" "), args.join(" "));
-}

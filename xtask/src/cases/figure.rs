@@ -71,6 +71,8 @@ pub struct Figure {
     pub status: Status,
     /// What it is; of a printed figure.
     pub kind: Option<Kind>,
+    /// Places of the source that it is cited from.
+    pub cite: String,
     /// Where it was read, if not in the source itself.
     pub evidence: Option<Evidence>,
     /// As printed.
@@ -85,6 +87,8 @@ pub struct Figure {
     pub printed_unit: Option<String>,
     /// The reason of the verdict, or what is legible of a lost figure.
     pub because: Option<String>,
+    /// Of a contradicted figure, the independent calculation of the right value.
+    pub arithmetic: Option<String>,
     /// Why the case does not hold.
     pub failure: Option<String>,
 }

@@ -247,6 +247,7 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
             column: position.column,
             status: Status::Failed,
             kind: None,
+            cite: case.cite.clone(),
             evidence: None,
             published: Some(name.clone()),
             computed: None,
@@ -254,6 +255,7 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
             tolerance: None,
             printed_unit: None,
             because: None,
+            arithmetic: None,
             failure: Some(format!("the inputs must be refused as {name}, and are accepted")),
         }];
     }
@@ -295,6 +297,7 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
                 column: position.column,
                 status: if judgement.failure.is_some() { Status::Failed } else { status },
                 kind: expectation.published.as_deref().map(Kind::of),
+                cite: expectation.cite.clone().unwrap_or_else(|| case.cite.clone()),
                 evidence: expectation.evidence.or(case.evidence),
                 published: expectation.published.clone(),
                 computed: judgement.computed,
@@ -302,6 +305,7 @@ fn figures(loaded: &Loaded, results: &Results) -> Vec<Figure> {
                 tolerance: judgement.tolerance,
                 printed_unit: expectation.printed_unit.clone(),
                 because: expectation.because.clone().or_else(|| expectation.legible.clone()),
+                arithmetic: expectation.arithmetic.clone(),
                 failure: judgement.failure,
             }
         })
@@ -340,6 +344,7 @@ fn refused(loaded: &Loaded, refusal: &Refusal) -> Figure {
         column: position.column,
         status: if failure.is_some() { Status::Failed } else { Status::Refused },
         kind: None,
+        cite: case.cite.clone(),
         evidence: None,
         published: case.expect_error.clone(),
         computed: Some(refusal.name.clone()),
@@ -347,6 +352,7 @@ fn refused(loaded: &Loaded, refusal: &Refusal) -> Figure {
         tolerance: None,
         printed_unit: None,
         because: Some(refusal.message.clone()),
+        arithmetic: None,
         failure,
     }
 }

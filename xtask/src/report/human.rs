@@ -148,7 +148,7 @@ fn counts(outcomes: &[Outcome]) -> String {
     text
 }
 
-const fn evidence_word(evidence: Evidence) -> &'static str {
+pub(crate) const fn evidence_word(evidence: Evidence) -> &'static str {
     match evidence {
         Evidence::Secondary => "secondary source",
         Evidence::Unverified => "unverified",
