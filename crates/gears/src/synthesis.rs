@@ -172,13 +172,7 @@ impl Bounds {
     /// [`Error::RingToSunRange`], [`Error::Negative`] for invalid bounds.
     pub fn tooth_numbers(&self) -> Result<Vec<ToothNumbers>, Error> {
         let mut found = Vec::new();
-        self.visit(
-            |_| {},
-            |set| {
-                found.push(set);
-                Ok(())
-            },
-        )?;
+        self.each(|_| {}, |set| found.push(set))?;
         Ok(found)
     }
 
@@ -188,14 +182,20 @@ impl Bounds {
     /// As [`tooth_numbers`](Self::tooth_numbers).
     pub fn count(&self) -> Result<u64, Error> {
         let mut count = 0;
-        self.visit(
-            |_| {},
-            |_| {
-                count += 1;
-                Ok(())
-            },
-        )?;
+        self.each(|_| {}, |_| count += 1)?;
         Ok(count)
+    }
+
+    /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets; nothing is held. `done` is
+    /// told, from 0 to 1, how much of the bounds has been gone through.
+    ///
+    /// # Errors
+    /// As [`tooth_numbers`](Self::tooth_numbers).
+    pub fn each(&self, done: impl FnMut(f64), mut each: impl FnMut(ToothNumbers)) -> Result<(), Error> {
+        self.visit(done, |teeth| {
+            each(teeth);
+            Ok(())
+        })
     }
 
     /// Each set of tooth numbers in turn, and after each sun the share of suns that are done.

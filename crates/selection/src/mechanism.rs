@@ -33,18 +33,33 @@ pub enum Space {
 impl Space {
     /// The mechanisms of so many braked gears.
     pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
+        if gears == 1 {
+            self.sets().into_iter().map(Mechanism::OneSet).collect()
+        } else {
+            self.structures().into_iter().map(Mechanism::TwoSets).collect()
+        }
+    }
+
+    /// Its ways to use one set, by the links of sun, ring and carrier.
+    #[must_use]
+    pub fn sets(&self) -> Vec<SetRoles> {
         let listed = TwoSpeed::ALL.map(TwoSpeed::set);
-        // The other three ways to use a set speed up: D and B exchanged.
+        // The other three speed up: D and B exchanged.
         let reversed = listed.map(|set| set.map(Role::reversed));
-        let structures =
-            |structures: Vec<Structure>| structures.into_iter().map(Mechanism::TwoSets).collect();
-        match (self, gears) {
-            (Self::Catalogue, 1) => listed.into_iter().map(Mechanism::OneSet).collect(),
-            (Self::All, 1) => listed.into_iter().chain(reversed).map(Mechanism::OneSet).collect(),
-            (Self::Structures(_), 1) => vec![],
-            (Self::Catalogue, _) => structures(Structure::catalogue()),
-            (Self::All, _) => structures(Structure::all()),
-            (Self::Structures(chosen), _) => structures(chosen.clone()),
+        match self {
+            Self::Catalogue => listed.to_vec(),
+            Self::All => [listed, reversed].concat(),
+            Self::Structures(_) => vec![],
+        }
+    }
+
+    /// Its structures of two sets.
+    #[must_use]
+    pub fn structures(&self) -> Vec<Structure> {
+        match self {
+            Self::Catalogue => Structure::catalogue(),
+            Self::All => Structure::all(),
+            Self::Structures(chosen) => chosen.clone(),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Search over teeth: for wanted ratios, all tooth numbers of both sets and all two-set structures, the
-//! exact Pareto front and the best, with nothing missed.
+//! exact Pareto front and the best, with nothing missed. For two speeds all tooth numbers of one set and all ways to use it:
+//! [`OneSetSearch`].
 //!
 //! # Why nothing is missed
 //! 6.4·10⁷ pairs of tooth numbers a structure, 111 structures, both orders and signs of the ratios make
@@ -76,21 +77,22 @@
 
 mod contenders;
 mod double;
+mod exact;
 mod found;
 mod levels;
+mod one_set;
 mod patch;
 mod screen;
 mod window;
 
 pub use found::{Counts, Found, ToothDesign};
+pub use one_set::{OneSetDesign, OneSetFound, OneSetSearch};
 
 use crate::Error;
 use crate::front::{Entry, front};
 use crate::objectives::{Costs, Objective, Objectives, Order};
-use crate::quantity::Limited;
 use crate::requirements::Requirements;
 use crate::threads::map;
-use crate::units::in_metres;
 use contenders::{Bound, Contenders, first_of_front};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::non_dominated;
@@ -163,6 +165,15 @@ const FEW: usize = 256;
 
 /// Leaves out some of the designs held.
 type Reduce<'a> = dyn FnMut(&mut Contenders) -> Result<(), Error> + 'a;
+
+/// Refuses an order in which circulating power decides anything.
+fn check_order(order: Order) -> Result<(), Error> {
+    if order.objectives().ends_with(&[Objective::Circulation]) {
+        Ok(())
+    } else {
+        Err(Error::NoObjectiveOfTeeth { objective: Objective::Circulation })
+    }
+}
 
 /// Strips in pieces, and these in batches.
 fn batches(strips: &[[u32; 3]]) -> Vec<Vec<&[[u32; 3]]>> {
@@ -343,10 +354,8 @@ impl ToothSearch {
     /// Levels, patches and windows: all that comes before trying.
     fn prepared(&self) -> Result<Found, Error> {
         self.requirements.check()?;
-        if !self.order.objectives().ends_with(&[Objective::Circulation]) {
-            return Err(Error::NoObjectiveOfTeeth { objective: Objective::Circulation });
-        }
-        let size = self.size_limits()?;
+        check_order(self.order)?;
+        let size = SizeLimits::new(self.module.as_ref(), self.ring_diameter, &self.requirements.rating)?;
         let counted = self.bounds.count()?;
         if counted > MOST_TOOTH_SETS {
             return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
@@ -474,26 +483,6 @@ impl ToothSearch {
         Ok(found)
     }
 
-    fn size_limits(&self) -> Result<SizeLimits, Error> {
-        if self.module.is_none() && self.ring_diameter.is_none() {
-            return Ok(SizeLimits { module: None, ring: f64::INFINITY });
-        }
-        let unit = in_metres(self.requirements.rating.unit().ok_or(Error::SizeWithoutTorque)?);
-        let relative = |what, length: Length| {
-            let value = in_metres(length);
-            if value > 0.0 { Ok(value / unit) } else { Err(Error::Limit { what, value }) }
-        };
-        let module = match &self.module {
-            Some(range) => {
-                Some([relative(Limited::Module, *range.start())?, relative(Limited::Module, *range.end())?])
-            }
-            None => None,
-        };
-        let ring =
-            self.ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative(Limited::RingDiameter, limit))?;
-        Ok(SizeLimits { module, ring })
-    }
-
     /// Tries all pairs of some strips; how many there are, and how many meet the criteria.
     fn try_strips(
         &self,
@@ -506,7 +495,7 @@ impl ToothSearch {
     ) -> [u64; 2] {
         let Found { patches, levels, allowed, size, .. } = found;
         let patch = &patches[place as usize];
-        let is_sized = size.module.is_some() || size.ring.is_finite();
+        let is_sized = size.are_any();
         let [mut tried, mut feasible] = [0, 0];
         for &[one, from, to] in strips {
             tried += u64::from(to - from);
@@ -567,11 +556,12 @@ impl ToothSearch {
         let Some(measured) = patch.measure(levels, places, sides, allowed) else { return false };
         let at = places.map(|place| &levels[place]);
         let mut shares = at.map(|level| level.share);
-        if size.module.is_some() || size.ring.is_finite() {
+        if size.are_any() {
             let rating = &self.requirements.rating;
             shares = [0, 1].map(|set| {
                 let share = |teeth: &ToothNumbers| rating.share(teeth.planets);
-                let fits = |teeth: &&ToothNumbers| size.fits(&measured, set, at[set], teeth, share(teeth));
+                let fits =
+                    |teeth: &&ToothNumbers| size.fits(measured.cube(set, at[set], share(teeth)), teeth);
                 at[set].of(tooth_sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
             });
             if shares.iter().any(|share| share.is_infinite()) {
