@@ -192,9 +192,6 @@ pub enum Error {
     /// A speed or load of an input.
     #[error(transparent)]
     Duty(#[from] DutyProblem),
-    /// A search for tooth numbers of two sets with one ratio.
-    #[error("two sets are searched, so three speeds or two ratios are due")]
-    OneSet,
     /// More designs than are told at once.
     #[error("{wanted} designs, each measured and written in full: at most {most}")]
     TooManyDesigns {

@@ -18,7 +18,6 @@ use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
-use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
 use epicyclic_views::page;
@@ -39,6 +38,7 @@ const SHOWN: usize = 10;
 Example:
   epicyclic select --speeds '0.8 m/s, 3.15 m/s'
   epicyclic select --speeds '0.76 m/s, 1.33 m/s, 1.95 m/s' --all-structures
+  epicyclic select --ratios 3.9375 --teeth --torque '500 N·m' --load-factor '2 MPa'
   epicyclic select --ratios '1.465, 2.56' --teeth --ring ..90 --limit 5
   epicyclic select --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm
 
@@ -59,7 +59,7 @@ pub(crate) struct Args {
     #[arg(long)]
     all_structures: bool,
 
-    /// Tooth numbers of both sets: all combinations, none left out.
+    /// Tooth numbers of the one set or of both: all combinations, none left out.
     #[arg(long)]
     teeth: bool,
 
@@ -276,7 +276,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         (None, Format::Table) => SHOWN,
         (None, _) => usize::MAX,
     };
-    let space = if args.all_structures { Space::All } else { Space::Catalogue };
+    let space = space(args);
     let eta0 = requirements.eta0;
     let nth = args.save.is_some().then_some(args.nth);
     let found = select::solve(&Wanted { requirements, order, space, most, duty }, nth);
@@ -294,10 +294,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if found.accepted == 0 { Err(nothing_found()) } else { Ok(()) }
 }
 
+/// The mechanisms to choose among.
+fn space(args: &Args) -> Space {
+    if args.all_structures { Space::All } else { Space::Catalogue }
+}
+
 fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty) -> Result<(), Failure> {
     let nth = args.save.is_some().then_some(args.nth);
     let most = args.limit.unwrap_or(SHOWN).max(nth.unwrap_or(0));
-    let structures = if args.all_structures { Structure::all() } else { Structure::catalogue() };
     let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
     let limits = SizeLimits {
         ring_diameter: length(args.size.ring_diameter),
@@ -306,10 +310,10 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     };
     let bounds = bounds(args)?;
     let eta0 = requirements.eta0;
-    let wanted = teeth::Wanted { requirements, order, structures, bounds, limits, most, duty };
+    let space = space(args);
+    let wanted = teeth::Wanted { requirements, order, space, bounds, limits, most, duty };
     let shown = Progress::new();
-    let found =
-        teeth::solve(&wanted, nth, &|progress| shown.at(progress.done as f64 / progress.of.max(1) as f64));
+    let found = teeth::solve(&wanted, nth, &|share| shown.at(share));
     drop(shown);
     let (found, saved) = found.map_err(|error| refuse(args, error))?;
     let files = save(args, saved, found.shown, found.shown)?;
@@ -451,10 +455,6 @@ fn refuse(args: &Args, error: Error) -> Failure {
     match error {
         Error::Selection(error) => refuse_selection(error),
         Error::Duty(problem) => refuse_duty(args, problem),
-        Error::OneSet => {
-            let message = format!("{error}; `epicyclic teeth` finds the tooth numbers of one set");
-            option("--teeth", message)
-        }
         Error::TooManyDesigns { .. } => {
             let message = format!(
                 "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
@@ -495,9 +495,9 @@ fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
     let option = match &error {
         E::SpeedCount { .. } => "--speeds, --ratios",
         E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
-        E::RatioCount { .. } | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => {
-            "--ratios"
-        }
+        E::RatioCount { .. }
+        | E::OneRatio { .. }
+        | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => "--ratios",
         E::Tolerance { .. } => "--tolerance",
         E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
         E::RingToSunRange { .. } => "--k",
@@ -514,7 +514,9 @@ fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
         E::PlanetNumber { .. } => "--planets",
         E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
         E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
-        E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
+        E::TooManyNear { .. } | E::TooManyPairs { .. } | E::FrontTooLarge { .. } => {
+            "--sun, --planet, --ring, --k, --tolerance"
+        }
         E::GearSet(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
             None => return Failure::Selection(E::GearSet(error.clone())),

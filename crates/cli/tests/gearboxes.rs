@@ -674,6 +674,32 @@ fn tooth_numbers_of_two_rows() {
 }
 
 #[test]
+fn tooth_numbers_of_one_set_for_two_speeds() {
+    let search = ["select", "--speeds", CONVEYOR, "--teeth", "--ring", "..90"];
+    let one = |more: &[&str]| session(here().path(), &[&search, more].concat());
+    let sized = ["--torque", "500 N·m", "--load-factor", "2 MPa", "--least-module", "3 mm"];
+    insta::assert_snapshot!(
+        [
+            one(&["--limit", "3"]),
+            one(&[
+                "--all-structures",
+                "--signs",
+                "any",
+                "--order",
+                "size",
+                "--limit",
+                "2",
+                "--format",
+                "csv"
+            ]),
+            one(&[&sized[..], &["--limit", "2"]].concat()),
+            one(&["--ring", "..40"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
 fn selections_that_are_refused() {
     insta::assert_snapshot!(sessions(
         here().path(),
@@ -686,7 +712,8 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "1, 2"],
             &["select", "--ratios", "1.5,2.5"],
             &["select", "--ratios", "2.5", "--speeds", CONVEYOR],
-            &["select", "--ratios", "2.5", "--teeth"],
+            &["select", "--ratios", "2.5", "--teeth", "--order", "circulation"],
+            &["select", "--ratios", "2.5", "--teeth", "--limit", "10001"],
             &["select", "--ratios", "2.5", "--order", "mass"],
             &["select", "--ratios", "2.5", "--order", "size, size"],
             &["select", "--ratios", "2.5", "--k", "1..5"],
@@ -811,6 +838,29 @@ fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
         .iter()
         .map(|gear| (gear["gear"].as_str().unwrap().to_owned(), gear["ratio"].as_f64().unwrap()))
         .collect()
+}
+
+/// The second of the designs for two speeds, read back.
+#[test]
+fn a_saved_set_of_two_speeds_has_the_teeth_that_were_chosen() {
+    let folder = here();
+    let list = ["select", "--ratios", "3.9375", "--teeth", "--limit", "3", "--format", "json"];
+    let done = output(folder.path(), &[&list[..], &["--save", "set.yaml", "--nth", "2"]].concat());
+    assert!(done.status.success(), "{done:?}");
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let design = &found["designs"][1];
+    let text = std::fs::read_to_string(folder.path().join("set.yaml")).unwrap();
+    let of = |member: &str| design["tooth_numbers"][0][member].to_string();
+    let [sun, planet, ring, planets] = ["sun", "planet", "ring", "planets"].map(of);
+    let teeth = format!("teeth: [{sun}, {ring}], planet_teeth: [{planet}], planets: {planets}");
+    assert!(text.contains(&teeth), "{teeth} in\n{text}");
+    let gears = analyzed(folder.path(), "set.yaml");
+    let ratio = design["candidate"]["gears"][0]["ratio"].as_f64().unwrap();
+    assert_eq!(gears[0].0, "1");
+    assert!((gears[0].1 - ratio).abs() < 1e-12 && gears[1] == ("direct".to_owned(), 1.0), "{gears:?}");
+    for args in [&["draw", "set.yaml", "-o", "set.svg"][..], &["report", "set.yaml", "-o", "set.html"]] {
+        assert!(output(folder.path(), args).status.success(), "{args:?}");
+    }
 }
 
 /// The file holds what was chosen: ratios, teeth, and the direct-drive clutch of least torque that can be drawn.

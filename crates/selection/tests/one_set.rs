@@ -203,7 +203,7 @@ fn what_cannot_be_searched_is_refused() {
     (wide.bounds.sun, wide.bounds.planet, wide.bounds.ring) = (1..=2000, 1..=2000, 1..=4000);
     match wide.front() {
         Err(Error::TooManyNear { tooth_sets, most: MOST_TOOTH_SETS }) => {
-            assert!(tooth_sets > MOST_TOOTH_SETS)
+            assert!(tooth_sets > MOST_TOOTH_SETS);
         }
         other => panic!("{other:?}"),
     }

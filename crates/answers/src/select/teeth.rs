@@ -1,4 +1,4 @@
-//! The choice of a gearbox over all tooth numbers of both sets.
+//! The choice of a gearbox over all tooth numbers of its one set, or of both.
 
 use super::candidate::{Candidate, Ranked};
 use super::decisive;
@@ -10,14 +10,10 @@ use crate::units::millimetres;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_schemes::RatioSeries;
-use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_selection::search::{Counts, OneSetSearch, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter;
-use epicyclic_selection::{
-    self as selection, Criterion, Evidence, Order, Orders, Rating, Requirements, Signs, Space, select_with,
-};
+use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
@@ -29,12 +25,12 @@ pub const MOST_DESIGNS: usize = 10_000;
 /// What is wanted.
 #[derive(Debug, Clone)]
 pub struct Wanted {
-    /// Ratios, tolerance and limits; two ratios.
+    /// Ratios, tolerance and limits; one ratio or two.
     pub requirements: Requirements,
     /// Which objective decides first, and which next.
     pub order: Order,
-    /// The structures to choose among.
-    pub structures: Vec<Structure>,
+    /// The mechanisms to choose among.
+    pub space: Space,
     /// Bounds of tooth numbers and of planets.
     pub bounds: Bounds,
     /// Limits of what a set may need at the load factor.
@@ -73,7 +69,7 @@ impl SizeLimits {
     }
 }
 
-/// Designs of two sets with tooth numbers: the first of all non-dominated designs, the best first.
+/// Designs of one set or two with tooth numbers: the first of all non-dominated designs, the best first.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SelectTeeth {
@@ -109,11 +105,11 @@ pub struct Searched {
     pub tooth_numbers: usize,
     /// Structures, each counted once for every assignment of the ratios.
     pub structures: usize,
-    /// Designs in all: pairs of combinations of tooth numbers in all structures.
+    /// Designs in all: combinations of tooth numbers, of two sets pairs of them, in all structures.
     pub designs: u128,
-    /// Pairs of ring-to-sun ratios tried in full.
+    /// Ring-to-sun ratios, of two sets pairs of them, tried in full.
     pub tried: u64,
-    /// Of these, pairs that meet every required criterion.
+    /// Of these, how many meet every required criterion.
     pub accepted: u64,
 }
 
@@ -156,10 +152,13 @@ impl Answer for SelectTeeth {
 /// The first of the non-dominated designs over all tooth numbers; `watch` is told how far the search is, from any thread.
 ///
 /// # Errors
-/// [`Error::OneSet`], [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
-pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<SelectTeeth, Error> {
+/// [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
+pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<SelectTeeth, Error> {
     solve(wanted, None, watch).map(|(answer, _)| answer)
 }
+
+/// Told the share of a search that is done, from 0 to 1.
+pub type Watch<'a> = dyn Fn(f64) + Sync + 'a;
 
 /// The same, with the design of a number, from 1, as a gearbox; none where there is no such number.
 ///
@@ -168,28 +167,15 @@ pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<Sele
 pub fn solve(
     wanted: &Wanted,
     saved: Option<usize>,
-    watch: &(dyn Fn(Progress) + Sync),
+    watch: &Watch,
 ) -> Result<(SelectTeeth, Option<Saved>), Error> {
-    let Wanted { requirements, order, structures, bounds, limits, most, duty } = wanted;
+    let Wanted { requirements, order, limits, most, duty, .. } = wanted;
     duty.torque()?;
-    if requirements.series.braked().len() != 2 {
-        return Err(Error::OneSet);
-    }
     if *most > MOST_DESIGNS {
         return Err(Error::TooManyDesigns { wanted: *most, most: MOST_DESIGNS });
     }
-    let search = ToothSearch {
-        bounds: bounds.clone(),
-        order: *order,
-        structures: structures.clone(),
-        ring_diameter: limits.ring_diameter,
-        module: limits.module()?,
-        ..ToothSearch::new(requirements.clone())
-    };
-    let found = search.best_watched((*most).max(1), &|progress| {
-        watch(progress);
-        ControlFlow::Continue(())
-    })?;
+    let of_one_set = requirements.series.braked().len() == 1;
+    let (found, counts) = if of_one_set { of_one(wanted, watch)? } else { of_two(wanted, watch)? };
     let (designs, saved) = designs(wanted, saved, &found)?;
     let answer = SelectTeeth {
         required: Required::of(requirements, *order, duty)?,
@@ -198,11 +184,76 @@ pub fn solve(
             least_module_m: limits.least_module.map(Physical::si),
             greatest_module_m: limits.greatest_module.map(Physical::si),
         },
-        searched: Searched::of(found.counts()),
+        searched: Searched::of(counts),
         shown: designs.len(),
         designs,
     };
     Ok((answer, saved))
+}
+
+/// The first design of an entry of the front.
+struct First {
+    mechanism: Mechanism,
+    wanted: Vec<f64>,
+    k: Vec<f64>,
+    /// Tooth numbers of each set.
+    teeth: Vec<ToothNumbers>,
+    objectives: selection::Objectives,
+    /// How many more designs the entry has.
+    others: u64,
+}
+
+fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error> {
+    let search = OneSetSearch {
+        sets: wanted.space.sets(),
+        bounds: wanted.bounds.clone(),
+        order: wanted.order,
+        ring_diameter: wanted.limits.ring_diameter,
+        module: wanted.limits.module()?,
+        ..OneSetSearch::new(wanted.requirements.clone())
+    };
+    let found = search.front_watched(watch)?;
+    let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
+        let designs = found.designs(entry);
+        let count: usize = designs.iter().map(|design| design.teeth.len()).sum();
+        let first = designs.into_iter().next()?;
+        Some(First {
+            mechanism: Mechanism::OneSet(first.set),
+            wanted: vec![first.wanted],
+            k: vec![first.k],
+            teeth: first.teeth.first().copied().into_iter().collect(),
+            objectives: entry.objectives,
+            others: count.saturating_sub(1) as u64,
+        })
+    });
+    Ok((first.collect(), found.counts()))
+}
+
+fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error> {
+    let search = ToothSearch {
+        bounds: wanted.bounds.clone(),
+        order: wanted.order,
+        structures: wanted.space.structures(),
+        ring_diameter: wanted.limits.ring_diameter,
+        module: wanted.limits.module()?,
+        ..ToothSearch::new(wanted.requirements.clone())
+    };
+    let found = search.best_watched(wanted.most.max(1), &|progress| {
+        watch(progress.done as f64 / progress.of.max(1) as f64);
+        ControlFlow::Continue(())
+    })?;
+    let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
+        let (first, count) = found.first_design(entry)?;
+        Some(First {
+            mechanism: Mechanism::TwoSets(first.structure),
+            wanted: first.wanted.to_vec(),
+            k: first.k.to_vec(),
+            teeth: first.pairs.first().map(|pair| pair.to_vec()).unwrap_or_default(),
+            objectives: entry.objectives,
+            others: count.saturating_sub(1),
+        })
+    });
+    Ok((first.collect(), found.counts()))
 }
 
 impl Searched {
@@ -220,64 +271,39 @@ impl Searched {
 fn designs(
     wanted: &Wanted,
     save: Option<usize>,
-    found: &Found,
+    found: &[First],
 ) -> Result<(Vec<Design>, Option<Saved>), Error> {
     let requirements = &wanted.requirements;
     let mut designs = vec![];
     let mut saved = None;
-    for entry in found.entries().iter().take(wanted.most) {
-        let Some((first, count)) = found.first_design(entry) else { continue };
-        let Some(mut candidate) = measured(requirements, &first)? else { continue };
-        // The ratios of the teeth were taken for those wanted; what they are compared with is what was asked.
+    let best = found.first();
+    for (place, first) in found.iter().enumerate() {
+        let mut candidate = selection::Candidate::new(
+            first.mechanism,
+            first.k.clone(),
+            &first.wanted,
+            requirements,
+            Some(&drawable_direct_clutches),
+        )?;
+        // Those by which it was compared, each on its grid.
         let circulation = candidate.objectives.circulation;
-        candidate.objectives = selection::Objectives { circulation, ..entry.objectives };
-        for (gear, wanted) in candidate.gears.iter_mut().zip(first.wanted) {
-            gear.wanted = wanted;
-        }
-        let off = candidate.gears.iter().map(|gear| (gear.gear, (gear.ratio / gear.wanted - 1.0).abs()));
-        let worst = off.max_by(|(_, one), (_, other)| one.total_cmp(other));
-        let ratio = candidate.verdicts.iter_mut().find(|verdict| verdict.criterion == Criterion::Ratio);
-        if let Some((verdict, (gear, error))) = ratio.zip(worst) {
-            verdict.value = error;
-            verdict.evidence = Evidence::Gear(gear);
-        }
-        let teeth = first.pairs.first().into_iter().flatten().enumerate();
+        candidate.objectives = selection::Objectives { circulation, ..first.objectives };
+        let teeth = first.teeth.iter().enumerate();
         let tooth_numbers =
             teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
-        let no = u32::try_from(designs.len() + 1).unwrap_or(u32::MAX);
-        let best = found.entries().first();
-        let behind = best.and_then(|best| decisive(wanted.order, &best.objectives, &entry.objectives));
-        if save == Some(designs.len() + 1) {
-            let teeth = first.pairs.first().map_or(&[][..], |pair| pair);
-            saved = Some(Saved::of(&candidate, requirements, teeth)?);
+        let behind = best.and_then(|best| decisive(wanted.order, &best.objectives, &first.objectives));
+        if save == Some(place + 1) {
+            saved = Some(Saved::of(&candidate, requirements, &first.teeth)?);
         }
+        let no = u32::try_from(place + 1).unwrap_or(u32::MAX);
         let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
         designs.push(Design {
             tooth_numbers,
-            others: count.saturating_sub(1),
+            others: first.others,
             candidate: Candidate::of(&ranked, behind, requirements, &wanted.duty)?,
         });
     }
     Ok((designs, saved))
-}
-
-/// The design judged as it is: the ratios that its teeth give are the ones wanted.
-fn measured(
-    requirements: &Requirements,
-    design: &ToothDesign,
-) -> Result<Option<selection::Candidate>, Error> {
-    let gearbox = design.structure.gearbox(design.k, requirements.eta0, [Role::D, Role::B])?;
-    let ratio = |gear| Ok::<_, Error>(gearbox.analyze(gear)?.ratio());
-    let (Some(first), Some(second)) = (ratio("1")?, ratio("2")?) else { return Ok(None) };
-    let exactly = Requirements {
-        series: RatioSeries::of_braked_gears(&[first, second])?,
-        orders: Orders::AsGiven,
-        signs: Signs::AsGiven,
-        ..requirements.clone()
-    };
-    let space = Space::Structures(vec![design.structure]);
-    let found = select_with(&exactly, &space, Order::default(), Some(&drawable_direct_clutches))?;
-    Ok(found.accepted.into_iter().chain(found.rejected).next())
 }
 
 impl SetTeeth {
@@ -303,6 +329,7 @@ impl SetTeeth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use epicyclic_schemes::RatioSeries;
     use uom::si::f64::{Pressure, Torque};
     use uom::si::length::millimeter;
     use uom::si::pressure::megapascal;
@@ -315,7 +342,7 @@ mod tests {
         Wanted {
             requirements,
             order: Order::default(),
-            structures: Structure::catalogue(),
+            space: Space::Catalogue,
             bounds: Bounds { ring: 12..=60, ..Bounds::default() },
             limits: SizeLimits::default(),
             most: 3,
@@ -353,6 +380,15 @@ mod tests {
 
     #[test]
     fn one_ratio_is_a_matter_of_one_set() {
-        assert!(matches!(answer(&wanted(&[3.0]), &|_| ()), Err(Error::OneSet)));
+        let found = answer(&wanted(&[3.9375]), &|_| ()).unwrap();
+        assert!(found.shown == 3 && found.searched.structures == 6, "{:?}", found.searched);
+        for design in &found.designs {
+            let [teeth] = design.tooth_numbers[..] else { panic!("{design:?}") };
+            let [gear] = &design.candidate.gears[..] else { panic!("{design:?}") };
+            let k = f64::from(teeth.ring) / f64::from(teeth.sun);
+            assert_eq!(design.candidate.sets[0].k, k);
+            assert!(design.candidate.accepted && (gear.ratio.abs() / 3.9375 - 1.0).abs() <= 0.1);
+            assert!((teeth.size / design.candidate.objectives.size - 1.0).abs() < 1e-9);
+        }
     }
 }

@@ -5,6 +5,7 @@ use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, Text, View};
 use epicyclic_answers::select::candidate::Candidate;
+use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::teeth::{Design, SelectTeeth, SetTeeth};
 use epicyclic_formats::Dimension;
 
@@ -25,10 +26,15 @@ impl AsReport for SelectTeeth {
 
 fn searched(select: &SelectTeeth) -> String {
     let counts = &select.searched;
+    let (per_set, designs, pairs) = if is_of_one_set(&select.required) {
+        ("", counts.designs.to_string(), "")
+    } else {
+        (" per set", format!("{:.2e}", counts.designs as f64), "pairs of ")
+    };
     let searched = format!(
-        "{} combinations of tooth numbers per set, {} structures with their ratios: {:.2e} designs, none left out; {} \
-         pairs of ring-to-sun ratios were tried in full, {} meet every criterion.",
-        counts.tooth_numbers, counts.structures, counts.designs as f64, counts.tried, counts.accepted
+        "{} combinations of tooth numbers{per_set}, {} structures with their ratios: {designs} designs, none left out; {} \
+         {pairs}ring-to-sun ratios were tried in full, {} meet every criterion.",
+        counts.tooth_numbers, counts.structures, counts.tried, counts.accepted
     );
     let shown = match select.shown {
         0 => String::new(),
@@ -36,6 +42,11 @@ fn searched(select: &SelectTeeth) -> String {
         shown => format!(" Shown are the first {shown} of the non-dominated designs."),
     };
     searched + &shown
+}
+
+/// Whether one set was searched and not two.
+fn is_of_one_set(required: &Required) -> bool {
+    required.ratios.len() == 1
 }
 
 /// The keys of the columns of a set.
@@ -83,16 +94,24 @@ fn designs(select: &SelectTeeth) -> Records {
             columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
         }
     }
+    let one = is_of_one_set(&select.required);
+    let (sets, ratios): (&[&str], &[&str]) = if one {
+        (&["no", "scheme", "teeth_1", "others"], &["no", "ratio_1", "k1", "efficiency_1"])
+    } else {
+        (
+            &["no", "scheme", "teeth_1", "teeth_2", "others"],
+            &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
+        )
+    };
+    let note = if one { "Set 1" } else { "Sets" };
     let mut views = vec![
         View {
-            note: "Sets: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
-                .to_owned(),
-            ..View::new("Designs, the best first", &["no", "scheme", "teeth_1", "teeth_2", "others"])
+            note: format!(
+                "{note}: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
+            ),
+            ..View::new("Designs, the best first", sets)
         },
-        View::new(
-            "Ratios and efficiencies",
-            &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
-        ),
+        View::new(if one { "Ratio and efficiency" } else { "Ratios and efficiencies" }, ratios),
         View {
             note: format!(
                 "Non-dominated: no other design is better in one and worse in none. {}",
@@ -101,7 +120,12 @@ fn designs(select: &SelectTeeth) -> Records {
             ..View::new("Objectives", &["no", "efficiency", "speed", "k_distance", "ratio_error", size])
         },
     ];
-    if size == "ring_diameter" {
+    if size == "ring_diameter" && one {
+        views.push(View::new(
+            "Ring diameter and module needed at the load factor",
+            &["no", "ring_diameter_1", "module_1"],
+        ));
+    } else if size == "ring_diameter" {
         views.push(View::new(
             "Ring diameters and modules needed at the load factor",
             &["no", "ring_diameter_1", "module_1", "ring_diameter_2", "module_2"],
