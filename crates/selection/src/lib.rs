@@ -130,7 +130,9 @@ pub fn select_with(
                 continue;
             }
             let range = &requirements.limits.ring_to_sun;
-            let nearest = mechanism.nearest(wanted, range);
+            let ends = [*range.start(), *range.end()];
+            let reaches = mechanism.reaches(wanted, requirements.tolerance, ends);
+            let nearest = if reaches { mechanism.nearest(wanted, range) } else { None };
             let in_tolerance = |k: &Vec<f64>| {
                 mechanism::largest_error(&mechanism.ratios(k), wanted) <= requirements.tolerance
             };

@@ -102,7 +102,7 @@ impl Patch {
         let limits: &Limits = &requirements.limits;
         let (first, last) = (levels.first()?, levels.last()?);
         let wanted = Wanted { ratios: ratio, tolerance: requirements.tolerance };
-        if !in_reach(structure, wanted, [first.k, last.k]) {
+        if !Mechanism::TwoSets(structure).reaches(&ratio, requirements.tolerance, [first.k, last.k]) {
             return None;
         }
         let direct_clutches = if limits.drawable {
@@ -354,18 +354,6 @@ fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f6
         of.iter().fold(0.0_f64, |most, one| most.max(one.min(sum)))
     };
     most(&forth, &back).max(most(&back, &forth))
-}
-
-/// Whether the ratios can come within tolerance at all: both within what the corners say.
-fn in_reach(structure: Structure, wanted: Wanted, [low, high]: [f64; 2]) -> bool {
-    use epicyclic_schemes::standing::reach;
-    reach(structure, &(low..=high)).into_iter().zip(wanted.ratios).all(|(reach, ratio)| {
-        let parts = [1.0 - wanted.tolerance - SLACK, 1.0 + wanted.tolerance + SLACK];
-        let ends = parts.map(|part| part * ratio);
-        let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let hair = SLACK * to.abs().max(from.abs());
-        reach.meets(from, to, hair)
-    })
 }
 
 #[cfg(test)]
