@@ -220,7 +220,9 @@ impl Error {
         use epicyclic_gears::Error as Gear;
         match self {
             Self::Placed { why, .. } => why.is_nothing_found(),
-            Self::Gear(Gear::NoToothNumbers { .. }) | Self::NoMotor(_) | Self::NoTeethHold { .. } => true,
+            Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
+            | Self::NoMotor(_)
+            | Self::NoTeethHold { .. } => true,
             Self::Drive(why) => {
                 matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))
             }

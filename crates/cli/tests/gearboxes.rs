@@ -840,6 +840,50 @@ fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
+/// In every mode, of simple and of double-planet sets: the ratio of the file is that of the list, exactly.
+#[test]
+fn a_saved_set_of_tooth_numbers_has_its_ratio() {
+    let folder = here();
+    let run = |args: &[&str]| {
+        let done = output(folder.path(), args);
+        assert!(done.status.success(), "{args:?} {done:?}");
+        done
+    };
+    let double = ["--double-planet"];
+    for (ratio, mode, more) in [
+        ("6", "aH^b", &[][..]),
+        ("-4", "ab^H", &[]),
+        ("1.3", "bH^a", &[]),
+        ("-0.3", "ba^H", &[]),
+        ("0.2", "Ha^b", &[]),
+        ("-1.6", "aH^b", &double),
+        ("2.6", "ab^H", &double),
+        ("0.6", "bH^a", &double),
+        ("0.4", "ba^H", &double),
+        ("1.6", "Hb^a", &double),
+    ] {
+        let list = ["teeth", "--ratio", ratio, "--mode", mode, "--no-undercut", "--format", "json"];
+        let saved = [&list[..], &["--limit", "2", "--save", "set.yaml", "--nth", "3"], more].concat();
+        let told: serde_json::Value = serde_json::from_slice(&run(&saved).stdout).unwrap();
+        // The third is saved, and two are shown.
+        assert_eq!(told["tooth_numbers"].as_array().unwrap().len(), 2);
+        let three = [&list[..], &["--limit", "3"], more].concat();
+        let found: serde_json::Value = serde_json::from_slice(&run(&three).stdout).unwrap();
+        let set = &found["tooth_numbers"][2];
+        let read = run(&["analyze", "set.yaml", "--format", "json"]);
+        let read: serde_json::Value = serde_json::from_slice(&read.stdout).unwrap();
+        assert_eq!(read["gears"][0]["exact_ratio"], set["exact_ratio"], "{mode} {more:?}");
+        // The teeth fit together.
+        let warnings = read["warnings"].as_array().unwrap();
+        assert!(warnings.iter().all(|warning| warning["name"] == "planet-speed"), "{read}");
+        run(&["draw", "set.yaml", "-o", "set.svg"]);
+        run(&["report", "set.yaml", "-o", "set.html"]);
+    }
+    let refused = output(folder.path(), &["teeth", "--ratio", "6", "--save", "no.yaml", "--nth", "999"]);
+    assert!(text(&refused.stderr).starts_with("error: --nth: 999: there are sets 1 to "), "{refused:?}");
+    assert!(!folder.path().join("no.yaml").exists());
+}
+
 /// The second of the designs for two speeds, read back.
 #[test]
 fn a_saved_set_of_two_speeds_has_the_teeth_that_were_chosen() {

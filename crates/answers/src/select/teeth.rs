@@ -7,19 +7,21 @@ use super::required::{Required, finite};
 use super::saved::Saved;
 use crate::tolerance::LEAST_MODULE_M;
 use crate::units::millimetres;
-use crate::{Answer, Error};
+use crate::{Answer, Error, finite};
 use epicyclic_formats::Physical;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::search::{Counts, OneSetSearch, ToothSearch};
+use epicyclic_selection::search::{Counts, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
-use schemars::JsonSchema;
-use serde::Serialize;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::ser::{Error as _, SerializeSeq as _};
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
 
-/// The most designs that are told: each takes some 35 kB while the answer is written.
+/// The most designs that an answer holds, some 35 kB each; of more each is made when it is written ([`Streamed`]).
 pub const MOST_DESIGNS: usize = 10_000;
 
 /// What is wanted.
@@ -154,44 +156,176 @@ impl Answer for SelectTeeth {
 /// # Errors
 /// [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<SelectTeeth, Error> {
-    solve(wanted, None, watch).map(|(answer, _)| answer)
+    if wanted.most > MOST_DESIGNS {
+        return Err(Error::TooManyDesigns { wanted: wanted.most, most: MOST_DESIGNS });
+    }
+    search(wanted, watch)?.answer()
 }
 
-/// Told the share of a search that is done, from 0 to 1.
-pub type Watch<'a> = dyn Fn(f64) + Sync + 'a;
+/// How far a search is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct At {
+    /// The share that is done, from 0 to 1.
+    pub share: f64,
+    /// What is searched, of two sets once it is counted and `accepted` still 0; of one set it is counted while it is searched.
+    pub searched: Option<Searched>,
+}
 
-/// The same, with the design of a number, from 1, as a gearbox; none where there is no such number.
+/// Told how far a search is, from any thread.
+pub type Watch<'a> = dyn Fn(At) + Sync + 'a;
+
+/// What a search found, before the designs are measured in full.
+#[derive(Debug)]
+pub struct Searches<'a> {
+    wanted: &'a Wanted,
+    searched: Searched,
+    found: Vec<First>,
+}
+
+/// The search, for as many designs as are wanted, [`MOST_DESIGNS`] and more.
 ///
 /// # Errors
-/// As [`answer`].
-pub fn solve(
-    wanted: &Wanted,
-    saved: Option<usize>,
-    watch: &Watch,
-) -> Result<(SelectTeeth, Option<Saved>), Error> {
-    let Wanted { requirements, order, limits, most, duty, .. } = wanted;
-    duty.torque()?;
-    if *most > MOST_DESIGNS {
-        return Err(Error::TooManyDesigns { wanted: *most, most: MOST_DESIGNS });
-    }
-    let of_one_set = requirements.series.braked().len() == 1;
+/// [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
+pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Error> {
+    wanted.duty.torque()?;
+    let of_one_set = wanted.requirements.series.braked().len() == 1;
     let (found, counts) = if of_one_set { of_one(wanted, watch)? } else { of_two(wanted, watch)? };
-    let (designs, saved) = designs(wanted, saved, &found)?;
-    let answer = SelectTeeth {
-        required: Required::of(requirements, *order, duty)?,
-        size_limits: RequiredSize {
-            greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
-            least_module_m: limits.least_module.map(Physical::si),
-            greatest_module_m: limits.greatest_module.map(Physical::si),
-        },
-        searched: Searched::of(counts),
-        shown: designs.len(),
-        designs,
-    };
-    Ok((answer, saved))
+    Ok(Searches { wanted, searched: Searched::of(counts), found })
+}
+
+impl<'a> Searches<'a> {
+    /// What was searched.
+    #[must_use]
+    pub fn searched(&self) -> Searched {
+        self.searched
+    }
+
+    /// How many designs are told.
+    #[must_use]
+    pub fn shown(&self) -> usize {
+        self.found.len().min(self.wanted.most)
+    }
+
+    /// The designs, each measured in full when it is asked for.
+    pub fn designs(&self) -> impl Iterator<Item = Result<Design, Error>> + '_ {
+        (0..self.shown()).map(|place| Ok(self.design(place)?.0))
+    }
+
+    /// The design of a number, from 1, as a gearbox; none where there is no such number.
+    ///
+    /// # Errors
+    /// None are known of a design that was found.
+    pub fn saved(&self, no: usize) -> Result<Option<Saved>, Error> {
+        let Some(place) = no.checked_sub(1).filter(|place| *place < self.found.len()) else {
+            return Ok(None);
+        };
+        let (_, candidate) = self.design(place)?;
+        Saved::of(&candidate, &self.wanted.requirements, &self.found[place].teeth).map(Some)
+    }
+
+    /// The whole answer.
+    ///
+    /// # Errors
+    /// None are known of designs that were found.
+    pub fn answer(&self) -> Result<SelectTeeth, Error> {
+        Ok(SelectTeeth { designs: self.designs().collect::<Result<_, _>>()?, ..self.without_designs()? })
+    }
+
+    /// The answer with its designs made while they are written; `told` is told the share of them that is.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the key of a number that no double holds; that of a design comes while it is written.
+    pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
+        let head = self.without_designs()?;
+        finite::check(&head)?;
+        let SelectTeeth { required, size_limits, searched, shown, .. } = head;
+        Ok(Streamed { required, size_limits, searched, shown, designs: Designs { of: self, told } })
+    }
+
+    fn without_designs(&self) -> Result<SelectTeeth, Error> {
+        let Wanted { requirements, order, limits, duty, .. } = self.wanted;
+        Ok(SelectTeeth {
+            required: Required::of(requirements, *order, duty)?,
+            size_limits: RequiredSize {
+                greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
+                least_module_m: limits.least_module.map(Physical::si),
+                greatest_module_m: limits.greatest_module.map(Physical::si),
+            },
+            searched: self.searched,
+            shown: self.shown(),
+            designs: vec![],
+        })
+    }
+
+    fn design(&self, place: usize) -> Result<(Design, selection::Candidate), Error> {
+        let (first, wanted) = (&self.found[place], self.wanted);
+        let requirements = &wanted.requirements;
+        let mut candidate = selection::Candidate::new(
+            first.mechanism,
+            first.k.clone(),
+            &first.wanted,
+            requirements,
+            Some(&drawable_direct_clutches),
+        )?;
+        // Those by which it was compared, each on its grid.
+        let circulation = candidate.objectives.circulation;
+        candidate.objectives = selection::Objectives { circulation, ..first.objectives };
+        let teeth = first.teeth.iter().enumerate();
+        let tooth_numbers =
+            teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
+        let behind = decisive(wanted.order, &self.found[0].objectives, &first.objectives);
+        let no = u32::try_from(place + 1).unwrap_or(u32::MAX);
+        let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
+        let of = Candidate::of(&ranked, behind, requirements, &wanted.duty)?;
+        Ok((Design { tooth_numbers, others: first.others, candidate: of }, candidate))
+    }
+}
+
+/// A [`SelectTeeth`] whose designs are made while they are written, and checked one by one.
+#[derive(Serialize)]
+pub struct Streamed<'a> {
+    required: Required,
+    size_limits: RequiredSize,
+    searched: Searched,
+    shown: usize,
+    designs: Designs<'a>,
+}
+
+struct Designs<'a> {
+    of: &'a Searches<'a>,
+    told: &'a dyn Fn(f64),
+}
+
+impl Serialize for Designs<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let count = self.of.shown();
+        let mut list = serializer.serialize_seq(Some(count))?;
+        for (place, design) in self.of.designs().enumerate() {
+            let design = design.map_err(S::Error::custom)?;
+            finite::check(&design).map_err(S::Error::custom)?;
+            list.serialize_element(&design)?;
+            (self.told)((place + 1) as f64 / count as f64);
+        }
+        list.end()
+    }
+}
+
+impl JsonSchema for Streamed<'_> {
+    fn schema_name() -> Cow<'static, str> {
+        SelectTeeth::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        SelectTeeth::json_schema(generator)
+    }
+}
+
+impl Answer for Streamed<'_> {
+    const NAME: &'static str = SelectTeeth::NAME;
 }
 
 /// The first design of an entry of the front.
+#[derive(Debug)]
 struct First {
     mechanism: Mechanism,
     wanted: Vec<f64>,
@@ -212,7 +346,7 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error>
         module: wanted.limits.module()?,
         ..OneSetSearch::new(wanted.requirements.clone())
     };
-    let found = search.front_watched(watch)?;
+    let found = search.front_watched(|share| watch(At { share, searched: None }))?;
     let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
         let designs = found.designs(entry);
         let count: usize = designs.iter().map(|design| design.teeth.len()).sum();
@@ -238,10 +372,17 @@ fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error>
         module: wanted.limits.module()?,
         ..ToothSearch::new(wanted.requirements.clone())
     };
-    let found = search.best_watched(wanted.most.max(1), &|progress| {
-        watch(progress.done as f64 / progress.of.max(1) as f64);
+    let watch = |progress: Progress| {
+        let share = progress.done as f64 / progress.of.max(1) as f64;
+        watch(At { share, searched: Some(Searched::of(progress.counts)) });
         ControlFlow::Continue(())
-    })?;
+    };
+    // Of many the first are not to be had much sooner than all.
+    let found = if wanted.most > MOST_DESIGNS {
+        search.front_watched(&watch)?
+    } else {
+        search.best_watched(wanted.most.max(1), &watch)?
+    };
     let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
         let (first, count) = found.first_design(entry)?;
         Some(First {
@@ -268,44 +409,6 @@ impl Searched {
     }
 }
 
-fn designs(
-    wanted: &Wanted,
-    save: Option<usize>,
-    found: &[First],
-) -> Result<(Vec<Design>, Option<Saved>), Error> {
-    let requirements = &wanted.requirements;
-    let mut designs = vec![];
-    let mut saved = None;
-    let best = found.first();
-    for (place, first) in found.iter().enumerate() {
-        let mut candidate = selection::Candidate::new(
-            first.mechanism,
-            first.k.clone(),
-            &first.wanted,
-            requirements,
-            Some(&drawable_direct_clutches),
-        )?;
-        // Those by which it was compared, each on its grid.
-        let circulation = candidate.objectives.circulation;
-        candidate.objectives = selection::Objectives { circulation, ..first.objectives };
-        let teeth = first.teeth.iter().enumerate();
-        let tooth_numbers =
-            teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
-        let behind = best.and_then(|best| decisive(wanted.order, &best.objectives, &first.objectives));
-        if save == Some(place + 1) {
-            saved = Some(Saved::of(&candidate, requirements, &first.teeth)?);
-        }
-        let no = u32::try_from(place + 1).unwrap_or(u32::MAX);
-        let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
-        designs.push(Design {
-            tooth_numbers,
-            others: first.others,
-            candidate: Candidate::of(&ranked, behind, requirements, &wanted.duty)?,
-        });
-    }
-    Ok((designs, saved))
-}
-
 impl SetTeeth {
     fn of(teeth: &ToothNumbers, set: usize, candidate: &selection::Candidate, rating: &Rating) -> Self {
         let torque =
@@ -329,6 +432,7 @@ impl SetTeeth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::{to_json, write_json};
     use epicyclic_schemes::RatioSeries;
     use uom::si::f64::{Pressure, Torque};
     use uom::si::length::millimeter;
@@ -376,6 +480,25 @@ mod tests {
         let limits = SizeLimits { greatest_module: Some(module / 2.0), ..limits };
         let refused = answer(&Wanted { limits, ..wanted(&[1.465, 2.56]) }, &|_| ());
         assert!(matches!(refused, Err(Error::ModuleRange { .. })));
+    }
+
+    /// Of both kinds of search, and of the whole front as of the first.
+    #[test]
+    fn what_is_streamed_is_the_whole_answer() {
+        for ratios in [&[3.9375][..], &[1.465, 2.56]] {
+            let mut few = wanted(ratios);
+            few.limits = SizeLimits::default();
+            few.most = MOST_DESIGNS;
+            let whole = search(&few, &|_| ()).unwrap();
+            let text = to_json(&whole.answer().unwrap()).unwrap();
+            assert!(whole.shown() > 1 && whole.shown() < MOST_DESIGNS, "{}", whole.shown());
+            let all = Wanted { most: usize::MAX, ..few.clone() };
+            let found = search(&all, &|_| ()).unwrap();
+            let (mut bytes, last) = (vec![], std::cell::Cell::new(0.0));
+            write_json(&found.streamed(&|share| last.set(share)).unwrap(), &mut bytes).unwrap();
+            assert!(String::from_utf8(bytes).unwrap() == text && last.get() == 1.0);
+            assert!(matches!(answer(&all, &|_| ()), Err(Error::TooManyDesigns { .. })));
+        }
     }
 
     #[test]

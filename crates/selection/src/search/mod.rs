@@ -112,9 +112,11 @@ pub struct Progress {
     pub done: usize,
     /// Of so many.
     pub of: usize,
+    /// What is searched; how many designs are feasible is not known before the end, and 0 till then.
+    pub counts: Counts,
 }
 
-/// Called from any thread whenever a piece of work is done; [`ControlFlow::Break`] cancels.
+/// Called before anything is tried, and from any thread whenever a piece of work is done; [`ControlFlow::Break`] cancels.
 pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
 /// A search over teeth.
@@ -377,7 +379,7 @@ impl ToothSearch {
             Patch::new(structure, ratios, &self.requirements, &levels)
         });
         let patches: Vec<Patch> = patches.into_iter().flatten().collect();
-        let pairs = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
+        let pairs: u64 = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
         if pairs > MOST_PAIRS {
             return Err(Error::TooManyPairs {
                 tooth_sets: counted,
@@ -392,7 +394,7 @@ impl ToothSearch {
             patches: of,
             patches_tried: patches.len(),
             designs: count as u128 * count as u128 * of as u128,
-            tried: 0,
+            tried: pairs,
             feasible: 0,
         };
         let allowed = Allowed::new(&self.requirements);
@@ -419,7 +421,11 @@ impl ToothSearch {
             .flat_map(|(place, patch)| batches(&patch.strips).into_iter().map(move |batch| (place, batch)))
             .collect();
         let of = batches.iter().map(|(_, pieces)| pieces.len()).sum();
+        let counts = found.counts;
         let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+        if watch(Progress { done: 0, of, counts }).is_break() {
+            return Err(Error::Cancelled);
+        }
         let mut held = Contenders::default();
         let [mut tried, mut feasible] = [0, 0];
         let mut sides: Option<(u32, [Vec<Side>; 2], Columns)> = None;
@@ -436,12 +442,13 @@ impl ToothSearch {
                 if cancelled.load(Ordering::Relaxed) {
                     return (gathered, [0, 0]);
                 }
-                let counts = self.try_strips(found, *patch, (sides, columns), strips, bound, &mut gathered);
-                let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of };
+                let tried_and_met =
+                    self.try_strips(found, *patch, (sides, columns), strips, bound, &mut gathered);
+                let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of, counts };
                 if watch(progress).is_break() {
                     cancelled.store(true, Ordering::Relaxed);
                 }
-                (gathered, counts)
+                (gathered, tried_and_met)
             };
             let results: Vec<(Contenders, [u64; 2])> = map(pieces, try_piece);
             if cancelled.load(Ordering::Relaxed) {

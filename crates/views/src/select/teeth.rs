@@ -1,13 +1,15 @@
 //! The choice over tooth numbers, as tables.
 
 use super::{best, common_columns, common_figures, length, size_column, size_note, title};
-use crate::AsReport;
 use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text, View, rows_as_csv};
+use crate::{AsReport, Error};
 use epicyclic_answers::select::candidate::Candidate;
 use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::teeth::{Design, SelectTeeth, SetTeeth};
 use epicyclic_formats::Dimension;
+use std::borrow::Cow;
+use std::io;
 
 impl AsReport for SelectTeeth {
     fn report(&self) -> Report {
@@ -82,18 +84,7 @@ fn designs(select: &SelectTeeth) -> Records {
     let candidates: Vec<Candidate> =
         select.designs.iter().take(1).map(|design| design.candidate.clone()).collect();
     let size = size_column(&candidates);
-    let mut columns = common_columns();
-    columns.push(Column::number("others", "others"));
-    for set in SETS {
-        columns.push(Column::words(set.shown, set.heading).for_people());
-        columns.extend(set.numbers.map(|name| Column::number(name, name)));
-        columns.push(Column::number(set.size, set.size));
-        let number = set.heading.trim_start_matches("set ");
-        for (name, what) in [(set.ring_diameter, "ring"), (set.module, "module")] {
-            let heading = format!("{what} {number}, mm");
-            columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
-        }
-    }
+    let columns = columns();
     let one = is_of_one_set(&select.required);
     let (sets, ratios): (&[&str], &[&str]) = if one {
         (&["no", "scheme", "teeth_1", "others"], &["no", "ratio_1", "k1", "efficiency_1"])
@@ -138,6 +129,48 @@ fn designs(select: &SelectTeeth) -> Records {
         views,
         is_answer: true,
     }
+}
+
+/// What the list says of each design.
+fn columns() -> Vec<Column> {
+    let mut columns = common_columns();
+    columns.push(Column::number("others", "others"));
+    for set in SETS {
+        columns.push(Column::words(set.shown, set.heading).for_people());
+        columns.extend(set.numbers.map(|name| Column::number(name, name)));
+        columns.push(Column::number(set.size, set.size));
+        let number = set.heading.trim_start_matches("set ");
+        for (name, what) in [(set.ring_diameter, "ring"), (set.module, "module")] {
+            let heading = format!("{what} {number}, mm");
+            columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
+        }
+    }
+    columns
+}
+
+/// The list as CSV, each design when it comes.
+///
+/// # Errors
+/// Those of the writer and of the designs; a number too large for its unit.
+pub fn csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
+    designs: impl Iterator<Item = Result<Design, E>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let columns = columns();
+    let mut fault = None;
+    let checked = |design: Result<Design, E>| {
+        let row = row(&design.map_err(io::Error::other)?);
+        match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
+            None => Ok(row),
+            Some((column, _)) => {
+                let figure = format!("designs.{} of {}", column.name, row[0].csv().0);
+                Err(io::Error::other(Error::NotFinite { figure }))
+            }
+        }
+    };
+    let rows = designs.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
+    let written = rows_as_csv(&columns, rows.map(Cow::Owned), out);
+    fault.map_or(written, Err)
 }
 
 fn row(design: &Design) -> Vec<Figure> {
