@@ -42,12 +42,20 @@ struct Whole<'a, A> {
 /// [`Error::NotFinite`] with the key of a number that no double holds.
 pub fn to_json<A: Answer>(answer: &A) -> Result<String, Error> {
     finite::check(answer)?;
-    let whole = Whole { schema_version: SCHEMA_VERSION, answer: A::NAME, content: answer };
     let mut bytes = vec![];
-    let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, Plain(PrettyFormatter::new()));
-    whole.serialize(&mut serializer).map_err(|error| Error::Json(error.to_string()))?;
-    let text = String::from_utf8(bytes).map_err(|error| Error::Json(error.to_string()))?;
-    Ok(text + "\n")
+    write_json(answer, &mut bytes).map_err(|error| Error::Json(error.to_string()))?;
+    String::from_utf8(bytes).map_err(|error| Error::Json(error.to_string()))
+}
+
+/// The same, written as it comes; that every number is one, [`finite::check`] tells before.
+///
+/// # Errors
+/// Those of the writer, and what a record refuses that makes its entries while they are written.
+pub fn write_json<A: Answer>(answer: &A, mut out: impl Write) -> io::Result<()> {
+    let whole = Whole { schema_version: SCHEMA_VERSION, answer: A::NAME, content: answer };
+    let mut serializer = serde_json::Serializer::with_formatter(&mut out, Plain(PrettyFormatter::new()));
+    whole.serialize(&mut serializer)?;
+    out.write_all(b"\n")
 }
 
 /// JSON on several lines, without negative zeros.

@@ -192,9 +192,6 @@ pub enum Error {
     /// A speed or load of an input.
     #[error(transparent)]
     Duty(#[from] DutyProblem),
-    /// A search for tooth numbers of two sets with one ratio.
-    #[error("two sets are searched, so three speeds or two ratios are due")]
-    OneSet,
     /// More designs than are told at once.
     #[error("{wanted} designs, each measured and written in full: at most {most}")]
     TooManyDesigns {
@@ -223,7 +220,9 @@ impl Error {
         use epicyclic_gears::Error as Gear;
         match self {
             Self::Placed { why, .. } => why.is_nothing_found(),
-            Self::Gear(Gear::NoToothNumbers { .. }) | Self::NoMotor(_) | Self::NoTeethHold { .. } => true,
+            Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
+            | Self::NoMotor(_)
+            | Self::NoTeethHold { .. } => true,
             Self::Drive(why) => {
                 matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))
             }

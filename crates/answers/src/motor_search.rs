@@ -178,13 +178,13 @@ pub struct Searched {
     apart: usize,
 }
 
-/// Searches.
+/// Searches; `watch` is told how far it is, from any thread.
 ///
 /// # Errors
 /// [`Error::Motor`] for bounds that cannot be; [`Error::NoMotor`] where no motor passes, [`Error::NoTeethHold`] where on
 /// none of them the default teeth keep their limits.
-pub fn search(wanted: &Wanted) -> Result<Searched, Error> {
-    let mut found = wanted.search.front()?;
+pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
+    let mut found = wanted.search.front_watched(watch)?;
     let apart = found.designs.len();
     if apart == 0 {
         return Err(Error::NoMotor(Box::new(Funnel::of(&found, apart))));
@@ -208,7 +208,7 @@ pub fn search(wanted: &Wanted) -> Result<Searched, Error> {
 /// # Errors
 /// As [`search()`].
 pub fn answer(wanted: &Wanted) -> Result<MotorSearch, Error> {
-    Ok(search(wanted)?.answer())
+    Ok(search(wanted, &|_| ())?.answer())
 }
 
 impl Searched {

@@ -404,9 +404,10 @@ pub fn solve_by<E: From<Error>>(
     kept.retain(|kept| told.binary_search(&(kept.number - 1)).is_ok());
     if let (Some(teeth), Some(choices)) = (&wanted.teeth, &choices) {
         for (solution, kept) in answer.solutions.iter_mut().zip(&mut kept) {
+            let side_by_side = wanted.side_by_side(&kept.selection, &gears);
             let gears: Vec<WantedGear> = kept.selection.iter().map(|gear| gears[*gear]).collect();
             let k = wanted.ranges(solution.sets.len(), kept.found.structure.double_planets());
-            let (told, best) = Teeth::of(kept, &gears, &k, choices, teeth)?;
+            let (told, best) = Teeth::of(kept, &gears, &side_by_side, &k, choices, teeth)?;
             (solution.teeth, kept.teeth) = (Some(told), best);
         }
     }

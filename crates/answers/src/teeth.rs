@@ -1,4 +1,12 @@
 //! Tooth numbers of a simple set for a ratio.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`double_planet`] | the same of a double-planet set |
+//! | [`saved`] | a set as a gearbox |
+
+pub mod double_planet;
+pub mod saved;
 
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
@@ -21,7 +29,7 @@ pub struct Wanted {
     pub mode: Mode,
     /// How far the ratio may be off, as a share of it.
     pub tolerance: f64,
-    /// Bounds of tooth numbers, of planets, of k, and the rack.
+    /// Bounds of tooth numbers, of planets, of a double-planet set of each of its two and of the pairs, of k, and the rack.
     pub bounds: Bounds,
     /// How many of the sets are told.
     pub most: usize,

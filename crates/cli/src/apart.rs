@@ -112,7 +112,7 @@ mod tests {
             "motor --dxf <FILE>",
             "motor --svg <FILE>",
         ];
-        let saved = ["select --save <FILE>", "synthesize --save <FILE>"];
+        let saved = ["select --save <FILE>", "synthesize --save <FILE>", "teeth --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
         assert_eq!(options, [&drawings[..], &of_search, &saved].concat());
     }

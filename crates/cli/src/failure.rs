@@ -156,7 +156,10 @@ impl Failure {
         match self {
             Self::NothingFound(_)
             | Self::SelfCrossing { .. }
-            | Self::Gear(epicyclic_gears::Error::NoToothNumbers { .. }) => NOTHING_FOUND,
+            | Self::Gear(
+                epicyclic_gears::Error::NoToothNumbers { .. }
+                | epicyclic_gears::Error::NoDoublePlanetSet { .. },
+            ) => NOTHING_FOUND,
             Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
             Self::Interrupted(_) => INTERRUPTED,
             Self::Read { .. } | Self::Write { .. } | Self::StandardOutput(_) | Self::Format(_) => {

@@ -2,6 +2,7 @@
 //! first, and ended at the second.
 
 use std::fs;
+use std::io::{Write as _, stderr};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -22,6 +23,17 @@ static HEARS: AtomicBool = AtomicBool::new(false);
 /// Whether one that hears was asked to end.
 static ASKED: AtomicBool = AtomicBool::new(false);
 
+/// The length of a line of progress: what stood there before is covered.
+pub(crate) const WIDTH: usize = 48;
+
+/// Whether a line of progress stands on the terminal.
+static SHOWS: AtomicBool = AtomicBool::new(false);
+
+/// From here a line of progress may stand on the terminal, or no more.
+pub(crate) fn line_stands(shows: bool) {
+    SHOWS.store(shows, Ordering::SeqCst);
+}
+
 /// From here Ctrl-C and a request to end are heard. What comes earlier ends the program at once, and finds no temporary files.
 pub(crate) fn hear() {
     let heard = || {
@@ -30,6 +42,9 @@ pub(crate) fn hear() {
         }
         for path in pending().iter() {
             let _ = fs::remove_file(path);
+        }
+        if SHOWS.load(Ordering::SeqCst) {
+            let _ = write!(stderr(), "\r{:WIDTH$}\r", "");
         }
         std::process::exit(i32::from(INTERRUPTED));
     };

@@ -1,15 +1,15 @@
 //! Formats of an answer, and where it goes.
 
 use crate::failure::Failure;
-use crate::writing::{Content, write_files};
-use epicyclic_answers::answer::to_json;
+use crate::writing::{Content, Source, write_files, write_files_and};
+use epicyclic_answers::answer::write_json;
 use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
 use epicyclic_views::page::{Imprint, Sheet};
 use epicyclic_views::text::WIDTH;
 use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
-use std::io::{self, IsTerminal as _, Write};
+use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
 use terminal_size::terminal_size_of;
 
@@ -57,6 +57,11 @@ impl OutputArgs {
         self.target.output.is_some()
     }
 
+    /// Whether it goes to a file or a pipe.
+    pub(crate) fn is_out_of_sight(&self) -> bool {
+        self.is_file() || !io::stdout().is_terminal()
+    }
+
     /// Whether a page is asked for: tables into a file whose name ends in `.html`.
     pub(crate) fn is_page(&self) -> bool {
         let is_html = |file: &PathBuf| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("html"));
@@ -75,25 +80,47 @@ impl OutputArgs {
         files: Vec<Content>,
         answer: &A,
     ) -> Result<(), Failure> {
+        finite::check(answer)?;
         // A view is made where it is shown, or where its warnings go to people beside a file.
-        let (text, report) = match self.format {
-            Format::Json => (to_json(answer)?, self.is_file().then(|| answer.report())),
-            Format::Table | Format::Csv => {
-                finite::check(answer)?;
-                let report = answer.report();
+        let report = (self.format != Format::Json || self.is_file()).then(|| answer.report());
+        match (self.format, &report) {
+            (Format::Json, _) => self.stream(&files, &mut |out| write_json(answer, out))?,
+            (format, Some(report)) => {
                 // In the units of drawings a number can be too large that is not in SI units.
                 report.refuse_infinite()?;
-                (
-                    if self.format == Format::Csv { report.csv()? } else { report.table(self.width()) },
-                    Some(report),
-                )
+                if format == Format::Csv {
+                    self.stream(&files, &mut |out| report.csv(out))?;
+                } else {
+                    self.write_with(files, &report.table(self.width()))?;
+                }
             }
-        };
-        self.write_with(files, &text)?;
+            _ => unreachable!("a report is made for tables and CSV"),
+        }
         if let Some(report) = report.filter(|_| self.is_file()) {
             tell(&report);
         }
         Ok(())
+    }
+
+    /// Writes an answer for programs as it comes, and other files of the same call: into a file whole or not at all.
+    pub(crate) fn stream(&self, files: &[Content], source: &mut Source) -> Result<(), Failure> {
+        if let Some(file) = self.file() {
+            return write_files_and(files, Some((file, source)));
+        }
+        write_files(files)?;
+        let mut out = io::stdout().lock();
+        let written = if out.is_terminal() {
+            let mut text = vec![];
+            source(&mut text).and_then(|()| {
+                // A terminal gets what it can show.
+                let text = String::from_utf8(text).map_err(io::Error::other)?;
+                out.write_all(visible::lines(&text).as_bytes())
+            })
+        } else {
+            let mut out = BufWriter::new(&mut out);
+            source(&mut out).and_then(|()| out.flush())
+        };
+        written.and_then(|()| out.flush()).map_err(Failure::StandardOutput)
     }
 
     /// Columns of the lines of tables: as many as the terminal has, or `COLUMNS` says where the answer goes to a pipe; 80 in a file.
@@ -128,12 +155,8 @@ impl OutputArgs {
 
     /// Writes the answer and other files of the same call, all of them or none.
     pub(crate) fn write_with(&self, files: Vec<Content>, answer: &str) -> Result<(), Failure> {
-        let answer = match self.format {
-            // For people, who may look at it in a terminal now or later.
-            Format::Table => visible::lines(answer),
-            Format::Json | Format::Csv => answer.into(),
-        };
-        self.target.write_with(files, answer.as_bytes())
+        // For people, who may look at it in a terminal now or later.
+        self.target.write_with(files, visible::lines(answer).as_bytes())
     }
 }
 

@@ -1,7 +1,8 @@
-//! How far a long search is: one line on standard error, on a terminal alone.
+//! How large a long search is and how far: on standard error, on a terminal alone.
 
+use crate::interrupt::{WIDTH, hear, line_stands};
 use std::io::{IsTerminal, Write as _, stderr};
-use std::sync::Mutex;
+use std::sync::{Mutex, Once};
 use std::time::{Duration, Instant};
 
 /// How often it is shown; what is done sooner shows nothing.
@@ -10,8 +11,8 @@ const SHOWN_EVERY: Duration = Duration::from_millis(100);
 /// How long a search runs before it is told how long it will.
 const TOLD_AFTER: Duration = Duration::from_secs(3);
 
-/// The line's length: what stood there before is covered.
-const WIDTH: usize = 40;
+/// How long a search takes by its size from which on the size is told, in s.
+const TOLD: f64 = 1.0;
 
 /// A duration in words: `40 s`, `12 min`, `3.5 h`, `8 days`.
 pub(crate) fn duration(seconds: f64) -> String {
@@ -34,6 +35,9 @@ pub(crate) struct Progress {
     begun: Instant,
     /// What was done before it began.
     before: f64,
+    /// What it does: `searching`.
+    doing: &'static str,
+    sized: Once,
 }
 
 impl Progress {
@@ -42,10 +46,34 @@ impl Progress {
         Self::from(0.0)
     }
 
+    /// An answer that is written.
+    pub(crate) fn of_writing() -> Self {
+        Self::of("writing", 0.0)
+    }
+
     /// A search of which this share is done already.
     pub(crate) fn from(before: f64) -> Self {
+        Self::of("searching", before)
+    }
+
+    fn of(doing: &'static str, before: f64) -> Self {
         let begun = Instant::now();
-        Self { last: stderr().is_terminal().then(|| Mutex::new(begun)), begun, before }
+        let last = stderr().is_terminal().then(|| Mutex::new(begun));
+        if last.is_some() {
+            // Whoever ends it is not left with the line.
+            hear();
+            line_stands(true);
+        }
+        Self { last, begun, before, doing, sized: Once::new() }
+    }
+
+    /// Tells once how large the search is, of so many parts, where so many of them a second take long.
+    pub(crate) fn size(&self, parts: f64, in_a_second: f64, words: impl FnOnce() -> String) {
+        if self.last.is_some() && parts / in_a_second >= TOLD {
+            self.sized.call_once(|| {
+                let _ = writeln!(stderr(), "\r{:WIDTH$}\rsearching {}", "", words());
+            });
+        }
     }
 
     /// How long it will take from here, if it goes on as it went.
@@ -57,15 +85,23 @@ impl Progress {
         format!(", about {} left", duration(self.begun.elapsed().as_secs_f64() * (1.0 - share) / done))
     }
 
+    /// A pass of which nobody knows how many follow, and the share of it that is done.
+    pub(crate) fn at_pass(&self, pass: u32, share: f64) {
+        self.show(|| format!("refining, pass {pass}: {:3.0} %", 100.0 * share));
+    }
+
     /// The share that is done, from 0 to 1.
     pub(crate) fn at(&self, share: f64) {
+        self.show(|| format!("{}: {:3.0} %{}", self.doing, 100.0 * share, self.left(share)));
+    }
+
+    fn show(&self, line: impl FnOnce() -> String) {
         // A thread that finds another at it has nothing to add.
         if let Some(Ok(mut last)) = self.last.as_ref().map(Mutex::try_lock)
             && last.elapsed() >= SHOWN_EVERY
         {
             *last = Instant::now();
-            let line = format!("searching: {:3.0} %{}", 100.0 * share, self.left(share));
-            let _ = write!(stderr(), "\r{line:WIDTH$}");
+            let _ = write!(stderr(), "\r{:WIDTH$}", line());
         }
     }
 }
@@ -74,6 +110,7 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if self.last.is_some() {
             let _ = write!(stderr(), "\r{:WIDTH$}\r", "");
+            line_stands(false);
         }
     }
 }

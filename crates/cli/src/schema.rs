@@ -21,6 +21,7 @@ use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::synthesize::Synthesis;
 use epicyclic_answers::teeth::Teeth;
+use epicyclic_answers::teeth::double_planet::DoublePlanetTeeth;
 use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -81,6 +82,8 @@ enum Of {
     AnswerMotorSearch,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
+    /// The answer of `epicyclic teeth --double-planet`.
+    AnswerTeethDoublePlanet,
     /// The answer of `epicyclic select`.
     AnswerSelect,
     /// The answer of `epicyclic select --teeth`.
@@ -127,6 +130,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerMotor => schema::<Motor>(),
         Of::AnswerMotorSearch => schema::<MotorSearch>(),
         Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerTeethDoublePlanet => schema::<DoublePlanetTeeth>(),
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),

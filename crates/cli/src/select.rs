@@ -6,27 +6,32 @@ use crate::lists::{List, Numbers, Quantities};
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use crate::teeth::IN_A_SECOND;
 use crate::writing::Content;
 use epicyclic_answers::Error;
+use epicyclic_answers::answer::write_json;
 use epicyclic_answers::select::duty::{Duty, DutyProblem, DutyQuantity, Load};
 use epicyclic_answers::select::page::drawn;
 use epicyclic_answers::select::saved::Saved;
-use epicyclic_answers::select::teeth::{self, SizeLimits};
+use epicyclic_answers::select::teeth::{self, MOST_DESIGNS, Searched, SizeLimits};
 use epicyclic_answers::select::{self, Wanted};
 use epicyclic_formats::gearbox::written;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
-use epicyclic_schemes::structures::Structure;
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
 use epicyclic_views::page;
+use epicyclic_views::select::teeth::csv;
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
 
 /// Designs shown unless said otherwise: in a table, and of tooth numbers.
 const SHOWN: usize = 10;
+
+/// Pairs of ring-to-sun ratios that are tried in a second, about.
+const PAIRS_IN_A_SECOND: f64 = 3e6;
 
 /// The planetary gearbox for two or three speeds: every scheme measured, judged and compared.
 ///
@@ -39,6 +44,7 @@ const SHOWN: usize = 10;
 Example:
   epicyclic select --speeds '0.8 m/s, 3.15 m/s'
   epicyclic select --speeds '0.76 m/s, 1.33 m/s, 1.95 m/s' --all-structures
+  epicyclic select --ratios 3.9375 --teeth --torque '500 N·m' --load-factor '2 MPa'
   epicyclic select --ratios '1.465, 2.56' --teeth --ring ..90 --limit 5
   epicyclic select --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm
 
@@ -59,11 +65,11 @@ pub(crate) struct Args {
     #[arg(long)]
     all_structures: bool,
 
-    /// Tooth numbers of both sets: all combinations, none left out.
+    /// Tooth numbers of the one set or of both: all combinations, none left out.
     #[arg(long)]
     teeth: bool,
 
-    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, up to 10000.
+    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table up to 10000.
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
@@ -276,7 +282,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         (None, Format::Table) => SHOWN,
         (None, _) => usize::MAX,
     };
-    let space = if args.all_structures { Space::All } else { Space::Catalogue };
+    let space = space(args);
     let eta0 = requirements.eta0;
     let nth = args.save.is_some().then_some(args.nth);
     let found = select::solve(&Wanted { requirements, order, space, most, duty }, nth);
@@ -294,37 +300,84 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if found.accepted == 0 { Err(nothing_found()) } else { Ok(()) }
 }
 
+/// The mechanisms to choose among.
+fn space(args: &Args) -> Space {
+    if args.all_structures { Space::All } else { Space::Catalogue }
+}
+
 fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty) -> Result<(), Failure> {
     let nth = args.save.is_some().then_some(args.nth);
-    let most = args.limit.unwrap_or(SHOWN).max(nth.unwrap_or(0));
-    let structures = if args.all_structures { Structure::all() } else { Structure::catalogue() };
+    let limit = args.limit.unwrap_or(SHOWN);
+    let most = limit.max(nth.unwrap_or(0));
+    let for_programs = args.output.format != Format::Table;
     let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
     let limits = SizeLimits {
         ring_diameter: length(args.size.ring_diameter),
         least_module: length(args.size.least_module),
         greatest_module: length(args.size.greatest_module),
     };
+    if most > MOST_DESIGNS && !for_programs {
+        return Err(refuse(args, Error::TooManyDesigns { wanted: most, most: MOST_DESIGNS }));
+    }
     let bounds = bounds(args)?;
     let eta0 = requirements.eta0;
-    let wanted = teeth::Wanted { requirements, order, structures, bounds, limits, most, duty };
+    let space = space(args);
+    let of_one_set = requirements.series.braked().len() == 1;
+    let wanted = teeth::Wanted { requirements, order, space, bounds, limits, most, duty };
     let shown = Progress::new();
-    let found =
-        teeth::solve(&wanted, nth, &|progress| shown.at(progress.done as f64 / progress.of.max(1) as f64));
-    drop(shown);
-    let (found, saved) = found.map_err(|error| refuse(args, error))?;
-    let files = save(args, saved, found.shown, found.shown)?;
-    if args.output.is_page() {
-        let best = found.designs.first().map(|design| &design.candidate);
-        let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
-        let sheet = page::selection::sheet_with_teeth(&found, drawn.as_ref(), imprint::command());
-        args.output.deliver_page(files, &found, sheet, &args.page.imprint())?;
-    } else {
-        args.output.deliver_with(files, &found)?;
+    if of_one_set {
+        let parts = wanted.bounds.space(false).map_err(|error| refuse_selection(error.into()))? as f64;
+        shown.size(parts, IN_A_SECOND, || {
+            format!("{parts:.1e} combinations of sun, planet and number of planets")
+        });
     }
-    if found.searched.accepted == 0 || (found.designs.is_empty() && most > 0) {
+    let found = teeth::search(&wanted, &|at| {
+        if let Some(Searched { designs, tooth_numbers, structures, tried, .. }) = at.searched {
+            shown.size(tried as f64, PAIRS_IN_A_SECOND, || {
+                format!(
+                    "{:.1e} designs: {tooth_numbers} combinations of tooth numbers a set, {structures} structures with their ratios; \
+                     {:.1e} pairs of ring-to-sun ratios",
+                    designs as f64, tried as f64
+                )
+            });
+        }
+        shown.at(at.share);
+    });
+    drop(shown);
+    let found = found.map_err(|error| refuse(args, error))?;
+    let saved = nth.map(|nth| found.saved(nth)).transpose().map_err(|error| refuse(args, error))?.flatten();
+    let files = save(args, saved, found.shown(), found.shown())?;
+    let (accepted, count) = (found.searched().accepted, found.shown());
+    if for_programs {
+        // Each design is made when it is written: there may be some hundred thousand of them.
+        let shown = args.output.is_out_of_sight().then(Progress::of_writing);
+        let told = |share: f64| shown.iter().for_each(|shown| shown.at(share));
+        if args.output.format == Format::Json {
+            let answer = found.streamed(&told)?;
+            args.output.stream(&files, &mut |out| write_json(&answer, out))?;
+        } else {
+            let designs = found.designs().zip(1..).map(|(design, no)| {
+                told(f64::from(no) / count as f64);
+                design
+            });
+            let mut designs = Some(designs);
+            args.output.stream(&files, &mut |out| csv(designs.take().into_iter().flatten(), out))?;
+        }
+    } else {
+        let answer = found.answer().map_err(|error| refuse(args, error))?;
+        if args.output.is_page() {
+            let best = answer.designs.first().map(|design| &design.candidate);
+            let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
+            let sheet = page::selection::sheet_with_teeth(&answer, drawn.as_ref(), imprint::command());
+            args.output.deliver_page(files, &answer, sheet, &args.page.imprint())?;
+        } else {
+            args.output.deliver_with(files, &answer)?;
+        }
+    }
+    if accepted == 0 || (count == 0 && most > 0) {
         return Err(nothing_found());
     }
-    if args.output.format != Format::Table && found.shown == most {
+    if for_programs && count == most {
         complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
     }
     Ok(())
@@ -451,10 +504,6 @@ fn refuse(args: &Args, error: Error) -> Failure {
     match error {
         Error::Selection(error) => refuse_selection(error),
         Error::Duty(problem) => refuse_duty(args, problem),
-        Error::OneSet => {
-            let message = format!("{error}; `epicyclic teeth` finds the tooth numbers of one set");
-            option("--teeth", message)
-        }
         Error::TooManyDesigns { .. } => {
             let message = format!(
                 "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
@@ -495,9 +544,9 @@ fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
     let option = match &error {
         E::SpeedCount { .. } => "--speeds, --ratios",
         E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
-        E::RatioCount { .. } | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => {
-            "--ratios"
-        }
+        E::RatioCount { .. }
+        | E::OneRatio { .. }
+        | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => "--ratios",
         E::Tolerance { .. } => "--tolerance",
         E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
         E::RingToSunRange { .. } => "--k",
@@ -514,7 +563,9 @@ fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
         E::PlanetNumber { .. } => "--planets",
         E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
         E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
-        E::TooManyPairs { .. } | E::FrontTooLarge { .. } => "--sun, --planet, --ring, --k, --tolerance",
+        E::TooManyNear { .. } | E::TooManyPairs { .. } | E::FrontTooLarge { .. } => {
+            "--sun, --planet, --ring, --k, --tolerance"
+        }
         E::GearSet(error) => match crate::options::of_teeth(error, "--planet-count") {
             Some(option) => option,
             None => return Failure::Selection(E::GearSet(error.clone())),

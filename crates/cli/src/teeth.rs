@@ -4,25 +4,36 @@ use crate::failure::Failure;
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use crate::writing::Content;
 use epicyclic_answers as answers;
-use epicyclic_answers::teeth::{Wanted, answer};
+use epicyclic_answers::teeth::{Wanted, answer, double_planet, saved};
+use epicyclic_formats::gearbox::written;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::{Bounds, Placement};
+use epicyclic_train::Gearbox;
 use std::ops::RangeInclusive;
+use std::path::PathBuf;
 use uom::si::f64::{Angle, Ratio};
+
+/// Combinations of teeth and planets that are gone through in a second, about.
+pub(crate) const IN_A_SECOND: f64 = 1e7;
 
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
 
-/// Every set of tooth numbers of a simple planetary gear set for a ratio.
+/// Every set of tooth numbers of a simple or double-planet gear set for a ratio.
 ///
 /// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets clear each other and
-/// assemble. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
+/// assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun and ring stands once, with one choice of planets. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  epicyclic teeth --ratio 6 --planets 4 --no-undercut")]
+#[command(after_help = "\
+Example:
+  epicyclic teeth --ratio 6 --planets 4 --no-undercut
+  epicyclic teeth --ratio 6 --planets 4 --save set.yaml --nth 2
+  epicyclic teeth --ratio -1.6 --double-planet --no-undercut")]
 pub(crate) struct Args {
     /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
     #[arg(long, allow_negative_numbers = true)]
@@ -36,7 +47,11 @@ pub(crate) struct Args {
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
 
-    /// Number of planets, from 2 to 8.
+    /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the ring.
+    #[arg(long)]
+    double_planet: bool,
+
+    /// Number of planets, or of pairs of planets, from 2 to 8.
     #[arg(long, default_value = "3..8")]
     planets: Span<u32>,
 
@@ -44,7 +59,7 @@ pub(crate) struct Args {
     #[arg(long, default_value = "12..200")]
     sun: Span<u32>,
 
-    /// Teeth of a planet.
+    /// Teeth of a planet, of a double-planet set of each of the two.
     #[arg(long, default_value = "12..200")]
     planet: Span<u32>,
 
@@ -80,6 +95,14 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
+    /// Write the most exact set as a gearbox file without losses that analyze, draw and report read.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+
+    /// With --save: the set with this number in place of the most exact.
+    #[arg(long, value_name = "N", requires = "save", default_value = "1")]
+    nth: usize,
+
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -106,17 +129,74 @@ fn mode(text: &str) -> Result<Mode, String> {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
-    let shown = Progress::new();
     let format = args.output.format;
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
+    let nth = args.save.as_ref().map_or(0, |_| args.nth);
     let wanted = Wanted {
         ratio: args.ratio.get(),
         mode: args.mode,
         tolerance: args.tolerance.0.si(),
         bounds,
-        most: limit,
+        most: limit.max(nth),
     };
-    let answer = answer(&wanted, |share| shown.at(share)).map_err(|error| match error {
+    let shown = Progress::new();
+    let parts = wanted.bounds.space(args.double_planet).map_err(refuse)? as f64;
+    let gears = if args.double_planet {
+        "sun, ring and pairs of planets"
+    } else {
+        "sun, planet and number of planets"
+    };
+    shown.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
+    if args.double_planet {
+        let found = double_planet::answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
+        drop(shown);
+        let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
+        let chosen = chosen.map(|set| saved::double_planet(&wanted, set)).transpose()?;
+        let files = save(args, &wanted, chosen, found.found)?;
+        let mut told = found;
+        told.tooth_numbers.truncate(limit);
+        told.shown = told.tooth_numbers.len();
+        args.output.deliver_with(files, &told)?;
+        note(format, told.found, told.shown);
+    } else {
+        let found = answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
+        drop(shown);
+        let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
+        let chosen = chosen.map(|set| saved::simple(&wanted, set)).transpose()?;
+        let files = save(args, &wanted, chosen, found.found)?;
+        let mut told = found;
+        told.tooth_numbers.truncate(limit);
+        told.shown = told.tooth_numbers.len();
+        args.output.deliver_with(files, &told)?;
+        note(format, told.found, told.shown);
+    }
+    Ok(())
+}
+
+/// Says beside a list for programs that it is not whole.
+fn note(format: Format, found: u64, shown: usize) {
+    if format != Format::Table && (shown as u64) < found {
+        complain(&format!("note: {}", epicyclic_views::teeth::count(found, shown)));
+    }
+}
+
+/// The file of --save with its content.
+fn save(args: &Args, wanted: &Wanted, chosen: Option<Gearbox>, found: u64) -> Result<Vec<Content>, Failure> {
+    let Some(file) = &args.save else { return Ok(vec![]) };
+    let Some(gearbox) = chosen else {
+        let message = format!("{}: there are sets 1 to {found}", args.nth);
+        return Err(Failure::Option { option: "--nth", message });
+    };
+    let comment = format!(
+        "Set {} of {found} found by epicyclic teeth for the ratio {} ({}), without losses.",
+        args.nth, wanted.ratio, wanted.mode
+    );
+    let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
+    Ok(vec![(file.clone(), text.into_bytes())])
+}
+
+fn refuse_answer(error: answers::Error) -> Failure {
+    match error {
         answers::Error::Gear(error) => refuse(error),
         answers::Error::TooMany { found, most } => Failure::Option {
             option: "--limit",
@@ -126,13 +206,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             ),
         },
         error => error.into(),
-    })?;
-    drop(shown);
-    args.output.deliver(&answer)?;
-    if format != Format::Table && (answer.shown as u64) < answer.found {
-        complain(&format!("note: {}", epicyclic_views::teeth::count(&answer)));
     }
-    Ok(())
 }
 
 fn refuse(error: Error) -> Failure {

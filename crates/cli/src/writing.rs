@@ -11,29 +11,46 @@ use crate::interrupt::{hear, pending};
 use std::collections::VecDeque;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::hash::{BuildHasher as _, RandomState};
-use std::io::{self, ErrorKind, Write as _};
+use std::io::{self, BufWriter, ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 /// A file that is to be written, and all of its content.
 pub(crate) type Content = (PathBuf, Vec<u8>);
 
+/// What writes a content as it comes.
+pub(crate) type Source<'a> = dyn FnMut(&mut dyn io::Write) -> io::Result<()> + 'a;
+
 /// Writes files: all of them whole, or none.
 pub(crate) fn write_files(files: &[Content]) -> Result<(), Failure> {
+    write_files_and(files, None)
+}
+
+/// The same with one more, whose content is never held.
+pub(crate) fn write_files_and(
+    files: &[Content],
+    streamed: Option<(&Path, &mut Source)>,
+) -> Result<(), Failure> {
     hear();
+    let mut all: Vec<(&Path, Box<Source>)> = vec![];
+    for (file, content) in files {
+        all.push((file, Box::new(|out| out.write_all(content))));
+    }
+    all.extend(streamed.map(|(file, source)| (file, Box::new(source) as Box<Source>)));
     let mut prepared = Prepared::default();
     let mut devices = vec![];
-    for (file, content) in files {
+    for (file, mut source) in all {
         let target = Target::of(file).map_err(|error| failed(file, error))?;
         match target {
-            Target::Device => devices.push((file, content)),
+            Target::Device => devices.push((file, source)),
             Target::File { place, permissions } => {
                 remove_stale(folder_of(&place));
-                prepared.add(file, place, permissions, content).map_err(|error| failed(file, error))?;
+                let added = prepared.add(file, place, permissions, &mut *source);
+                added.map_err(|error| failed(file, error))?;
             }
         }
     }
-    for (file, content) in devices {
-        write_device(file, content).map_err(|error| failed(file, error))?;
+    for (file, mut source) in devices {
+        write_device(file, &mut *source).map_err(|error| failed(file, error))?;
     }
     prepared.take_names()
 }
@@ -42,8 +59,10 @@ fn failed(file: &Path, source: io::Error) -> Failure {
     Failure::Write { file: file.to_owned(), source }
 }
 
-fn write_device(file: &Path, content: &[u8]) -> io::Result<()> {
-    OpenOptions::new().write(true).open(file)?.write_all(content)
+fn write_device(file: &Path, source: &mut Source) -> io::Result<()> {
+    let mut out = BufWriter::new(OpenOptions::new().write(true).open(file)?);
+    source(&mut out)?;
+    out.flush()
 }
 
 /// Where a file goes.
@@ -183,12 +202,15 @@ impl Prepared {
         named: &Path,
         place: PathBuf,
         permissions: Option<Permissions>,
-        content: &[u8],
+        source: &mut Source,
     ) -> io::Result<()> {
         let (path, file) = create(folder_of(&place))?;
         self.0.push_back(Temporary { path, file, named: named.to_owned(), place });
         let Some(Temporary { file, .. }) = self.0.back_mut() else { return Ok(()) };
-        file.write_all(content)?;
+        let mut out = BufWriter::new(&*file);
+        source(&mut out)?;
+        out.flush()?;
+        drop(out);
         if let Some(permissions) = permissions {
             file.set_permissions(permissions)?;
         }

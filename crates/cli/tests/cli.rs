@@ -150,6 +150,21 @@ fn tooth_numbers_as_tables() {
                 "0.5%"
             ],
             &["teeth", "--ratio", "6", "--sun", "20", "--planets", "4"],
+            &["teeth", "--ratio", "-1.6", "--double-planet", "--no-undercut", "--limit", "4"],
+            &[
+                "teeth",
+                "--ratio",
+                "0.605",
+                "--mode",
+                "bH^a",
+                "--double-planet",
+                "--spacing",
+                "least-unequal",
+                "--sun",
+                "31..35",
+                "--tolerance",
+                "0.2%"
+            ],
         ]
     ));
 }
@@ -162,6 +177,7 @@ fn tooth_numbers_for_programs() {
             &["teeth", "--ratio", "6", "--sun", "20", "--format", "json"],
             &["teeth", "--ratio", "6", "--limit", "2", "--format", "csv"],
             &["teeth", "--ratio", "6.1", "--sun", "20", "--spacing", "least-unequal", "--format", "csv"],
+            &["teeth", "--ratio", "-1.6", "--double-planet", "--limit", "2", "--format", "csv"],
         ]
     ));
 }
@@ -184,6 +200,10 @@ fn demands_that_no_gear_meets() {
             &["teeth", "--ratio", "6", "--tip-gap", "-1"],
             &["teeth", "--ratio", "6", "--ring", "..3000000"],
             &["teeth", "--ratio", "6", "--addendum", "-1"],
+            &["teeth", "--ratio", "6", "--double-planet"],
+            &["teeth", "--ratio", "-60", "--double-planet"],
+            &["teeth", "--ratio", "6", "--save", "set.yaml", "--nth", "0"],
+            &["teeth", "--ratio", "6", "--save", "set.yaml", "--nth", "99999"],
         ]
     ));
 }

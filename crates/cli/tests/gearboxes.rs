@@ -712,6 +712,32 @@ fn tooth_numbers_of_two_rows() {
 }
 
 #[test]
+fn tooth_numbers_of_one_set_for_two_speeds() {
+    let search = ["select", "--speeds", CONVEYOR, "--teeth", "--ring", "..90"];
+    let one = |more: &[&str]| session(here().path(), &[&search, more].concat());
+    let sized = ["--torque", "500 N·m", "--load-factor", "2 MPa", "--least-module", "3 mm"];
+    insta::assert_snapshot!(
+        [
+            one(&["--limit", "3"]),
+            one(&[
+                "--all-structures",
+                "--signs",
+                "any",
+                "--order",
+                "size",
+                "--limit",
+                "2",
+                "--format",
+                "csv"
+            ]),
+            one(&[&sized[..], &["--limit", "2"]].concat()),
+            one(&["--ring", "..40"]),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
 fn selections_that_are_refused() {
     insta::assert_snapshot!(sessions(
         here().path(),
@@ -724,7 +750,8 @@ fn selections_that_are_refused() {
             &["select", "--ratios", "1, 2"],
             &["select", "--ratios", "1.5,2.5"],
             &["select", "--ratios", "2.5", "--speeds", CONVEYOR],
-            &["select", "--ratios", "2.5", "--teeth"],
+            &["select", "--ratios", "2.5", "--teeth", "--order", "circulation"],
+            &["select", "--ratios", "2.5", "--teeth", "--limit", "10001"],
             &["select", "--ratios", "2.5", "--order", "mass"],
             &["select", "--ratios", "2.5", "--order", "size, size"],
             &["select", "--ratios", "2.5", "--k", "1..5"],
@@ -849,6 +876,73 @@ fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
         .iter()
         .map(|gear| (gear["gear"].as_str().unwrap().to_owned(), gear["ratio"].as_f64().unwrap()))
         .collect()
+}
+
+/// In every mode, of simple and of double-planet sets: the ratio of the file is that of the list, exactly.
+#[test]
+fn a_saved_set_of_tooth_numbers_has_its_ratio() {
+    let folder = here();
+    let run = |args: &[&str]| {
+        let done = output(folder.path(), args);
+        assert!(done.status.success(), "{args:?} {done:?}");
+        done
+    };
+    let double = ["--double-planet"];
+    for (ratio, mode, more) in [
+        ("6", "aH^b", &[][..]),
+        ("-4", "ab^H", &[]),
+        ("1.3", "bH^a", &[]),
+        ("-0.3", "ba^H", &[]),
+        ("0.2", "Ha^b", &[]),
+        ("-1.6", "aH^b", &double),
+        ("2.6", "ab^H", &double),
+        ("0.6", "bH^a", &double),
+        ("0.4", "ba^H", &double),
+        ("1.6", "Hb^a", &double),
+    ] {
+        let list = ["teeth", "--ratio", ratio, "--mode", mode, "--no-undercut", "--format", "json"];
+        let saved = [&list[..], &["--limit", "2", "--save", "set.yaml", "--nth", "3"], more].concat();
+        let told: serde_json::Value = serde_json::from_slice(&run(&saved).stdout).unwrap();
+        // The third is saved, and two are shown.
+        assert_eq!(told["tooth_numbers"].as_array().unwrap().len(), 2);
+        let three = [&list[..], &["--limit", "3"], more].concat();
+        let found: serde_json::Value = serde_json::from_slice(&run(&three).stdout).unwrap();
+        let set = &found["tooth_numbers"][2];
+        let read = run(&["analyze", "set.yaml", "--format", "json"]);
+        let read: serde_json::Value = serde_json::from_slice(&read.stdout).unwrap();
+        assert_eq!(read["gears"][0]["exact_ratio"], set["exact_ratio"], "{mode} {more:?}");
+        // The teeth fit together.
+        let warnings = read["warnings"].as_array().unwrap();
+        assert!(warnings.iter().all(|warning| warning["name"] == "planet-speed"), "{read}");
+        run(&["draw", "set.yaml", "-o", "set.svg"]);
+        run(&["report", "set.yaml", "-o", "set.html"]);
+    }
+    let refused = output(folder.path(), &["teeth", "--ratio", "6", "--save", "no.yaml", "--nth", "999"]);
+    assert!(text(&refused.stderr).starts_with("error: --nth: 999: there are sets 1 to "), "{refused:?}");
+    assert!(!folder.path().join("no.yaml").exists());
+}
+
+/// The second of the designs for two speeds, read back.
+#[test]
+fn a_saved_set_of_two_speeds_has_the_teeth_that_were_chosen() {
+    let folder = here();
+    let list = ["select", "--ratios", "3.9375", "--teeth", "--limit", "3", "--format", "json"];
+    let done = output(folder.path(), &[&list[..], &["--save", "set.yaml", "--nth", "2"]].concat());
+    assert!(done.status.success(), "{done:?}");
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let design = &found["designs"][1];
+    let text = std::fs::read_to_string(folder.path().join("set.yaml")).unwrap();
+    let of = |member: &str| design["tooth_numbers"][0][member].to_string();
+    let [sun, planet, ring, planets] = ["sun", "planet", "ring", "planets"].map(of);
+    let teeth = format!("teeth: [{sun}, {ring}], planet_teeth: [{planet}], planets: {planets}");
+    assert!(text.contains(&teeth), "{teeth} in\n{text}");
+    let gears = analyzed(folder.path(), "set.yaml");
+    let ratio = design["candidate"]["gears"][0]["ratio"].as_f64().unwrap();
+    assert_eq!(gears[0].0, "1");
+    assert!((gears[0].1 - ratio).abs() < 1e-12 && gears[1] == ("direct".to_owned(), 1.0), "{gears:?}");
+    for args in [&["draw", "set.yaml", "-o", "set.svg"][..], &["report", "set.yaml", "-o", "set.html"]] {
+        assert!(output(folder.path(), args).status.success(), "{args:?}");
+    }
 }
 
 /// The file holds what was chosen: ratios, teeth, and the direct-drive clutch of least torque that can be drawn.

@@ -238,3 +238,66 @@ fn colour_and_progress_are_for_terminals() {
     let seen = on_a_terminal(teeth, false).unwrap();
     assert!(seen.contains("searching: ") && seen.contains("sets of tooth numbers found"), "{seen}");
 }
+
+/// The size of a long search first, then how far it is; of a short one neither, and none of it but on a terminal.
+#[test]
+fn a_long_search_tells_its_size_on_a_terminal() {
+    let wide = "--sun 1..6000 --planet 1..6000 --ring 1..9000 --tolerance 0.1%";
+    let teeth = format!("teeth --ratio 4 {wide} --limit 1");
+    let Some(seen) = on_a_terminal(&teeth, false) else { return };
+    let size = seen.find("combinations of sun, planet and number of planets");
+    let share = seen.find("searching: ");
+    assert!(size.is_some() && size < share, "{seen}");
+    let double = "teeth --ratio -1.6 --double-planet --sun 1..3000 --ring 1..6000 --planet ..3000 --limit 1 --k 1.1..20";
+    let seen = on_a_terminal(double, false).unwrap();
+    assert!(seen.contains("combinations of sun, ring and pairs of planets"), "{seen}");
+    let seen = on_a_terminal(&format!("select --ratios 3.9 --teeth {wide} --limit 1"), false).unwrap();
+    assert!(seen.contains(" combinations of sun, planet"), "{seen}");
+    let pairs = "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --limit 1";
+    let seen = on_a_terminal(pairs, false).unwrap();
+    assert!(seen.contains(" designs: 8016 combinations of tooth numbers a set, "), "{seen}");
+    let motors = "motor search --displacement 250cm3/rev --z3 40..60 --places 80";
+    let seen = on_a_terminal(motors, false).unwrap();
+    assert!(seen.contains(" sets of lobes and teeth, "), "{seen}");
+    let short = on_a_terminal("teeth --ratio 6", false).unwrap();
+    assert!(!short.contains("searching"), "{short}");
+    let piped = output(here().path(), &teeth.split(' ').collect::<Vec<_>>());
+    assert!(piped.status.success() && piped.stderr.is_empty(), "{piped:?}");
+}
+
+/// More designs than an answer holds: the same on standard output and in a file, and as many as the front has.
+#[test]
+fn a_whole_front_is_written_as_it_comes() {
+    let folder = here();
+    let search = ["select", "--ratios", "1.465, 2.56", "--teeth", "--ring", "..44", "--limit", "1000000"];
+    let run = |more: &[&str]| {
+        let done = output(folder.path(), &[&search, more].concat());
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        text(&done.stdout)
+    };
+    let (csv, json) = (run(&["--format", "csv"]), run(&["--format", "json"]));
+    assert!(run(&["--format", "csv", "-o", "front.csv"]).is_empty());
+    assert_eq!(fs::read_to_string(folder.path().join("front.csv")).unwrap(), csv);
+    let found: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let designs = found["designs"].as_array().unwrap();
+    assert!(designs.len() > 20 && found["shown"] == designs.len(), "{}", designs.len());
+    assert_eq!(csv.lines().count(), designs.len() + 1);
+    // The first of them alone are the same.
+    let few = [
+        "select",
+        "--ratios",
+        "1.465, 2.56",
+        "--teeth",
+        "--ring",
+        "..44",
+        "--limit",
+        "20",
+        "--format",
+        "csv",
+    ];
+    let few = text(&output(folder.path(), &few).stdout);
+    assert_eq!(few.lines().collect::<Vec<_>>(), csv.lines().take(21).collect::<Vec<_>>());
+    // A table is for people.
+    let table = output(folder.path(), &search);
+    assert!(table.status.code() == Some(2) && text(&table.stderr).contains("at most 10000"), "{table:?}");
+}

@@ -51,10 +51,11 @@
 
 use crate::Error;
 use crate::mesh::{Gear, Mesh, TipCircle};
+use crate::mode::Mode;
 use crate::rack::BasicRack;
-use crate::simple_set::BasicRatio;
+use crate::simple_set::{BasicRatio, Fraction};
 use crate::spacing::PlanetSpacing;
-use crate::synthesis::{Bounds, Placement};
+use crate::synthesis::{Bounds, Placement, Search};
 use crate::teeth::ToothCount;
 use crate::tolerance::TOUCH;
 use crate::units::radians;
@@ -120,6 +121,27 @@ impl DoublePlanetNumbers {
         BasicRatio::double_planet(self.sun, self.ring)
     }
 
+    /// The ratio of a mode, exactly, from `z_a·ω_a − z_b·ω_b − (z_a − z_b)·ω_H = 0`.
+    ///
+    /// ```
+    /// use epicyclic_gears::simple_set::{Fraction, Member, Mode};
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// # fn main() -> Result<(), epicyclic_gears::Error> {
+    /// let bounds = Bounds { sun: 30..=30, ring: 80..=80, ..Bounds::default() };
+    /// let set = bounds.double_planet_choices()?[0];
+    /// // From the ring to the sun with the carrier at rest, and from the sun to the carrier.
+    /// assert_eq!(set.exact_ratio(Mode::new(Member::Ring, Member::Sun)?), Fraction::new(3, 8));
+    /// assert_eq!(set.exact_ratio(Mode::SUN_TO_CARRIER), Fraction::new(-5, 3));
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn exact_ratio(&self, mode: Mode) -> Fraction {
+        let (a, b) = (i128::from(self.sun.get()), i128::from(self.ring.get()));
+        let factors = [a, -b, b - a];
+        -Fraction::new(factors[mode.output() as usize], factors[mode.input() as usize])
+    }
+
     /// The places of a pair; `None` where no triangle has the sides `R_g`, `R_f` and `d`.
     #[must_use]
     pub fn pair(&self, rack: &BasicRack) -> Option<Pair> {
@@ -166,6 +188,38 @@ impl DoublePlanetNumbers {
             && outer.gap_to_alike(angle.half_sine) > gap
             && inner.gap(outer, angle.whole_rad - angle_rad) > gap
     }
+}
+
+/// A double-planet set that meets a wanted ratio, and what there is to know of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DoublePlanetCandidate {
+    /// The teeth and the number of pairs.
+    pub teeth: DoublePlanetNumbers,
+    /// The ratio it has.
+    pub ratio: f64,
+    /// The same as a fraction.
+    pub exact_ratio: Fraction,
+    /// Relative error of the ratio, `i/i_wanted − 1`.
+    pub ratio_error: f64,
+    /// How many choices of both planets and of the number of pairs fit this sun and ring within the bounds, this one among them.
+    pub choices: u64,
+    /// Whether a rack would undercut the sun.
+    pub undercut_sun: bool,
+    /// Whether a rack would undercut the inner planets.
+    pub undercut_inner: bool,
+    /// Whether a rack would undercut the outer planets.
+    pub undercut_outer: bool,
+    /// Where the pairs sit.
+    pub spacing: PlanetSpacing,
+}
+
+/// The double-planet sets for a ratio: how many pairs of sun and ring, and the first of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RankedDoublePlanets {
+    /// How many there are.
+    pub found: u64,
+    /// The first, the most exact before the others.
+    pub first: Vec<DoublePlanetCandidate>,
 }
 
 /// The smallest angle between neighbouring pairs.
@@ -225,6 +279,22 @@ impl<'a> Frame<'a> {
         })
     }
 
+    /// How many planets fit, by halving: beyond the first that does not fit none does.
+    fn count(&self) -> u64 {
+        let planets = self.planets();
+        let (least, most) = (*planets.start(), *planets.end());
+        let of_inner = |inner: u32| {
+            let from = least.max(self.together().saturating_sub(inner));
+            let (mut low, mut high) = (from, (most + 1).max(from));
+            while low < high {
+                let middle = low.midpoint(high);
+                if self.with(inner, middle).is_some() { low = middle + 1 } else { high = middle }
+            }
+            u64::from(low - from)
+        };
+        planets.map(of_inner).sum()
+    }
+
     /// The planets that [`Bounds::double_planet_choices`] prefers.
     fn best(&self) -> Option<DoublePlanetNumbers> {
         let planets = self.planets();
@@ -276,12 +346,95 @@ impl Bounds {
     /// As [`tooth_numbers`](Self::tooth_numbers).
     pub fn double_planet_choices(&self) -> Result<Vec<DoublePlanetNumbers>, Error> {
         let mut found = Vec::new();
-        self.each_sun_and_ring(|sun, ring| {
-            let mut frames =
-                self.planets.clone().rev().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
-            found.extend(frames.find_map(|frame| frame.best()));
-        })?;
+        self.each_sun_and_ring(|sun, ring| found.extend(self.best_planets(sun, ring)))?;
         Ok(found)
+    }
+
+    /// How many pairs of sun and ring there are for a ratio that some pairs of planets fit, and the first `most` of them, each with the
+    /// planets of [`double_planet_choices`](Self::double_planet_choices): the most exact first, equally exact ones by ring and sun.
+    /// `done` is told, from 0 to 1, how much of the bounds has been gone through.
+    ///
+    /// ```
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// use epicyclic_gears::simple_set::{Member, Mode};
+    /// let ring_to_carrier = Mode::new(Member::Ring, Member::Carrier)?;
+    /// let found = Bounds::default().double_planets_for_ratio(0.625, ring_to_carrier, 0.0, 1, |_| {})?;
+    /// assert_eq!(found.first[0].teeth.to_string(), "18/12+12/48 ×3");
+    /// # Ok::<(), epicyclic_gears::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`for_ratio`](Self::for_ratio).
+    pub fn double_planets_for_ratio(
+        &self,
+        wanted: f64,
+        mode: Mode,
+        tolerance: f64,
+        most: usize,
+        mut done: impl FnMut(f64),
+    ) -> Result<RankedDoublePlanets, Error> {
+        self.check()?;
+        let mut search = Search::new(wanted, tolerance)?;
+        let order = |one: &(f64, DoublePlanetNumbers), other: &(f64, DoublePlanetNumbers)| {
+            let key = |(_, set): &(f64, DoublePlanetNumbers)| (set.ring, set.sun);
+            one.0.abs().total_cmp(&other.0.abs()).then_with(|| key(one).cmp(&key(other)))
+        };
+        let mut held: Vec<(f64, DoublePlanetNumbers)> = Vec::new();
+        let mut found = 0;
+        let suns = f64::from(self.sun.end() - self.sun.start()) + 1.0;
+        let mut last = 0;
+        self.each_sun_and_ring(|sun, ring| {
+            if sun.get() != last {
+                last = sun.get();
+                done(f64::from(last - self.sun.start()) / suns);
+            }
+            let Ok(ratio) = BasicRatio::double_planet(sun, ring).ratio(mode) else { return };
+            // Of what is farther off than the nearest known nothing is asked.
+            if !search.is_near(ratio) && !search.is_nearer(ratio) {
+                return;
+            }
+            let Some(set) = self.best_planets(sun, ring) else { return };
+            if let Some(error) = search.take(ratio) {
+                found += 1;
+                held.push((error, set));
+                if held.len() >= most.saturating_mul(2) {
+                    held.select_nth_unstable_by(most, order);
+                    held.truncate(most);
+                }
+            }
+        })?;
+        done(1.0);
+        if found == 0 {
+            return Err(Error::NoDoublePlanetSet { wanted, mode, tolerance, nearest: search.nearest() });
+        }
+        held.sort_by(order);
+        held.truncate(most);
+        let candidate = |(ratio_error, teeth): (f64, DoublePlanetNumbers)| {
+            Some(DoublePlanetCandidate {
+                teeth,
+                ratio: teeth.basic_ratio().ratio(mode).ok()?,
+                exact_ratio: teeth.exact_ratio(mode),
+                ratio_error,
+                choices: self.count_of_planets(teeth.sun, teeth.ring),
+                undercut_sun: self.rack.undercuts(teeth.sun),
+                undercut_inner: self.rack.undercuts(teeth.inner),
+                undercut_outer: self.rack.undercuts(teeth.outer),
+                spacing: teeth.spacing()?,
+            })
+        };
+        Ok(RankedDoublePlanets { found, first: held.into_iter().filter_map(candidate).collect() })
+    }
+
+    /// The planets that are chosen for a sun and a ring.
+    fn best_planets(&self, sun: ToothCount, ring: ToothCount) -> Option<DoublePlanetNumbers> {
+        let mut frames = self.planets.clone().rev().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
+        frames.find_map(|frame| frame.best())
+    }
+
+    /// How many choices of planets and of pairs fit a sun and a ring.
+    fn count_of_planets(&self, sun: ToothCount, ring: ToothCount) -> u64 {
+        let frames = self.planets.clone().filter_map(|pairs| Frame::new(self, sun, ring, pairs));
+        frames.map(|frame| frame.count()).sum()
     }
 
     fn each_sun_and_ring(&self, mut each: impl FnMut(ToothCount, ToothCount)) -> Result<(), Error> {

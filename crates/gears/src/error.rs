@@ -115,6 +115,28 @@ pub enum Error {
         /// The nearest ratio within the bounds, where there is any set of tooth numbers.
         nearest: Option<f64>,
     },
+    /// A ratio that no double-planet set within the bounds reaches.
+    #[error(
+        "no double-planet set within the bounds has the ratio {} ({mode}) within {}%{}",
+        short(*wanted),
+        (tolerance * 1e8).round() / 1e6,
+        nearest.map_or(String::from("; none assembles at all: widen the bounds"),
+            |ratio| if ratio * wanted < 0.0 {
+                String::from("; this mode has the other sign: with the ring at rest (aH^b) the ratio is negative, with the carrier or the sun at rest (ab^H, bH^a) positive")
+            } else {
+                format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance")
+            })
+    )]
+    NoDoublePlanetSet {
+        /// The ratio wanted.
+        wanted: f64,
+        /// The mode of the gear set.
+        mode: Mode,
+        /// The relative tolerance.
+        tolerance: f64,
+        /// The nearest ratio that was met, where there is any set of tooth numbers.
+        nearest: Option<f64>,
+    },
     /// A count below its least value.
     #[error("{count} {what}: at least {at_least} needed")]
     TooFew {
@@ -345,6 +367,7 @@ impl Error {
             Self::Tolerance { .. } => "tolerance",
             Self::Ratio { .. } => "ratio",
             Self::NoToothNumbers { .. } => "no-tooth-numbers",
+            Self::NoDoublePlanetSet { .. } => "no-double-planet-set",
             Self::TooFew { .. } => "too-few",
             Self::NotPositive { .. } => "not-positive",
             Self::Negative { .. } => "negative",

@@ -172,13 +172,7 @@ impl Bounds {
     /// [`Error::RingToSunRange`], [`Error::Negative`] for invalid bounds.
     pub fn tooth_numbers(&self) -> Result<Vec<ToothNumbers>, Error> {
         let mut found = Vec::new();
-        self.visit(
-            |_| {},
-            |set| {
-                found.push(set);
-                Ok(())
-            },
-        )?;
+        self.each(|_| {}, |set| found.push(set))?;
         Ok(found)
     }
 
@@ -188,14 +182,33 @@ impl Bounds {
     /// As [`tooth_numbers`](Self::tooth_numbers).
     pub fn count(&self) -> Result<u64, Error> {
         let mut count = 0;
-        self.visit(
-            |_| {},
-            |_| {
-                count += 1;
-                Ok(())
-            },
-        )?;
+        self.each(|_| {}, |_| count += 1)?;
         Ok(count)
+    }
+
+    /// Each set of tooth numbers within the bounds in turn, ascending by sun, planet and number of planets; nothing is held. `done` is
+    /// told, from 0 to 1, how much of the bounds has been gone through.
+    ///
+    /// # Errors
+    /// As [`tooth_numbers`](Self::tooth_numbers).
+    pub fn each(&self, done: impl FnMut(f64), mut each: impl FnMut(ToothNumbers)) -> Result<(), Error> {
+        self.visit(done, |teeth| {
+            each(teeth);
+            Ok(())
+        })
+    }
+
+    /// The planets that a sun leaves, by the ranges of ring and `k`.
+    fn planets_of(&self, sun: u32) -> RangeInclusive<u32> {
+        let z_a = f64::from(sun);
+        let (low_k, high_k) = (*self.ring_to_sun_ratio.start(), *self.ring_to_sun_ratio.end());
+        // One tooth of slack against rounding; the test on k itself decides.
+        let from_k = ((low_k - 1.0) / 2.0 * z_a).floor().max(0.0) as u32;
+        let to_k = (((high_k - 1.0) / 2.0 * z_a).ceil()).min(f64::from(MOST_TEETH)) as u32;
+        // By equal centre distances a ring within its range leaves the planet only these.
+        let from_ring = self.ring.start().saturating_sub(sun).div_ceil(2);
+        let to_ring = self.ring.end().saturating_sub(sun) / 2;
+        (*self.planet.start()).max(from_k).max(from_ring)..=(*self.planet.end()).min(to_k).min(to_ring)
     }
 
     /// Each set of tooth numbers in turn, and after each sun the share of suns that are done.
@@ -205,9 +218,6 @@ impl Bounds {
         mut each: impl FnMut(ToothNumbers) -> Result<(), Error>,
     ) -> Result<(), Error> {
         self.check()?;
-        let (low_k, high_k) = (*self.ring_to_sun_ratio.start(), *self.ring_to_sun_ratio.end());
-        // By equal centre distances a ring within its range leaves the planet only these.
-        let most_planet = (*self.planet.end()).min(self.ring.end().saturating_sub(*self.sun.start()) / 2);
         let half_gap_sines: Vec<(u32, f64)> =
             self.planets.clone().map(|n| (n, (PI / f64::from(n)).sin())).collect();
         let most_sum = self.sun.end() + self.ring.end();
@@ -219,14 +229,7 @@ impl Bounds {
         let suns = f64::from(self.sun.end() - self.sun.start()) + 1.0;
         for sun in self.sun.clone() {
             let z_a = f64::from(sun);
-            // One tooth of slack against rounding; the test on k itself decides.
-            let from_k = ((low_k - 1.0) / 2.0 * z_a).floor().max(0.0) as u32;
-            let to_k = (((high_k - 1.0) / 2.0 * z_a).ceil()).min(f64::from(MOST_TEETH)) as u32;
-            let from_ring = self.ring.start().saturating_sub(sun).div_ceil(2);
-            let to_ring = self.ring.end().saturating_sub(sun) / 2;
-            let from = (*self.planet.start()).max(from_k).max(from_ring);
-            let to = most_planet.min(to_k).min(to_ring);
-            for planet in from..=to {
+            for planet in self.planets_of(sun) {
                 let ring = coaxial_ring(sun, planet);
                 if !self.ring_to_sun_ratio.contains(&(f64::from(ring) / z_a)) {
                     continue;
@@ -324,30 +327,41 @@ impl Bounds {
         done: impl FnMut(f64),
         mut each: impl FnMut(Near),
     ) -> Result<u64, Error> {
-        check_tolerance(tolerance)?;
-        if wanted == 0.0 || !wanted.is_finite() {
-            return Err(Error::Ratio { ratio: wanted });
-        }
-        let mut nearest: Option<(f64, f64)> = None;
+        let mut search = Search::new(wanted, tolerance)?;
         let mut found = 0;
         self.visit(done, |teeth| {
             let ratio = teeth.basic_ratio().ratio(mode)?;
-            let ratio_error = ratio / wanted - 1.0;
-            if nearest.is_none_or(|(_, least)| ratio_error.abs() < least) {
-                nearest = Some((ratio, ratio_error.abs()));
-            }
-            // A set that is off by the tolerance itself, but for rounding, is within.
-            if ratio_error.abs() <= tolerance + 4.0 * f64::EPSILON {
+            if let Some(ratio_error) = search.take(ratio) {
                 found += 1;
                 each(Near { teeth, ratio, ratio_error });
             }
             Ok(())
         })?;
         if found == 0 {
-            let nearest = nearest.map(|(ratio, _)| ratio);
-            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest });
+            return Err(Error::NoToothNumbers { wanted, mode, tolerance, nearest: search.nearest() });
         }
         Ok(found)
+    }
+
+    /// How many combinations of sun, planet and number of planets are gone through, before their clearances and assembly are looked
+    /// at; of double-planet sets of sun, ring and number of pairs.
+    ///
+    /// ```
+    /// use epicyclic_gears::synthesis::Bounds;
+    /// assert!(Bounds::default().space(false)? >= Bounds::default().count()?);
+    /// # Ok::<(), epicyclic_gears::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`tooth_numbers`](Self::tooth_numbers).
+    pub fn space(&self, double_planets: bool) -> Result<u64, Error> {
+        self.check()?;
+        let count = |range: RangeInclusive<u32>| u64::from((range.end() + 1).saturating_sub(*range.start()));
+        let of_sun = |sun: u32| match double_planets {
+            true => count((*self.ring.start()).max(sun + 1)..=*self.ring.end()),
+            false => count(self.planets_of(sun)),
+        };
+        Ok(self.sun.clone().map(of_sun).sum::<u64>() * count(self.planets.clone()))
     }
 
     fn candidate(&self, Near { teeth, ratio, ratio_error }: Near, mode: Mode) -> Candidate {
@@ -370,6 +384,52 @@ impl Bounds {
 /// [`Error::Tolerance`].
 pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&tolerance) { Ok(()) } else { Err(Error::Tolerance { tolerance }) }
+}
+
+/// A search for a ratio: what is wanted, and what came nearest.
+pub(crate) struct Search {
+    wanted: f64,
+    tolerance: f64,
+    /// The nearest ratio, and its distance.
+    nearest: Option<(f64, f64)>,
+}
+
+impl Search {
+    pub(crate) fn new(wanted: f64, tolerance: f64) -> Result<Self, Error> {
+        check_tolerance(tolerance)?;
+        if wanted == 0.0 || !wanted.is_finite() {
+            return Err(Error::Ratio { ratio: wanted });
+        }
+        Ok(Self { wanted, tolerance, nearest: None })
+    }
+
+    fn error(&self, ratio: f64) -> f64 {
+        ratio / self.wanted - 1.0
+    }
+
+    /// Whether it is within tolerance. A set that is off by the tolerance itself, but for rounding, is within.
+    pub(crate) fn is_near(&self, ratio: f64) -> bool {
+        self.error(ratio).abs() <= self.tolerance + 4.0 * f64::EPSILON
+    }
+
+    /// Whether it is nearer than all that were taken.
+    pub(crate) fn is_nearer(&self, ratio: f64) -> bool {
+        self.nearest.is_none_or(|(_, least)| self.error(ratio).abs() < least)
+    }
+
+    /// Takes the ratio of a set that there is; its error where it is within tolerance.
+    pub(crate) fn take(&mut self, ratio: f64) -> Option<f64> {
+        let error = self.error(ratio);
+        if self.is_nearer(ratio) {
+            self.nearest = Some((ratio, error.abs()));
+        }
+        self.is_near(ratio).then_some(error)
+    }
+
+    /// The nearest ratio that was taken.
+    pub(crate) fn nearest(&self) -> Option<f64> {
+        self.nearest.map(|(ratio, _)| ratio)
+    }
 }
 
 /// A set of tooth numbers whose ratio is near a wanted one.

@@ -2,11 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::DoublePlanetNumbers;
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_gears::synthesis::{Bounds, Placement};
+use epicyclic_gears::{Error, ToothCount};
 use proptest::prelude::*;
 use std::cmp::Reverse;
 use std::f64::consts::{PI, TAU};
@@ -252,4 +253,62 @@ proptest! {
         };
         prop_assert_eq!(bounds.double_planet_numbers().unwrap(), by_trial(&bounds));
     }
+}
+
+/// Of every mode, against the trial of all sets: each pair of sun and ring once, the most exact first, with as many choices of planets as
+/// there are.
+#[test]
+fn sets_for_a_ratio_are_those_of_all_within_tolerance() {
+    let bounds = Bounds { sun: 20..=34, ring: 60..=84, planet: 10..=30, planets: 3..=5, ..Bounds::default() };
+    let all = bounds.double_planet_numbers().unwrap();
+    let choices = bounds.double_planet_choices().unwrap();
+    let mut met = 0;
+    for mode in Mode::ALL {
+        let wanted = choices[choices.len() / 2].basic_ratio().ratio(mode).unwrap();
+        let found = bounds.double_planets_for_ratio(wanted, mode, 0.03, usize::MAX, |_| {}).unwrap();
+        let error = |set: &DoublePlanetNumbers| set.basic_ratio().ratio(mode).unwrap() / wanted - 1.0;
+        let mut due: Vec<_> = choices.iter().filter(|set| error(set).abs() <= 0.03).collect();
+        due.sort_by(|one, other| {
+            let key = |set: &DoublePlanetNumbers| (set.ring, set.sun);
+            error(one).abs().total_cmp(&error(other).abs()).then(key(one).cmp(&key(other)))
+        });
+        assert_eq!(found.first.iter().map(|one| &one.teeth).collect::<Vec<_>>(), due);
+        assert_eq!(found.found, due.len() as u64);
+        for one in &found.first {
+            let alike = all.iter().filter(|set| (set.sun, set.ring) == (one.teeth.sun, one.teeth.ring));
+            assert_eq!(one.choices, alike.count() as u64);
+            let exact = *one.exact_ratio.numer() as f64 / *one.exact_ratio.denom() as f64;
+            assert!((exact / one.ratio - 1.0).abs() < 1e-15);
+            assert_eq!(one.ratio_error, error(&one.teeth));
+            assert!(one.spacing.is_equal());
+            met += 1;
+        }
+        let few = bounds.double_planets_for_ratio(wanted, mode, 0.03, 2, |_| {}).unwrap();
+        assert_eq!((few.found, &few.first[..]), (found.found, &found.first[..2.min(found.first.len())]));
+        let none = bounds.double_planets_for_ratio(-wanted, mode, 0.03, 2, |_| {});
+        assert!(matches!(none, Err(Error::NoDoublePlanetSet { nearest: Some(_), .. })), "{none:?}");
+    }
+    assert!(met > 30, "{met}");
+    #[allow(clippy::reversed_empty_ranges, reason = "the bad input")]
+    let empty = Bounds { sun: 30..=20, ..bounds };
+    let refused = empty.double_planets_for_ratio(2.6, Mode::ALL[0], 0.03, 2, |_| {});
+    assert!(matches!(refused, Err(Error::ToothRange { .. })) && empty.space(true).is_err());
+}
+
+/// By going through them.
+#[test]
+fn the_space_is_what_is_gone_through() {
+    let bounds = Bounds { sun: 12..=40, planet: 12..=30, ring: 30..=70, planets: 3..=5, ..Bounds::default() };
+    let pairs = (12..=40_u64).map(|sun| (30..=70).filter(|ring| *ring > sun).count() as u64).sum::<u64>();
+    assert_eq!(bounds.space(true), Ok(3 * pairs));
+    let fits = |sun: u32, planet: u32| {
+        let ring = sun + 2 * planet;
+        let k = f64::from(ring) / f64::from(sun);
+        (30..=70).contains(&ring) && (1.3..=10.0).contains(&k)
+    };
+    let within =
+        (12..=40).map(|sun| (12..=30).filter(|planet| fits(sun, *planet)).count() as u64).sum::<u64>();
+    let space = bounds.space(false).unwrap();
+    // A planet more at each end of a sun's range.
+    assert!(space >= 3 * within && space <= 3 * (within + 2 * 29), "{space} {within}");
 }

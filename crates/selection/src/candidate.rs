@@ -209,8 +209,11 @@ impl Candidate {
         self.mechanism.gearbox(&self.k, requirements.eta0, pair)
     }
 
-    /// Measures and judges a mechanism at ring-to-sun ratios above 1.
-    pub(crate) fn new(
+    /// Measures and judges a mechanism at ring-to-sun ratios above 1, one a set, for the ratios wanted of its braked gears.
+    ///
+    /// # Errors
+    /// [`Error::RingToSunCount`]; what the solver refuses of `k`.
+    pub fn new(
         mechanism: Mechanism,
         k: Vec<f64>,
         wanted: &[f64],

@@ -19,6 +19,12 @@ pub enum Error {
         /// How many there are.
         count: usize,
     },
+    /// Too many ratios for a search of one set.
+    #[error("{}: a search over the teeth of one set wants 1", counted(*count, "ratio"))]
+    OneRatio {
+        /// How many there are.
+        count: usize,
+    },
     /// An invalid tolerance.
     #[error("tolerance {tolerance}: at least 0 and below 1; 0.1 means ten per cent")]
     Tolerance {
@@ -104,6 +110,17 @@ pub enum Error {
         /// The most that a search takes.
         most: u64,
     },
+    /// More combinations of tooth numbers near the ratio than a search of one set takes.
+    #[error(
+        "{tooth_sets} combinations of tooth numbers come near the ratio: a search takes at most {most}; narrow the ranges of teeth, of \
+         the ring-to-sun ratio, or the tolerance"
+    )]
+    TooManyNear {
+        /// Combinations of tooth numbers within the bounds and near the ratio.
+        tooth_sets: u64,
+        /// The most that a search takes.
+        most: u64,
+    },
     /// More structures and ring-to-sun ratios than a search goes through.
     #[error(
         "{tooth_sets} combinations of tooth numbers a set, with {ring_to_sun_ratios} ring-to-sun ratios, in {structures} structures with their ratios: \
@@ -166,6 +183,7 @@ impl Error {
         match self {
             Self::SpeedCount { .. } => "speed-count",
             Self::RatioCount { .. } => "ratio-count",
+            Self::OneRatio { .. } => "one-ratio",
             Self::Tolerance { .. } => "tolerance",
             Self::RingToSunCount { .. } => "ring-to-sun-count",
             Self::RingToSunRange { .. } => "ring-to-sun-range",
@@ -177,6 +195,7 @@ impl Error {
             Self::UnknownObjective { .. } => "unknown-objective",
             Self::SizeWithoutTorque => "size-without-torque",
             Self::TooManyToothSets { .. } => "too-many-tooth-sets",
+            Self::TooManyNear { .. } => "too-many-near",
             Self::TooManyWindows { .. } => "too-many-windows",
             Self::TooManyPairs { .. } => "too-many-pairs",
             Self::FrontTooLarge { .. } => "front-too-large",

@@ -9,7 +9,7 @@
 //! | [`drawing`] | whether it can be drawn without self-crossing, and with which direct-drive clutch |
 //! | [`size`] | how large a set is for its load |
 //! | [`front`] | which designs nothing dominates |
-//! | [`search`] | the same over all tooth numbers of both sets: exact front, nothing missed |
+//! | [`search`] | the same over all tooth numbers of one set or of both: exact front, nothing missed |
 //!
 //! Ring-to-sun ratios follow from the ratios, one pair from one pair: [`structures`](epicyclic_schemes::structures). Where
 //! they lie outside the range allowed, the point of the range is taken that comes nearest to the ratios,
@@ -130,7 +130,9 @@ pub fn select_with(
                 continue;
             }
             let range = &requirements.limits.ring_to_sun;
-            let nearest = mechanism.nearest(wanted, range);
+            let ends = [*range.start(), *range.end()];
+            let reaches = mechanism.reaches(wanted, requirements.tolerance, ends);
+            let nearest = if reaches { mechanism.nearest(wanted, range) } else { None };
             let in_tolerance = |k: &Vec<f64>| {
                 mechanism::largest_error(&mechanism.ratios(k), wanted) <= requirements.tolerance
             };

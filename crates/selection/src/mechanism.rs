@@ -1,10 +1,12 @@
 //! What selection chooses among: one set of two speeds, or two sets of three.
 
 use super::Error;
+use super::tolerance::SLACK;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::{Scheme, TwoSpeed};
 use epicyclic_schemes::direct_drive::{DirectClutch, direct_clutch_options, direct_clutch_options_of_set};
 use epicyclic_schemes::pair::{coefficients, ratios};
+use epicyclic_schemes::standing::reach;
 use epicyclic_schemes::structures::{Role, SetRoles, Structure, gearbox};
 use epicyclic_train::Gearbox;
 use std::fmt;
@@ -33,18 +35,33 @@ pub enum Space {
 impl Space {
     /// The mechanisms of so many braked gears.
     pub(crate) fn mechanisms(&self, gears: usize) -> Vec<Mechanism> {
+        if gears == 1 {
+            self.sets().into_iter().map(Mechanism::OneSet).collect()
+        } else {
+            self.structures().into_iter().map(Mechanism::TwoSets).collect()
+        }
+    }
+
+    /// Its ways to use one set, by the links of sun, ring and carrier.
+    #[must_use]
+    pub fn sets(&self) -> Vec<SetRoles> {
         let listed = TwoSpeed::ALL.map(TwoSpeed::set);
-        // The other three ways to use a set speed up: D and B exchanged.
+        // The other three speed up: D and B exchanged.
         let reversed = listed.map(|set| set.map(Role::reversed));
-        let structures =
-            |structures: Vec<Structure>| structures.into_iter().map(Mechanism::TwoSets).collect();
-        match (self, gears) {
-            (Self::Catalogue, 1) => listed.into_iter().map(Mechanism::OneSet).collect(),
-            (Self::All, 1) => listed.into_iter().chain(reversed).map(Mechanism::OneSet).collect(),
-            (Self::Structures(_), 1) => vec![],
-            (Self::Catalogue, _) => structures(Structure::catalogue()),
-            (Self::All, _) => structures(Structure::all()),
-            (Self::Structures(chosen), _) => structures(chosen.clone()),
+        match self {
+            Self::Catalogue => listed.to_vec(),
+            Self::All => [listed, reversed].concat(),
+            Self::Structures(_) => vec![],
+        }
+    }
+
+    /// Its structures of two sets.
+    #[must_use]
+    pub fn structures(&self) -> Vec<Structure> {
+        match self {
+            Self::Catalogue => Structure::catalogue(),
+            Self::All => Structure::all(),
+            Self::Structures(chosen) => chosen.clone(),
         }
     }
 }
@@ -109,6 +126,18 @@ impl Mechanism {
         }
     }
 
+    /// Whether ratios within tolerance of those wanted can be there at all with ring-to-sun ratios of a range, by what each gear
+    /// reaches between the corners; `true` may be in error, `false` is not.
+    pub(crate) fn reaches(self, wanted: &[f64], tolerance: f64, [low, high]: [f64; 2]) -> bool {
+        let Self::TwoSets(structure) = self else { return true };
+        reach(structure, &(low..=high)).into_iter().zip(wanted).all(|(reach, ratio)| {
+            let ends = [1.0 - tolerance - SLACK, 1.0 + tolerance + SLACK].map(|part| part * ratio);
+            let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+            let hair = SLACK * to.abs().max(from.abs());
+            reach.meets(from, to, hair)
+        })
+    }
+
     /// Ring-to-sun ratios within a range that come nearest to the ratios: the least largest relative error.
     ///
     /// Exact where the exact ones lie within the range. Otherwise on the edge of the range: ratios and
@@ -122,20 +151,28 @@ impl Mechanism {
             return Some(exact);
         }
         let ends = [*range.start(), *range.end()];
-        let error = |k: &[f64]| largest_error(&self.ratios(k), wanted);
         let mut found: Option<(f64, Vec<f64>)> = None;
-        let mut consider = |k: Vec<f64>| {
-            let error = error(&k);
+        let mut consider = |error: f64, k: &[f64]| {
             if error < 1.0 && found.as_ref().is_none_or(|(least, _)| error < *least) {
-                found = Some((error, k));
+                found = Some((error, k.to_vec()));
             }
         };
-        for end in ends {
-            match self {
-                Self::OneSet(_) => consider(vec![end]),
-                Self::TwoSets(_) => {
-                    consider(section(ends, |k| error(&[end, k])).map_or(vec![end, end], |k| vec![end, k]));
-                    consider(section(ends, |k| error(&[k, end])).map_or(vec![end, end], |k| vec![k, end]));
+        match self {
+            Self::OneSet(_) => {
+                for end in ends {
+                    consider(largest_error(&self.ratios(&[end]), wanted), &[end]);
+                }
+            }
+            Self::TwoSets(structure) => {
+                let [one, two] = structure.sets();
+                let error = |[k1, k2]: [f64; 2]| {
+                    largest_error(&ratios(&coefficients(one, k1), &coefficients(two, k2)), wanted)
+                };
+                for end in ends {
+                    for edge in [|end, k| [end, k], |end, k| [k, end]] {
+                        let k = section(ends, |k| error(edge(end, k))).map_or([end, end], |k| edge(end, k));
+                        consider(error(k), &k);
+                    }
                 }
             }
         }

@@ -68,6 +68,33 @@ impl Alike {
     }
 }
 
+/// What is wanted of the gears.
+#[derive(Debug, Clone, Copy)]
+pub struct Gears<'a> {
+    /// The bounds of each gear's ratio.
+    pub bounds: &'a [Bounds],
+    /// Gears side by side, as of a [`Wish`](crate::wish::Wish): their ratios fall, and any within the bounds is as good.
+    pub side_by_side: &'a [Vec<usize>],
+}
+
+impl<'a> Gears<'a> {
+    /// Gears of which none are side by side.
+    #[must_use]
+    pub const fn apart(bounds: &'a [Bounds]) -> Self {
+        Self { bounds, side_by_side: &[] }
+    }
+
+    fn is_side_by_side(&self, gear: usize) -> bool {
+        self.side_by_side.iter().any(|run| run.contains(&gear))
+    }
+
+    /// Whether the ratios of gears side by side fall, as fractions.
+    fn are_falling(&self, ratios: &[[i128; 2]]) -> bool {
+        let at = |gear: usize| ratios.get(gear).map(|[above, below]| Fraction::new(*above, *below));
+        self.side_by_side.iter().flat_map(|run| run.windows(2)).all(|pair| at(pair[0]) > at(pair[1]))
+    }
+}
+
 /// Tooth numbers of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SetTeeth {
@@ -135,7 +162,7 @@ pub struct Design {
     pub sets: Vec<SetTeeth>,
     /// The ratio of each gear.
     pub ratios: Vec<Fraction>,
-    /// The greatest deviation of a ratio, by half its bounds' width.
+    /// The greatest deviation of a ratio, by half its bounds' width; that of gears side by side does not count.
     pub deviation: f64,
 }
 
@@ -205,15 +232,15 @@ impl Choice {
     }
 }
 
-/// All tooth numbers with which gears of these ratios are within their bounds, the best `most` of them told. Each set has its range
-/// of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from.
+/// All tooth numbers with which gears of these ratios are within their bounds, and fall where they are side by side, the best `most` of
+/// them told. Each set has its range of `k`, of a double-planet set of `k′`, and its tooth numbers to choose from.
 ///
 /// # Panics
 /// Where there are not as many choices as ranges.
 #[must_use]
 pub fn designs(
     ratios: &[Ratio],
-    gears: &[Bounds],
+    gears: Gears,
     ranges_of_k: &[RangeInclusive<f64>],
     choices: &[&Choice],
     alike: Alike,
@@ -225,7 +252,7 @@ pub fn designs(
     let mut search = Search {
         ratios,
         gears,
-        widened: gears.iter().map(|gear| gear.widened()).collect(),
+        widened: gears.bounds.iter().map(|gear| gear.widened()).collect(),
         choices,
         alike,
         aim,
@@ -248,7 +275,7 @@ pub fn designs(
 
 struct Search<'a> {
     ratios: &'a [Ratio],
-    gears: &'a [Bounds],
+    gears: Gears<'a>,
     widened: Vec<Bounds>,
     choices: &'a [&'a Choice],
     alike: Alike,
@@ -290,7 +317,7 @@ impl<'a> Search<'a> {
     fn decide(&mut self, chosen: &[&SetTeeth]) {
         let mut ratios = Vec::with_capacity(self.ratios.len());
         let mut deviation: f64 = 0.0;
-        for (ratio, gear) in self.ratios.iter().zip(self.gears) {
+        for (place, (ratio, gear)) in self.ratios.iter().zip(self.gears.bounds).enumerate() {
             let (above, below) = (whole(ratio.numerator, chosen), whole(ratio.denominator, chosen));
             if below == 0 {
                 return;
@@ -300,9 +327,14 @@ impl<'a> Search<'a> {
             if !(gear.least - slack <= value && value <= gear.most + slack) {
                 return;
             }
-            let [middle, half] = gear.middle_and_half();
-            deviation = deviation.max((value - middle).abs() / half);
+            if !self.gears.is_side_by_side(place) {
+                let [middle, half] = gear.middle_and_half();
+                deviation = deviation.max((value - middle).abs() / half);
+            }
             ratios.push([above, below]);
+        }
+        if !self.gears.are_falling(&ratios) {
+            return;
         }
         self.found.count += 1;
         let ratios = || ratios.iter().map(|[above, below]| Fraction::new(*above, *below)).collect();
@@ -473,7 +505,15 @@ mod tests {
             Alike { sets: 2, ..Alike::default() },
         ];
         for (alike, some) in alikes.into_iter().zip([true, true, true, false]) {
-            let found = designs(&ratios, &gears, &ranges, &[&choice; 2], alike, Aim::Deviation, usize::MAX);
+            let found = designs(
+                &ratios,
+                Gears::apart(&gears),
+                &ranges,
+                &[&choice; 2],
+                alike,
+                Aim::Deviation,
+                usize::MAX,
+            );
             let mut teeth: Vec<[SetTeeth; 2]> =
                 found.first.iter().map(|design| [design.sets[0], design.sets[1]]).collect();
             teeth.sort_unstable();
@@ -490,7 +530,9 @@ mod tests {
         let (ratios, gears) = four_speed();
         let (choice, ranges) = (few(), [1.4..=4.5, 1.4..=4.5]);
         for aim in [Aim::Deviation, Aim::Teeth] {
-            let of = |most| designs(&ratios, &gears, &ranges, &[&choice; 2], Alike::default(), aim, most);
+            let of = |most| {
+                designs(&ratios, Gears::apart(&gears), &ranges, &[&choice; 2], Alike::default(), aim, most)
+            };
             let (all, five) = (of(usize::MAX), of(5));
             assert_eq!(five.first[..], all.first[..5]);
             assert_eq!(five.count, all.count);
@@ -508,7 +550,7 @@ mod tests {
         let (ratios, gears) = four_speed();
         let found = designs(
             &ratios,
-            &gears,
+            Gears::apart(&gears),
             &[1.4..=4.5, 1.4..=4.5],
             &[&few(); 2],
             Alike::default(),
@@ -542,7 +584,7 @@ mod tests {
         for bounds in [Bounds { least: 3.001, most: 3.101 }, Bounds { least: -3.101, most: -3.001 }] {
             let found = designs(
                 &[ratio],
-                &[bounds],
+                Gears::apart(&[bounds]),
                 &[1.4..=4.5, 1.4..=4.5],
                 &[&choice; 2],
                 Alike::default(),

@@ -6,6 +6,7 @@
 mod found;
 
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::synthesis;
 use epicyclic_synthesis::judge::judge;
 use epicyclic_synthesis::motion::{Element, Motion, elements};
 use epicyclic_synthesis::parts::Bounds;
@@ -13,19 +14,20 @@ use epicyclic_synthesis::ratio::Ratio;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::{Answer, Share, search};
 use epicyclic_synthesis::shifts::Shifts;
+use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Gears, designs};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, enumerate};
 use found::holds;
 use std::ops::ControlFlow;
 
-const TOLERANCE: f64 = 0.05;
-
-fn around(ratio: f64) -> Bounds {
-    Bounds { least: (1.0 - TOLERANCE) * ratio, most: (1.0 + TOLERANCE) * ratio }
-}
-
 /// Gears of 3 and 0.7 with two free ones between them.
 fn two_free() -> Wish {
+    two_free_within(0.05)
+}
+
+/// The same with this tolerance of the two others.
+fn two_free_within(tolerance: f64) -> Wish {
+    let around = |ratio: f64| Bounds { least: (1.0 - tolerance) * ratio, most: (1.0 + tolerance) * ratio };
     let [first, last] = [3.0, 0.7].map(around);
     let free = Bounds { least: last.most.next_up(), most: first.least.next_down() };
     let wish = Wish::new(vec![first, free, free, last], 4, vec![1.4..=4.5; 2]);
@@ -139,6 +141,58 @@ fn what_has_bounds_of_its_own_is_found_with_free_gears_as_well() {
         }
         assert!(narrower > 20, "{narrower}");
     }
+}
+
+/// Every choice of tooth numbers by trial: within the bounds, and the free gears in their order.
+#[test]
+fn tooth_numbers_keep_the_order_of_gears_side_by_side() {
+    let class = Class::new(Kind::Core, 2, 5).unwrap();
+    // So wide that the order of the free gears changes within it.
+    let wish = two_free_within(0.2371);
+    let bounds = synthesis::Bounds { ring: 70..=80, ..synthesis::Bounds::default() };
+    let choice = Choice::within(&bounds).unwrap();
+    // Tooth numbers that differ in the number of planets alone are one choice.
+    let mut suns_and_rings: Vec<[f64; 2]> = Vec::new();
+    for teeth in bounds.tooth_numbers().unwrap() {
+        let pair = [teeth.sun.as_f64(), teeth.ring.as_f64()];
+        if !suns_and_rings.contains(&pair) {
+            suns_and_rings.push(pair);
+        }
+    }
+    let k: Vec<f64> =
+        suns_and_rings.iter().map(|[sun, ring]| ring / sun).filter(|k| (1.4..=4.5).contains(k)).collect();
+    let (mut falling, mut in_any_order, mut told) = (0, 0, 0);
+    for found in all(class, &wish).found {
+        let ratios: Vec<Ratio> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
+        let gears = Gears { bounds: &wish.gears, side_by_side: &wish.side_by_side };
+        let by_search =
+            designs(&ratios, gears, &wish.k, &[&choice, &choice], Alike::default(), Aim::Deviation, 5);
+        assert!(by_search.complete);
+        let mut by_trial = 0;
+        for one in &k {
+            for other in &k {
+                let values: Vec<f64> = ratios.iter().map(|ratio| ratio.value(&[*one, *other])).collect();
+                if wish.gears.iter().zip(&values).all(|(gear, value)| gear.contain(*value)) {
+                    in_any_order += 1;
+                    by_trial += u64::from(values[1] > values[2] * (1.0 + 1e-12));
+                }
+            }
+        }
+        assert_eq!(by_search.count, by_trial, "{}", found.structure);
+        falling += by_trial;
+        for design in &by_search.first {
+            assert!(design.ratios.windows(2).all(|pair| pair[0] > pair[1]), "{:?}", design.ratios);
+            // The ratios of free gears do not count.
+            let off = [0, 3].map(|gear| {
+                let Bounds { least, most } = wish.gears[gear];
+                let value = *design.ratios[gear].numer() as f64 / *design.ratios[gear].denom() as f64;
+                (value - 0.5 * (least + most)).abs() / (0.5 * (most - least))
+            });
+            assert!((design.deviation - off[0].max(off[1])).abs() < 1e-9);
+            told += 1;
+        }
+    }
+    assert!(falling > 100 && in_any_order > falling && told > 20, "{falling} of {in_any_order}, {told} told");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use epicyclic_synthesis::judge::{judge, planet_speed};
 use epicyclic_synthesis::parts::Bounds;
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::search::Search;
-use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Designs, SetTeeth, designs};
+use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Designs, Gears, SetTeeth, designs};
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{Class, Kind, Structure};
 use epicyclic_train::Gearbox;
@@ -36,7 +36,15 @@ fn solutions(class: Class, sets: &str, wish: &Wish) -> Vec<Found> {
 
 fn all(found: &Found, wish: &Wish, choices: &[&Choice]) -> Designs {
     let ratios: Vec<_> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
-    designs(&ratios, &wish.gears, &wish.k, choices, Alike::default(), Aim::Deviation, usize::MAX)
+    designs(
+        &ratios,
+        Gears::apart(&wish.gears),
+        &wish.k,
+        choices,
+        Alike::default(),
+        Aim::Deviation,
+        usize::MAX,
+    )
 }
 
 /// The gearbox of the solver with these teeth.
@@ -135,8 +143,9 @@ fn sets_of_two_kinds_with_equal_teeth_are_not_alike() {
     let ratios: Vec<_> = found.solution.gears.iter().map(|gear| gear.ratio).collect();
     let bounds = synthesis::Bounds::default();
     let (simple, double) = (Choice::within(&bounds).unwrap(), Choice::of_double_planets(&bounds).unwrap());
-    let count =
-        |alike| designs(&ratios, &wish.gears, &wish.k, &[&simple, &double], alike, Aim::Teeth, 3).count;
+    let count = |alike| {
+        designs(&ratios, Gears::apart(&wish.gears), &wish.k, &[&simple, &double], alike, Aim::Teeth, 3).count
+    };
     assert_eq!(count(Alike { sets: 2, ..Alike::default() }), 0);
     let (any, rings) = (count(Alike::default()), count(Alike { rings: 2, ..Alike::default() }));
     assert!(rings > 0 && rings < any, "{rings} of {any}");

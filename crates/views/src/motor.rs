@@ -356,5 +356,5 @@ pub fn centrodes_csv(centrodes: &Centrodes) -> Result<String, Error> {
         row.extend(values);
         row
     });
-    text::csv(&header, rows)
+    text::csv_text(&header, rows)
 }

@@ -10,6 +10,8 @@ use crate::figure::{self, Figure, suffix};
 use crate::text::{self, Error};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::visible::one_line;
+use std::borrow::Cow;
+use std::io;
 
 /// An answer: its parts, then warnings.
 #[derive(Debug, Default)]
@@ -263,16 +265,16 @@ impl Report {
         format!("{text}\n{heading}{warnings}")
     }
 
-    /// As CSV.
+    /// As CSV, written as it comes.
     ///
     /// # Errors
-    /// A writer that fails.
-    pub fn csv(&self) -> Result<String, Error> {
+    /// Those of the writer.
+    pub fn csv(&self, out: impl io::Write) -> io::Result<()> {
         for part in &self.parts {
             if let Part::Records(records) = part
                 && records.is_answer
             {
-                return records.csv();
+                return records.csv(out);
             }
         }
         let figures = self.parts.iter().flat_map(|part| match part {
@@ -283,7 +285,7 @@ impl Report {
         let warnings = self.warnings.iter().flatten().map(|(name, message)| {
             vec!["warnings".to_owned(), String::new(), (*name).to_owned(), message.clone(), String::new()]
         });
-        text::csv(&["section", "item", "quantity", "value", "unit"], figures.chain(warnings))
+        text::csv(&["section", "item", "quantity", "value", "unit"], figures.chain(warnings), out)
     }
 }
 
@@ -367,13 +369,8 @@ impl Records {
         Grid { title: &view.title, header, rows, right, note: &view.note }
     }
 
-    fn csv(&self) -> Result<String, Error> {
-        let places: Vec<usize> =
-            (0..self.columns.len()).filter(|&place| !self.columns[place].is_for_people).collect();
-        let header: Vec<String> = places.iter().map(|&place| self.columns[place].key()).collect();
-        let header: Vec<&str> = header.iter().map(String::as_str).collect();
-        let rows = self.rows.iter().map(|row| places.iter().map(|&place| row[place].csv().0).collect());
-        text::csv(&header, rows)
+    fn csv(&self, out: impl io::Write) -> io::Result<()> {
+        rows_as_csv(&self.columns, self.rows.iter().map(Cow::Borrowed), out)
     }
 
     fn lines(&self) -> Vec<Vec<String>> {
@@ -394,6 +391,19 @@ impl Records {
         };
         self.rows.iter().flat_map(record).collect()
     }
+}
+
+/// Rows of a list as CSV, each when it comes.
+pub(crate) fn rows_as_csv<'a>(
+    columns: &[Column],
+    rows: impl Iterator<Item = Cow<'a, Vec<Figure>>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let places: Vec<usize> = (0..columns.len()).filter(|&place| !columns[place].is_for_people).collect();
+    let header: Vec<String> = places.iter().map(|&place| columns[place].key()).collect();
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let rows = rows.map(|row| places.iter().map(|&place| row[place].csv().0).collect());
+    text::csv(&header, rows, out)
 }
 
 /// Sentences in lines of at most so many columns, after a list mark or none.

@@ -1,7 +1,7 @@
 //! The choice of a gearbox, as tables.
 
 mod best;
-mod teeth;
+pub mod teeth;
 mod words;
 
 pub(crate) use best::in_short;

@@ -1,38 +1,47 @@
 //! Tooth numbers for a ratio, as tables.
 
+mod double_planet;
+
 use crate::AsReport;
 use crate::figure::Figure;
 use crate::report::{Column, Part, Records, Report, Text, View};
+use epicyclic_answers::shared::Motion;
 use epicyclic_answers::teeth::{Teeth, ToothNumbers};
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::{significant, trimmed};
 
 impl AsReport for Teeth {
     fn report(&self) -> Report {
-        let words = format!(
-            "Ratio {} ({}: {} to {}, {} at rest), within {} %",
-            self.ratio,
-            self.mode,
-            self.mode.input,
-            self.mode.output,
-            self.mode.fixed,
-            trimmed(100.0 * self.tolerance, 6),
-        );
         Report {
-            title: Some(words),
-            parts: vec![Part::Records(sets(self)), Part::Text(Text::paragraph(count(self)))],
+            title: Some(title(self.ratio, self.mode, self.tolerance)),
+            parts: vec![
+                Part::Records(sets(self)),
+                Part::Text(Text::paragraph(count(self.found, self.shown))),
+            ],
             warnings: None,
         }
     }
 }
 
+/// What is wanted.
+fn title(ratio: f64, mode: Motion, tolerance: f64) -> String {
+    format!(
+        "Ratio {ratio} ({mode}: {} to {}, {} at rest), within {} %",
+        mode.input,
+        mode.output,
+        mode.fixed,
+        trimmed(100.0 * tolerance, 6),
+    )
+}
+
 /// How many were found, how many shown.
 #[must_use]
-pub fn count(teeth: &Teeth) -> String {
-    let sets = if teeth.found == 1 { "set of tooth numbers" } else { "sets of tooth numbers" };
-    match teeth.shown {
-        shown if shown as u64 == teeth.found => format!("{} {sets}.", teeth.found),
-        shown => format!("{} {sets} found, {shown} shown; --limit shows more.", teeth.found),
+pub fn count(found: u64, shown: usize) -> String {
+    let sets = if found == 1 { "set of tooth numbers" } else { "sets of tooth numbers" };
+    if shown as u64 == found {
+        format!("{found} {sets}.")
+    } else {
+        format!("{found} {sets} found, {shown} shown; --limit shows more.")
     }
 }
 
@@ -97,12 +106,16 @@ fn row(set: &ToothNumbers) -> Vec<Figure> {
         Figure::Count(set.most_planets),
         Figure::YesNo(set.undercut_sun),
         Figure::YesNo(set.undercut_planet),
-        Figure::Text(undercut(set).to_owned()),
+        Figure::Text(undercut(&[(set.undercut_sun, "sun"), (set.undercut_planet, "planet")])),
         Figure::YesNo(set.equal_spacing),
-        Figure::Text(if set.equal_spacing { "equal" } else { "unequal" }.to_owned()),
+        Figure::Text(spacing(set.equal_spacing).to_owned()),
         Figure::List { si: set.planet_angles_rad.clone(), dimension: Dimension::Angle },
         Figure::Number(set.imbalance),
     ]
+}
+
+fn spacing(is_equal: bool) -> &'static str {
+    if is_equal { "equal" } else { "unequal" }
 }
 
 /// `0` where the ratio is exact.
@@ -114,11 +127,9 @@ fn percent(error: f64) -> String {
     format!("{sign}{}", significant(100.0 * error, 2))
 }
 
-fn undercut(set: &ToothNumbers) -> &'static str {
-    match (set.undercut_sun, set.undercut_planet) {
-        (true, true) => "sun, planet",
-        (true, false) => "sun",
-        (false, true) => "planet",
-        (false, false) => "-",
-    }
+/// The gears that are undercut.
+fn undercut(gears: &[(bool, &str)]) -> String {
+    let all: Vec<&str> =
+        gears.iter().filter(|(is_undercut, _)| *is_undercut).map(|(_, name)| *name).collect();
+    if all.is_empty() { "-".to_owned() } else { all.join(", ") }
 }

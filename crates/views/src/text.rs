@@ -3,6 +3,7 @@
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width, presets};
 use epicyclic_formats::visible;
 use std::collections::BTreeSet;
+use std::io;
 use std::ops::Range;
 
 /// Columns of text where no terminal says how many it has.
@@ -37,15 +38,24 @@ pub enum Error {
     },
 }
 
-/// CSV of a header and rows.
-pub fn csv(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<String, Error> {
-    let fail = |error: csv::Error| Error::Text(error.to_string());
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(header).map_err(fail)?;
+/// CSV of a header and rows, written as it comes.
+pub fn csv(
+    header: &[&str],
+    rows: impl IntoIterator<Item = Vec<String>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(header)?;
     for row in rows {
-        writer.write_record(row).map_err(fail)?;
+        writer.write_record(row)?;
     }
-    let bytes = writer.into_inner().map_err(|error| Error::Text(error.to_string()))?;
+    writer.flush()
+}
+
+/// The same as text.
+pub fn csv_text(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<String, Error> {
+    let mut bytes = vec![];
+    csv(header, rows, &mut bytes).map_err(|error| Error::Text(error.to_string()))?;
     String::from_utf8(bytes).map_err(|error| Error::Text(error.to_string()))
 }
 

@@ -1,4 +1,4 @@
-//! The choice of a gearbox over all tooth numbers of both sets.
+//! The choice of a gearbox over all tooth numbers of its one set, or of both.
 
 use super::candidate::{Candidate, Ranked};
 use super::decisive;
@@ -7,34 +7,32 @@ use super::required::{Required, finite};
 use super::saved::Saved;
 use crate::tolerance::LEAST_MODULE_M;
 use crate::units::millimetres;
-use crate::{Answer, Error};
+use crate::{Answer, Error, finite};
 use epicyclic_formats::Physical;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
-use epicyclic_schemes::RatioSeries;
-use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::search::{Counts, Found, Progress, ToothDesign, ToothSearch};
+use epicyclic_selection::search::{Counts, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter;
-use epicyclic_selection::{
-    self as selection, Criterion, Evidence, Order, Orders, Rating, Requirements, Signs, Space, select_with,
-};
-use schemars::JsonSchema;
-use serde::Serialize;
+use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::ser::{Error as _, SerializeSeq as _};
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Length;
 
-/// The most designs that are told: each takes some 35 kB while the answer is written.
+/// The most designs that an answer holds, some 35 kB each; of more each is made when it is written ([`Streamed`]).
 pub const MOST_DESIGNS: usize = 10_000;
 
 /// What is wanted.
 #[derive(Debug, Clone)]
 pub struct Wanted {
-    /// Ratios, tolerance and limits; two ratios.
+    /// Ratios, tolerance and limits; one ratio or two.
     pub requirements: Requirements,
     /// Which objective decides first, and which next.
     pub order: Order,
-    /// The structures to choose among.
-    pub structures: Vec<Structure>,
+    /// The mechanisms to choose among.
+    pub space: Space,
     /// Bounds of tooth numbers and of planets.
     pub bounds: Bounds,
     /// Limits of what a set may need at the load factor.
@@ -73,7 +71,7 @@ impl SizeLimits {
     }
 }
 
-/// Designs of two sets with tooth numbers: the first of all non-dominated designs, the best first.
+/// Designs of one set or two with tooth numbers: the first of all non-dominated designs, the best first.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SelectTeeth {
@@ -109,11 +107,11 @@ pub struct Searched {
     pub tooth_numbers: usize,
     /// Structures, each counted once for every assignment of the ratios.
     pub structures: usize,
-    /// Designs in all: pairs of combinations of tooth numbers in all structures.
+    /// Designs in all: combinations of tooth numbers, of two sets pairs of them, in all structures.
     pub designs: u128,
-    /// Pairs of ring-to-sun ratios tried in full.
+    /// Ring-to-sun ratios, of two sets pairs of them, tried in full.
     pub tried: u64,
-    /// Of these, pairs that meet every required criterion.
+    /// Of these, how many meet every required criterion.
     pub accepted: u64,
 }
 
@@ -156,53 +154,247 @@ impl Answer for SelectTeeth {
 /// The first of the non-dominated designs over all tooth numbers; `watch` is told how far the search is, from any thread.
 ///
 /// # Errors
-/// [`Error::OneSet`], [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
-pub fn answer(wanted: &Wanted, watch: &(dyn Fn(Progress) + Sync)) -> Result<SelectTeeth, Error> {
-    solve(wanted, None, watch).map(|(answer, _)| answer)
+/// [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
+pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<SelectTeeth, Error> {
+    if wanted.most > MOST_DESIGNS {
+        return Err(Error::TooManyDesigns { wanted: wanted.most, most: MOST_DESIGNS });
+    }
+    search(wanted, watch)?.answer()
 }
 
-/// The same, with the design of a number, from 1, as a gearbox; none where there is no such number.
+/// How far a search is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct At {
+    /// The share that is done, from 0 to 1.
+    pub share: f64,
+    /// What is searched, of two sets once it is counted and `accepted` still 0; of one set it is counted while it is searched.
+    pub searched: Option<Searched>,
+}
+
+/// Told how far a search is, from any thread.
+pub type Watch<'a> = dyn Fn(At) + Sync + 'a;
+
+/// What a search found, before the designs are measured in full.
+#[derive(Debug)]
+pub struct Searches<'a> {
+    wanted: &'a Wanted,
+    searched: Searched,
+    found: Vec<First>,
+}
+
+/// The search, for as many designs as are wanted, [`MOST_DESIGNS`] and more.
 ///
 /// # Errors
-/// As [`answer`].
-pub fn solve(
-    wanted: &Wanted,
-    saved: Option<usize>,
-    watch: &(dyn Fn(Progress) + Sync),
-) -> Result<(SelectTeeth, Option<Saved>), Error> {
-    let Wanted { requirements, order, structures, bounds, limits, most, duty } = wanted;
-    duty.torque()?;
-    if requirements.series.braked().len() != 2 {
-        return Err(Error::OneSet);
+/// [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
+pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Error> {
+    wanted.duty.torque()?;
+    let of_one_set = wanted.requirements.series.braked().len() == 1;
+    let (found, counts) = if of_one_set { of_one(wanted, watch)? } else { of_two(wanted, watch)? };
+    Ok(Searches { wanted, searched: Searched::of(counts), found })
+}
+
+impl<'a> Searches<'a> {
+    /// What was searched.
+    #[must_use]
+    pub fn searched(&self) -> Searched {
+        self.searched
     }
-    if *most > MOST_DESIGNS {
-        return Err(Error::TooManyDesigns { wanted: *most, most: MOST_DESIGNS });
+
+    /// How many designs are told.
+    #[must_use]
+    pub fn shown(&self) -> usize {
+        self.found.len().min(self.wanted.most)
     }
+
+    /// The designs, each measured in full when it is asked for.
+    pub fn designs(&self) -> impl Iterator<Item = Result<Design, Error>> + '_ {
+        (0..self.shown()).map(|place| Ok(self.design(place)?.0))
+    }
+
+    /// The design of a number, from 1, as a gearbox; none where there is no such number.
+    ///
+    /// # Errors
+    /// None are known of a design that was found.
+    pub fn saved(&self, no: usize) -> Result<Option<Saved>, Error> {
+        let Some(place) = no.checked_sub(1).filter(|place| *place < self.found.len()) else {
+            return Ok(None);
+        };
+        let (_, candidate) = self.design(place)?;
+        Saved::of(&candidate, &self.wanted.requirements, &self.found[place].teeth).map(Some)
+    }
+
+    /// The whole answer.
+    ///
+    /// # Errors
+    /// None are known of designs that were found.
+    pub fn answer(&self) -> Result<SelectTeeth, Error> {
+        Ok(SelectTeeth { designs: self.designs().collect::<Result<_, _>>()?, ..self.without_designs()? })
+    }
+
+    /// The answer with its designs made while they are written; `told` is told the share of them that is.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the key of a number that no double holds; that of a design comes while it is written.
+    pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
+        let head = self.without_designs()?;
+        finite::check(&head)?;
+        let SelectTeeth { required, size_limits, searched, shown, .. } = head;
+        Ok(Streamed { required, size_limits, searched, shown, designs: Designs { of: self, told } })
+    }
+
+    fn without_designs(&self) -> Result<SelectTeeth, Error> {
+        let Wanted { requirements, order, limits, duty, .. } = self.wanted;
+        Ok(SelectTeeth {
+            required: Required::of(requirements, *order, duty)?,
+            size_limits: RequiredSize {
+                greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
+                least_module_m: limits.least_module.map(Physical::si),
+                greatest_module_m: limits.greatest_module.map(Physical::si),
+            },
+            searched: self.searched,
+            shown: self.shown(),
+            designs: vec![],
+        })
+    }
+
+    fn design(&self, place: usize) -> Result<(Design, selection::Candidate), Error> {
+        let (first, wanted) = (&self.found[place], self.wanted);
+        let requirements = &wanted.requirements;
+        let mut candidate = selection::Candidate::new(
+            first.mechanism,
+            first.k.clone(),
+            &first.wanted,
+            requirements,
+            Some(&drawable_direct_clutches),
+        )?;
+        // Those by which it was compared, each on its grid.
+        let circulation = candidate.objectives.circulation;
+        candidate.objectives = selection::Objectives { circulation, ..first.objectives };
+        let teeth = first.teeth.iter().enumerate();
+        let tooth_numbers =
+            teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
+        let behind = decisive(wanted.order, &self.found[0].objectives, &first.objectives);
+        let no = u32::try_from(place + 1).unwrap_or(u32::MAX);
+        let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
+        let of = Candidate::of(&ranked, behind, requirements, &wanted.duty)?;
+        Ok((Design { tooth_numbers, others: first.others, candidate: of }, candidate))
+    }
+}
+
+/// A [`SelectTeeth`] whose designs are made while they are written, and checked one by one.
+#[derive(Serialize)]
+pub struct Streamed<'a> {
+    required: Required,
+    size_limits: RequiredSize,
+    searched: Searched,
+    shown: usize,
+    designs: Designs<'a>,
+}
+
+struct Designs<'a> {
+    of: &'a Searches<'a>,
+    told: &'a dyn Fn(f64),
+}
+
+impl Serialize for Designs<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let count = self.of.shown();
+        let mut list = serializer.serialize_seq(Some(count))?;
+        for (place, design) in self.of.designs().enumerate() {
+            let design = design.map_err(S::Error::custom)?;
+            finite::check(&design).map_err(S::Error::custom)?;
+            list.serialize_element(&design)?;
+            (self.told)((place + 1) as f64 / count as f64);
+        }
+        list.end()
+    }
+}
+
+impl JsonSchema for Streamed<'_> {
+    fn schema_name() -> Cow<'static, str> {
+        SelectTeeth::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        SelectTeeth::json_schema(generator)
+    }
+}
+
+impl Answer for Streamed<'_> {
+    const NAME: &'static str = SelectTeeth::NAME;
+}
+
+/// The first design of an entry of the front.
+#[derive(Debug)]
+struct First {
+    mechanism: Mechanism,
+    wanted: Vec<f64>,
+    k: Vec<f64>,
+    /// Tooth numbers of each set.
+    teeth: Vec<ToothNumbers>,
+    objectives: selection::Objectives,
+    /// How many more designs the entry has.
+    others: u64,
+}
+
+fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error> {
+    let search = OneSetSearch {
+        sets: wanted.space.sets(),
+        bounds: wanted.bounds.clone(),
+        order: wanted.order,
+        ring_diameter: wanted.limits.ring_diameter,
+        module: wanted.limits.module()?,
+        ..OneSetSearch::new(wanted.requirements.clone())
+    };
+    let found = search.front_watched(|share| watch(At { share, searched: None }))?;
+    let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
+        let designs = found.designs(entry);
+        let count: usize = designs.iter().map(|design| design.teeth.len()).sum();
+        let first = designs.into_iter().next()?;
+        Some(First {
+            mechanism: Mechanism::OneSet(first.set),
+            wanted: vec![first.wanted],
+            k: vec![first.k],
+            teeth: first.teeth.first().copied().into_iter().collect(),
+            objectives: entry.objectives,
+            others: count.saturating_sub(1) as u64,
+        })
+    });
+    Ok((first.collect(), found.counts()))
+}
+
+fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error> {
     let search = ToothSearch {
-        bounds: bounds.clone(),
-        order: *order,
-        structures: structures.clone(),
-        ring_diameter: limits.ring_diameter,
-        module: limits.module()?,
-        ..ToothSearch::new(requirements.clone())
+        bounds: wanted.bounds.clone(),
+        order: wanted.order,
+        structures: wanted.space.structures(),
+        ring_diameter: wanted.limits.ring_diameter,
+        module: wanted.limits.module()?,
+        ..ToothSearch::new(wanted.requirements.clone())
     };
-    let found = search.best_watched((*most).max(1), &|progress| {
-        watch(progress);
+    let watch = |progress: Progress| {
+        let share = progress.done as f64 / progress.of.max(1) as f64;
+        watch(At { share, searched: Some(Searched::of(progress.counts)) });
         ControlFlow::Continue(())
-    })?;
-    let (designs, saved) = designs(wanted, saved, &found)?;
-    let answer = SelectTeeth {
-        required: Required::of(requirements, *order, duty)?,
-        size_limits: RequiredSize {
-            greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),
-            least_module_m: limits.least_module.map(Physical::si),
-            greatest_module_m: limits.greatest_module.map(Physical::si),
-        },
-        searched: Searched::of(found.counts()),
-        shown: designs.len(),
-        designs,
     };
-    Ok((answer, saved))
+    // Of many the first are not to be had much sooner than all.
+    let found = if wanted.most > MOST_DESIGNS {
+        search.front_watched(&watch)?
+    } else {
+        search.best_watched(wanted.most.max(1), &watch)?
+    };
+    let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
+        let (first, count) = found.first_design(entry)?;
+        Some(First {
+            mechanism: Mechanism::TwoSets(first.structure),
+            wanted: first.wanted.to_vec(),
+            k: first.k.to_vec(),
+            teeth: first.pairs.first().map(|pair| pair.to_vec()).unwrap_or_default(),
+            objectives: entry.objectives,
+            others: count.saturating_sub(1),
+        })
+    });
+    Ok((first.collect(), found.counts()))
 }
 
 impl Searched {
@@ -215,69 +407,6 @@ impl Searched {
             accepted: counts.feasible,
         }
     }
-}
-
-fn designs(
-    wanted: &Wanted,
-    save: Option<usize>,
-    found: &Found,
-) -> Result<(Vec<Design>, Option<Saved>), Error> {
-    let requirements = &wanted.requirements;
-    let mut designs = vec![];
-    let mut saved = None;
-    for entry in found.entries().iter().take(wanted.most) {
-        let Some((first, count)) = found.first_design(entry) else { continue };
-        let Some(mut candidate) = measured(requirements, &first)? else { continue };
-        // The ratios of the teeth were taken for those wanted; what they are compared with is what was asked.
-        let circulation = candidate.objectives.circulation;
-        candidate.objectives = selection::Objectives { circulation, ..entry.objectives };
-        for (gear, wanted) in candidate.gears.iter_mut().zip(first.wanted) {
-            gear.wanted = wanted;
-        }
-        let off = candidate.gears.iter().map(|gear| (gear.gear, (gear.ratio / gear.wanted - 1.0).abs()));
-        let worst = off.max_by(|(_, one), (_, other)| one.total_cmp(other));
-        let ratio = candidate.verdicts.iter_mut().find(|verdict| verdict.criterion == Criterion::Ratio);
-        if let Some((verdict, (gear, error))) = ratio.zip(worst) {
-            verdict.value = error;
-            verdict.evidence = Evidence::Gear(gear);
-        }
-        let teeth = first.pairs.first().into_iter().flatten().enumerate();
-        let tooth_numbers =
-            teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
-        let no = u32::try_from(designs.len() + 1).unwrap_or(u32::MAX);
-        let best = found.entries().first();
-        let behind = best.and_then(|best| decisive(wanted.order, &best.objectives, &entry.objectives));
-        if save == Some(designs.len() + 1) {
-            let teeth = first.pairs.first().map_or(&[][..], |pair| pair);
-            saved = Some(Saved::of(&candidate, requirements, teeth)?);
-        }
-        let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
-        designs.push(Design {
-            tooth_numbers,
-            others: count.saturating_sub(1),
-            candidate: Candidate::of(&ranked, behind, requirements, &wanted.duty)?,
-        });
-    }
-    Ok((designs, saved))
-}
-
-/// The design judged as it is: the ratios that its teeth give are the ones wanted.
-fn measured(
-    requirements: &Requirements,
-    design: &ToothDesign,
-) -> Result<Option<selection::Candidate>, Error> {
-    let gearbox = design.structure.gearbox(design.k, requirements.eta0, [Role::D, Role::B])?;
-    let ratio = |gear| Ok::<_, Error>(gearbox.analyze(gear)?.ratio());
-    let (Some(first), Some(second)) = (ratio("1")?, ratio("2")?) else { return Ok(None) };
-    let exactly = Requirements {
-        series: RatioSeries::of_braked_gears(&[first, second])?,
-        orders: Orders::AsGiven,
-        signs: Signs::AsGiven,
-        ..requirements.clone()
-    };
-    let space = Space::Structures(vec![design.structure]);
-    let found = select_with(&exactly, &space, Order::default(), Some(&drawable_direct_clutches))?;
-    Ok(found.accepted.into_iter().chain(found.rejected).next())
 }
 
 impl SetTeeth {
@@ -303,6 +432,8 @@ impl SetTeeth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::{to_json, write_json};
+    use epicyclic_schemes::RatioSeries;
     use uom::si::f64::{Pressure, Torque};
     use uom::si::length::millimeter;
     use uom::si::pressure::megapascal;
@@ -315,7 +446,7 @@ mod tests {
         Wanted {
             requirements,
             order: Order::default(),
-            structures: Structure::catalogue(),
+            space: Space::Catalogue,
             bounds: Bounds { ring: 12..=60, ..Bounds::default() },
             limits: SizeLimits::default(),
             most: 3,
@@ -351,8 +482,36 @@ mod tests {
         assert!(matches!(refused, Err(Error::ModuleRange { .. })));
     }
 
+    /// Of both kinds of search, and of the whole front as of the first.
+    #[test]
+    fn what_is_streamed_is_the_whole_answer() {
+        for ratios in [&[3.9375][..], &[1.465, 2.56]] {
+            let mut few = wanted(ratios);
+            few.limits = SizeLimits::default();
+            few.most = MOST_DESIGNS;
+            let whole = search(&few, &|_| ()).unwrap();
+            let text = to_json(&whole.answer().unwrap()).unwrap();
+            assert!(whole.shown() > 1 && whole.shown() < MOST_DESIGNS, "{}", whole.shown());
+            let all = Wanted { most: usize::MAX, ..few.clone() };
+            let found = search(&all, &|_| ()).unwrap();
+            let (mut bytes, last) = (vec![], std::cell::Cell::new(0.0));
+            write_json(&found.streamed(&|share| last.set(share)).unwrap(), &mut bytes).unwrap();
+            assert!(String::from_utf8(bytes).unwrap() == text && last.get() == 1.0);
+            assert!(matches!(answer(&all, &|_| ()), Err(Error::TooManyDesigns { .. })));
+        }
+    }
+
     #[test]
     fn one_ratio_is_a_matter_of_one_set() {
-        assert!(matches!(answer(&wanted(&[3.0]), &|_| ()), Err(Error::OneSet)));
+        let found = answer(&wanted(&[3.9375]), &|_| ()).unwrap();
+        assert!(found.shown == 3 && found.searched.structures == 6, "{:?}", found.searched);
+        for design in &found.designs {
+            let [teeth] = design.tooth_numbers[..] else { panic!("{design:?}") };
+            let [gear] = &design.candidate.gears[..] else { panic!("{design:?}") };
+            let k = f64::from(teeth.ring) / f64::from(teeth.sun);
+            assert_eq!(design.candidate.sets[0].k, k);
+            assert!(design.candidate.accepted && (gear.ratio.abs() / 3.9375 - 1.0).abs() <= 0.1);
+            assert!((teeth.size / design.candidate.objectives.size - 1.0).abs() < 1e-9);
+        }
     }
 }

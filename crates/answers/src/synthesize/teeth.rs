@@ -8,7 +8,7 @@ use epicyclic_gears::synthesis::Bounds as ToothBounds;
 use epicyclic_synthesis::Structure;
 use epicyclic_synthesis::judge::planet_speed;
 use epicyclic_synthesis::parts::Bounds;
-use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, SetTeeth, designs};
+use epicyclic_synthesis::teeth::{Aim, Alike, Choice, Design, Gears, SetTeeth, designs};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -98,7 +98,7 @@ impl Choices {
 }
 
 impl Teeth {
-    /// Those of a solution with these ranges of each set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
+    /// Those of a solution, gears side by side by their places among its gears, with these ranges of each set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
     ///
     /// # Errors
     /// Those of the solver; none are known for tooth numbers of a search.
@@ -108,6 +108,7 @@ impl Teeth {
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],
+        side_by_side: &[Vec<usize>],
         k: &[RangeInclusive<f64>],
         choices: &Choices,
         teeth: &TeethWanted,
@@ -120,7 +121,8 @@ impl Teeth {
         ratios.extend(solution.equal.ratios());
         bounds.resize(ratios.len(), Bounds { least: 1.0, most: 1.0 });
         let choices = choices.of(structure);
-        let mut all = designs(&ratios, &bounds, k, &choices, teeth.alike, teeth.aim, teeth.most);
+        let wanted = Gears { bounds: &bounds, side_by_side };
+        let mut all = designs(&ratios, wanted, k, &choices, teeth.alike, teeth.aim, teeth.most);
         all.first.iter_mut().for_each(|design| design.ratios.truncate(gears.len()));
         let told = all.first.iter().map(|design| TeethOfSets::of(kept, design, gears));
         let choices = told.collect::<Result<_, _>>()?;

@@ -5,6 +5,7 @@ use super::{Files, files};
 use crate::failure::Failure;
 use crate::lists::Quantities;
 use crate::output::{Format, OutputArgs, complain};
+use crate::progress::Progress;
 use epicyclic_answers as answers;
 use epicyclic_answers::motor_search::Wanted;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
@@ -17,6 +18,9 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio, Torque, Volu
 
 /// Designs shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 12;
+
+/// Places of families that are tried in a second, about.
+const PLACES_IN_A_SECOND: f64 = 2e4;
 
 /// Non-dominated motors for a displacement or torque.
 ///
@@ -186,7 +190,21 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         first_of_each_set: format == Format::Table && !args.every,
         most: args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX }),
     };
-    let searched = answers::motor_search::search(&wanted).map_err(refuse)?;
+    let shown = Progress::new();
+    let searched = answers::motor_search::search(&wanted, &|at| {
+        let share = at.done as f64 / at.of.max(1) as f64;
+        if at.pass == 0 {
+            let places = at.of as f64 * f64::from(wanted.search.points);
+            shown.size(places, PLACES_IN_A_SECOND, || {
+                format!("{} sets of lobes and teeth, {places:.1e} places at least", at.of)
+            });
+            shown.at(share);
+        } else {
+            shown.at_pass(at.pass, share);
+        }
+    });
+    drop(shown);
+    let searched = searched.map_err(refuse)?;
     let files = if args.files.are_wanted() {
         files::content(&args.files, &searched.motor(args.design, args.angle.0).map_err(refuse)?)?
     } else {

@@ -24,8 +24,13 @@ teeth: --ratio 6 --format json
   --pressure-angle 14.5deg
   --no-undercut
   --limit 3
+  --save set.yaml
   --format csv
   --output sets.json
+teeth: --ratio 6 --save set.yaml
+  --nth 2
+teeth: --ratio -1.6
+  --double-planet
 teeth: --ratio 6 --no-undercut
   --pressure-angle 25deg
 drive: minimal-drive.yaml
@@ -418,6 +423,7 @@ select: --ratios 2.5 --planet-count 4 | --teeth
 select: --ratios 2.5 --face-width-ratio 0.5 | --load-factor
 schemes: --efficiency 90% | --k1
 schemes: II-3 --efficiency 90% | --k1
+teeth: --ratio 6 --nth 2 | --save
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --view teeth | --svg
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --points 5 | --csv
 motor search: --displacement '250 cm3/rev' --z3 55 --view teeth | --svg

@@ -68,6 +68,7 @@ mod requirements;
 
 use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::Error;
 use crate::checks::{Subject, ToothHeights, finite_heights};
@@ -201,6 +202,20 @@ struct Place {
     point: usize,
 }
 
+/// How far a search has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// The pass: 0 tries the evenly spaced places, those after it refine the front until nothing is added.
+    pub pass: u32,
+    /// Sets of lobes and teeth, after pass 0 intervals of families, that are done in this pass.
+    pub done: usize,
+    /// Of so many.
+    pub of: usize,
+}
+
+/// Called from any thread, at the begin of a pass and whenever a part of it is done.
+pub type Watch<'a> = dyn Fn(Progress) + Sync + 'a;
+
 impl MotorSearch {
     /// With default bounds, tooth heights and limits, 16 places and a resolution of 2 %.
     #[must_use]
@@ -222,6 +237,14 @@ impl MotorSearch {
     /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`] for bounds the wrong way round,
     /// [`Error::TooManyTeeth`], and [`Error::TooManySets`] above [`MOST_SETS`].
     pub fn front(&self) -> Result<Found, Error> {
+        self.front_watched(&|_| ())
+    }
+
+    /// The same, watched.
+    ///
+    /// # Errors
+    /// As [`front`](Self::front).
+    pub fn front_watched(&self, watch: &Watch) -> Result<Found, Error> {
         let yardstick = self.yardstick()?;
         let sets = self.bounds.count()?;
         if sets > MOST_SETS {
@@ -232,7 +255,8 @@ impl MotorSearch {
         funnel.sets = numbers.len();
         numbers.retain(|&numbers| self.limits.allow(numbers));
         funnel.outside_limits = funnel.sets - numbers.len();
-        let per_set = map(&numbers, |&numbers| branches(&yardstick, numbers, self.points));
+        let pass = Pass::new(0, numbers.len(), watch);
+        let per_set = map(&numbers, |&numbers| pass.part(branches(&yardstick, numbers, self.points)));
         funnel.without_family = per_set.iter().filter(|branches| branches.is_empty()).count();
         let mut branches: Vec<Branch> = per_set.into_iter().flatten().collect();
         funnel.points = branches.iter().map(|branch| branch.points.len()).sum();
@@ -242,9 +266,11 @@ impl MotorSearch {
         // Half of the resolution, as logarithms.
         let half = self.resolution.map(|resolution| 0.5 * resolution.ln_1p());
         if let Some(slack) = half {
-            loop {
+            for number in 1.. {
                 let cover = Cover::new(values);
-                let refined = map_mut(&mut branches, |branch| branch.refine(&yardstick, &cover, slack));
+                let pass = Pass::new(number, branches.len(), watch);
+                let refined =
+                    map_mut(&mut branches, |branch| pass.part(branch.refine(&yardstick, &cover, slack)));
                 let added: usize = refined.into_iter().sum();
                 values = front_values(&branches);
                 if added == 0 {
@@ -326,6 +352,28 @@ impl MotorSearch {
         };
         let designs = members.iter().zip(&each).filter_map(design).collect();
         Found { designs, funnel, spacing_error, refinement_gain }
+    }
+}
+
+/// A pass that counts its parts.
+struct Pass<'a> {
+    pass: u32,
+    done: AtomicUsize,
+    of: usize,
+    watch: &'a Watch<'a>,
+}
+
+impl<'a> Pass<'a> {
+    fn new(pass: u32, of: usize, watch: &'a Watch) -> Self {
+        watch(Progress { pass, done: 0, of });
+        Self { pass, done: AtomicUsize::new(0), of, watch }
+    }
+
+    /// A part that is done.
+    fn part<T>(&self, result: T) -> T {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        (self.watch)(Progress { pass: self.pass, done, of: self.of });
+        result
     }
 }
 

@@ -1,12 +1,17 @@
 //! What a search found: its entries, and the designs behind each.
 
 use super::levels::Level;
-use super::patch::{Allowed, Measured, Patch};
+use super::patch::{Allowed, Patch};
+use crate::Error;
 use crate::front::Entry;
 use crate::objectives::Objectives;
+use crate::quantity::Limited;
 use crate::size::Rating;
+use crate::units::in_metres;
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_schemes::structures::Structure;
+use std::ops::RangeInclusive;
+use uom::si::f64::Length;
 
 /// What a search found.
 #[derive(Debug, Clone)]
@@ -69,15 +74,38 @@ pub(super) struct SizeLimits {
 }
 
 impl SizeLimits {
-    pub(super) fn fits(
-        self,
-        measured: &Measured,
-        set: usize,
-        level: &Level,
-        teeth: &ToothNumbers,
-        share: f64,
-    ) -> bool {
-        let ring = measured.cube(set, level, share).cbrt();
+    /// Those of lengths, at the load of a rating.
+    pub(super) fn new(
+        module: Option<&RangeInclusive<Length>>,
+        ring_diameter: Option<Length>,
+        rating: &Rating,
+    ) -> Result<Self, Error> {
+        if module.is_none() && ring_diameter.is_none() {
+            return Ok(Self { module: None, ring: f64::INFINITY });
+        }
+        let unit = in_metres(rating.unit().ok_or(Error::SizeWithoutTorque)?);
+        let relative = |what, length: Length| {
+            let value = in_metres(length);
+            if value > 0.0 { Ok(value / unit) } else { Err(Error::Limit { what, value }) }
+        };
+        let module = match module {
+            Some(range) => {
+                Some([relative(Limited::Module, *range.start())?, relative(Limited::Module, *range.end())?])
+            }
+            None => None,
+        };
+        let ring = ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative(Limited::RingDiameter, limit))?;
+        Ok(Self { module, ring })
+    }
+
+    /// Whether there are any.
+    pub(super) fn are_any(self) -> bool {
+        self.module.is_some() || self.ring.is_finite()
+    }
+
+    /// Whether tooth numbers keep to them, `cube` the cube of their relative ring diameter.
+    pub(super) fn fits(self, cube: f64, teeth: &ToothNumbers) -> bool {
+        let ring = cube.cbrt();
         let module = ring / teeth.ring.as_f64();
         ring <= self.ring && self.module.is_none_or(|[least, greatest]| module >= least && module <= greatest)
     }
@@ -139,7 +167,7 @@ impl Found {
         let share = |teeth: &ToothNumbers| self.rating.share(teeth.planets);
         let mut pairs = vec![];
         let fits = |set: usize, teeth: &ToothNumbers| {
-            self.size.fits(&measured, set, levels[set], teeth, share(teeth))
+            self.size.fits(measured.cube(set, levels[set], share(teeth)), teeth)
         };
         for first in levels[0].of(&self.tooth_sets).iter().filter(|teeth| fits(0, teeth)) {
             for second in levels[1].of(&self.tooth_sets).iter().filter(|teeth| fits(1, teeth)) {

@@ -1,5 +1,6 @@
 //! Search over teeth: for wanted ratios, all tooth numbers of both sets and all two-set structures, the
-//! exact Pareto front and the best, with nothing missed.
+//! exact Pareto front and the best, with nothing missed. For two speeds all tooth numbers of one set and all ways to use it:
+//! [`OneSetSearch`].
 //!
 //! # Why nothing is missed
 //! 6.4·10⁷ pairs of tooth numbers a structure, 111 structures, both orders and signs of the ratios make
@@ -76,21 +77,22 @@
 
 mod contenders;
 mod double;
+mod exact;
 mod found;
 mod levels;
+mod one_set;
 mod patch;
 mod screen;
 mod window;
 
 pub use found::{Counts, Found, ToothDesign};
+pub use one_set::{OneSetDesign, OneSetFound, OneSetSearch};
 
 use crate::Error;
 use crate::front::{Entry, front};
 use crate::objectives::{Costs, Objective, Objectives, Order};
-use crate::quantity::Limited;
 use crate::requirements::Requirements;
 use crate::threads::map;
-use crate::units::in_metres;
 use contenders::{Bound, Contenders, first_of_front};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_pareto::non_dominated;
@@ -110,9 +112,11 @@ pub struct Progress {
     pub done: usize,
     /// Of so many.
     pub of: usize,
+    /// What is searched; how many designs are feasible is not known before the end, and 0 till then.
+    pub counts: Counts,
 }
 
-/// Called from any thread whenever a piece of work is done; [`ControlFlow::Break`] cancels.
+/// Called before anything is tried, and from any thread whenever a piece of work is done; [`ControlFlow::Break`] cancels.
 pub type Watch<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
 /// A search over teeth.
@@ -163,6 +167,15 @@ const FEW: usize = 256;
 
 /// Leaves out some of the designs held.
 type Reduce<'a> = dyn FnMut(&mut Contenders) -> Result<(), Error> + 'a;
+
+/// Refuses an order in which circulating power decides anything.
+fn check_order(order: Order) -> Result<(), Error> {
+    if order.objectives().ends_with(&[Objective::Circulation]) {
+        Ok(())
+    } else {
+        Err(Error::NoObjectiveOfTeeth { objective: Objective::Circulation })
+    }
+}
 
 /// Strips in pieces, and these in batches.
 fn batches(strips: &[[u32; 3]]) -> Vec<Vec<&[[u32; 3]]>> {
@@ -343,10 +356,8 @@ impl ToothSearch {
     /// Levels, patches and windows: all that comes before trying.
     fn prepared(&self) -> Result<Found, Error> {
         self.requirements.check()?;
-        if !self.order.objectives().ends_with(&[Objective::Circulation]) {
-            return Err(Error::NoObjectiveOfTeeth { objective: Objective::Circulation });
-        }
-        let size = self.size_limits()?;
+        check_order(self.order)?;
+        let size = SizeLimits::new(self.module.as_ref(), self.ring_diameter, &self.requirements.rating)?;
         let counted = self.bounds.count()?;
         if counted > MOST_TOOTH_SETS {
             return Err(Error::TooManyToothSets { tooth_sets: counted, most: MOST_TOOTH_SETS });
@@ -368,7 +379,7 @@ impl ToothSearch {
             Patch::new(structure, ratios, &self.requirements, &levels)
         });
         let patches: Vec<Patch> = patches.into_iter().flatten().collect();
-        let pairs = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
+        let pairs: u64 = patches.iter().map(|patch| Patch::pairs(&patch.strips)).sum();
         if pairs > MOST_PAIRS {
             return Err(Error::TooManyPairs {
                 tooth_sets: counted,
@@ -383,7 +394,7 @@ impl ToothSearch {
             patches: of,
             patches_tried: patches.len(),
             designs: count as u128 * count as u128 * of as u128,
-            tried: 0,
+            tried: pairs,
             feasible: 0,
         };
         let allowed = Allowed::new(&self.requirements);
@@ -410,7 +421,11 @@ impl ToothSearch {
             .flat_map(|(place, patch)| batches(&patch.strips).into_iter().map(move |batch| (place, batch)))
             .collect();
         let of = batches.iter().map(|(_, pieces)| pieces.len()).sum();
+        let counts = found.counts;
         let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+        if watch(Progress { done: 0, of, counts }).is_break() {
+            return Err(Error::Cancelled);
+        }
         let mut held = Contenders::default();
         let [mut tried, mut feasible] = [0, 0];
         let mut sides: Option<(u32, [Vec<Side>; 2], Columns)> = None;
@@ -427,12 +442,13 @@ impl ToothSearch {
                 if cancelled.load(Ordering::Relaxed) {
                     return (gathered, [0, 0]);
                 }
-                let counts = self.try_strips(found, *patch, (sides, columns), strips, bound, &mut gathered);
-                let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of };
+                let tried_and_met =
+                    self.try_strips(found, *patch, (sides, columns), strips, bound, &mut gathered);
+                let progress = Progress { done: done.fetch_add(1, Ordering::Relaxed) + 1, of, counts };
                 if watch(progress).is_break() {
                     cancelled.store(true, Ordering::Relaxed);
                 }
-                (gathered, counts)
+                (gathered, tried_and_met)
             };
             let results: Vec<(Contenders, [u64; 2])> = map(pieces, try_piece);
             if cancelled.load(Ordering::Relaxed) {
@@ -474,26 +490,6 @@ impl ToothSearch {
         Ok(found)
     }
 
-    fn size_limits(&self) -> Result<SizeLimits, Error> {
-        if self.module.is_none() && self.ring_diameter.is_none() {
-            return Ok(SizeLimits { module: None, ring: f64::INFINITY });
-        }
-        let unit = in_metres(self.requirements.rating.unit().ok_or(Error::SizeWithoutTorque)?);
-        let relative = |what, length: Length| {
-            let value = in_metres(length);
-            if value > 0.0 { Ok(value / unit) } else { Err(Error::Limit { what, value }) }
-        };
-        let module = match &self.module {
-            Some(range) => {
-                Some([relative(Limited::Module, *range.start())?, relative(Limited::Module, *range.end())?])
-            }
-            None => None,
-        };
-        let ring =
-            self.ring_diameter.map_or(Ok(f64::INFINITY), |limit| relative(Limited::RingDiameter, limit))?;
-        Ok(SizeLimits { module, ring })
-    }
-
     /// Tries all pairs of some strips; how many there are, and how many meet the criteria.
     fn try_strips(
         &self,
@@ -506,7 +502,7 @@ impl ToothSearch {
     ) -> [u64; 2] {
         let Found { patches, levels, allowed, size, .. } = found;
         let patch = &patches[place as usize];
-        let is_sized = size.module.is_some() || size.ring.is_finite();
+        let is_sized = size.are_any();
         let [mut tried, mut feasible] = [0, 0];
         for &[one, from, to] in strips {
             tried += u64::from(to - from);
@@ -567,11 +563,12 @@ impl ToothSearch {
         let Some(measured) = patch.measure(levels, places, sides, allowed) else { return false };
         let at = places.map(|place| &levels[place]);
         let mut shares = at.map(|level| level.share);
-        if size.module.is_some() || size.ring.is_finite() {
+        if size.are_any() {
             let rating = &self.requirements.rating;
             shares = [0, 1].map(|set| {
                 let share = |teeth: &ToothNumbers| rating.share(teeth.planets);
-                let fits = |teeth: &&ToothNumbers| size.fits(&measured, set, at[set], teeth, share(teeth));
+                let fits =
+                    |teeth: &&ToothNumbers| size.fits(measured.cube(set, at[set], share(teeth)), teeth);
                 at[set].of(tooth_sets).iter().filter(fits).map(share).fold(f64::INFINITY, f64::min)
             });
             if shares.iter().any(|share| share.is_infinite()) {

@@ -1,13 +1,14 @@
 //! One structure with one assignment of the ratios: all its pairs of ring-to-sun ratios, measured.
 
 use super::double::Double;
+use super::exact::{self, relative_step};
 use super::levels::Level;
 use super::window::{Wanted, window};
 use crate::Mechanism;
 use crate::drawing::drawable_direct_clutches;
 use crate::objectives::{Costs, on_grid, on_relative_grid};
 use crate::requirements::{Limits, Requirements};
-use crate::tolerance::{GRID_STEP, RELATIVE_STEP, ROUNDING, SLACK, TIE};
+use crate::tolerance::{GRID_STEP, ROUNDING, SLACK};
 use epicyclic_schemes::direct_drive::{DIRECT_CLUTCH_PAIRS, link_speeds};
 use epicyclic_schemes::pair::{Coefficients, coefficients, effective, exponents, fraction, minor, ratios};
 use epicyclic_schemes::structures::{Role, SetRoles, Structure};
@@ -66,6 +67,16 @@ pub(crate) struct Allowed {
 }
 
 impl Allowed {
+    /// Whatever there is.
+    pub(super) const ANY: Self = Self {
+        ratio_error: f64::INFINITY,
+        link_speed: f64::INFINITY,
+        planet_speed: f64::INFINITY,
+        clutch_slip: f64::INFINITY,
+        circulation: f64::INFINITY,
+        efficiency: 0.0,
+    };
+
     pub(crate) fn new(requirements: &Requirements) -> Self {
         let limits = &requirements.limits;
         Self {
@@ -91,7 +102,7 @@ impl Patch {
         let limits: &Limits = &requirements.limits;
         let (first, last) = (levels.first()?, levels.last()?);
         let wanted = Wanted { ratios: ratio, tolerance: requirements.tolerance };
-        if !in_reach(structure, wanted, [first.k, last.k]) {
+        if !Mechanism::TwoSets(structure).reaches(&ratio, requirements.tolerance, [first.k, last.k]) {
             return None;
         }
         let direct_clutches = if limits.drawable {
@@ -249,10 +260,10 @@ impl Patch {
         let doubt = measured.doubt + ROUNDING * (16.0 + 3.0 * of_k(levels[0]).max(of_k(levels[1])));
         let half = relative_step(cube) / 2.0;
         if (efficiency + measured.efficiency).abs() + measured.doubt >= GRID_STEP / 2.0 {
-            costs[0] = nearest(-self.exact_efficiency(levels), efficiency, GRID_STEP);
+            costs[0] = exact::efficiency_cost(self.exact_efficiency(levels));
         }
         if (size - cube).abs() + doubt * cube >= half {
-            costs[4] = nearest(self.exact_cube(levels, shares), size, 2.0 * half);
+            costs[4] = exact::size_cost(self.exact_cube(levels, shares));
         }
         costs
     }
@@ -260,20 +271,10 @@ impl Patch {
     /// Numerator and denominator of the ratio with losses in a gear, and the coefficients of both sets at its free link;
     /// a set's coefficients times the teeth of its sun, and times `η₀` where it divides.
     fn exact_parts(&self, levels: [&Level; 2], gear: usize) -> ([Double; 2], [Double; 2]) {
-        let eta0 = Double::from(self.eta0);
+        let eta0 = self.eta0;
         let x = [Role::T2.index(), Role::T1.index()][gear];
         let loaded = [0, 1].map(|set| {
-            let [sun, ring] = levels[set].teeth.map(Double::from);
-            let [sun, ring] = match self.exponents[gear][set] {
-                1 => [sun, ring * eta0],
-                -1 => [sun * eta0, ring],
-                _ => [sun, ring],
-            };
-            let mut found = [Double::from(0.0); 4];
-            for (role, value) in self.sets[set].into_iter().zip([sun, ring, -(sun + ring)]) {
-                found[role.index()] = value;
-            }
-            found
+            exact::coefficients(self.sets[set], levels[set].teeth, self.exponents[gear][set], eta0)
         });
         let [one, two] = &loaded;
         let minor = |y: usize| one[y] * two[x] - one[x] * two[y];
@@ -297,7 +298,7 @@ impl Patch {
     fn exact_cube(&self, levels: [&Level; 2], shares: [f64; 2]) -> Double {
         let parts = [0, 1].map(|gear| self.exact_parts(levels, gear));
         let cube = |set: usize| {
-            let [sun, ring] = levels[set].teeth.map(Double::from);
+            let sun = Double::from(levels[set].teeth[0]);
             // On the sun: its coefficient, times the other set's at the free link.
             let torque = |gear: usize| {
                 let ([_, d], free) = parts[gear];
@@ -305,10 +306,7 @@ impl Patch {
                     if self.exponents[gear][set] == -1 { sun * Double::from(self.eta0) } else { sun };
                 (of_sun * free[1 - set] / d).abs()
             };
-            let (one, k) = (Double::from(1.0), ring / sun);
-            let r = (k - one) / Double::from(2.0);
-            let of_k = k * k * k * (one + one / r) / r.min(one);
-            of_k * torque(0).max(torque(1)) * Double::from(shares[set])
+            exact::cube(levels[set].teeth, torque(0).max(torque(1))) * Double::from(shares[set])
         };
         cube(0).max(cube(1))
     }
@@ -356,37 +354,6 @@ fn circulation([one, two]: [&Side; 2], gear: usize, speeds: &Coefficients) -> f6
         of.iter().fold(0.0_f64, |most, one| most.max(one.min(sum)))
     };
     most(&forth, &back).max(most(&back, &forth))
-}
-
-/// Distance of two numbers of 40 bits near a value.
-#[inline]
-fn relative_step(value: f64) -> f64 {
-    f64::from_bits(value.to_bits() & f64::INFINITY.to_bits()) * RELATIVE_STEP
-}
-
-/// The point of a grid nearest to a value, from a point next to it; the upper of two equally near.
-fn nearest(value: Double, point: f64, step: f64) -> f64 {
-    let off = ((value - Double::from(point)) / Double::from(step)).high;
-    let half = 0.5 - TIE;
-    if off >= half {
-        point + step
-    } else if off < -0.5 - TIE {
-        point - step
-    } else {
-        point
-    }
-}
-
-/// Whether the ratios can come within tolerance at all: both within what the corners say.
-fn in_reach(structure: Structure, wanted: Wanted, [low, high]: [f64; 2]) -> bool {
-    use epicyclic_schemes::standing::reach;
-    reach(structure, &(low..=high)).into_iter().zip(wanted.ratios).all(|(reach, ratio)| {
-        let parts = [1.0 - wanted.tolerance - SLACK, 1.0 + wanted.tolerance + SLACK];
-        let ends = parts.map(|part| part * ratio);
-        let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let hair = SLACK * to.abs().max(from.abs());
-        reach.meets(from, to, hair)
-    })
 }
 
 #[cfg(test)]

@@ -1,12 +1,15 @@
 //! The choice over tooth numbers, as tables.
 
 use super::{best, common_columns, common_figures, length, size_column, size_note, title};
-use crate::AsReport;
 use crate::figure::{Figure, text};
-use crate::report::{Column, Part, Records, Report, Text, View};
+use crate::report::{Column, Part, Records, Report, Text, View, rows_as_csv};
+use crate::{AsReport, Error};
 use epicyclic_answers::select::candidate::Candidate;
+use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::teeth::{Design, SelectTeeth, SetTeeth};
 use epicyclic_formats::Dimension;
+use std::borrow::Cow;
+use std::io;
 
 impl AsReport for SelectTeeth {
     fn report(&self) -> Report {
@@ -25,10 +28,15 @@ impl AsReport for SelectTeeth {
 
 fn searched(select: &SelectTeeth) -> String {
     let counts = &select.searched;
+    let (per_set, designs, pairs) = if is_of_one_set(&select.required) {
+        ("", counts.designs.to_string(), "")
+    } else {
+        (" per set", format!("{:.2e}", counts.designs as f64), "pairs of ")
+    };
     let searched = format!(
-        "{} combinations of tooth numbers per set, {} structures with their ratios: {:.2e} designs, none left out; {} \
-         pairs of ring-to-sun ratios were tried in full, {} meet every criterion.",
-        counts.tooth_numbers, counts.structures, counts.designs as f64, counts.tried, counts.accepted
+        "{} combinations of tooth numbers{per_set}, {} structures with their ratios: {designs} designs, none left out; {} \
+         {pairs}ring-to-sun ratios were tried in full, {} meet every criterion.",
+        counts.tooth_numbers, counts.structures, counts.tried, counts.accepted
     );
     let shown = match select.shown {
         0 => String::new(),
@@ -36,6 +44,11 @@ fn searched(select: &SelectTeeth) -> String {
         shown => format!(" Shown are the first {shown} of the non-dominated designs."),
     };
     searched + &shown
+}
+
+/// Whether one set was searched and not two.
+fn is_of_one_set(required: &Required) -> bool {
+    required.ratios.len() == 1
 }
 
 /// The keys of the columns of a set.
@@ -71,28 +84,25 @@ fn designs(select: &SelectTeeth) -> Records {
     let candidates: Vec<Candidate> =
         select.designs.iter().take(1).map(|design| design.candidate.clone()).collect();
     let size = size_column(&candidates);
-    let mut columns = common_columns();
-    columns.push(Column::number("others", "others"));
-    for set in SETS {
-        columns.push(Column::words(set.shown, set.heading).for_people());
-        columns.extend(set.numbers.map(|name| Column::number(name, name)));
-        columns.push(Column::number(set.size, set.size));
-        let number = set.heading.trim_start_matches("set ");
-        for (name, what) in [(set.ring_diameter, "ring"), (set.module, "module")] {
-            let heading = format!("{what} {number}, mm");
-            columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
-        }
-    }
+    let columns = columns();
+    let one = is_of_one_set(&select.required);
+    let (sets, ratios): (&[&str], &[&str]) = if one {
+        (&["no", "scheme", "teeth_1", "others"], &["no", "ratio_1", "k1", "efficiency_1"])
+    } else {
+        (
+            &["no", "scheme", "teeth_1", "teeth_2", "others"],
+            &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
+        )
+    };
+    let note = if one { "Set 1" } else { "Sets" };
     let mut views = vec![
         View {
-            note: "Sets: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
-                .to_owned(),
-            ..View::new("Designs, the best first", &["no", "scheme", "teeth_1", "teeth_2", "others"])
+            note: format!(
+                "{note}: teeth of sun, planet, ring x planets. Others: designs with the same objectives."
+            ),
+            ..View::new("Designs, the best first", sets)
         },
-        View::new(
-            "Ratios and efficiencies",
-            &["no", "ratio_1", "ratio_2", "k1", "k2", "efficiency_1", "efficiency_2"],
-        ),
+        View::new(if one { "Ratio and efficiency" } else { "Ratios and efficiencies" }, ratios),
         View {
             note: format!(
                 "Non-dominated: no other design is better in one and worse in none. {}",
@@ -101,7 +111,12 @@ fn designs(select: &SelectTeeth) -> Records {
             ..View::new("Objectives", &["no", "efficiency", "speed", "k_distance", "ratio_error", size])
         },
     ];
-    if size == "ring_diameter" {
+    if size == "ring_diameter" && one {
+        views.push(View::new(
+            "Ring diameter and module needed at the load factor",
+            &["no", "ring_diameter_1", "module_1"],
+        ));
+    } else if size == "ring_diameter" {
         views.push(View::new(
             "Ring diameters and modules needed at the load factor",
             &["no", "ring_diameter_1", "module_1", "ring_diameter_2", "module_2"],
@@ -114,6 +129,48 @@ fn designs(select: &SelectTeeth) -> Records {
         views,
         is_answer: true,
     }
+}
+
+/// What the list says of each design.
+fn columns() -> Vec<Column> {
+    let mut columns = common_columns();
+    columns.push(Column::number("others", "others"));
+    for set in SETS {
+        columns.push(Column::words(set.shown, set.heading).for_people());
+        columns.extend(set.numbers.map(|name| Column::number(name, name)));
+        columns.push(Column::number(set.size, set.size));
+        let number = set.heading.trim_start_matches("set ");
+        for (name, what) in [(set.ring_diameter, "ring"), (set.module, "module")] {
+            let heading = format!("{what} {number}, mm");
+            columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
+        }
+    }
+    columns
+}
+
+/// The list as CSV, each design when it comes.
+///
+/// # Errors
+/// Those of the writer and of the designs; a number too large for its unit.
+pub fn csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
+    designs: impl Iterator<Item = Result<Design, E>>,
+    out: impl io::Write,
+) -> io::Result<()> {
+    let columns = columns();
+    let mut fault = None;
+    let checked = |design: Result<Design, E>| {
+        let row = row(&design.map_err(io::Error::other)?);
+        match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
+            None => Ok(row),
+            Some((column, _)) => {
+                let figure = format!("designs.{} of {}", column.name, row[0].csv().0);
+                Err(io::Error::other(Error::NotFinite { figure }))
+            }
+        }
+    };
+    let rows = designs.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
+    let written = rows_as_csv(&columns, rows.map(Cow::Owned), out);
+    fault.map_or(written, Err)
 }
 
 fn row(design: &Design) -> Vec<Figure> {

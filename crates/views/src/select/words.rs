@@ -33,11 +33,11 @@ pub(super) fn why(select: &Select, accepted: &[Candidate]) -> Text {
     };
     if select.rejected > 0 {
         let hint = if select.required.ratios.len() == 2 {
-            "; --teeth also tries ratios off the wanted ones"
+            "--teeth also tries ratios off the wanted ones"
         } else {
-            ""
+            "--teeth also tries ratios off the wanted one"
         };
-        points.push(format!("{} rejected, for the reasons above{hint}", of(select.rejected, "design")));
+        points.push(format!("{} rejected, for the reasons above; {hint}", of(select.rejected, "design")));
     }
     points.extend(out_of_reach(&select.unreachable));
     Text::list(heading, points)

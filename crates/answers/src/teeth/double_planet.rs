@@ -1,0 +1,114 @@
+//! Tooth numbers of a double-planet set for a ratio.
+
+use super::{MOST_SETS, Wanted};
+use crate::shared::{Fraction, Motion};
+use crate::tolerance::ROUNDED;
+use crate::{Answer, Error};
+use epicyclic_formats::Physical;
+use epicyclic_gears::double_planet::DoublePlanetCandidate;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Double-planet sets that give a ratio, the most exact first: each pair of sun and ring once, since the ratio does not depend on the
+/// planets between them.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct DoublePlanetTeeth {
+    /// The ratio wanted.
+    pub ratio: f64,
+    /// Which member drives, which is driven, which rests.
+    pub mode: Motion,
+    /// How far the ratio may be off, as a share of it.
+    pub tolerance: f64,
+    /// How many pairs of sun and ring there are.
+    pub found: u64,
+    /// How many of them are told here.
+    pub shown: usize,
+    /// These.
+    pub tooth_numbers: Vec<DoublePlanetNumbers>,
+}
+
+/// Tooth numbers of a double-planet set, and what follows from them.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct DoublePlanetNumbers {
+    /// Teeth of the sun.
+    pub sun: u32,
+    /// Teeth of the inner planets, in mesh with the sun.
+    pub inner_planet: u32,
+    /// Teeth of the outer planets, in mesh with the ring.
+    pub outer_planet: u32,
+    /// Teeth of the ring.
+    pub ring: u32,
+    /// Number of pairs of planets.
+    pub pairs: u32,
+    /// The ratio, input speed over output speed.
+    pub ratio: f64,
+    /// The same, exactly.
+    pub exact_ratio: Fraction,
+    /// How far it is from the ratio wanted, as a share of it.
+    pub ratio_error: f64,
+    /// How many choices of both planets and of the number of pairs fit this sun and ring within the bounds, this one among them: the one
+    /// with the most pairs, whose smaller planet has the most teeth.
+    pub choices: u64,
+    /// Whether the rack undercuts the sun.
+    pub undercut_sun: bool,
+    /// Whether the rack undercuts the inner planets.
+    pub undercut_inner_planet: bool,
+    /// Whether the rack undercuts the outer planets.
+    pub undercut_outer_planet: bool,
+    /// Whether the pairs stand at equal angles.
+    pub equal_spacing: bool,
+    /// Where each inner planet stands.
+    pub pair_angles_rad: Vec<f64>,
+    /// Distance of the pairs' common centre of mass from the axis over the radius of their centres.
+    pub imbalance: f64,
+}
+
+impl Answer for DoublePlanetTeeth {
+    const NAME: &'static str = "teeth-double-planet";
+}
+
+/// Every double-planet set for a ratio; `done` is told the share that is searched, from 0 to 1.
+///
+/// # Errors
+/// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
+pub fn answer(wanted: &Wanted, done: impl FnMut(f64)) -> Result<DoublePlanetTeeth, Error> {
+    let &Wanted { ratio, mode, tolerance, ref bounds, most } = wanted;
+    let found = bounds.double_planets_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
+    if most > MOST_SETS && found.found > MOST_SETS as u64 {
+        return Err(Error::TooMany { found: found.found, most: MOST_SETS });
+    }
+    let tooth_numbers: Vec<DoublePlanetNumbers> = found.first.iter().map(DoublePlanetNumbers::of).collect();
+    Ok(DoublePlanetTeeth {
+        ratio,
+        mode: Motion::of(mode),
+        tolerance,
+        found: found.found,
+        shown: tooth_numbers.len(),
+        tooth_numbers,
+    })
+}
+
+impl DoublePlanetNumbers {
+    fn of(found: &DoublePlanetCandidate) -> Self {
+        let imbalance = found.spacing.imbalance();
+        Self {
+            sun: found.teeth.sun.get(),
+            inner_planet: found.teeth.inner.get(),
+            outer_planet: found.teeth.outer.get(),
+            ring: found.teeth.ring.get(),
+            pairs: found.teeth.pairs,
+            ratio: found.ratio,
+            exact_ratio: Fraction::of(found.exact_ratio),
+            ratio_error: found.ratio_error,
+            choices: found.choices,
+            undercut_sun: found.undercut_sun,
+            undercut_inner_planet: found.undercut_inner,
+            undercut_outer_planet: found.undercut_outer,
+            equal_spacing: found.spacing.is_equal(),
+            pair_angles_rad: found.spacing.angles().into_iter().map(Physical::si).collect(),
+            imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! The search over the teeth of one set finds exactly what brute force finds: every combination of teeth in every way to use the set through
+//! the solver of any gearbox, every pair of designs compared.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers, tooth_numbers_by_trial};
+use epicyclic_schemes::RatioSeries;
+use epicyclic_schemes::structures::{Role, SetRoles};
+use epicyclic_selection::drawing::drawable_direct_clutches;
+use epicyclic_selection::search::{MOST_TOOTH_SETS, OneSetFound, OneSetSearch};
+use epicyclic_selection::size::relative_ring_diameter;
+use epicyclic_selection::{Error, Mechanism, Objective, Order, Requirements, Signs, Space};
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use uom::si::f64::{Length, Pressure, Torque};
+use uom::si::length::millimeter;
+use uom::si::pressure::megapascal;
+use uom::si::torque::newton_meter;
+
+/// Links of sun, ring and carrier, the teeth, and whether the output is to reverse.
+type Key = (SetRoles, ToothNumbers, bool);
+
+fn search(ratio: f64) -> OneSetSearch {
+    OneSetSearch::new(Requirements::new(RatioSeries::of_braked_gears(&[ratio]).unwrap()))
+}
+
+/// Efficiency, speed, ring-to-sun ratio, ratio error, size, as costs; of a design that meets the criteria.
+fn costs(requirements: &Requirements, set: SetRoles, wanted: f64, teeth: ToothNumbers) -> Option<[f64; 5]> {
+    let limits = &requirements.limits;
+    let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
+    let k = teeth.ring_to_sun_ratio();
+    let mechanism = Mechanism::OneSet(set);
+    let gearbox = mechanism.gearbox(&[k], requirements.eta0, [Role::D, Role::B]).unwrap();
+    let gear = gearbox.analyze("1").unwrap();
+    let error = (gear.ratio()? / wanted - 1.0).abs();
+    let efficiency = gear.efficiency()?;
+    let roles = [Role::D, Role::B, Role::T1];
+    let speeds = roles.map(|role| gear.speed(gearbox.link(role.symbol()).unwrap()).unwrap());
+    let speed = |role: Role| speeds[roles.iter().position(|one| *one == role).unwrap()];
+    let links = speeds.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+    let planets = ((speed(set[0]) - speed(set[2])) * 2.0 / (k - 1.0)).abs();
+    let pairs = if limits.drawable {
+        drawable_direct_clutches(mechanism).ok()?
+    } else {
+        vec![[Role::D, Role::B], [Role::D, Role::T1], [Role::B, Role::T1]]
+    };
+    let slip = pairs.iter().map(|&[x, y]| (speed(x) - speed(y)).abs()).fold(f64::INFINITY, f64::min);
+    let met = limits.ring_to_sun.contains(&k)
+        && within(error, requirements.tolerance)
+        && within(links, limits.link_speed)
+        && within(planets, limits.planet_speed)
+        && within(slip, limits.clutch_slip)
+        && efficiency >= limits.efficiency - 1e-9 * (1.0 + limits.efficiency)
+        && (wanted > 0.0 || !limits.same_direction);
+    let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
+    let torque = gear.driving()?.members[0].as_ref()?[0];
+    let size = relative_ring_diameter(k, torque, teeth.planets, &requirements.rating);
+    let distance = (k.ln() - k.clamp(low, high).ln()).abs();
+    met.then_some([-efficiency, links.max(planets), distance, error, size])
+}
+
+/// Designs that no other dominates, each compared with each; and how many meet the criteria.
+fn by_trial(search: &OneSetSearch) -> (BTreeMap<Key, [f64; 5]>, usize) {
+    let mut all = vec![];
+    for target in search.requirements.targets() {
+        for &set in &search.sets {
+            for teeth in tooth_numbers_by_trial(&search.bounds).unwrap() {
+                let costs = costs(&search.requirements, set, target[0], teeth);
+                all.extend(costs.map(|costs| ((set, teeth, target[0] < 0.0), costs)));
+            }
+        }
+    }
+    let dominates = |one: &[f64; 5], other: &[f64; 5]| {
+        one.iter().zip(other).all(|(a, b)| *a <= b + 1e-12)
+            && one.iter().zip(other).any(|(a, b)| *a < b - 1e-12)
+    };
+    let is_free = |(_, costs): &&(Key, [f64; 5])| !all.iter().any(|(_, other)| dominates(other, costs));
+    (all.iter().filter(is_free).copied().collect(), all.len())
+}
+
+fn members(found: &OneSetFound) -> BTreeMap<Key, [f64; 5]> {
+    let mut all = BTreeMap::new();
+    for entry in found.entries() {
+        let o = entry.objectives;
+        for design in found.designs(entry) {
+            for teeth in design.teeth {
+                assert_eq!(teeth.ring_to_sun_ratio(), design.k);
+                let costs = [-o.efficiency, o.speed, o.ring_to_sun, o.ratio_error, o.size];
+                all.insert((design.set, teeth, design.wanted < 0.0), costs);
+            }
+        }
+    }
+    all
+}
+
+fn equals_brute_force(search: &OneSetSearch) -> Result<usize, TestCaseError> {
+    let (exact, _) = by_trial(search);
+    let ours = members(&search.front().unwrap());
+    prop_assert_eq!(ours.keys().collect::<Vec<_>>(), exact.keys().collect::<Vec<_>>());
+    for (key, costs) in &ours {
+        for (one, other) in costs.iter().zip(exact[key]) {
+            prop_assert!((one - other).abs() < 1e-9, "{:?} {:?} {:?}", key, costs, exact[key]);
+        }
+    }
+    Ok(ours.len())
+}
+
+#[test]
+fn the_conveyor_over_small_rings() {
+    let mut search = search(3.9375);
+    search.bounds = Bounds { ring: 12..=80, ..Bounds::default() };
+    assert!(equals_brute_force(&search).unwrap() > 3);
+    search.requirements.signs = Signs::Any;
+    search.requirements.limits.planet_speed = 20.0;
+    search.requirements.limits.link_speed = 20.0;
+    assert!(equals_brute_force(&search).unwrap() > 3);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+    #[test]
+    fn search_equals_brute_force(
+        ratio in prop_oneof![-6.0..-0.15_f64, 0.15..0.95_f64, 1.05..8.0_f64],
+        sun in 8..20_u32,
+        least_planets in 2..4_u32,
+        tolerance in 0.005..0.5_f64,
+        limits in (0.85..0.985_f64, 1.0..4.0_f64, 0.5..6.0_f64, 0.3..3.0_f64),
+        switches in (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>()),
+        objective in 0..5_usize,
+        catalogue in any::<bool>(),
+    ) {
+        let mut search = search(ratio);
+        let of = &mut search.requirements;
+        of.tolerance = tolerance;
+        (of.limits.efficiency, of.limits.link_speed) = (limits.0, limits.1);
+        (of.limits.planet_speed, of.limits.clutch_slip) = (limits.2, limits.3);
+        (of.limits.drawable, of.limits.same_direction) = (switches.0, switches.3);
+        of.signs = if switches.1 { Signs::AsGiven } else { Signs::Alike };
+        if switches.2 {
+            of.rating.mesh_load_factors = [1.0, 1.0, 1.3, 1.9, 2.2, 2.4, 2.5];
+        }
+        search.sets = if catalogue { Space::Catalogue.sets() } else { Space::All.sets() };
+        search.order = Order::new(&[Objective::ALL[objective]]).unwrap();
+        search.bounds = Bounds {
+            sun: sun..=sun + 14, planet: 10..=35, ring: 24..=90, planets: least_planets..=5, ..Bounds::default()
+        };
+        equals_brute_force(&search)?;
+        // The best in the order are first.
+        let found = search.front().unwrap();
+        let first = |entry: &epicyclic_selection::front::Entry| {
+            let o = entry.objectives;
+            [-o.efficiency, o.speed, o.ring_to_sun, o.ratio_error, o.size][objective]
+        };
+        prop_assert!(found.entries().is_sorted_by(|one, other| first(one) <= first(other) + 1e-12));
+    }
+}
+
+#[test]
+fn what_was_searched_is_counted() {
+    let search = search(3.9375);
+    let found = search.front().unwrap();
+    let counts = found.counts();
+    assert_eq!((counts.tooth_sets, counts.patches, counts.designs), (8016, 12, 12 * 8016));
+    assert!(counts.tried >= counts.feasible && counts.feasible > 0 && counts.patches_tried < 12);
+    let (best, of) = (found.entries()[0].objectives, found.designs(&found.entries()[0]));
+    assert_eq!(of[0].set, [Role::D, Role::T1, Role::B]);
+    assert!(best.efficiency > 0.97 && best.ratio_error <= 0.1);
+}
+
+#[test]
+fn limits_of_module_and_ring_need_a_torque_and_are_kept() {
+    let mut search = search(3.9375);
+    search.bounds.ring = 12..=90;
+    let mm = Length::new::<millimeter>;
+    search.ring_diameter = Some(mm(200.0));
+    assert!(matches!(search.front(), Err(Error::SizeWithoutTorque)));
+    search.requirements.rating.load =
+        Some((Torque::new::<newton_meter>(500.0), Pressure::new::<megapascal>(2.0)));
+    let unit = search.requirements.rating.unit().unwrap();
+    let free = OneSetSearch { ring_diameter: None, ..search.clone() }.front().unwrap();
+    search.module = Some(mm(2.0)..=mm(3.0));
+    let found = search.front().unwrap();
+    assert!(found.counts().feasible < free.counts().feasible && !found.entries().is_empty());
+    for entry in found.entries() {
+        let ring = unit * entry.objectives.size;
+        assert!(ring <= mm(200.0));
+        for teeth in found.designs(entry).iter().flat_map(|design| &design.teeth) {
+            let module = ring / teeth.ring.as_f64();
+            assert!(module >= mm(2.0 - 1e-9) && module <= mm(3.0 + 1e-9), "{module:?}");
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_searched_is_refused() {
+    let two = Requirements::new(RatioSeries::of_braked_gears(&[1.5, 2.5]).unwrap());
+    assert_eq!(OneSetSearch::new(two).front().unwrap_err(), Error::OneRatio { count: 2 });
+    let mut wide = search(3.9375);
+    wide.order = Order::new(&[Objective::Circulation]).unwrap();
+    assert!(matches!(wide.front(), Err(Error::NoObjectiveOfTeeth { .. })));
+    wide.order = Order::default();
+    wide.requirements.tolerance = 0.9;
+    (wide.bounds.sun, wide.bounds.planet, wide.bounds.ring) = (1..=2000, 1..=2000, 1..=4000);
+    match wide.front() {
+        Err(Error::TooManyNear { tooth_sets, most: MOST_TOOTH_SETS }) => {
+            assert!(tooth_sets > MOST_TOOTH_SETS);
+        }
+        other => panic!("{other:?}"),
+    }
+    // Near the ratio there are few of the same.
+    wide.requirements.tolerance = 0.001;
+    let mut shares = vec![];
+    let found = wide.front_watched(|share| shares.push(share)).unwrap();
+    assert!(!found.entries().is_empty() && found.counts().tooth_sets as u64 > MOST_TOOTH_SETS);
+    assert!(shares.is_sorted() && shares.last() == Some(&1.0));
+}
