@@ -6,6 +6,8 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+mod common;
+
 use epicyclic_drawing::{Color, Point, Scene, Shape, Vertex, svg, text};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::chambers::Phase;
@@ -67,6 +69,7 @@ fn no_label_meets_a_line(view: &str, scene: &Scene) -> Result<(), TestCaseError>
     let label = met.first().map(|met| &scene.items()[met.label].shape);
     prop_assert!(met.is_empty(), "{view}: {label:?}");
     prop_assert!(scene.check().is_ok());
+    common::prints(scene);
     Ok(())
 }
 
