@@ -108,9 +108,10 @@ impl Places {
     /// Whether a leader may run from its point to the end.
     fn leads(&self, at: Point, end: Point, may_cross: bool) -> bool {
         let length = (end.x - at.x).hypot(end.y - at.y);
-        let is_own = |line: &Shape| distance(at, at, line) < OWN_MM;
-        let own =
-            self.lines.iter().filter(|(line, ..)| is_own(line)).map(|(_, half, _)| half + LEADER_CLEAR_MM);
+        let near = Bounds::of([at]).grown(OWN_MM);
+        let is_own = |line: &Shape, around: &Bounds| around.overlaps(near) && distance(at, at, line) < OWN_MM;
+        let own = self.lines.iter().filter(|(line, _, around)| is_own(line, &around.grown(HAIR_MM)));
+        let own = own.map(|(_, half, _)| half + LEADER_CLEAR_MM);
         let off = own.fold(OWN_MM, f64::max);
         let part = (off / length.max(off)).min(1.0);
         let off = Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y));
@@ -123,7 +124,7 @@ impl Places {
                     return true;
                 }
                 // A leader starts at the middle of its own line or at its edge.
-                let is_own = is_own(line);
+                let is_own = is_own(line, &around.grown(HAIR_MM));
                 (may_cross && !is_own) || distance(off, end, line) >= if is_own { *half } else { clear }
             })
     }

@@ -134,10 +134,10 @@ fn drawn(
     let at = if is_beside { Point::new(corner.x, corner.y + size.height_mm + 5.0) } else { below };
     let ends = rays.draw(&mut scene, &layers, at);
     if !size.is_bare {
-        // Beside rays that stand below, else below all.
+        // Beside the rays where there is room, else below all.
         let room = bounds.right - ends.right - size.apart_mm;
         let drawn = scene.bounds();
-        let (at, width_mm) = if is_beside || room < LEAST_WORDS_MM {
+        let (at, width_mm) = if room < LEAST_WORDS_MM {
             (Point::new(drawn.left, drawn.bottom - 6.0), drawn.width().max(LEAST_WORDS_MM))
         } else {
             (Point::new(ends.right + size.apart_mm, ends.top - 6.0), room)
