@@ -25,7 +25,7 @@ const ALL_TRIED: usize = 5;
 /// A tie nearer than this to a point seems to belong to it.
 const NEAR_MM: f64 = 4.0;
 /// How much the usual length of a lever and the usual height of its middle are worth against a level tie of a link.
-const USUAL: [f64; 2] = [2e-3, 5e-4];
+const USUAL: [f64; 2] = [0.002, 0.0005];
 /// How much a level tie of a clutch is worth.
 const CLUTCH: f64 = 0.02;
 /// Steps of the iteration for the heights, at most.
