@@ -164,7 +164,9 @@ fn arc(content: &mut Content, centre: Point, radius: f64, start: f64, sweep: f64
 }
 
 fn draw(content: &mut Content, step: Step) {
-    let xy = |point: Point| (single(point.x), single(point.y));
+    // To a tenth of a micrometre, as in SVG.
+    let round = |value: f64| single((1e4 * value).round() / 1e4);
+    let xy = |point: Point| (round(point.x), round(point.y));
     match step {
         Step::Move(to) => content.move_to(xy(to).0, xy(to).1),
         Step::Line(to) => content.line_to(xy(to).0, xy(to).1),

@@ -38,6 +38,8 @@ pub use merge::{Lever, levers};
 const FASTEST_MM: f64 = 26.0;
 /// From what belongs to one lever to what belongs to the next.
 const APART_MM: f64 = 9.0;
+/// The same on a page, whose width sets the size of the letters.
+const APART_ON_PAGE_MM: f64 = 6.5;
 /// From a lever to the plate of its first brake, and from brake to brake of one link.
 const BRAKE_MM: f64 = 5.0;
 /// From a lever to a clutch beside it.
@@ -59,7 +61,7 @@ struct Node {
 /// # Errors
 /// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow.
 pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) -> Result<Scene, Error> {
-    let mut sheet = drawn(gearbox, gear, heading)?;
+    let mut sheet = drawn(gearbox, gear, heading, APART_MM)?;
     sheet.legend();
     sheet.scene.check()?;
     Ok(sheet.scene)
@@ -70,7 +72,7 @@ pub fn scene(gearbox: &Gearbox, gear: Option<&Analysis>, heading: Option<&str>) 
 /// # Errors
 /// Those of [`scene`].
 pub fn bare(gearbox: &Gearbox, gear: Option<&Analysis>) -> Result<Scene, Error> {
-    let mut sheet = drawn(gearbox, gear, None)?;
+    let mut sheet = drawn(gearbox, gear, None, APART_ON_PAGE_MM)?;
     let bounds = sheet.scene.bounds();
     sheet.explain_signs(Point::new(bounds.left, bounds.bottom - 6.0), bounds.width().max(LEGEND_MM));
     sheet.scene.check()?;
@@ -82,6 +84,7 @@ fn drawn<'a>(
     gearbox: &'a Gearbox,
     gear: Option<&'a Analysis<'a>>,
     heading: Option<&str>,
+    apart_mm: f64,
 ) -> Result<Sheet<'a>, Error> {
     if let Some(gear) = gear {
         known(gearbox, gear)?;
@@ -107,7 +110,7 @@ fn drawn<'a>(
         scene,
         layers,
     };
-    sheet.place();
+    sheet.place(apart_mm);
     sheet.joints();
     let names = sheet.shift_elements();
     sheet.levers();
@@ -180,7 +183,7 @@ impl Sheet<'_> {
     }
 
     /// Levers side by side, each as far from the one before as what stands beside both needs.
-    fn place(&mut self) {
+    fn place(&mut self, apart_mm: f64) {
         let clutches = self.clutches();
         self.columns = arrange::arrange(&self.levers, &clutches);
         self.ties = arrange::ties(&self.columns, &clutches);
@@ -202,7 +205,7 @@ impl Sheet<'_> {
             let left = names.chain(brakes).chain(backward).fold(BESIDE_MM * beside as f64, f64::max) + 2.0;
             let ahead = offsets().map(|offset| offset.max(0.0) + 10.0).fold(4.0, f64::max);
             if place > 0 {
-                x += left + APART_MM;
+                x += left + apart_mm;
             }
             let node = |&(link, y): &(LinkId, f64)| {
                 let tip = |speed: f64| Point::new(x + FASTEST_MM * speed / fastest, y);
