@@ -89,19 +89,19 @@ impl OutlineBuilder for Pen {
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
         // The cubic curve of the same shape has its control points two thirds of the way.
-        let (control, end) = (point(x1, y1), point(x, y));
+        let (bend, end) = (point(x1, y1), point(x, y));
         let near = |from: Point| {
-            Point::new(from.x + 2.0 / 3.0 * (control.x - from.x), from.y + 2.0 / 3.0 * (control.y - from.y))
+            Point::new(from.x + 2.0 / 3.0 * (bend.x - from.x), from.y + 2.0 / 3.0 * (bend.y - from.y))
         };
-        let controls = [near(self.at), near(end)].map(&self.place);
-        self.steps.push(Step::Curve(controls, (self.place)(end)));
+        let bends = [near(self.at), near(end)].map(&self.place);
+        self.steps.push(Step::Curve(bends, (self.place)(end)));
         self.at = end;
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
         self.at = point(x, y);
-        let controls = [point(x1, y1), point(x2, y2)].map(&self.place);
-        self.steps.push(Step::Curve(controls, (self.place)(self.at)));
+        let bends = [point(x1, y1), point(x2, y2)].map(&self.place);
+        self.steps.push(Step::Curve(bends, (self.place)(self.at)));
     }
 
     fn close(&mut self) {

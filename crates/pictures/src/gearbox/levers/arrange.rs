@@ -8,7 +8,7 @@
 //!   +  Σ |rise of a tie|, mm  +  5·Σ levers between the ends of a tie
 //! ```
 //!
-//! For one order and one sense of all levers, heights and lengths are those that make the sum of the squared rises least, lengths
+//! For one order and given upper ends of all levers, heights and lengths are those that make the sum of the squared rises least, lengths
 //! between 0.8 and 1.3 of the usual one. All orders and senses of up to five levers are tried. Beyond, the order is improved from that of the file by exchanging
 //! two levers or turning one while this costs less; the result then need not be the best.
 
