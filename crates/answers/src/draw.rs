@@ -97,6 +97,8 @@ pub enum View {
     Motor,
     /// Of a motor: its chambers by pressure.
     Chambers,
+    /// Of a motor: its dimensions and a table of wheel data.
+    Dimensions,
 }
 
 /// The sheet that a drawing fills.
@@ -129,6 +131,10 @@ pub enum FileFormat {
     Svg,
     /// A drawing in millimetres for CAD.
     Dxf,
+    /// A page of the drawing's size.
+    Pdf,
+    /// An image of pixels.
+    Png,
 }
 
 impl Answer for Drawing {

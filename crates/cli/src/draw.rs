@@ -1,4 +1,4 @@
-//! The command `draw`: pictures of gearboxes as SVG and DXF.
+//! The command `draw`: pictures of gearboxes and hydromotors as SVG, DXF, PDF and PNG.
 
 mod subject;
 
@@ -14,8 +14,8 @@ use epicyclic_answers::draw as answers;
 use epicyclic_answers::draw::{Drawing, FileFormat, Sheet};
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::motor::of_file;
-use epicyclic_drawing::{Scene, dxf, svg};
-use epicyclic_formats::{self as formats, Document, Quantity};
+use epicyclic_drawing::{Scene, dxf, pdf, png, svg};
+use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
@@ -80,9 +80,13 @@ pub(crate) struct Args {
     #[arg(long)]
     title: Option<String>,
 
-    /// File for the drawing: DXF if its name ends in .dxf, otherwise SVG. Default: SVG on standard output.
+    /// File for the drawing, by the end of its name: .dxf, .pdf, .png, otherwise SVG. Default: SVG on standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+
+    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300.
+    #[arg(long, value_name = "NUMBER", requires = "output")]
+    dpi: Option<Number>,
 
     /// File for the drawing as SVG.
     #[arg(long, value_name = "FILE")]
@@ -125,6 +129,8 @@ enum View {
     Motor,
     /// Of a motor: its chambers coloured by pressure.
     Chambers,
+    /// Of a motor: its dimensions and a table of wheel data, for a drawing office.
+    Dimensions,
 }
 
 impl View {
@@ -136,6 +142,7 @@ impl View {
             Self::Teeth => Some(motor::View::Teeth),
             Self::Motor => Some(motor::View::Motor),
             Self::Chambers => Some(motor::View::Chambers),
+            Self::Dimensions => Some(motor::View::Dimensions),
         }
     }
 
@@ -149,6 +156,7 @@ impl View {
             Self::Teeth => answers::View::Teeth,
             Self::Motor => answers::View::Motor,
             Self::Chambers => answers::View::Chambers,
+            Self::Dimensions => answers::View::Dimensions,
         }
     }
 }
@@ -179,16 +187,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         say(&to_json(&drawing)?)?;
     }
     let scene = scene?;
-    let is_dxf = |file: &Path| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
-    let ending =
-        args.output.as_deref().and_then(Path::extension).map(|end| end.to_string_lossy().to_lowercase());
-    if let Some(end) = ending.filter(|end| end != "svg" && end != "dxf") {
-        let message = format!("a drawing ends in .svg or .dxf, not .{end}");
-        return Err(Failure::Option { option: "--output", message });
-    }
-    let of_output = |file| (file, if is_dxf(file) { FileFormat::Dxf } else { FileFormat::Svg });
     let mut files: Vec<(&Path, FileFormat)> = vec![];
-    files.extend(args.output.as_deref().map(of_output));
+    if let Some(file) = args.output.as_deref() {
+        files.push((file, format_of(file)?));
+    }
+    if args.dpi.is_some() && files.iter().all(|(_, format)| *format != FileFormat::Png) {
+        let message = "it is for images of pixels; let --output end in .png".to_owned();
+        return Err(Failure::Option { option: "--dpi", message });
+    }
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
     files.extend(args.dxf.as_deref().map(|file| (file, FileFormat::Dxf)));
     if files.is_empty() && args.format == Format::Text {
@@ -196,11 +202,20 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let mut written = vec![];
     for (file, format) in files {
-        let text = match format {
-            FileFormat::Svg => svg::write(&scene),
-            FileFormat::Dxf => dxf::write(&scene),
+        let dpi = args.dpi.map_or(DPI, Number::get);
+        let content = match format {
+            FileFormat::Svg => svg::write(&scene).map(String::into_bytes),
+            FileFormat::Dxf => dxf::write(&scene).map(String::into_bytes),
+            FileFormat::Pdf => pdf::write(&scene),
+            FileFormat::Png => png::write(&scene, dpi),
         };
-        written.push((file.to_owned(), text.map_err(|error| placed(error.into()))?.into_bytes()));
+        let content = content.map_err(|error| match error {
+            epicyclic_drawing::Error::Pixels { .. } => {
+                Failure::Option { option: "--dpi", message: error.to_string() }
+            }
+            error => placed(error.into()),
+        });
+        written.push((file.to_owned(), content?));
         drawing.files.push(answers::File { path: file.display().to_string(), format });
     }
     let size = scene.bounds().grown(svg::MARGIN_MM);
@@ -211,6 +226,24 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     write_files(&written)?;
     say(&told)
+}
+
+/// The resolution of an image where none is given.
+const DPI: f64 = 300.0;
+
+/// What the end of a file's name asks for.
+fn format_of(file: &Path) -> Result<FileFormat, Failure> {
+    let end = file.extension().map(|end| end.to_string_lossy().to_lowercase());
+    match end.as_deref() {
+        None | Some("svg") => Ok(FileFormat::Svg),
+        Some("dxf") => Ok(FileFormat::Dxf),
+        Some("pdf") => Ok(FileFormat::Pdf),
+        Some("png") => Ok(FileFormat::Png),
+        Some(end) => {
+            let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
+            Err(Failure::Option { option: "--output", message })
+        }
+    }
 }
 
 /// The drawing that the options describe, before it is made.
@@ -248,7 +281,7 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
     }
     let view = args.view.unwrap_or(View::Motor);
     let Some(of_motor) = view.of_motor() else {
-        let message = "a motor has the views centrodes, teeth, motor, chambers".to_owned();
+        let message = "a motor has the views centrodes, teeth, motor, chambers, dimensions".to_owned();
         return Err(Failure::Option { option: "--view", message });
     };
     let base = formats::Path::root();

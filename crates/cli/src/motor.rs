@@ -195,6 +195,8 @@ pub(crate) enum View {
     Motor,
     /// The chambers coloured by pressure.
     Chambers,
+    /// Dimensions and a table of wheel data, for a drawing office.
+    Dimensions,
 }
 
 /// Runs the command.

@@ -114,7 +114,7 @@ fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
             &["draw", name, "--gear", "1", "-o", "flow.svg"],
             &["draw", name, "--k1", "2", "-o", "flow.svg"],
             &["draw", name, "--k1", "0.5", "--k2", "2", "-o", "flow.svg"],
-            &["draw", name, "-o", "scheme.png"],
+            &["draw", name, "-o", "scheme.jpg"],
         ]
     ));
 }

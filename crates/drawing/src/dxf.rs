@@ -221,7 +221,7 @@ impl Writer {
 
     fn layer(&mut self, name: &str, style: Style) {
         self.record("LAYER", None, handle::LAYER, "AcDbLayerTableRecord", name);
-        self.pair(62, color_index(style.fill.unwrap_or(style.color)));
+        self.pair(62, color_of(style));
         self.pair(6, line_type(style.dash).0);
         self.pair(370, line_weight(style.width_mm));
         self.handle(390, 0);
@@ -282,7 +282,7 @@ impl Writer {
         self.pair(100, "AcDbEntity");
         self.pair(8, encoded(&scene.layers()[item.layer.0].name));
         if let Some(style) = item.style {
-            self.pair(62, color_index(style.fill.unwrap_or(style.color)));
+            self.pair(62, color_of(style));
             self.pair(6, line_type(style.dash).0);
             self.pair(370, line_weight(style.width_mm));
         }
@@ -384,30 +384,84 @@ fn line_weight(width_mm: f64) -> u16 {
     WEIGHTS.into_iter().min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(25)
 }
 
-/// The nearest of the plain AutoCAD colours; 7 is black on white and white on black.
+/// The colour of a style: that of its line, of a mere fill that of the fill.
+fn color_of(style: Style) -> u16 {
+    color_index(if style.width_mm > 0.0 { style.color } else { style.fill.unwrap_or(style.color) })
+}
+
+/// The least contrast of every colour with white paper and with a black screen: that which WCAG 2 asks of graphics.
+pub const LEAST_CONTRAST: f64 = 3.0;
+
+/// Colours by their AutoCAD index that print on white and are seen on black, each with a contrast of at least [`LEAST_CONTRAST`] to
+/// both. Besides them there is only 7, which is black on white and white on black.
+const PRINTED: [(u16, Color); 8] = [
+    (1, Color::new(255, 0, 0)),
+    (32, Color::new(165, 82, 0)),
+    (42, Color::new(165, 124, 0)),
+    (94, Color::new(0, 127, 0)),
+    (134, Color::new(0, 127, 127)),
+    (150, Color::new(0, 127, 255)),
+    (200, Color::new(191, 0, 255)),
+    (230, Color::new(255, 0, 127)),
+];
+
+/// Neutral grey that prints.
+const GREY: (u16, Color) = (8, Color::new(128, 128, 128));
+
+/// Black on white, white on black.
+const FOREGROUND: u16 = 7;
+
+/// Channels that differ by less are neutral.
+const NEUTRAL: u8 = 40;
+
+/// Neutral colours darker than this are the foreground's.
+const DARK: u8 = 70;
+
+/// The printed colour of the nearest hue, however light or dark; black and dark greys as the foreground, others as grey.
 fn color_index(color: Color) -> u16 {
-    const INDEXED: [(u16, Color); 15] = [
-        (1, Color::new(255, 0, 0)),
-        (2, Color::new(255, 255, 0)),
-        (3, Color::new(0, 255, 0)),
-        (4, Color::new(0, 255, 255)),
-        (5, Color::new(0, 0, 255)),
-        (6, Color::new(255, 0, 255)),
-        (7, Color::BLACK),
-        (8, Color::new(128, 128, 128)),
-        (9, Color::new(192, 192, 192)),
-        (30, Color::new(255, 127, 0)),
-        (94, Color::new(0, 127, 0)),
-        (150, Color::new(0, 127, 255)),
-        (174, Color::new(0, 0, 127)),
-        (14, Color::new(127, 0, 0)),
-        (254, Color::new(230, 230, 230)),
-    ];
-    let distance = |other: Color| {
-        let part = |a: u8, b: u8| (i32::from(a) - i32::from(b)).pow(2);
-        part(color.red, other.red) + part(color.green, other.green) + part(color.blue, other.blue)
+    let channels = [color.red, color.green, color.blue];
+    let (least, most) = (channels.into_iter().min().unwrap_or(0), channels.into_iter().max().unwrap_or(0));
+    if most - least < NEUTRAL {
+        return if most < DARK { FOREGROUND } else { GREY.0 };
+    }
+    // Angle between hues, on the circle.
+    let apart = |other: Color| (hue_rad(color) - hue_rad(other)).cos();
+    PRINTED.iter().max_by(|a, b| apart(a.1).total_cmp(&apart(b.1))).map_or(FOREGROUND, |(index, _)| *index)
+}
+
+/// The angle of a colour's hue, red at 0, green at a third of a turn.
+fn hue_rad(color: Color) -> f64 {
+    let [red, green, blue] = [color.red, color.green, color.blue].map(f64::from);
+    (3.0_f64.sqrt() * (green - blue)).atan2(2.0 * red - green - blue)
+}
+
+/// The contrast of an index with white and with black, `(L₁ + 0.05)/(L₂ + 0.05)` of the relative luminances; `None` of one that no drawing has.
+///
+/// ```
+/// use epicyclic_drawing::dxf::{LEAST_CONTRAST, contrast};
+///
+/// assert_eq!(contrast(7), Some([21.0, 21.0])); // black on white, white on black
+/// assert!(contrast(94).is_some_and(|both| both.iter().all(|contrast| *contrast >= LEAST_CONTRAST)));
+/// assert_eq!(contrast(2), None); // yellow, which nobody sees on paper
+/// ```
+///
+/// # Source
+/// Web Content Accessibility Guidelines 2.1, relative luminance and contrast ratio.
+#[must_use]
+pub fn contrast(index: u16) -> Option<[f64; 2]> {
+    let of = |color: Color| {
+        let linear = |channel: u8| {
+            let part = f64::from(channel) / 255.0;
+            if part <= 0.03928 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+        };
+        let luminance =
+            0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+        [1.05 / (luminance + 0.05), (luminance + 0.05) / 0.05]
     };
-    INDEXED.iter().min_by_key(|(_, other)| distance(*other)).map_or(7, |(index, _)| *index)
+    if index == FOREGROUND {
+        return Some([21.0, 21.0]);
+    }
+    PRINTED.iter().chain([&GREY]).find(|(other, _)| *other == index).map(|(_, color)| of(*color))
 }
 
 #[cfg(test)]
@@ -418,7 +472,24 @@ mod tests {
     fn colours_and_weights_are_the_nearest_that_dxf_has() {
         assert_eq!(color_index(Color::new(250, 5, 5)), 1);
         assert_eq!(color_index(Color::new(10, 10, 10)), 7);
+        // Light fills of a hue as the hue, light greys as grey; the line of a filled shape counts before its fill.
+        assert_eq!([Color::new(120, 170, 215), Color::new(226, 229, 233)].map(color_index), [150, 8]);
+        assert_eq!(color_of(Style::line(0.4).fill(Color::WHITE)), 7);
+        assert_eq!(color_of(Style::filled(Color::new(240, 140, 20))), 32);
         assert_eq!([0.0, 0.18, 0.5, 9.0].map(line_weight), [0, 18, 50, 211]);
+    }
+
+    #[test]
+    fn every_colour_prints_and_is_seen_on_a_screen() {
+        for red in (0..=255).step_by(15) {
+            for green in (0..=255).step_by(15) {
+                for blue in (0..=255).step_by(15) {
+                    let index = color_index(Color::new(red, green, blue));
+                    let [white, black] = contrast(index).unwrap();
+                    assert!(white >= LEAST_CONTRAST && black >= LEAST_CONTRAST, "{index}: {white} {black}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -36,6 +36,36 @@ pub enum Error {
         /// The value.
         value: f64,
     },
+    /// A scene that no PDF page holds.
+    #[error(
+        "the drawing is {width_mm:.0} × {height_mm:.0} mm; a PDF page has at most {most_mm:.0} mm each way"
+    )]
+    PageSize {
+        /// Its width.
+        width_mm: f64,
+        /// Its height.
+        height_mm: f64,
+        /// The most that a page has.
+        most_mm: f64,
+    },
+    /// A resolution that is none, or too many pixels.
+    #[error(
+        "{dpi} pixels an inch make an image of {width:.0} × {height:.0} pixels; from {least_dpi} to {most_dpi} an inch and at most {most:.0} in all are allowed"
+    )]
+    Pixels {
+        /// Pixels to an inch.
+        dpi: f64,
+        /// Pixels across.
+        width: f64,
+        /// Pixels down.
+        height: f64,
+        /// The least resolution.
+        least_dpi: f64,
+        /// The greatest.
+        most_dpi: f64,
+        /// The most pixels.
+        most: f64,
+    },
     /// A polyline of less than two points.
     #[error("a polyline on layer `{layer}` has {points} points; it needs at least two")]
     TooFewPoints {

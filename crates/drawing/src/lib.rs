@@ -1,4 +1,4 @@
-//! A scene of lines, arcs, polylines and text on layers, written as SVG and DXF.
+//! A scene of lines, arcs, polylines and text on layers, written as SVG, DXF, PDF and PNG.
 //!
 //! | module | is |
 //! |---|---|
@@ -7,6 +7,8 @@
 //! | [`text`] | text, the room that it takes, labels that overlap |
 //! | [`svg`] | the scene as an SVG image, one unit a millimetre |
 //! | [`dxf`] | the scene as a DXF drawing in millimetres, for CAD |
+//! | `pdf` | with the feature `print`: the scene as a PDF page of its size |
+//! | `png` | with the feature `print`: the scene as pixels |
 //!
 //! Coordinates are millimetres, `x` to the right and `y` **up**; angles are radians, counter-clockwise. Nothing here knows a gear or
 //! opens a file.
@@ -30,7 +32,13 @@
 mod bounds;
 pub mod dxf;
 mod error;
+#[cfg(feature = "print")]
+mod glyphs;
 mod label;
+#[cfg(feature = "print")]
+pub mod pdf;
+#[cfg(feature = "print")]
+pub mod png;
 pub mod scene;
 pub mod style;
 pub mod svg;

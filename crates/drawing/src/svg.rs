@@ -4,8 +4,10 @@
 //! across layers: a layer whose shapes are drawn in several goes appears as several groups, of which the first has the `id`.
 
 use svg::Document;
+use svg::node::Node;
 use svg::node::element::{Circle, Group, Path, Rectangle, Text as TextElement, Title};
 
+use crate::bounds::Bounds;
 use crate::error::Error;
 use crate::label::{Align, FONTS, Text, one_line};
 use crate::scene::{Item, Point, Scene, Shape, Vertex, arc_of_side, sides};
@@ -19,7 +21,7 @@ pub const MARGIN_MM: f64 = 4.0;
 /// # Errors
 /// As [`Scene::check`].
 pub fn write(scene: &Scene) -> Result<String, Error> {
-    image(scene, true)
+    image(scene, true, &element)
 }
 
 /// The same to stand among others in one page: its groups have no `id`, and the page sets its size.
@@ -27,14 +29,40 @@ pub fn write(scene: &Scene) -> Result<String, Error> {
 /// # Errors
 /// As [`Scene::check`].
 pub fn embed(scene: &Scene) -> Result<String, Error> {
-    image(scene, false)
+    image(scene, false, &element)
 }
 
-fn image(scene: &Scene, alone: bool) -> Result<String, Error> {
-    scene.check()?;
+/// The same with text as outlines, for which no font is needed.
+///
+/// # Errors
+/// As [`Scene::check`].
+#[cfg(feature = "print")]
+pub fn outlined(scene: &Scene) -> Result<String, Error> {
+    image(scene, true, &|text: &Text, style: Style| {
+        let outline = crate::glyphs::outline(text);
+        let data = outline.iter().map(|step| match step {
+            crate::glyphs::Step::Move(to) => format!("M{}", place(*to)),
+            crate::glyphs::Step::Line(to) => format!("L{}", place(*to)),
+            crate::glyphs::Step::Curve([one, other], to) => {
+                format!("C{} {} {}", place(*one), place(*other), place(*to))
+            }
+            crate::glyphs::Step::Close => "Z".to_owned(),
+        });
+        Path::new().set("d", data.collect::<String>()).set("fill", style.color.hex()).set("stroke", "none")
+    })
+}
+
+/// The page of a scene: what is drawn and the border around it.
+pub(crate) fn page(scene: &Scene) -> Bounds {
     let bounds = scene.bounds();
     let bounds = if bounds.is_empty() { Shape::line([0.0, 0.0], [0.0, 0.0]).bounds() } else { bounds };
-    let bounds = bounds.grown(MARGIN_MM);
+    bounds.grown(MARGIN_MM)
+}
+
+/// The scene, its text as the elements that a function makes.
+fn image<T: Node>(scene: &Scene, alone: bool, text: &impl Fn(&Text, Style) -> T) -> Result<String, Error> {
+    scene.check()?;
+    let bounds = page(scene);
     let (left, top) = (bounds.left, -bounds.top);
     let (width, height) = (bounds.width(), bounds.height());
     let paper = Rectangle::new()
@@ -63,12 +91,12 @@ fn image(scene: &Scene, alone: bool) -> Result<String, Error> {
         if alone && !std::mem::replace(&mut seen[first.layer.0], true) {
             group = group.set("id", class(&layer.name));
         }
-        document = document.add(run.iter().fold(group, |group, item| add(group, scene, item)));
+        document = document.add(run.iter().fold(group, |group, item| add(group, scene, item, text)));
     }
     Ok(document.to_string())
 }
 
-fn add(group: Group, scene: &Scene, item: &Item) -> Group {
+fn add<T: Node>(group: Group, scene: &Scene, item: &Item, element: &impl Fn(&Text, Style) -> T) -> Group {
     let shape = |group: Group| match &item.shape {
         Shape::Circle { centre, radius } => group.add(
             Circle::new().set("cx", number(centre.x)).set("cy", number(-centre.y)).set("r", number(*radius)),

@@ -56,23 +56,71 @@ pub fn is_free(scene: &Scene, text: &Text, margin_mm: f64) -> bool {
 /// ```
 #[must_use]
 pub fn line_meets(shape: &Shape, bounds: Bounds) -> bool {
-    let arc = |centre: Point, radius: f64, start: f64, sweep: f64| {
+    let mut meets = false;
+    pieces(shape, |from, to| meets = meets || segment_meets(from, to, bounds));
+    meets
+}
+
+/// The least distance between a straight line and a shape's line, 0 where they cross; infinite of text. Arcs are followed in steps of at
+/// most 3°.
+///
+/// ```
+/// use epicyclic_drawing::{Point, Shape, text::distance};
+///
+/// let level = Shape::line([0.0, 0.0], [9.0, 0.0]);
+/// assert_eq!(distance(Point::new(4.0, 3.0), Point::new(4.0, -1.0), &level), 0.0);
+/// assert_eq!(distance(Point::new(13.0, 3.0), Point::new(20.0, 3.0), &level), 5.0);
+/// ```
+#[must_use]
+pub fn distance(from: Point, to: Point, shape: &Shape) -> f64 {
+    let mut least = f64::INFINITY;
+    pieces(shape, |start, end| least = least.min(apart([from, to], [start, end])));
+    least
+}
+
+/// Distance of two straight lines: 0 where they cross, else that of an end from the other line.
+fn apart(one: [Point; 2], other: [Point; 2]) -> f64 {
+    let aside = |[a, b]: [Point; 2], p: Point| (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    let parted = |line: [Point; 2], ends: [Point; 2]| aside(line, ends[0]) * aside(line, ends[1]) < 0.0;
+    if parted(one, other) && parted(other, one) {
+        return 0.0;
+    }
+    let to_line = |[a, b]: [Point; 2], p: Point| {
+        let (dx, dy) = (b.x - a.x, b.y - a.y);
+        let square = dx * dx + dy * dy;
+        let along = if square == 0.0 { 0.0 } else { ((p.x - a.x) * dx + (p.y - a.y) * dy) / square };
+        let along = along.clamp(0.0, 1.0);
+        (p.x - a.x - along * dx).hypot(p.y - a.y - along * dy)
+    };
+    let ends = one.map(|end| to_line(other, end)).into_iter().chain(other.map(|end| to_line(one, end)));
+    ends.fold(f64::INFINITY, f64::min)
+}
+
+/// The straight pieces that a shape's line is followed in, arcs by pieces of at most 3°; none of text.
+fn pieces(shape: &Shape, mut each: impl FnMut(Point, Point)) {
+    let arc = |centre: Point, radius: f64, start: f64, sweep: f64, each: &mut dyn FnMut(Point, Point)| {
         let steps = (sweep.abs() / 0.05).ceil().clamp(1.0, 200.0);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 1 to 200
-        let point = move |i: u32| Point::polar(centre, radius, start + sweep * f64::from(i) / steps);
-        (0..steps as u32).any(|i| segment_meets(point(i), point(i + 1), bounds))
+        let point = |i: u32| Point::polar(centre, radius, start + sweep * f64::from(i) / steps);
+        for i in 0..steps as u32 {
+            each(point(i), point(i + 1));
+        }
     };
     match shape {
-        Shape::Line { from, to } => segment_meets(*from, *to, bounds),
-        Shape::Circle { centre, radius } => arc(*centre, *radius, 0.0, std::f64::consts::TAU),
-        Shape::Arc { centre, radius, start_rad, sweep_rad } => arc(*centre, *radius, *start_rad, *sweep_rad),
-        Shape::Polyline { vertices, closed } => {
-            sides(vertices, *closed).any(|(from, to, bulge)| match arc_of_side(from, to, bulge) {
-                Some((centre, radius, start, sweep)) => arc(centre, radius, start, sweep),
-                None => segment_meets(from, to, bounds),
-            })
+        Shape::Line { from, to } => each(*from, *to),
+        Shape::Circle { centre, radius } => arc(*centre, *radius, 0.0, std::f64::consts::TAU, &mut each),
+        Shape::Arc { centre, radius, start_rad, sweep_rad } => {
+            arc(*centre, *radius, *start_rad, *sweep_rad, &mut each);
         }
-        Shape::Text(_) => false,
+        Shape::Polyline { vertices, closed } => {
+            for (from, to, bulge) in sides(vertices, *closed) {
+                match arc_of_side(from, to, bulge) {
+                    Some((centre, radius, start, sweep)) => arc(centre, radius, start, sweep, &mut each),
+                    None => each(from, to),
+                }
+            }
+        }
+        Shape::Text(_) => {}
     }
 }
 

@@ -8,6 +8,7 @@
 //! | `IDLE` | a power over the one that enters | what is left of 0 by rounding |
 //! | `CIRCULATES` | a circulating power over the one that enters | a line of its width could not be seen |
 //! | `PLACE` | a difference of places on a lever, over its length | places are ratios of a few tooth numbers |
+//! | `LEVEL` | a rise of a tie, mm, or a difference of costs | heights are steps of an iteration |
 //! | `HAIR_MM` | what a box grows by, mm | of a straight line the box has no width |
 //! | `SHOWN` | a number in words | it has at most nine decimals |
 //! | `EXTREME` | the growth of a chamber over the greatest | the angles of extremes are known to about its root |
@@ -32,6 +33,9 @@ pub(crate) const CIRCULATES: f64 = 1e-6;
 
 /// Places on a lever that differ by less are one.
 pub(crate) const PLACE: f64 = 1e-9;
+
+/// Ties that rise less are level, and costs that differ by less are equal.
+pub(crate) const LEVEL: f64 = 1e-6;
 
 /// Half the width of the box around a straight line.
 pub(crate) const HAIR_MM: f64 = 1e-9;

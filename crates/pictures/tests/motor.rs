@@ -6,13 +6,15 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+mod common;
+
 use epicyclic_drawing::{Color, Point, Scene, Shape, Vertex, svg, text};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
-use epicyclic_pictures::motor::{TOLERANCE_MM, centrodes, chambers, outline, teeth, whole};
+use epicyclic_pictures::motor::{TOLERANCE_MM, centrodes, chambers, dimensions, outline, teeth, whole};
 use proptest::prelude::*;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -67,6 +69,7 @@ fn no_label_meets_a_line(view: &str, scene: &Scene) -> Result<(), TestCaseError>
     let label = met.first().map(|met| &scene.items()[met.label].shape);
     prop_assert!(met.is_empty(), "{view}: {label:?}");
     prop_assert!(scene.check().is_ok());
+    common::prints(scene);
     Ok(())
 }
 
@@ -75,6 +78,7 @@ fn nothing_overlaps(motor: &Motor, rotation: Angle) -> Result<(), TestCaseError>
         ("centrodes", centrodes(motor, rotation).unwrap()),
         ("motor", whole(motor, rotation).unwrap()),
         ("chambers", chambers(motor, rotation).unwrap()),
+        ("dimensions", dimensions(motor, None, Some(mm(40.0)), rotation).unwrap()),
     ];
     views.iter().try_for_each(|(view, scene)| no_label_meets_a_line(view, scene))
 }
@@ -86,6 +90,39 @@ fn no_label_of_the_known_motors_meets_a_line() {
             nothing_overlaps(&motor, turned(angle)).unwrap();
         }
     }
+}
+
+/// Diameters, radii and counts stand in the drawing as the motor has them, each diameter between its two arrows; tolerances are blank.
+#[test]
+fn the_dimensions_are_those_of_the_motor() {
+    let motor = two_arcs([5, 3, 55, 10], 2.0, 80.0);
+    let profile = Profile::new(&motor, ToothForm::default()).unwrap();
+    let scene = dimensions(&motor, Some(&profile), Some(mm(40.0)), turned(0.0)).unwrap();
+    common::check(&scene);
+    let says = |words: &str| {
+        let texts = scene
+            .items()
+            .iter()
+            .filter(|item| matches!(&item.shape, Shape::Text(text) if text.content == words));
+        texts.count()
+    };
+    // R₁, R₂, l, a of the source's vector, in five digits; satellites of 10 teeth of 2 mm.
+    for words in ["R32.208", "R25.883", "a = 30.613", "80", "8× Ø20", "55 / 33 / 10", "Tolerance", "40"] {
+        assert!(says(words) >= 1, "{words}");
+    }
+    let arcs = motor.arcs().unwrap();
+    let outer = 2.0 * (arcs.crest_distance() + arcs.crest_radius()).get::<millimeter>();
+    assert_eq!(says(&format!("Ø{outer:.2}")), 1, "{outer}");
+    let line = scene.items().iter().any(|item| match item.shape {
+        Shape::Line { from, to } => from.y == to.y && ((to.x - from.x) - outer).abs() < 1e-9,
+        _ => false,
+    });
+    assert!(line, "a dimension line of {outer}");
+    // Without teeth and width the table says so, and leaves the width open.
+    let bare = dimensions(&motor, None, None, turned(0.0)).unwrap();
+    assert!(
+        bare.items().iter().any(|item| matches!(&item.shape, Shape::Text(text) if text.content == "none"))
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Picture, catalogue, check, in_service, layout, met};
+use common::{Picture, catalogue, check, crossed, examples, gears, in_service, layout, met};
 use epicyclic_drawing::{Color, Scene, Shape};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::teeth::ToothCount;
@@ -22,7 +22,7 @@ const POWER: Color = Color::new(30, 95, 170);
 const CIRCULATING: Color = Color::new(240, 140, 20);
 
 fn all() -> impl Iterator<Item = Gearbox> {
-    catalogue().into_iter().chain(in_service())
+    catalogue().into_iter().chain(in_service()).chain(examples())
 }
 
 #[test]
@@ -41,9 +41,8 @@ fn no_label_of_a_structure_meets_anything() {
 fn no_label_of_a_gear_meets_anything() {
     for gearbox in all() {
         let layout = layout(&gearbox);
-        for gear in gearbox.gears() {
-            let analysis = gearbox.analyze(gear.name()).unwrap();
-            let title = format!("{} gear {}", gearbox.name(), gear.name());
+        for analysis in gears(&gearbox) {
+            let title = format!("{} gear {}", gearbox.name(), analysis.gear().name());
             for (show, title) in [
                 (Show::Gear(&analysis), format!("{title} state")),
                 (Show::Power(&analysis), format!("{title} power")),
@@ -60,11 +59,11 @@ fn no_label_of_a_gear_meets_anything() {
 fn a_narrow_scheme_keeps_its_width_and_no_label_meets_anything() {
     for gearbox in all() {
         let layout = layout(&gearbox);
-        for gear in gearbox.gears() {
-            let analysis = gearbox.analyze(gear.name()).unwrap();
+        for analysis in gears(&gearbox) {
             for show in [Show::Structure, Show::Power(&analysis)] {
                 let drawn = narrow(&gearbox, &layout, show, 100.0).unwrap();
                 assert_eq!(met(&drawn), [""; 0], "{}", drawn.title());
+                assert_eq!(crossed(&drawn), [""; 0], "{}", drawn.title());
                 let width = drawn.bounds().width();
                 assert!(width <= 103.0, "{}: {width}", drawn.title());
             }
@@ -87,6 +86,7 @@ fn no_label_of_any_two_set_structure_meets_anything() {
             for show in [Show::Structure, Show::Gear(&gear), Show::Power(&gear)] {
                 let scene = scene(&gearbox, &layout, show, &Options::default()).unwrap();
                 assert_eq!(met(&scene), [""; 0], "{structure} {same_side}");
+                assert_eq!(crossed(&scene), [""; 0], "{structure} {same_side}");
             }
         }
     }
@@ -172,8 +172,8 @@ fn widths_are_powers() {
 #[test]
 fn powers_of_all_pieces_follow() {
     for gearbox in all() {
-        for gear in gearbox.gears() {
-            let analysis = gearbox.analyze(gear.name()).unwrap();
+        for analysis in gears(&gearbox) {
+            let gear = analysis.gear();
             let scene = in_gear(&gearbox, gear.name(), true);
             let says = |words: &str| {
                 scene

@@ -300,6 +300,8 @@ pub enum View {
     Motor,
     /// The chambers coloured by pressure.
     Chambers,
+    /// Dimensions and a table of wheel data.
+    Dimensions,
 }
 
 /// A drawing of a motor at its angle.
@@ -312,6 +314,9 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
         View::Centrodes => pictures::centrodes(motor, *angle),
         View::Motor => pictures::whole(motor, *angle),
         View::Chambers => pictures::chambers(motor, *angle),
+        View::Dimensions => {
+            pictures::dimensions(motor, designed.profile.as_ref().ok(), designed.width, *angle)
+        }
         View::Teeth => match &designed.profile {
             Ok(profile) => pictures::teeth(profile, *angle),
             Err(why) => return Err(Error::NoTeeth(Box::new(why.clone().into()))),

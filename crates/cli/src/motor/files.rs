@@ -36,6 +36,7 @@ pub(super) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
         View::Teeth => motor::View::Teeth,
         View::Motor => motor::View::Motor,
         View::Chambers => motor::View::Chambers,
+        View::Dimensions => motor::View::Dimensions,
     };
     motor::scene(view, designed).map_err(|error| match error {
         epicyclic_views::Error::NoTeeth(_) => {

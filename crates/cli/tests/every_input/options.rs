@@ -370,9 +370,13 @@ draw: II-3
   --title another
   --output drawing.svg
   --output drawing.dxf
+  --output drawing.pdf
+  --output drawing.png
   --svg drawing.svg
   --dxf drawing.dxf
   --format json
+draw: II-3 --output drawing.png
+  --dpi 60
 draw: II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --power
   --ratio1 1.5
   --ratio2 2.5

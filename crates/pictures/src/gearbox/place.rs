@@ -2,12 +2,20 @@
 
 use super::LETTERS_MM;
 use crate::tolerance::HAIR_MM;
-use epicyclic_drawing::text::line_meets;
+use epicyclic_drawing::text::{distance, line_meets};
 use epicyclic_drawing::{Align, Bounds, Color, LayerId, Point, Scene, Shape, Style, Text};
 use std::f64::consts::TAU;
 
 /// Least distance of a label from anything.
 const CLEAR_MM: f64 = 0.5;
+
+/// Least distance of a leader from lines and labels that are not its own.
+const LEADER_CLEAR_MM: f64 = 0.25;
+/// How far from its point a leader may run beside the lines that meet there.
+const OWN_MM: f64 = 0.8;
+/// How far a label may be from its point, in half millimetres: first near, then anywhere.
+const NEAR: u32 = 50;
+const FAR: u32 = 400;
 
 /// What labels have to keep clear of.
 pub(super) struct Places {
@@ -16,12 +24,14 @@ pub(super) struct Places {
     labels: Vec<Bounds>,
     /// Boxes of fills, which a leader may cross.
     fills: Vec<Bounds>,
+    /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and brakes, teeth in mesh.
+    signs: Vec<Bounds>,
 }
 
 impl Places {
     /// Around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
-        let mut places = Self { lines: vec![], labels: vec![], fills: vec![] };
+        let mut places = Self { lines: vec![], labels: vec![], fills: vec![], signs: vec![] };
         for item in scene.items() {
             match &item.shape {
                 Shape::Text(text) => places.labels.push(text.bounds()),
@@ -48,38 +58,75 @@ impl Places {
             })
     }
 
-    /// Adds a label beside its point: at the first free of the points wished for (its middle), else as near as can be, at the end of a
-    /// thin leader.
+    /// Keeps leaders out of a sign's box.
+    pub(super) fn keep_clear(&mut self, sign: Bounds) {
+        self.signs.push(sign);
+    }
+
+    /// Adds a label: at the first free of the points wished for (its middle), else as near as can be to one of its points, at the end of
+    /// a thin leader. A leader runs through no sign and no label, and crosses a line only where no other place is near.
     pub(super) fn put(
         &mut self,
         scene: &mut Scene,
         layer: LayerId,
         words: &str,
-        at: Point,
+        points: &[Point],
         wishes: &[Point],
     ) {
         let label = |middle: Point| Text::new(middle, LETTERS_MM, words);
         if let Some(middle) = wishes.iter().find(|middle| self.free(label(**middle).bounds())) {
             return self.add(scene, layer, label(*middle));
         }
-        for step in 1..400 {
-            let distance = 2.0 + 0.5 * f64::from(step);
-            for turn in 0..24 {
-                let angle = TAU * (f64::from(turn) + 0.5) / 24.0;
-                let middle = Point::polar(at, distance, angle);
-                let bounds = label(middle).bounds();
-                let leader = Shape::line(at, nearest(bounds, at));
-                if self.free(bounds) && !self.labels.iter().any(|other| line_meets(&leader, *other)) {
-                    scene.add_styled(layer, Style::line(0.18).color(Color::GREY), leader.clone());
-                    self.lines.push((leader.clone(), 0.09, leader.bounds()));
+        for (steps, may_cross) in [(1..NEAR, false), (1..NEAR, true), (NEAR..FAR, false), (NEAR..FAR, true)] {
+            for step in steps {
+                let length = 2.0 + 0.5 * f64::from(step);
+                for (turn, at) in (0..24).flat_map(|turn| points.iter().map(move |at| (turn, *at))) {
+                    let angle = TAU * (f64::from(turn) + 0.5) / 24.0;
+                    let middle = Point::polar(at, length, angle);
+                    let bounds = label(middle).bounds();
+                    let end = nearest(bounds, at);
+                    if !self.free(bounds) || !self.leads(at, end, may_cross) {
+                        continue;
+                    }
+                    let leader = Shape::line(at, end);
+                    // None to a label around its point.
+                    if at != end {
+                        scene.add_styled(layer, LEADER, leader.clone());
+                        self.lines.push((leader.clone(), 0.5 * LEADER.width_mm, leader.bounds()));
+                    }
                     return self.add(scene, layer, label(middle));
                 }
             }
         }
         // Two hundred millimetres of lines without a gap: beside the picture, then.
         let bounds = scene.bounds();
-        let text = Text::new([bounds.right + 3.0, at.y], LETTERS_MM, words).align(Align::Left);
+        let y = points.first().map_or(bounds.top, |at| at.y);
+        let text = Text::new([bounds.right + 3.0, y], LETTERS_MM, words).align(Align::Left);
         self.add(scene, layer, text);
+    }
+
+    /// Whether a leader may run from its point to the end.
+    fn leads(&self, at: Point, end: Point, may_cross: bool) -> bool {
+        let length = (end.x - at.x).hypot(end.y - at.y);
+        let near = Bounds::of([at]).grown(OWN_MM);
+        let is_own = |line: &Shape, around: &Bounds| around.overlaps(near) && distance(at, at, line) < OWN_MM;
+        let own = self.lines.iter().filter(|(line, _, around)| is_own(line, &around.grown(HAIR_MM)));
+        let own = own.map(|(_, half, _)| half + LEADER_CLEAR_MM);
+        let off = own.fold(OWN_MM, f64::max);
+        let part = (off / length.max(off)).min(1.0);
+        let off = Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y));
+        let whole = Shape::line(at, end);
+        !self.labels.iter().any(|label| line_meets(&whole, label.grown(LEADER_CLEAR_MM)))
+            && !self.signs.iter().any(|sign| line_meets(&Shape::line(off, end), *sign))
+            && self.lines.iter().all(|(line, half, around)| {
+                let clear = half + LEADER_CLEAR_MM;
+                if !around.grown(clear).grown(HAIR_MM).overlaps(whole.bounds().grown(HAIR_MM)) {
+                    return true;
+                }
+                // A leader starts at the middle of its own line or at its edge.
+                let is_own = is_own(line, &around.grown(HAIR_MM));
+                (may_cross && !is_own) || distance(off, end, line) >= if is_own { *half } else { clear }
+            })
     }
 
     fn add(&mut self, scene: &mut Scene, layer: LayerId, text: Text) {
@@ -87,6 +134,9 @@ impl Places {
         scene.add(layer, text);
     }
 }
+
+/// How leaders are drawn.
+const LEADER: Style = Style::line(0.18).color(Color::GREY);
 
 /// The point of a box, a little outside of it, that is nearest to a point.
 fn nearest(bounds: Bounds, to: Point) -> Point {
@@ -144,9 +194,31 @@ mod tests {
         }
         let mut places = Places::around(&scene);
         let at = Point::new(0.0, 0.0);
-        places.put(&mut scene, layer, "K1", at, &[at, Point::new(3.0, 0.0)]);
+        places.put(&mut scene, layer, "K1", &[at], &[at, Point::new(3.0, 0.0)]);
         assert_eq!(epicyclic_drawing::text::overlaps(&scene), []);
         assert_eq!(scene.items().len(), 41 + 2);
+    }
+
+    /// A clutch between two plates, its name shut out by walls on both sides: the leader runs around it, not through its gap.
+    #[test]
+    fn no_leader_runs_through_a_sign() {
+        let mut scene = Scene::new("clutch");
+        let layer = scene.layer("all", Style::line(0.7)).unwrap();
+        for y in [-1.5, 1.5] {
+            scene.add(layer, Shape::line([-2.6, y], [2.6, y]));
+            scene.add(layer, Shape::line([0.0, y], [0.0, 9.0 * y]));
+        }
+        for x in [-4.0, 4.0] {
+            scene.add(layer, Shape::line([x, -9.0], [x, 9.0]));
+        }
+        let gap = Bounds { left: -2.6, right: 2.6, bottom: -1.5, top: 1.5 };
+        let above = Point::new(0.0, 8.0);
+        let mut places = Places::around(&scene);
+        places.keep_clear(gap);
+        places.put(&mut scene, layer, "a shaft's name", &[above], &[]);
+        let leader = &scene.items()[scene.items().len() - 2].shape;
+        assert!(matches!(leader, Shape::Line { .. }) && !line_meets(leader, gap), "{leader:?}");
+        assert_eq!(epicyclic_drawing::text::overlaps(&scene), []);
     }
 
     proptest! {

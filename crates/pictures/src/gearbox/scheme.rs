@@ -390,6 +390,12 @@ impl<'a> Sheet<'a> {
         for place in 0..sets {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
         }
+        if !self.layout.take_offs.is_empty() {
+            let y = write(&mut self.scene, 10.0, "power enters or leaves here in some gears only".into());
+            let sample =
+                Shape::Circle { centre: Point::new(bounds.left + 3.5, y), radius: signs::TAKE_OFF_MM };
+            self.scene.add_styled(self.layers.links, Style::line(WEB_MM).fill(Color::WHITE), sample);
+        }
         let Some(gear) = self.gear else { return };
         let shift_elements =
             gear.gear().engaged().iter().map(|&place| self.gearbox.shift_elements()[place].id());

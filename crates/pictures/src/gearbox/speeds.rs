@@ -5,18 +5,18 @@
 //! pole cut a line at the speeds `ω`.
 //!
 //! Radii are in units of each set's central gear 1; of a simple set `r_b = k` and the planet pins stand at `(1 + k)/2`. All sets have one slope
-//! for one speed. Two planets in mesh are drawn as one beside the other with equal sizes, which changes their own speeds but none of
-//! the links'; they get no ray. Of stepped sets the teeth give all radii. Planets of other kinds, and of stepped sets without teeth,
-//! are left out.
+//! for one speed. Each of two planets in mesh is drawn in the section through its own pin, from its contact with a central gear to its
+//! far side. Sizes of planets follow from teeth. Where these are not given, sizes are assumed that fit, which changes the planet's own speed
+//! but none of the links', and the planet's name gets a star. Planets of bevel sets turn about other axes and have no line.
 
 mod radii;
 
 use super::place::{Places, spread};
 use super::scheme::{known, title};
-use super::words::{self, decimal};
+use super::words::{self, decimal, width_of, wrapped};
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
 use crate::tolerance::{LEAST_SPEED, ONE_RAY};
-use epicyclic_drawing::{Align, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
+use epicyclic_drawing::{Align, Bounds, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 use radii::{Line, SpeedDiagram};
 use std::f64::consts::FRAC_PI_2;
@@ -34,8 +34,10 @@ struct Size {
     label_mm: f64,
     /// From one diagram of a row to the next.
     apart_mm: f64,
-    /// Where a row of diagrams ends, if they stand in several rows; the rays then stand in the last, if they have room there.
-    row_mm: Option<f64>,
+    /// Where a row of diagrams ends. The rays stand in the last row, if they have room there.
+    row_mm: f64,
+    /// Whether the page says what the diagrams are.
+    is_bare: bool,
 }
 
 /// A drawing of its own.
@@ -43,9 +45,10 @@ const USUAL: Size = Size {
     height_mm: 70.0,
     fastest_mm: 45.0,
     rays_mm: [75.0, 45.0],
-    label_mm: f64::INFINITY,
-    apart_mm: 12.0,
-    row_mm: None,
+    label_mm: 40.0,
+    apart_mm: 10.0,
+    row_mm: 310.0,
+    is_bare: false,
 };
 /// Part of a page.
 const SMALL: Size = Size {
@@ -54,10 +57,15 @@ const SMALL: Size = Size {
     rays_mm: [22.0, 20.0],
     label_mm: 34.0,
     apart_mm: 7.0,
-    row_mm: None,
+    row_mm: f64::INFINITY,
+    is_bare: true,
 };
 /// From the lowest of a row to the top of what stands in the next.
 const ROWS_APART_MM: f64 = 9.0;
+/// The explanations have lines of at least this length.
+const LEAST_WORDS_MM: f64 = 100.0;
+/// From a section with gears to the next.
+const SECTIONS_MM: f64 = 5.5;
 /// From label to label of the speeds.
 const PITCH_MM: f64 = 4.2;
 
@@ -80,7 +88,7 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
 /// # Errors
 /// Those of [`scene`].
 pub fn narrow(gearbox: &Gearbox, gear: &Analysis, width_mm: f64) -> Result<Scene, Error> {
-    let (scene, _) = drawn(gearbox, gear, None, Size { row_mm: Some(width_mm), ..SMALL })?;
+    let (scene, _) = drawn(gearbox, gear, None, Size { row_mm: width_mm, ..SMALL })?;
     scene.check()?;
     Ok(scene)
 }
@@ -105,7 +113,7 @@ fn drawn(
     // Millimetres across to one up, for a speed of 1.
     let widest = diagrams.iter().map(SpeedDiagram::widest).fold(LEAST_SPEED, f64::max);
     let slope = size.fastest_mm / (size.height_mm * widest);
-    let ends_at = size.row_mm.unwrap_or(f64::INFINITY);
+    let ends_at = size.row_mm;
     let mut corner = Point::new(0.0, 0.0);
     for (set, diagram) in diagrams.iter().enumerate() {
         let paper = Paper { layers: &layers, gearbox, size, slope };
@@ -121,13 +129,20 @@ fn drawn(
     }
     let rays = Rays::of(gearbox, gear, &diagrams, slope, size);
     let bounds = scene.bounds();
-    let pole = if size.row_mm.is_some() && corner.x + rays.width() <= ends_at {
-        rays.draw(&mut scene, &layers, Point::new(corner.x, corner.y + size.height_mm + 5.0))
-    } else {
-        rays.draw(&mut scene, &layers, Point::new(bounds.left, bounds.bottom - ROWS_APART_MM))
-    };
-    if size.row_mm.is_none() {
-        explain(&mut scene, &layers, Point::new(bounds.left, pole.y));
+    let below = Point::new(bounds.left, bounds.bottom - ROWS_APART_MM);
+    let is_beside = corner.x + rays.width() <= ends_at;
+    let at = if is_beside { Point::new(corner.x, corner.y + size.height_mm + 5.0) } else { below };
+    let ends = rays.draw(&mut scene, &layers, at);
+    if !size.is_bare {
+        // Beside the rays where there is room, else below all.
+        let room = bounds.right - ends.right - size.apart_mm;
+        let drawn = scene.bounds();
+        let (at, width_mm) = if room < LEAST_WORDS_MM {
+            (Point::new(drawn.left, drawn.bottom - 6.0), drawn.width().max(LEAST_WORDS_MM))
+        } else {
+            (Point::new(ends.right + size.apart_mm, ends.top - 6.0), room)
+        };
+        explain(&mut scene, &layers, at, width_mm, &diagrams);
     }
     Ok((scene, layers))
 }
@@ -172,7 +187,8 @@ impl Paper<'_> {
         let width =
             names.iter().map(|name| Text::new([0.0, 0.0], LETTERS_MM, name).width_mm()).fold(0.0, f64::max);
         let gears_at = left + width + 10.0;
-        let zero = gears_at + 9.0 + back;
+        let sections = diagram.toothed_gears.iter().map(|gear| gear.0).max().unwrap_or(0);
+        let zero = gears_at + 9.0 + SECTIONS_MM * sections as f64 + back;
         let far = zero + ahead + 5.0;
 
         scene.add(layers.axes, Shape::line([gears_at - 5.0, base], [far, base]));
@@ -186,14 +202,16 @@ impl Paper<'_> {
             scene.add(layers.help, Shape::line([left + width + 1.0, place], [gears_at - 4.0, *y]));
             scene.add(layers.labels, Text::new([left + width, place], LETTERS_MM, *name).align(Align::Right));
         }
-        for [from, to] in &diagram.toothed_gears {
+        for (section, [from, to]) in &diagram.toothed_gears {
+            let gears_at = gears_at + SECTIONS_MM * *section as f64;
             let (from, to) = (base + up * from, base + up * to);
             scene.add(layers.toothed_gears, Shape::line([gears_at, from + 0.5], [gears_at, to - 0.5]));
             for y in [from + 0.5, to - 0.5] {
                 scene.add(layers.toothed_gears, Shape::line([gears_at - 2.0, y], [gears_at + 2.0, y]));
             }
         }
-        for planet_pin in &diagram.planet_pins {
+        for (section, planet_pin) in &diagram.planet_pins {
+            let gears_at = gears_at + SECTIONS_MM * *section as f64;
             let y = base + up * planet_pin;
             scene.add(layers.toothed_gears, Shape::line([gears_at - 2.0, y], [gears_at + 3.0, y]));
         }
@@ -220,12 +238,10 @@ impl Paper<'_> {
                 );
             }
             let middle = Point::new(f64::midpoint(from.x, to.x), f64::midpoint(from.y, to.y));
-            places.put(scene, layers.labels, &line.name, middle, &wishes);
+            places.put(scene, layers.labels, &line.name, &[middle], &wishes);
         }
-        let caption = match size.row_mm {
-            None => words::set(gearbox, set, true),
-            Some(_) => words::set_name(gearbox, set),
-        };
+        let caption =
+            if size.is_bare { words::set_name(gearbox, set) } else { words::set(gearbox, set, true) };
         let caption = Text::new([left, base - 6.0], LETTERS_MM, caption).align(Align::Left);
         let next = far.max(caption.bounds().right) + size.apart_mm;
         scene.add(layers.labels, caption);
@@ -268,11 +284,7 @@ impl Rays {
             let (Some(line), Some(speed)) = (line, gear.speeds()[link]) else { continue };
             enter(speed, name.clone(), style(line));
         }
-        for line in diagrams
-            .iter()
-            .flat_map(|diagram| &diagram.lines)
-            .filter(|line| line.link.is_none() && line.has_ray)
-        {
+        for line in diagrams.iter().flat_map(|diagram| &diagram.lines).filter(|line| line.link.is_none()) {
             let [[r, v], [further, faster]] = [line.from, line.to];
             enter((faster - v) / (further - r), line.name.clone(), style(line));
         }
@@ -307,8 +319,8 @@ impl Rays {
         last - first + 2.0 * 6.0
     }
 
-    /// Below and to the right of a corner; returns where their pole is.
-    fn draw(&self, scene: &mut Scene, layers: &Layers, corner: Point) -> Point {
+    /// Below and to the right of a corner; returns the room that they take.
+    fn draw(&self, scene: &mut Scene, layers: &Layers, corner: Point) -> Bounds {
         let scale_y = corner.y - self.longest_mm - 7.0;
         let [least, most, first, _] = self.ends();
         let pole = Point::new(corner.x + 6.0 - first, scale_y - self.height_mm);
@@ -330,7 +342,7 @@ impl Rays {
         let dot = Shape::Circle { centre: pole, radius: 0.9 };
         scene.add_styled(layers.lines, Style::filled(Color::BLACK), dot);
         scene.add(layers.labels, Text::new([pole.x + 4.0, pole.y - 2.6], LETTERS_MM, "pole"));
-        pole
+        Bounds { left: corner.x, right: corner.x + self.width(), bottom: pole.y - 5.0, top: corner.y }
     }
 }
 
@@ -349,17 +361,23 @@ fn lines_of(first: &str, names: &[String], length_mm: f64) -> impl Iterator<Item
     lines.into_iter()
 }
 
-fn width_of(words: &str) -> f64 {
-    Text::new([0.0, 0.0], LETTERS_MM, words).width_mm()
-}
-
-/// What the diagrams and the rays are, below the pole.
-fn explain(scene: &mut Scene, layers: &Layers, at: Point) {
-    let words = [
-        "above: velocities over radius, radii over that of the first central gear of the set",
-        "rays parallel to the lines above; at their ends the speeds over the input's",
+/// What the diagrams and the rays are, in lines of a width below a point.
+fn explain(scene: &mut Scene, layers: &Layers, at: Point, width_mm: f64, diagrams: &[SpeedDiagram]) {
+    let mut words = vec![
+        "Each set: the velocity of its links and planets over their distance from the axis, which is 1 at the first central gear. A link is a \
+         line from the axis; a planet (dashed) is a line through the velocities of its contacts and of its pin. The more it leans to the right, the faster.",
+        "Rays from the pole are parallel to these lines. Where they end stands the speed over the input's, positive in the \
+         input's direction, and what turns at it.",
     ];
-    for (words, y) in words.into_iter().zip([at.y - 8.0, at.y - 12.6]) {
-        scene.add(layers.labels, Text::new([at.x, y], LETTERS_MM, words).align(Align::Left));
+    if diagrams.iter().flat_map(|diagram| &diagram.lines).any(|line| line.is_assumed) {
+        words.push("* The teeth of this planet are not given. Its size is assumed, and its speed is that of a planet of this size.");
+    }
+    if diagrams.iter().any(|diagram| diagram.lines.len() == 3) {
+        words.push("Bevel planets turn about other axes and have no line.");
+    }
+    let lines = words.into_iter().flat_map(|words| wrapped(words, width_mm));
+    for (place, line) in lines.enumerate() {
+        let text = Text::new([at.x, at.y - 4.6 * place as f64], LETTERS_MM, line).align(Align::Left);
+        scene.add(layers.labels, text);
     }
 }

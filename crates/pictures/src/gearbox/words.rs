@@ -1,6 +1,8 @@
 //! Numbers and sets in words.
 
+use super::LETTERS_MM;
 use crate::tolerance::SHOWN;
+use epicyclic_drawing::Text;
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::SetKind;
 
@@ -40,9 +42,37 @@ pub(super) fn set(gearbox: &Gearbox, place: usize, gearing: bool) -> String {
     words
 }
 
+/// Words in lines of at most a width, in the letters of the drawings; a longer word stands by itself.
+pub(super) fn wrapped(words: &str, width_mm: f64) -> Vec<String> {
+    let mut lines: Vec<String> = vec![];
+    for word in words.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if width_of(&format!("{line} {word}")) <= width_mm => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// How wide words are in the letters of the drawings.
+pub(super) fn width_of(words: &str) -> f64 {
+    Text::new([0.0, 0.0], LETTERS_MM, words).width_mm()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::decimal;
+    use super::{decimal, width_of, wrapped};
+
+    #[test]
+    fn lines_are_as_full_as_they_can_be() {
+        let words = "one two three four";
+        assert_eq!(wrapped(words, width_of("one two three")), ["one two three", "four"]);
+        assert_eq!(wrapped(words, 0.1), ["one", "two", "three", "four"]);
+        assert!(wrapped("", 9.0).is_empty());
+    }
 
     #[test]
     fn small_numbers_keep_their_digits() {

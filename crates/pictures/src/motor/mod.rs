@@ -5,6 +5,7 @@
 //! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
 //! | [`whole`] | the motor at an angle in its housing, with its ports |
 //! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
+//! | [`dimensions`] | the motor with its dimensions and a table of wheel data, for a drawing office |
 //! | [`teeth`] | outlines of all teeth in mesh at an angle |
 //! | [`outline`] | a centrode as a closed polyline of arcs |
 //!
@@ -28,6 +29,7 @@
 mod centrodes;
 mod chambers;
 mod curve;
+mod dimensions;
 mod sheet;
 mod teeth;
 mod whole;
@@ -35,5 +37,6 @@ mod whole;
 pub use centrodes::centrodes;
 pub use chambers::{STEPS, chambers};
 pub use curve::{Outline, TOLERANCE_MM, outline};
+pub use dimensions::dimensions;
 pub use teeth::{SIDES, teeth};
 pub use whole::whole;

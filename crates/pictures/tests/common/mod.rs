@@ -3,17 +3,19 @@
 #![allow(dead_code, reason = "each test file uses its part")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_drawing::text::overlaps;
-use epicyclic_drawing::{Color, Scene, Shape, dxf, svg};
-use epicyclic_formats::Document;
-use epicyclic_formats::gearbox::TransmissionsFile;
+use epicyclic_drawing::scene::Item;
+use epicyclic_drawing::text::{distance, line_meets, overlaps};
+use epicyclic_drawing::{Bounds, Color, Point, Scene, Shape, dxf, svg};
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use epicyclic_formats::{Document, Path};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Layout, Verdict};
 use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
-use epicyclic_train::Gearbox;
+use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
+use epicyclic_train::{Analysis, Gearbox};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
@@ -36,6 +38,50 @@ pub(crate) fn in_service() -> Vec<Gearbox> {
         .collect()
 }
 
+/// The gearboxes of `examples/` and of the cases that can be drawn, with losses.
+pub(crate) fn examples() -> Vec<Gearbox> {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let folders = ["examples", "spec-cases/real-gearboxes", "spec-cases/multispeed-gearboxes"];
+    let read = |folder| std::fs::read_dir(format!("{root}/{folder}")).unwrap();
+    let mut files: Vec<_> = folders.into_iter().flat_map(read).map(|file| file.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|end| end == "yaml"));
+    files.sort();
+    let mut found = vec![];
+    for path in files {
+        let documents = Document::parse_all("file.yaml", &std::fs::read(&path).unwrap()).unwrap();
+        for document in documents {
+            let at = if document.value().get("gearbox").is_some() {
+                Path::root()
+            } else {
+                Path::root().key("given").key("gearbox")
+            };
+            // Cases of other calculations have none, and some cases are of faults in one.
+            let Ok(described) = document.read_at::<GearboxFile>(&at) else { continue };
+            let Ok(gearbox) = described.gearbox() else { continue };
+            if matches!(drawability::draw(&gearbox, drawability::Options::default()), Verdict::Drawable(_)) {
+                found.push(with_losses(&gearbox));
+            }
+        }
+    }
+    assert!(found.len() > 15, "{}", found.len());
+    found
+}
+
+/// The gears of a gearbox in which all speeds follow, and the power flow.
+pub(crate) fn gears(gearbox: &Gearbox) -> Vec<Analysis<'_>> {
+    let analyses = gearbox.gears().iter().map(|gear| gearbox.analyze(gear.name()).unwrap());
+    analyses.filter(|gear| gear.speeds().iter().all(Option::is_some) && gear.driving().is_some()).collect()
+}
+
+fn with_losses(gearbox: &Gearbox) -> Gearbox {
+    let (eta, each) = (MeshEfficiency::new(0.97).unwrap(), MeshEfficiency::new(0.985).unwrap());
+    let change = |description: Description| match description {
+        Description::Short(spec) => spec.with_loss(MeshLoss::Set(eta)).into(),
+        Description::Compound(spec) => spec.with_mesh_efficiency(each).into(),
+    };
+    gearbox.to_builder().map_descriptions(change).build().unwrap()
+}
+
 pub(crate) fn layout(gearbox: &Gearbox) -> Layout {
     match drawability::draw(gearbox, drawability::Options::default()) {
         Verdict::Drawable(layout) => *layout,
@@ -54,12 +100,80 @@ pub(crate) fn met(scene: &Scene) -> Vec<String> {
     overlaps(scene).into_iter().map(|met| format!("{} - {}", words(met.label), words(met.with))).collect()
 }
 
-/// The scene holds no overlap and both writers take it.
+/// Leaders that run through a label or a sign, in words: gears, plates and what is between two plates, nodes of levers.
+pub(crate) fn crossed(scene: &Scene) -> Vec<String> {
+    let layer = |item: &Item| scene.layer_of(item).name.clone();
+    let line = |item: &Item| match item.shape {
+        Shape::Line { from, to } => Some((from, to)),
+        _ => None,
+    };
+    let is_leader = |item: &&Item| {
+        let style = scene.style(item);
+        layer(item) == "labels" && style.width_mm == 0.18 && style.color == Color::GREY
+    };
+    // Of a scheme; brakes of levers have none.
+    let is_scheme = scene.layers().iter().any(|layer| layer.name == "links");
+    let plates: Vec<(Point, Point)> = scene
+        .items()
+        .iter()
+        .filter(|item| layer(item) == "shift elements" || layer(item) == "gears")
+        .filter_map(line)
+        .filter(|(from, to)| is_scheme && from.y == to.y)
+        .collect();
+    let mut found = vec![];
+    for leader in scene.items().iter().filter(is_leader) {
+        let Some((at, end)) = line(leader) else { continue };
+        let mut through = |what: &str| found.push(format!("a leader from {at:?} runs through {what}"));
+        let length = (end.x - at.x).hypot(end.y - at.y);
+        let part = (0.8 / length).min(1.0);
+        let off = Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y));
+        for item in scene.items().iter().filter(|item| *item != leader) {
+            if let Shape::Text(text) = &item.shape {
+                if line_meets(&leader.shape, text.bounds()) {
+                    through(&text.content);
+                }
+            } else if ["gears", "shift elements", "levers"].contains(&layer(item).as_str())
+                && distance(off, end, &item.shape) < 0.1
+            {
+                through(&format!("{:?}", item.shape));
+            }
+        }
+        // Two plates or rims above each other with nothing but a gap between.
+        for (low, left) in
+            plates.iter().zip(1..).flat_map(|(low, at)| plates[at..].iter().map(move |next| (low, next)))
+        {
+            let gap = (left.0.y - low.0.y).abs();
+            if (0.5..6.0).contains(&gap) && left.0.x == low.0.x && left.1.x == low.1.x {
+                let between = Bounds::of([low.0, low.1, left.0, left.1]);
+                if line_meets(&leader.shape, between) {
+                    through(&format!("the gap {between:?}"));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The scene holds no overlap, no leader runs through a sign, and both writers take it.
 pub(crate) fn check(scene: &Scene) {
     assert_eq!(met(scene), [""; 0], "{}", scene.title());
+    assert_eq!(crossed(scene), [""; 0], "{}", scene.title());
     svg::write(scene).unwrap();
-    dxf::write(scene).unwrap();
+    prints(scene);
     keep(scene);
+}
+
+/// Every layer and every entity of the DXF drawing has a colour that prints on white and is seen on black.
+pub(crate) fn prints(scene: &Scene) {
+    let text = dxf::write(scene).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    let colors = lines.chunks(2).filter(|pair| pair[0].trim() == "62").map(|pair| pair[1]);
+    let colors: Vec<u16> = colors.map(|color| color.trim().parse().unwrap()).collect();
+    assert!(colors.len() > scene.layers().len(), "{}", scene.title());
+    for color in colors {
+        let contrast = dxf::contrast(color).unwrap_or([0.0; 2]);
+        assert!(contrast.iter().all(|both| *both >= dxf::LEAST_CONTRAST), "{}: {color}", scene.title());
+    }
 }
 
 /// The picture as a file for the eye, where `EPICYCLIC_PICTURES` names a folder.

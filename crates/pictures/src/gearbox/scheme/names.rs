@@ -1,8 +1,9 @@
 //! Names: shift elements, members, links.
 
-use super::{Sheet, UP_MM, WEB_MM};
+use super::signs::{MESH_MM, RIM_MM};
+use super::{SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use crate::gearbox::place::{Places, beside};
-use epicyclic_drawing::Point;
+use epicyclic_drawing::{Bounds, Point, Shape};
 use epicyclic_layout::layout::{LinkShape, Point as Place, SetStack};
 use epicyclic_train::LinkId;
 
@@ -13,13 +14,33 @@ impl Sheet<'_> {
     /// All names: first those with the fewest places to stand in.
     pub(super) fn names(&mut self) {
         let mut places = Places::around(&self.scene);
+        self.keep_signs_clear(&mut places);
         self.shift_element_names(&mut places);
         self.member_names(&mut places);
         self.link_names(&mut places);
     }
 
-    fn put(&mut self, places: &mut Places, words: &str, at: Point, wishes: &[Point]) {
-        places.put(&mut self.scene, self.layers.labels, words, at, wishes);
+    /// Gaps of clutches and brakes, rims in mesh, webs and planet pins: no leader runs through them, nor through their mirror images.
+    fn keep_signs_clear(&self, places: &mut Places) {
+        let clutches = self.layout.clutches.iter().map(|mark| [mark.lower.1, mark.upper.1]);
+        let brakes = self.layout.brakes.iter().map(|mark| [mark.link_end, mark.housing]);
+        for plates in clutches.chain(brakes) {
+            let gap = Bounds::of(plates.map(|plate| self.at(plate)));
+            let gap =
+                Bounds { left: gap.left - RIM_MM, right: gap.right + RIM_MM, ..gap }.grown(0.5 * SHAFT_MM);
+            places.keep_clear(gap);
+            places.keep_clear(Bounds { bottom: -gap.top, top: -gap.bottom, ..gap });
+        }
+        for item in self.scene.items().iter().filter(|item| item.layer == self.layers.toothed_gears) {
+            if let Shape::Line { from, to } = &item.shape {
+                let margin = if from.y == to.y { MESH_MM } else { 0.5 * WEB_MM };
+                places.keep_clear(item.shape.bounds().grown(margin));
+            }
+        }
+    }
+
+    fn put(&mut self, places: &mut Places, words: &str, points: &[Point], wishes: &[Point]) {
+        places.put(&mut self.scene, self.layers.labels, words, points, wishes);
     }
 
     fn shift_element_names(&mut self, places: &mut Places) {
@@ -43,8 +64,9 @@ impl Sheet<'_> {
             for dy in [-3.5, 3.5, -5.0, 5.0] {
                 wishes.extend(beside(Point::new(middle.x, middle.y + dy), &name, 0.5));
             }
-            let edge = Point::new(middle.x + 2.6, middle.y);
-            self.put(places, &name, edge, &wishes);
+            let edges = [1.0, -1.0]
+                .map(|side| Point::new(middle.x + side * (RIM_MM + 0.5 * SHAFT_MM + 0.1), middle.y));
+            self.put(places, &name, &edges, &wishes);
         }
     }
 
@@ -74,7 +96,16 @@ impl Sheet<'_> {
                     wishes.extend(above.iter().flat_map(|at| beside(*at, &name, gap)));
                 }
                 wishes.extend(along.iter().flat_map(|at| beside(*at, &name, 2.7)));
-                self.put(places, &name, along[0], &wishes);
+                // A leader starts at the web, or at an end of the rim.
+                let rims = match letter {
+                    "a" => vec![up(sun_rim) - MESH_MM],
+                    "b" => vec![up(ring_rim) + MESH_MM],
+                    _ => vec![up(stack.sun_mesh) + MESH_MM, up(stack.ring_mesh) - MESH_MM],
+                };
+                let end = RIM_MM + MESH_MM + 0.05;
+                let ends = rims.iter().flat_map(|y| [end, -end].map(|dx| Point::new(x + dx, *y)));
+                let points: Vec<Point> = along.into_iter().chain(ends).collect();
+                self.put(places, &name, &points, &wishes);
             }
             if kind.is_pair() || stack.members[2] == LinkId::GROUND {
                 continue;
@@ -88,7 +119,8 @@ impl Sheet<'_> {
                 }
             }
             wishes.splice(0..0, beside(planet_pin, &name, 3.3));
-            self.put(places, &name, Point::new(planet_pin.x + 3.2, planet_pin.y), &wishes);
+            let ends = [4.2, -4.2, 6.0, -6.0].map(|dx| Point::new(planet_pin.x + dx, planet_pin.y));
+            self.put(places, &name, &ends, &wishes);
         }
     }
 
@@ -110,7 +142,7 @@ impl Sheet<'_> {
             let outer = end.x + outward * (1.0 + half);
             wishes.extend([Point::new(outer, tip.y + 3.2), Point::new(outer, tip.y - 3.6)]);
             wishes.extend([3.0, 6.0, 10.0].map(|dx| Point::new(outer + outward * dx, tip.y + 3.2)));
-            self.put(places, &name, tip, &wishes);
+            self.put(places, &name, &[tip], &wishes);
         }
         let named = [self.layout.input.link, self.layout.output.link];
         for shape in &self.layout.links.clone() {
@@ -118,11 +150,10 @@ impl Sheet<'_> {
                 continue;
             }
             let name = self.gearbox.link_name(shape.link).to_owned();
-            let wishes = wishes(shape, &name, |place| self.at(place));
-            if let Some(&(anchor, _)) = wishes.first() {
-                let wishes: Vec<Point> = wishes.into_iter().map(|(_, wish)| wish).collect();
-                self.put(places, &name, anchor, &wishes);
-            }
+            let (mut points, wishes): (Vec<Point>, Vec<Point>) =
+                wishes(shape, &name, |place| self.at(place)).into_iter().unzip();
+            points.dedup();
+            self.put(places, &name, &points, &wishes);
         }
     }
 }

@@ -9,13 +9,15 @@ use epicyclic_train::LinkId;
 use epicyclic_train::set::SetKind;
 
 /// Half the length of a rim, and of a plate.
-const RIM_MM: f64 = 2.6;
+pub(super) const RIM_MM: f64 = 2.6;
 /// Half the room between two rims in mesh.
-const MESH_MM: f64 = 0.55;
+pub(super) const MESH_MM: f64 = 0.55;
 /// From the middle of a set to a carrier's fork, and to what is left of a pair's bearings.
 const FORK_MM: f64 = 4.2;
 /// How far a planet pin stands out of its planet.
 const PLANET_PIN_MM: f64 = 3.2;
+/// Radius of the circle where power enters or leaves in some gears only.
+pub(super) const TAKE_OFF_MM: f64 = 1.2;
 /// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and above level ones.
 const HATCH_MM: f64 = 1.8;
 
@@ -340,7 +342,7 @@ impl Sheet<'_> {
             self.scene.add_styled(
                 self.layers.links,
                 style,
-                Shape::Circle { centre: self.at(shaft.at), radius: 1.2 },
+                Shape::Circle { centre: self.at(shaft.at), radius: TAKE_OFF_MM },
             );
         }
     }

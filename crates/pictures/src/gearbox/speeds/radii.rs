@@ -12,8 +12,8 @@ pub(super) struct Line {
     pub(super) link: Option<LinkId>,
     pub(super) from: [f64; 2],
     pub(super) to: [f64; 2],
-    /// Whether a planet's speed is its real one.
-    pub(super) has_ray: bool,
+    /// Whether the size of a planet is not given.
+    pub(super) is_assumed: bool,
 }
 
 /// What is drawn of a set, radii in units of central gear 1.
@@ -22,51 +22,100 @@ pub(super) struct SpeedDiagram {
     pub(super) lines: Vec<Line>,
     /// Radii with their names.
     pub(super) levels: Vec<(String, f64)>,
-    /// Central gears and planets from radius to radius, for the picture beside the diagram.
-    pub(super) toothed_gears: Vec<[f64; 2]>,
-    pub(super) planet_pins: Vec<f64>,
+    /// Central gears and planets from radius to radius, each in its section, for the picture beside the diagram.
+    pub(super) toothed_gears: Vec<(usize, [f64; 2])>,
+    pub(super) planet_pins: Vec<(usize, f64)>,
     /// The largest radius.
     pub(super) height: f64,
 }
 
-/// Radii of central gears 1 and 2, and of the planet pins.
+/// A planet in the section through its own pin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Planet {
+    letter: &'static str,
+    /// Radius of the pin about the axis.
+    pin: f64,
+    /// Member in mesh, its radius, and the planet's; the second of a planet with one mesh is its far side.
+    contacts: [Option<(usize, f64)>; 2],
+    is_assumed: bool,
+}
+
+/// Radii of central gears 1 and 2, and the planets.
 #[derive(Debug, Clone, PartialEq)]
 struct Radii {
     central_gears: [f64; 2],
-    planet_pins: Vec<f64>,
+    planets: Vec<Planet>,
 }
 
-/// `None` for the planet pins' radii where the set's kind or missing teeth leave them open.
+/// No planets of a set whose planets turn about other axes.
 fn radii(gearbox: &Gearbox, set: &DrawnSet) -> Radii {
     let size = set.basic_ratio(gearbox).abs();
+    let teeth = set.teeth(gearbox);
+    let [g, f] = set.planet_teeth(gearbox).map(|z| Some(z?.as_f64() / teeth?[0].as_f64()));
     match set.kind {
-        SetKind::Simple => Radii { central_gears: [1.0, size], planet_pins: vec![0.5 * (1.0 + size)] },
-        // One beside the other, of equal sizes: a quarter and three quarters of the way.
+        SetKind::Simple => {
+            let contacts = [Some((0, 1.0)), Some((1, size))];
+            let planet = Planet { letter: "g", pin: 0.5 * (1.0 + size), contacts, is_assumed: false };
+            Radii { central_gears: [1.0, size], planets: vec![planet] }
+        }
         SetKind::DoublePlanet => {
-            let planet_pins = [0.25, 0.75].map(|part| 1.0 + part * (size - 1.0));
-            Radii { central_gears: [1.0, size], planet_pins: planet_pins.to_vec() }
+            let outwards = |pin: f64| (pin > 1.0).then_some(pin - 1.0);
+            let inwards = |pin: f64| (pin < size).then_some(size - pin);
+            // Of one that is given the other gets the same pin radius; of none, both are equal, one outside the other.
+            let radius = [
+                g.or_else(|| outwards(size - f?)).unwrap_or(0.25 * (size - 1.0)),
+                f.or_else(|| inwards(1.0 + g?)).unwrap_or(0.25 * (size - 1.0)),
+            ];
+            meshing([1.0, size], [1.0 + radius[0], size - radius[1]], [g, f])
         }
-        kind if kind.is_stepped() => {
-            stepped(gearbox, set).unwrap_or(Radii { central_gears: [1.0, size], planet_pins: vec![] })
+        SetKind::MeshingSuns => {
+            let usual = 0.5 * size.min(1.0);
+            let radius = [g.or(f), f.or(g)].map(|radius| radius.unwrap_or(usual));
+            meshing([1.0, size], [1.0 + radius[0], size + radius[1]], [g, f])
         }
-        _ => Radii { central_gears: [1.0, size], planet_pins: vec![] },
+        kind if kind.is_stepped() => stepped(gearbox, set, size),
+        _ => Radii { central_gears: [1.0, size], planets: vec![] },
     }
 }
 
+/// Two planets in mesh, each with its central gear in its own section.
+fn meshing(central_gears: [f64; 2], pins: [f64; 2], given: [Option<f64>; 2]) -> Radii {
+    let planet = |member: usize, letter| Planet {
+        letter,
+        pin: pins[member],
+        contacts: [Some((member, central_gears[member])), None],
+        is_assumed: given[member].is_none(),
+    };
+    Radii { central_gears, planets: vec![planet(0, "g"), planet(1, "f")] }
+}
+
 /// Radii of a stepped set: its planet pin lies at `r_1·(1 ± z_g/z_1)` and at `r_2·(1 ± z_f/z_2)`, `+` outside a sun, `−` inside a ring.
-fn stepped(gearbox: &Gearbox, set: &DrawnSet) -> Option<Radii> {
-    let [first, second] = set.teeth(gearbox)?;
-    let [g, f] = set.planet_teeth(gearbox);
-    let (g, f) = (g?.as_f64(), f?.as_f64());
+/// Without teeth, steps are assumed that give the basic ratio `i₀ = ±(z_g/z_1)·(z_2/z_f)`.
+fn stepped(gearbox: &Gearbox, set: &DrawnSet, size: f64) -> Radii {
     let [outside_first, outside_second] = match set.kind {
         SetKind::SteppedSunRing => [1.0, -1.0],
         SetKind::SteppedSuns => [1.0, 1.0],
         _ => [-1.0, -1.0],
     };
-    let planet_pin = 1.0 + outside_first * g / first.as_f64();
-    let second_radius = planet_pin / (1.0 + outside_second * f / second.as_f64());
-    (planet_pin > 0.0 && second_radius > 0.0)
-        .then(|| Radii { central_gears: [1.0, second_radius], planet_pins: vec![planet_pin] })
+    let given = || {
+        let ([first, second], [g, f]) = (set.teeth(gearbox)?, set.planet_teeth(gearbox));
+        Some([g?.as_f64() / first.as_f64(), f?.as_f64() / second.as_f64()])
+    };
+    let of = |[one, other]: [f64; 2]| {
+        let pin = 1.0 + outside_first * one;
+        let second = pin / (1.0 + outside_second * other);
+        (pin > 0.0 && second > 0.0).then_some((pin, second))
+    };
+    let (parts, is_assumed) = match given().filter(|parts| of(*parts).is_some()) {
+        Some(parts) => (parts, false),
+        None => {
+            let one = 0.5 * size.min(1.0);
+            ([one, one / size], true)
+        }
+    };
+    let Some((pin, second)) = of(parts) else { return Radii { central_gears: [1.0, size], planets: vec![] } };
+    let contacts = [Some((0, 1.0)), Some((1, second))];
+    Radii { central_gears: [1.0, second], planets: vec![Planet { letter: "g", pin, contacts, is_assumed }] }
 }
 
 impl SpeedDiagram {
@@ -79,55 +128,52 @@ impl SpeedDiagram {
         if kind.is_pair() {
             return Self::of_pair(gearbox, set, [speeds[0], speeds[1]]);
         }
-        let Radii { central_gears: [first, second], planet_pins } = radii(gearbox, drawn);
-        let carrier = planet_pins.iter().copied().fold(0.0, f64::max);
+        let Radii { central_gears: [first, second], planets } = radii(gearbox, drawn);
+        let carrier = planets.iter().map(|planet| planet.pin).fold(0.0, f64::max);
         let carrier = if carrier > 0.0 { carrier } else { first.max(second) };
         let line = |member: usize, letter: &str, radius: f64| Line {
             name: format!("{letter}{number}"),
             link: Some(members[member]),
             from: [0.0, 0.0],
             to: [radius, speeds[member] * radius],
-            has_ray: true,
+            is_assumed: false,
         };
         let mut lines = vec![line(0, "a", first), line(1, "b", second), line(2, "H", carrier)];
         let mut levels = vec![(format!("a{number}"), first), (format!("b{number}"), second)];
-        let planet = |name: String, ends: [[f64; 2]; 2], has_ray: bool| Line {
-            name,
-            link: None,
-            from: ends[0],
-            to: ends[1],
-            has_ray,
-        };
-        let on = |member: usize, radius: f64| [radius, speeds[member] * radius];
-        match planet_pins[..] {
-            [planet_pin] => {
-                // Through the planet pin and both contacts, whatever their order.
-                let mut points = [on(0, first), on(1, second), on(2, planet_pin)];
-                points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-                lines.push(planet(format!("g{number}"), [points[0], points[2]], true));
-                levels.push((format!("H{number}"), planet_pin));
+        for planet in &planets {
+            let name = format!("{}{number}", planet.letter);
+            let on = |(member, radius): (usize, f64)| [radius, speeds[member] * radius];
+            let pin = on((2, planet.pin));
+            let mut points: Vec<[f64; 2]> = planet.contacts.iter().flatten().copied().map(on).collect();
+            if let [[radius, velocity]] = points[..] {
+                // The far side, as far beyond the pin as the contact is before it.
+                points.push([2.0 * pin[0] - radius, 2.0 * pin[1] - velocity]);
             }
-            [one, other] => {
-                let contact = f64::midpoint(first, second);
-                // Velocity of the contact between the planets, from the one and its planet pin.
-                let v = 2.0 * speeds[2] * one - speeds[0] * first;
-                lines.push(planet(format!("g{number}"), [on(0, first), [contact, v]], false));
-                lines.push(planet(format!("f{number}"), [[contact, v], on(1, second)], false));
-                levels.extend([(format!("g{number}"), one), (format!("f{number}"), other)]);
+            // Through the pin and both contacts, whatever their order.
+            points.push(pin);
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            if let [from, _, to] = points[..] {
+                let name = if planet.is_assumed { format!("{name}*") } else { name.clone() };
+                lines.push(Line { name, link: None, from, to, is_assumed: planet.is_assumed });
             }
-            _ => {}
+            levels.push((if planets.len() == 1 { format!("H{number}") } else { name }, planet.pin));
         }
-        let toothed_gears = match (kind, &planet_pins[..]) {
-            (SetKind::Simple, _) => vec![[0.0, first], [first, second]],
-            (SetKind::DoublePlanet, _) => {
-                let contact = f64::midpoint(first, second);
-                vec![[0.0, first], [first, contact], [contact, second]]
+        let (toothed_gears, planet_pins) = match (kind, &planets[..]) {
+            (SetKind::Simple, [planet]) => {
+                (vec![(0, [0.0, first]), (0, [first, second])], vec![(0, planet.pin)])
             }
-            _ => vec![],
+            (SetKind::DoublePlanet, [g, f]) => {
+                let inner = [first, 2.0 * g.pin - first];
+                let outer = [2.0 * f.pin - second, second];
+                let is_one_section = inner[1] <= outer[0];
+                let section = usize::from(!is_one_section);
+                (vec![(0, [0.0, first]), (0, inner), (section, outer)], vec![(0, g.pin), (section, f.pin)])
+            }
+            _ => (vec![], vec![]),
         };
-        let drawn_pins = if toothed_gears.is_empty() { vec![] } else { planet_pins.clone() };
-        let height = planet_pins.iter().copied().fold(first.max(second), f64::max);
-        Self { lines, levels, toothed_gears, planet_pins: drawn_pins, height }
+        let ends = lines.iter().flat_map(|line| [line.from[0], line.to[0]]);
+        let height = ends.fold(first.max(second), f64::max);
+        Self { lines, levels, toothed_gears, planet_pins, height }
     }
 
     /// A pair: central gear 1 about the axis, central gear 2 about its own at `1 + k` outside or `k − 1` below inside; both meet at 1.
@@ -146,13 +192,13 @@ impl SpeedDiagram {
             link: Some(members[member]),
             from: [axis, 0.0],
             to: [contact, speeds[member] * (contact - axis)],
-            has_ray: true,
+            is_assumed: false,
         };
         let name = |letter: &str| format!("axis {letter}{number}");
         Self {
             lines: vec![line(0, "a", first), line(1, "b", second)],
             levels: vec![(name("a"), first), ("contact".into(), contact), (name("b"), second)],
-            toothed_gears: if outside { vec![[first, contact], [contact, second]] } else { vec![] },
+            toothed_gears: if outside { vec![(0, [first, contact]), (0, [contact, second])] } else { vec![] },
             planet_pins: vec![],
             height: contact.max(second).max(first),
         }
@@ -189,33 +235,56 @@ mod tests {
             (SetKind::SteppedSunRing, [20, 80, 30, 18]),
             (SetKind::SteppedSuns, [30, 24, 20, 26]),
             (SetKind::SteppedRings, [90, 80, 25, 22]),
+            (SetKind::DoublePlanet, [30, 72, 16, 18]),
+            (SetKind::MeshingSuns, [30, 24, 16, 18]),
         ] {
             let gearbox = gearbox(kind, teeth);
             let gear = gearbox.analyze("1").unwrap();
             let diagram = SpeedDiagram::of(&gearbox, &gear, 0);
-            let planet = diagram.lines.iter().find(|line| line.link.is_none()).unwrap();
-            let [[r, v], [further, faster]] = [planet.from, planet.to];
-            let slope = (faster - v) / (further - r);
-            let speed = gear.sets()[0].planets[0].unwrap().speed.unwrap();
-            assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
-            let carrier = diagram.lines.iter().find(|line| line.name == "H1").unwrap();
-            let on_line = v + slope * (carrier.to[0] - r);
-            assert!((on_line - carrier.to[1]).abs() < 1e-9, "{kind}");
+            let planets: Vec<&Line> = diagram.lines.iter().filter(|line| line.link.is_none()).collect();
+            let pins: Vec<f64> =
+                radii(&gearbox, &gearbox.drawn_sets()[0]).planets.iter().map(|p| p.pin).collect();
+            assert_eq!(planets.len(), gear.sets()[0].planets.len(), "{kind}");
+            let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
+            for ((planet, pin), motion) in planets.iter().zip(pins).zip(&gear.sets()[0].planets) {
+                let [[r, v], [further, faster]] = [planet.from, planet.to];
+                let slope = (faster - v) / (further - r);
+                let speed = motion.unwrap().speed.unwrap();
+                assert!((slope - speed).abs() < 1e-9, "{kind}: {slope} {speed}");
+                assert!(!planet.is_assumed, "{kind}");
+                let on_line = v + slope * (pin - r);
+                assert!((on_line - carrier * pin).abs() < 1e-9, "{kind}");
+            }
         }
     }
 
-    /// Both planets of a pair in mesh have one velocity where they touch, and their planet pins lie on their lines.
+    /// Of planets without teeth sizes are assumed that mesh: against the carrier they turn in opposite senses, as their sizes ask for.
     #[test]
-    fn planets_in_mesh_agree_where_they_touch() {
-        let gearbox = gearbox(SetKind::DoublePlanet, [30, 72, 16, 18]);
-        let gear = gearbox.analyze("1").unwrap();
-        let diagram = SpeedDiagram::of(&gearbox, &gear, 0);
-        let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
-        let planets: Vec<&Line> = diagram.lines.iter().filter(|line| line.link.is_none()).collect();
-        assert_eq!(planets[0].to, planets[1].from);
-        for (line, planet_pin) in planets.iter().zip(&diagram.planet_pins) {
-            let middle = f64::midpoint(line.from[1], line.to[1]);
-            assert!((middle - carrier * planet_pin).abs() < 1e-9);
+    fn planets_of_assumed_size_are_marked_and_have_lines() {
+        for kind in [
+            SetKind::DoublePlanet,
+            SetKind::MeshingSuns,
+            SetKind::SteppedSunRing,
+            SetKind::SteppedSuns,
+            SetKind::SteppedRings,
+        ] {
+            let set = SetSpec::new("1", kind, ["D", "T1", "B"], 2.4);
+            let builder = Gearbox::builder("one set").links(["D", "B", "T1"]).set(set).brake("K1", "T1");
+            let gearbox = builder.input("D").output("B").gear("1", ["K1"]).build().unwrap();
+            let gear = gearbox.analyze("1").unwrap();
+            let diagram = SpeedDiagram::of(&gearbox, &gear, 0);
+            let planets: Vec<&Line> = diagram.lines.iter().filter(|line| line.link.is_none()).collect();
+            assert_eq!(planets.len(), if kind.is_stepped() { 1 } else { 2 }, "{kind}");
+            assert!(planets.iter().all(|line| line.is_assumed && line.name.ends_with('*')), "{kind}");
+            let carrier = gear.speed(gearbox.link("B").unwrap()).unwrap();
+            // (ω − ω_H)·r of both, where they mesh.
+            let rolls = planets.iter().map(|line| {
+                let [[r, v], [further, faster]] = [line.from, line.to];
+                0.5 * (faster - v - carrier * (further - r))
+            });
+            if !kind.is_stepped() {
+                assert!(rolls.sum::<f64>().abs() < 1e-9, "{kind}");
+            }
         }
     }
 
