@@ -87,7 +87,9 @@
 //! multispeed-gearboxes, section 3.1, names the criterion: links between sets may cut off braked links
 //! from the housing. It gives no test; the graph is ours.
 
+mod bands;
 mod carriers;
+mod cost;
 pub mod crossings;
 mod grid;
 pub mod layout;
@@ -97,8 +99,11 @@ mod planar;
 #[cfg(test)]
 mod samples;
 mod scheme;
+mod search;
 mod stacks;
+mod sweep;
 
+pub use cost::Cost;
 pub use crossings::{Crossing, Line};
 pub use layout::Layout;
 

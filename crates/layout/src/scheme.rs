@@ -182,15 +182,28 @@ impl<'a> Scheme<'a> {
                 graph.planets.push(Planet { set, carrier, sun, ring });
             }
         }
-        let shift_elements = self.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::links);
-        for (shift_element, links) in shift_elements.chain(self.direct_clutches.iter().copied()).enumerate() {
-            // What joins a piece with itself needs no room.
-            if keeps(Element::ShiftElement(shift_element)) && self.piece(links[0]) != self.piece(links[1]) {
+        for (shift_element, links) in self.shift_elements() {
+            if keeps(Element::ShiftElement(shift_element)) {
                 let ends = links.map(|link| end(&mut graph, link));
                 graph.join(ends, Kind::ShiftElement(shift_element));
             }
         }
         graph.connect();
         graph
+    }
+
+    /// Shift elements between different pieces: what joins a piece with itself needs no room.
+    fn shift_elements(&self) -> impl Iterator<Item = (usize, [LinkId; 2])> {
+        let own = self.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::links);
+        let all = own.chain(self.direct_clutches.iter().copied()).enumerate();
+        all.filter(|(_, links)| self.piece(links[0]) != self.piece(links[1]))
+    }
+
+    /// What joins two links, and the ways out to the housing.
+    pub(super) fn ties(&self) -> Vec<([LinkId; 2], Kind)> {
+        let shift_elements = self.shift_elements().map(|(place, links)| (links, Kind::ShiftElement(place)));
+        let take_offs =
+            self.take_offs().into_iter().map(|link| ([link, LinkId::GROUND], Kind::TakeOff(link)));
+        shift_elements.chain(take_offs).collect()
     }
 }
