@@ -18,6 +18,7 @@
 //! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is as wide as the power that passes
 //! it, `|Σ T·ω|` over the power that enters; what of it circulates stands inside in another colour.
 
+mod along;
 mod flow;
 mod names;
 mod signs;
@@ -25,6 +26,7 @@ mod signs;
 use super::words::{self, decimal};
 use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
 use crate::tolerance::{CIRCULATES, IDLE, RESTS};
+use along::Along;
 use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_layout::Layout;
@@ -38,9 +40,8 @@ pub const ALONG_MM: f64 = 13.0;
 /// Millimetres to a unit of the layout away from the axis.
 pub const UP_MM: f64 = 12.0;
 
-/// The least of [`Options::along_mm`] in [`narrow`], where several carriers fork around their planets and where not: the signs of
-/// neighbouring sets stay apart.
-const LEAST_ALONG_MM: [f64; 2] = [8.5, 7.0];
+/// The least of [`Options::along_mm`] in [`narrow`]: the signs of neighbouring sets stay apart.
+const LEAST_ALONG_MM: f64 = 7.0;
 
 /// How much wider the next trial of [`narrow`] is.
 const WIDER_MM: f64 = 0.25;
@@ -77,7 +78,8 @@ pub struct Options {
     pub gearing: bool,
     /// Without title and sets, for a page that says them itself. What the colours mean stays.
     pub bare: bool,
-    /// Millimetres to a unit of the layout along the axis.
+    /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without signs stand
+    /// closer still.
     pub along_mm: f64,
 }
 
@@ -157,11 +159,8 @@ pub fn narrow(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, width_mm: f64)
     if too_wide <= 0.0 {
         return Ok(usual);
     }
-    let [forked, straight] = LEAST_ALONG_MM;
-    let forks = gearbox.drawn_sets().iter().filter(|set| signs::is_cut(set.kind)).count();
-    let least = if forks > 1 { forked } else { straight };
     let units = layout.axis.to.x - layout.axis.from.x;
-    let mut along_mm = (ALONG_MM - too_wide / units.max(1.0)).clamp(least, ALONG_MM);
+    let mut along_mm = (ALONG_MM - too_wide / units.max(1.0)).clamp(LEAST_ALONG_MM, ALONG_MM);
     // A little wider each time until all labels have room.
     while along_mm < ALONG_MM {
         let drawn = draw(along_mm)?;
@@ -233,8 +232,7 @@ struct Sheet<'a> {
     pieces: Vec<Piece>,
     /// Width of the power that enters.
     entering_mm: f64,
-    /// Millimetres to a unit of the layout along the axis.
-    along_mm: f64,
+    along: Along,
     scene: Scene,
     layers: Layers,
 }
@@ -266,12 +264,13 @@ impl<'a> Sheet<'a> {
         let powers = pieces.iter().filter_map(|piece| piece.power).chain(members).map(f64::abs);
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
-        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, along_mm, scene, layers })
+        let along = Along::of(gearbox, layout, along_mm);
+        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, along, scene, layers })
     }
 
     /// A place of the layout on paper.
     fn at(&self, place: Place) -> Point {
-        Point::new(self.along_mm * place.x, UP_MM * place.y)
+        Point::new(self.along.mm(place.x), UP_MM * place.y)
     }
 
     /// Whether a link rests in the gear shown.

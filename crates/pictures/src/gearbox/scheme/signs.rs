@@ -31,13 +31,13 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
     if from.y != to.y {
         return left;
     }
-    let half = FORK_MM / sheet.along_mm;
     for stack in &sheet.layout.sets {
         let kind = sheet.gearbox.drawn_sets()[stack.set].kind;
         if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
             continue;
         }
-        let (low, high) = (stack.x - half, stack.x + half);
+        let middle = sheet.along.mm(stack.x);
+        let [low, high] = [middle - FORK_MM, middle + FORK_MM].map(|mm| sheet.along.x(mm));
         left = left
             .into_iter()
             .flat_map(|[from, to]| {
