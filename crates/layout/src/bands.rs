@@ -119,6 +119,7 @@ impl<'a> Draft<'a> {
         }
     }
 
+    /// Something upright that meets these lines.
     fn column(&mut self, column: Column, bars: &[Option<usize>]) {
         for &bar in bars.iter().flatten() {
             self.bars[bar].columns.push(self.columns.len());

@@ -2,7 +2,6 @@
 
 use super::layout::{Layout, Point, SetStack};
 use super::scheme::Scheme;
-use super::sweep;
 use epicyclic_train::{Gearbox, LinkId};
 
 /// A corner, over a unit of length.
@@ -75,7 +74,7 @@ impl Layout {
                 }
             }
         }
-        let stages = sweep::stages(&Scheme::new(gearbox, &[]), gearbox);
+        let stages = Scheme::new(gearbox, &[]).stages();
         let stage = |stack: &SetStack| {
             let set = gearbox.drawn_sets()[stack.set].set;
             (stages[set], set)

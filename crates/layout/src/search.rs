@@ -204,7 +204,7 @@ fn sets(task: &Task, state: &State, steps: &mut Vec<Step>) {
         for &left in &lefts {
             for arm in 0..8 {
                 let right = Arm { below: arm & 1 == 1, above: arm & 2 == 2, level: arm & 4 == 4 };
-                if right.level && !another || must && !right.level {
+                if right.level && !another || must && right != (Arm { level: true, ..Arm::default() }) {
                     continue;
                 }
                 // Arms that go the same way on both sides close a ring around sun or ring.

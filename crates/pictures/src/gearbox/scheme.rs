@@ -14,6 +14,8 @@
 //! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii. Planets of a stepped set
 //! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
 //! suns or rings, meshing suns and bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind.
+//! A Ravigneaux set and a Wolfrom drive are drawn as one set where the layout has their two halves side by side: the planet that they
+//! have in common through both, the gear in common once. The lines below the drawing say so, or that the halves are drawn apart.
 //!
 //! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is as wide as the power that passes
 //! it, `|Σ T·ω|` over the power that enters; what of it circulates stands inside in another colour.
@@ -21,6 +23,7 @@
 mod along;
 mod flow;
 mod names;
+mod shared;
 mod signs;
 
 use super::words::{self, decimal};
@@ -230,6 +233,8 @@ struct Sheet<'a> {
     gear: Option<&'a Analysis<'a>>,
     load: Option<&'a LoadCase>,
     pieces: Vec<Piece>,
+    /// Drawn sets that are one.
+    pairs: Vec<shared::Pair>,
     /// Width of the power that enters.
     entering_mm: f64,
     along: Along,
@@ -265,7 +270,8 @@ impl<'a> Sheet<'a> {
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
         let along = Along::of(gearbox, layout, along_mm);
-        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, along, scene, layers })
+        let pairs = shared::pairs(gearbox, layout);
+        Ok(Self { gearbox, layout, gear, load, pieces, pairs, entering_mm, along, scene, layers })
     }
 
     /// A place of the layout on paper.
@@ -310,19 +316,32 @@ impl<'a> Sheet<'a> {
 
     /// Power of a member into its set, and the part of it that circulates.
     fn member(&self, set: usize, member: usize) -> (Option<f64>, f64) {
-        let power = self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, set));
-        power.map_or((None, 0.0), |power| (Some(power.members[member]), power.circulating[member]))
+        let of = |set| self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, set));
+        let shared = self.pair_of(set).filter(|pair| pair.member == member && pair.without.is_some());
+        let sets = shared.map_or(vec![set], |pair| pair.stacks.map(|stack| stack.set).to_vec());
+        let powers: Option<Vec<_>> = sets.into_iter().map(of).collect();
+        powers.map_or((None, 0.0), |powers| {
+            (
+                Some(powers.iter().map(|power| power.members[member]).sum()),
+                powers.iter().map(|power| power.circulating[member]).sum(),
+            )
+        })
+    }
+
+    fn leads_nowhere(&self, piece: &Piece) -> bool {
+        shared::leads_nowhere(&self.pairs, piece.link, piece.from, piece.to)
     }
 
     fn links(&mut self) {
         let pieces = std::mem::take(&mut self.pieces);
-        for piece in &pieces {
+        let drawn: Vec<&Piece> = pieces.iter().filter(|piece| !self.leads_nowhere(piece)).collect();
+        for piece in &drawn {
             let look = self.look(piece.link, SHAFT_MM, piece.power, piece.circulating);
             for [from, to] in signs::without_forks(self, piece.link, [piece.from, piece.to]) {
                 self.line(self.layers.links, look, self.at(from), self.at(to));
             }
         }
-        for piece in &pieces {
+        for piece in drawn {
             self.arrow(piece);
         }
         self.pieces = pieces;
@@ -388,6 +407,10 @@ impl<'a> Sheet<'a> {
         let sets = if options.bare { 0 } else { self.gearbox.drawn_sets().len() };
         for place in 0..sets {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
+        }
+        let said = if options.bare { vec![] } else { shared::words(self.gearbox, self.layout) };
+        for words in said {
+            write(&mut self.scene, 0.0, words);
         }
         let Some(gear) = self.gear else { return };
         let shift_elements =

@@ -6,7 +6,7 @@
 use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Color, Scene, Shape, dxf, svg};
 use epicyclic_formats::Document;
-use epicyclic_formats::gearbox::TransmissionsFile;
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_layout as drawability;
@@ -34,6 +34,31 @@ pub(crate) fn in_service() -> Vec<Gearbox> {
     all.iter()
         .map(|one| one.gearbox().unwrap().to_builder().map_sets(|set| set.with_loss(loss)).build().unwrap())
         .collect()
+}
+
+/// The gearboxes of the examples that are whole gearboxes, and can be drawn.
+pub(crate) fn examples() -> Vec<Gearbox> {
+    let names = [
+        "ravigneaux",
+        "wolfrom",
+        "wolfrom-self-locking",
+        "simpson",
+        "lepelletier",
+        "six-speed-6hp",
+        "power-split",
+        "scheme-ii-3",
+        "sized-gearbox",
+        "unlisted-scheme",
+        "closed-by-planetary-gear",
+        "closed-by-ordinary-train",
+        "every-gearbox-key",
+    ];
+    let read = |name: &str| {
+        let file = format!("{}/../../examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+        let document = Document::parse_one(name, &std::fs::read(file).unwrap()).unwrap();
+        document.read::<GearboxFile>().unwrap().gearbox().unwrap()
+    };
+    names.into_iter().map(read).collect()
 }
 
 pub(crate) fn layout(gearbox: &Gearbox) -> Layout {
