@@ -77,7 +77,7 @@
 //! more than it must, so the cheapest drawing of all may be missed. Sets drawn of one set (a Ravigneaux set) stand side by side
 //! on one level line of their carrier where that is found.
 //!
-//! Where no sweep is found, drawings with the sets at any heights are made by chance from embeddings of the graph, and the
+//! Where no sweep is found, and beside it for one set or two, drawings with the sets at any heights are made by chance from embeddings of the graph, and the
 //! cheapest of them is drawn. The verdict never depends on the search.
 //!
 //! # Idealised
