@@ -32,11 +32,6 @@ pub(super) struct Pair {
 }
 
 impl Pair {
-    /// Whether the planet in common is a long one, around which the carrier forks.
-    pub(super) fn is_long(&self) -> bool {
-        self.common == Common::Long
-    }
-
     /// Whether a member of a drawn set is drawn by the other.
     pub(super) fn hides(&self, set: usize, member: usize) -> bool {
         self.member == member && self.without.is_some_and(|without| self.stacks[without].set == set)
@@ -62,7 +57,7 @@ fn commons(gearbox: &Gearbox) -> Vec<([usize; 2], Common, usize)> {
         let common = |member: usize| drawn[first].members[member] == drawn[second].members[member];
         match [first, second].map(|set| drawn[set].kind) {
             [SetKind::DoublePlanet, SetKind::Simple] if common(1) => {
-                found.push(([first, second], Common::Long, 1))
+                found.push(([first, second], Common::Long, 1));
             }
             [SetKind::Simple, SetKind::SteppedSunRing] if common(0) => {
                 found.push(([first, second], Common::Stepped, 0));
@@ -149,6 +144,11 @@ impl Sheet<'_> {
         self.pairs.iter().copied().find(|pair| pair.stacks.iter().any(|stack| stack.set == set))
     }
 
+    /// The same where the planet in common is a long one, around which the carrier forks.
+    pub(super) fn long_pair_of(&self, set: usize) -> Option<Pair> {
+        self.pair_of(set).filter(|pair| pair.common == Common::Long)
+    }
+
     /// Central gears and planets of two sets that are one.
     pub(super) fn pair(&mut self, pair: &Pair) {
         match pair.common {
@@ -184,8 +184,6 @@ impl Sheet<'_> {
         let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(&double, 2, SHAFT_MM) };
         let pins = [short, long].map(|[low, high]| f64::midpoint(low, high));
         let sides = [(-1.0, xd.min(xs)), (1.0, xd.max(xs))];
-        let mut reached = self.carrier_sides(&double);
-        reached.extend(self.carrier_sides(&simple));
         let outwards = |side: f64, x: f64| {
             let stack = if x == xd { &double } else { &simple };
             self.carrier_sides(stack).contains(&side)

@@ -35,7 +35,7 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
     }
     for stack in &sheet.layout.sets {
         let kind = sheet.gearbox.drawn_sets()[stack.set].kind;
-        let long = sheet.pair_of(stack.set).filter(|pair| pair.is_long());
+        let long = sheet.long_pair_of(stack.set);
         if !is_cut(kind) && long.is_none() || stack.members[2] != link || stack.planet != from.y {
             continue;
         }
