@@ -334,9 +334,11 @@ fn cases(usual: u32) -> u32 {
 }
 
 /// Examples, and the commands that read them.
-const READ: [(&str, &[&str]); 13] = [
+const READ: [(&str, &[&str]); 15] = [
     ("every-gearbox-key.yaml", GEARBOXES),
     ("ravigneaux.yaml", GEARBOXES),
+    ("simpson.yaml", GEARBOXES),
+    ("lepelletier.yaml", GEARBOXES),
     ("power-split.yaml", GEARBOXES),
     ("wolfrom.yaml", GEARBOXES),
     ("wolfrom-self-locking.yaml", GEARBOXES),

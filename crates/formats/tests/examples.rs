@@ -51,3 +51,21 @@ fn a_sized_gearbox_lacks_nothing_for_the_forces_on_its_planets() {
     let bearings = unsized_.planet_bearings(&unsized_.gearbox().unwrap()).unwrap();
     assert!(bearings.iter().all(|bearing| bearing.lacks.len() == 3), "{bearings:?}");
 }
+
+#[test]
+fn automatic_transmissions_have_the_ratios_of_their_comments() {
+    let cases: [(&str, &[f64]); 2] = [
+        ("simpson.yaml", &[2.44, 2.44, 1.45, 1.0, -2.2]),
+        ("lepelletier.yaml", &[4.171, 2.340, 1.521, 1.143, 0.867, 0.691, -3.403]),
+    ];
+    for (name, published) in cases {
+        let gearbox = example::<GearboxFile>(name).gearbox().unwrap();
+        let ratios = gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear).unwrap().ratio().unwrap());
+        for (ratio, published) in ratios.zip(published) {
+            // Three decimals of the second, two of the first.
+            let last = if name == "simpson.yaml" { 0.005 } else { 0.0006 };
+            assert!((ratio - published).abs() < last, "{name}: {ratio}, {published}");
+        }
+        assert_eq!(gearbox.gears().len(), published.len());
+    }
+}

@@ -67,6 +67,19 @@
 //! reason input and output on one side change no verdict, only the drawing: the border's cyclic order of
 //! input, housing and output is the same, and the inner shaft goes back under everything.
 //!
+//! # What is drawn
+//!
+//! All sets stand in one band, their planets at one height, if a sweep from left to right is found for that: what a line
+//! upright through such a drawing meets changes only next to the band, so a search over these lists finds drawings
+//! without a crossing and nothing else. The first is searched for in haste, cheaper ones with more patience as far as
+//! [`Options::attempts`] allow; the one that costs least is drawn. [`Layout::cost`] is the cost: bands of sets, then corners, walls
+//! of the housing between sets, length, and sets against the order of the power. The search weighs what lies ahead
+//! more than it must, so the cheapest drawing of all may be missed. Sets drawn of one set (a Ravigneaux set) stand side by side
+//! on one level line of their carrier where that is found.
+//!
+//! Where no sweep is found, and beside it for one set or two, drawings with the sets at any heights are made by chance from embeddings of the graph, and the
+//! cheapest of them is drawn. The verdict never depends on the search.
+//!
 //! # Idealised
 //!
 //! - Bearings, seals, oil and the actuators of shift elements take no room, and a drum or hollow shaft may be
@@ -87,8 +100,11 @@
 //! multispeed-gearboxes, section 3.1, names the criterion: links between sets may cut off braked links
 //! from the housing. It gives no test; the graph is ours.
 
+mod bands;
 mod carriers;
+mod cost;
 pub mod crossings;
+mod drawing;
 mod grid;
 pub mod layout;
 mod map;
@@ -97,8 +113,11 @@ mod planar;
 #[cfg(test)]
 mod samples;
 mod scheme;
+mod search;
 mod stacks;
+mod sweep;
 
+pub use cost::Cost;
 pub use crossings::{Crossing, Line};
 pub use layout::Layout;
 
@@ -110,8 +129,9 @@ use scheme::Scheme;
 pub struct Options {
     /// Input and output both leave on the left, the input's shaft around the output's.
     pub same_side: bool,
-    /// How many drawings are compared for the one with the shortest lines and fewest corners, about
-    /// 10 µs each; at least one is made. The verdict does not depend on it.
+    /// How far the search for the drawing that costs least goes on after the first: so many times forty lists of lines. Where no
+    /// drawing with all sets in one band is found, how many drawings are compared, at least one. The verdict does not depend on
+    /// it.
     pub attempts: u32,
 }
 
@@ -220,7 +240,7 @@ pub fn direct_clutch_options(gearbox: &Gearbox) -> Vec<[LinkId; 2]> {
 
 fn judge(gearbox: &Gearbox, direct_clutches: &[[LinkId; 2]], options: Options) -> Verdict {
     let scheme = Scheme::new(gearbox, direct_clutches);
-    match layout::draw(&scheme, gearbox, options) {
+    match drawing::draw(&scheme, gearbox, options) {
         Some(layout) => Verdict::Drawable(Box::new(layout)),
         None => Verdict::SelfCrossing(witness(&scheme)),
     }

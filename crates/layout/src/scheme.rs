@@ -182,15 +182,65 @@ impl<'a> Scheme<'a> {
                 graph.planets.push(Planet { set, carrier, sun, ring });
             }
         }
-        let shift_elements = self.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::links);
-        for (shift_element, links) in shift_elements.chain(self.direct_clutches.iter().copied()).enumerate() {
-            // What joins a piece with itself needs no room.
-            if keeps(Element::ShiftElement(shift_element)) && self.piece(links[0]) != self.piece(links[1]) {
+        for (shift_element, links) in self.shift_elements() {
+            if keeps(Element::ShiftElement(shift_element)) {
                 let ends = links.map(|link| end(&mut graph, link));
                 graph.join(ends, Kind::ShiftElement(shift_element));
             }
         }
         graph.connect();
         graph
+    }
+
+    /// Shift elements between different pieces: what joins a piece with itself needs no room.
+    fn shift_elements(&self) -> impl Iterator<Item = (usize, [LinkId; 2])> {
+        let own = self.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::links);
+        let all = own.chain(self.direct_clutches.iter().copied()).enumerate();
+        all.filter(|(_, links)| self.piece(links[0]) != self.piece(links[1]))
+    }
+
+    /// What joins two links, and the ways out to the housing.
+    pub(super) fn ties(&self) -> Vec<([LinkId; 2], Kind)> {
+        let shift_elements = self.shift_elements().map(|(place, links)| (links, Kind::ShiftElement(place)));
+        let take_offs =
+            self.take_offs().into_iter().map(|link| ([link, LinkId::GROUND], Kind::TakeOff(link)));
+        shift_elements.chain(take_offs).collect()
+    }
+
+    /// How far from input to output each set of a gearbox stands: the more steps from the input and the fewer from the output the
+    /// farther, where each set and shift element is a step from one of its links to another.
+    pub(super) fn stages(&self) -> Vec<u32> {
+        let gearbox = self.gearbox;
+        let sets: Vec<Vec<LinkId>> = gearbox.sets().iter().map(|set| set.members().to_vec()).collect();
+        let ties = self.ties().into_iter().map(|(links, _)| links.to_vec());
+        let groups = sets.iter().cloned().chain(ties);
+        let groups: Vec<Vec<LinkId>> =
+            groups.map(|links| links.into_iter().map(|link| self.piece(link)).collect()).collect();
+        let links = gearbox.links().len();
+        let far = |from: LinkId| {
+            let mut far = vec![None; links];
+            far[self.piece(from).index()] = Some(0);
+            for step in 0..u32::try_from(links).unwrap_or(0) {
+                for group in &groups {
+                    let moving = || group.iter().filter(|link| **link != LinkId::GROUND);
+                    if moving().any(|link| far[link.index()] == Some(step)) {
+                        for link in moving() {
+                            far[link.index()] = far[link.index()].or(Some(step + 1));
+                        }
+                    }
+                }
+            }
+            far
+        };
+        let (from_input, from_output) = (far(gearbox.input()), far(gearbox.output()));
+        // Means, over the sets' members, in twelfths of a step.
+        let mean = |group: &[LinkId], far: &[Option<u32>]| {
+            let known: Vec<u32> = group.iter().filter_map(|link| far[link.index()]).collect();
+            12 * known.iter().sum::<u32>() / u32::try_from(known.len().max(1)).unwrap_or(1)
+        };
+        let most = 12 * u32::try_from(links).unwrap_or(0);
+        let stage =
+            |group: &Vec<LinkId>| most + mean(group, &from_input) - mean(group, &from_output).min(most);
+        groups[..sets.len()].iter().map(stage).collect()
     }
 }

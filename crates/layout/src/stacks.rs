@@ -36,9 +36,6 @@ pub(super) struct Upward {
     /// Edges below and above each vertex, from left to right.
     pub(super) below: Vec<Vec<usize>>,
     pub(super) above: Vec<Vec<usize>>,
-    /// Shafts and drums led around, and arms led around these.
-    pub(super) turns: usize,
-    pub(super) detours: usize,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,8 +69,6 @@ impl Upward {
             parts: map.owner.iter().map(|&owner| Part::Bar(owner)).collect(),
             below,
             above,
-            turns: 0,
-            detours: 0,
         };
         for (vertex, planet) in map.planet.iter().enumerate() {
             if let &Some(set) = planet {
@@ -117,8 +112,6 @@ impl Upward {
         let mut up = plan.left_up;
         self.above[sun] = vec![sun_mesh];
         self.below[ring] = vec![ring_mesh];
-        self.turns += usize::from(plan.sun_up.is_some()) + usize::from(plan.ring_down.is_some());
-        self.detours += plan.under.len() + plan.over.len();
         match plan.sun_up {
             None => {
                 self.ends[sun_edge][1] = sun;

@@ -547,3 +547,30 @@ proptest! {
         }
     }
 }
+
+/// All sets of a gearbox stand in one band.
+fn in_one_band(gearbox: &Gearbox) -> Option<bool> {
+    match drawability::draw(gearbox, Options::default()) {
+        Verdict::Drawable(layout) => Some(layout.cost(gearbox).bands == 1),
+        Verdict::SelfCrossing(_) => None,
+    }
+}
+
+#[test]
+fn sets_stand_in_one_band() {
+    let structures = |all: Vec<Structure>| {
+        let gearboxes = all.into_iter().map(|structure| {
+            let sets = structure.sets().map(|set| set.map(Role::symbol).join(" "));
+            scheme(&[&sets[0], &sets[1]], None)
+        });
+        gearboxes.collect::<Vec<_>>()
+    };
+    let in_service = machines::all().into_iter().map(|machine| machine.gearbox).collect();
+    let counts = [structures(Structure::catalogue().to_vec()), structures(Structure::all()), in_service].map(
+        |gearboxes| {
+            let verdicts: Vec<bool> = gearboxes.iter().filter_map(in_one_band).collect();
+            [verdicts.iter().filter(|in_band| **in_band).count(), verdicts.len()]
+        },
+    );
+    assert_eq!(counts, [[11, 11], [106, 106], [5, 5]]);
+}

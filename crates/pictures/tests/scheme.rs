@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Picture, catalogue, check, crossed, examples, gears, in_service, layout, met};
+use common::{Picture, catalogue, check, crossed, examples, gears, in_service, layout, met, whole_examples};
 use epicyclic_drawing::{Color, Scene, Shape};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::teeth::ToothCount;
@@ -23,6 +23,41 @@ const CIRCULATING: Color = Color::new(240, 140, 20);
 
 fn all() -> impl Iterator<Item = Gearbox> {
     catalogue().into_iter().chain(in_service()).chain(examples())
+}
+
+/// Sets of all of them stand side by side.
+#[test]
+fn all_sets_stand_in_one_band() {
+    let bands = |gearbox: &Gearbox| layout(gearbox).cost(gearbox).bands;
+    let in_one = |all: Vec<Gearbox>| [all.iter().filter(|gearbox| bands(gearbox) == 1).count(), all.len()];
+    assert_eq!([catalogue(), in_service(), whole_examples()].map(in_one), [[14, 14], [5, 5], [13, 13]]);
+}
+
+/// A Ravigneaux set has one ring and one long planet over both suns, a Wolfrom drive one sun under both rings.
+#[test]
+fn sets_with_planets_in_common_are_drawn_as_one() {
+    let one_of = |name: &str| all().find(|gearbox| gearbox.name() == name).unwrap();
+    let cases = [
+        ("Ravigneaux four-speed", "long planet and the ring", ["b2", "a2"]),
+        ("Ford AOD", "long planet and the ring", ["b2", "a2"]),
+        ("Lepelletier six-speed", "long planet and the ring", ["b3", "a3"]),
+        ("Wolfrom 51 to 1", "stepped planet and the sun", ["a2", "b2"]),
+        ("Wolfrom 408 to 1", "stepped planet and the sun", ["a2", "b2"]),
+    ];
+    for (name, words, [hidden, shown]) in cases {
+        let gearbox = one_of(name);
+        let scene = scene(&gearbox, &layout(&gearbox), Show::Structure, &Options::default()).unwrap();
+        let texts: Vec<&str> = scene
+            .items()
+            .iter()
+            .filter_map(|item| match &item.shape {
+                Shape::Text(text) => Some(text.content.as_str()),
+                _ => None,
+            })
+            .collect();
+        assert!(texts.iter().any(|text| text.contains(words)), "{name}: {texts:?}");
+        assert!(texts.contains(&shown) && !texts.contains(&hidden), "{name}: {texts:?}");
+    }
 }
 
 #[test]

@@ -347,8 +347,12 @@ impl PlanetSet {
         let Parts { centrals, planets, mut meshes, factors, exact, rational, loss } = parts;
         let root = match &description {
             Description::Short(_) => 0,
+            // A single sun under several rings is what they have in common; else the first ring.
             Description::Compound(_) => {
-                centrals.iter().position(|central| central.kind == CentralKind::Ring).unwrap_or(0)
+                let of = |kind| centrals.iter().filter(move |central| central.kind == kind).count();
+                let is_single_sun = of(CentralKind::Sun) == 1 && of(CentralKind::Ring) > 1;
+                let kind = if is_single_sun { CentralKind::Sun } else { CentralKind::Ring };
+                centrals.iter().position(|central| central.kind == kind).unwrap_or(0)
             }
         };
         let tree = Tree::new(&description, root, &centrals, planets.len(), &mut meshes, loss)?;

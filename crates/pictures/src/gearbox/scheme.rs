@@ -14,17 +14,22 @@
 //! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii. Planets of a stepped set
 //! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
 //! suns or rings, meshing suns and bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind.
+//! A Ravigneaux set and a Wolfrom drive are drawn as one set where the layout has their two halves side by side: the planet that they
+//! have in common through both, the gear in common once. The lines below the drawing say so, or that the halves are drawn apart.
 //!
 //! In a gear the engaged shift elements are filled and what rests is grey. With the power flow each line is as wide as the power that passes
 //! it, `|Σ T·ω|` over the power that enters; what of it circulates stands inside in another colour.
 
+mod along;
 mod flow;
 mod names;
+mod shared;
 mod signs;
 
 use super::words::{self, decimal};
 use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
 use crate::tolerance::{CIRCULATES, IDLE, RESTS};
+use along::Along;
 use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Align, Color, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_layout::Layout;
@@ -38,9 +43,8 @@ pub const ALONG_MM: f64 = 13.0;
 /// Millimetres to a unit of the layout away from the axis.
 pub const UP_MM: f64 = 12.0;
 
-/// The least of [`Options::along_mm`] in [`narrow`], where several carriers fork around their planets and where not: the signs of
-/// neighbouring sets stay apart.
-const LEAST_ALONG_MM: [f64; 2] = [8.5, 7.0];
+/// The least of [`Options::along_mm`] in [`narrow`]: the signs of neighbouring sets stay apart.
+const LEAST_ALONG_MM: f64 = 7.0;
 
 /// How much wider the next trial of [`narrow`] is.
 const WIDER_MM: f64 = 0.25;
@@ -77,7 +81,8 @@ pub struct Options {
     pub gearing: bool,
     /// Without title and sets, for a page that says them itself. What the colours mean stays.
     pub bare: bool,
-    /// Millimetres to a unit of the layout along the axis.
+    /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without signs stand
+    /// closer still.
     pub along_mm: f64,
 }
 
@@ -157,11 +162,8 @@ pub fn narrow(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, width_mm: f64)
     if too_wide <= 0.0 {
         return Ok(usual);
     }
-    let [forked, straight] = LEAST_ALONG_MM;
-    let forks = gearbox.drawn_sets().iter().filter(|set| signs::is_cut(set.kind)).count();
-    let least = if forks > 1 { forked } else { straight };
     let units = layout.axis.to.x - layout.axis.from.x;
-    let mut along_mm = (ALONG_MM - too_wide / units.max(1.0)).clamp(least, ALONG_MM);
+    let mut along_mm = (ALONG_MM - too_wide / units.max(1.0)).clamp(LEAST_ALONG_MM, ALONG_MM);
     // A little wider each time until all labels have room.
     while along_mm < ALONG_MM {
         let drawn = draw(along_mm)?;
@@ -231,10 +233,11 @@ struct Sheet<'a> {
     gear: Option<&'a Analysis<'a>>,
     load: Option<&'a LoadCase>,
     pieces: Vec<Piece>,
+    /// Drawn sets that are one.
+    pairs: Vec<shared::Pair>,
     /// Width of the power that enters.
     entering_mm: f64,
-    /// Millimetres to a unit of the layout along the axis.
-    along_mm: f64,
+    along: Along,
     scene: Scene,
     layers: Layers,
 }
@@ -266,12 +269,14 @@ impl<'a> Sheet<'a> {
         let powers = pieces.iter().filter_map(|piece| piece.power).chain(members).map(f64::abs);
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
-        Ok(Self { gearbox, layout, gear, load, pieces, entering_mm, along_mm, scene, layers })
+        let along = Along::of(gearbox, layout, along_mm);
+        let pairs = shared::pairs(gearbox, layout);
+        Ok(Self { gearbox, layout, gear, load, pieces, pairs, entering_mm, along, scene, layers })
     }
 
     /// A place of the layout on paper.
     fn at(&self, place: Place) -> Point {
-        Point::new(self.along_mm * place.x, UP_MM * place.y)
+        Point::new(self.along.mm(place.x), UP_MM * place.y)
     }
 
     /// Whether a link rests in the gear shown.
@@ -311,19 +316,32 @@ impl<'a> Sheet<'a> {
 
     /// Power of a member into its set, and the part of it that circulates.
     fn member(&self, set: usize, member: usize) -> (Option<f64>, f64) {
-        let power = self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, set));
-        power.map_or((None, 0.0), |power| (Some(power.members[member]), power.circulating[member]))
+        let of = |set| self.gear.zip(self.load).and_then(|(gear, case)| gear.drawn_power(case, set));
+        let shared = self.pair_of(set).filter(|pair| pair.member == member && pair.without.is_some());
+        let sets = shared.map_or(vec![set], |pair| pair.stacks.map(|stack| stack.set).to_vec());
+        let powers: Option<Vec<_>> = sets.into_iter().map(of).collect();
+        powers.map_or((None, 0.0), |powers| {
+            (
+                Some(powers.iter().map(|power| power.members[member]).sum()),
+                powers.iter().map(|power| power.circulating[member]).sum(),
+            )
+        })
+    }
+
+    fn leads_nowhere(&self, piece: &Piece) -> bool {
+        shared::leads_nowhere(&self.pairs, piece.link, piece.from, piece.to)
     }
 
     fn links(&mut self) {
         let pieces = std::mem::take(&mut self.pieces);
-        for piece in &pieces {
+        let drawn: Vec<&Piece> = pieces.iter().filter(|piece| !self.leads_nowhere(piece)).collect();
+        for piece in &drawn {
             let look = self.look(piece.link, SHAFT_MM, piece.power, piece.circulating);
             for [from, to] in signs::without_forks(self, piece.link, [piece.from, piece.to]) {
                 self.line(self.layers.links, look, self.at(from), self.at(to));
             }
         }
-        for piece in &pieces {
+        for piece in drawn {
             self.arrow(piece);
         }
         self.pieces = pieces;
@@ -389,6 +407,10 @@ impl<'a> Sheet<'a> {
         let sets = if options.bare { 0 } else { self.gearbox.drawn_sets().len() };
         for place in 0..sets {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
+        }
+        let said = if options.bare { vec![] } else { shared::words(self.gearbox, self.layout) };
+        for words in said {
+            write(&mut self.scene, 0.0, words);
         }
         if !self.layout.take_offs.is_empty() {
             let y = write(&mut self.scene, 10.0, "power enters or leaves here in some gears only".into());

@@ -82,6 +82,31 @@ fn with_losses(gearbox: &Gearbox) -> Gearbox {
     gearbox.to_builder().map_descriptions(change).build().unwrap()
 }
 
+/// The gearboxes of the examples that are whole gearboxes, and can be drawn.
+pub(crate) fn whole_examples() -> Vec<Gearbox> {
+    let names = [
+        "ravigneaux",
+        "wolfrom",
+        "wolfrom-self-locking",
+        "simpson",
+        "lepelletier",
+        "six-speed-6hp",
+        "power-split",
+        "scheme-ii-3",
+        "sized-gearbox",
+        "unlisted-scheme",
+        "closed-by-planetary-gear",
+        "closed-by-ordinary-train",
+        "every-gearbox-key",
+    ];
+    let read = |name: &str| {
+        let file = format!("{}/../../examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+        let document = Document::parse_one(name, &std::fs::read(file).unwrap()).unwrap();
+        document.read::<GearboxFile>().unwrap().gearbox().unwrap()
+    };
+    names.into_iter().map(read).collect()
+}
+
 pub(crate) fn layout(gearbox: &Gearbox) -> Layout {
     match drawability::draw(gearbox, drawability::Options::default()) {
         Verdict::Drawable(layout) => *layout,

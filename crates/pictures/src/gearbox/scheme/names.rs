@@ -85,6 +85,11 @@ impl Sheet<'_> {
             if !kind.is_pair() {
                 members.push(("g", web(stack.sun_mesh, stack.planet)));
             }
+            let hidden = |letter: &str| {
+                let member = usize::from(letter == "b");
+                letter != "g" && self.pair_of(stack.set).is_some_and(|pair| pair.hides(stack.set, member))
+            };
+            members.retain(|(letter, _)| !hidden(letter));
             for (letter, along) in members {
                 let name = format!("{letter}{number}");
                 let gap = 0.1 + self.web_half(&stack, letter);

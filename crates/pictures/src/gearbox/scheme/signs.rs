@@ -13,9 +13,11 @@ pub(super) const RIM_MM: f64 = 2.6;
 /// Half the room between two rims in mesh.
 pub(super) const MESH_MM: f64 = 0.55;
 /// From the middle of a set to a carrier's fork, and to what is left of a pair's bearings.
-const FORK_MM: f64 = 4.2;
+pub(super) const FORK_MM: f64 = 4.2;
 /// How far a planet pin stands out of its planet.
-const PLANET_PIN_MM: f64 = 3.2;
+pub(super) const PLANET_PIN_MM: f64 = 3.2;
+/// The smaller step of a planet over the larger.
+pub(super) const STEP: f64 = 0.72;
 /// Radius of the circle where power enters or leaves in some gears only.
 pub(super) const TAKE_OFF_MM: f64 = 1.2;
 /// Length of hatching strokes along the axis and away from it. They lean to the right of upright walls and above level ones.
@@ -33,13 +35,16 @@ pub(super) fn without_forks(sheet: &Sheet<'_>, link: LinkId, line: [Place; 2]) -
     if from.y != to.y {
         return left;
     }
-    let half = FORK_MM / sheet.along_mm;
     for stack in &sheet.layout.sets {
         let kind = sheet.gearbox.drawn_sets()[stack.set].kind;
-        if !is_cut(kind) || stack.members[2] != link || stack.planet != from.y {
+        let long = sheet.long_pair_of(stack.set);
+        if !is_cut(kind) && long.is_none() || stack.members[2] != link || stack.planet != from.y {
             continue;
         }
-        let (low, high) = (stack.x - half, stack.x + half);
+        // A carrier forks around a long planet as a whole.
+        let ends = long.map_or([stack.x; 2], |pair| pair.stacks.map(|stack| stack.x));
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])].map(|x| sheet.along.mm(x));
+        let [low, high] = [low - FORK_MM, high + FORK_MM].map(|mm| sheet.along.x(mm));
         left = left
             .into_iter()
             .flat_map(|[from, to]| {
@@ -129,7 +134,13 @@ impl Sheet<'_> {
 
     /// Central gears and planets of all sets.
     pub(super) fn sets(&mut self) {
+        for pair in self.pairs.clone() {
+            self.pair(&pair);
+        }
         for stack in self.layout.sets.clone() {
+            if self.pair_of(stack.set).is_some() {
+                continue;
+            }
             let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let x = self.at(Place { x: stack.x, y: 0.0 }).x;
             // Rims of stepped planets' gears stand on two sides.
@@ -154,13 +165,20 @@ impl Sheet<'_> {
     }
 
     /// The look of a member of a set in its gear.
-    fn member_look(&self, stack: &SetStack, member: usize, width: f64) -> Look {
+    pub(super) fn member_look(&self, stack: &SetStack, member: usize, width: f64) -> Look {
         let (power, circulating) = self.member(stack.set, member);
         self.look(stack.members[member], width, power, circulating)
     }
 
     /// A central gear: its web from where it sits to its rim, the rim `aside` of the web.
-    fn central_gear(&mut self, stack: &SetStack, member: usize, [x, seat]: [f64; 2], rim: f64, aside: f64) {
+    pub(super) fn central_gear(
+        &mut self,
+        stack: &SetStack,
+        member: usize,
+        [x, seat]: [f64; 2],
+        rim: f64,
+        aside: f64,
+    ) {
         let look = self.member_look(stack, member, WEB_MM);
         self.line(self.layers.toothed_gears, look, Point::new(x, seat), Point::new(x, rim));
         let color = if look.color == RESTING { RESTING } else { Color::BLACK };
@@ -181,16 +199,16 @@ impl Sheet<'_> {
     }
 
     /// Colour of planets: grey where neither carrier nor central gears turn.
-    fn planet_color(&self, stack: &SetStack) -> Color {
+    pub(super) fn planet_color(&self, stack: &SetStack) -> Color {
         if stack.members.iter().all(|link| self.rests(*link)) { RESTING } else { Color::BLACK }
     }
 
     /// Half the width of the carrier's line, from which the planet's bearing keeps away.
-    fn planet_pin_half(&self, stack: &SetStack) -> f64 {
+    pub(super) fn planet_pin_half(&self, stack: &SetStack) -> f64 {
         0.5 * self.member_look(stack, 2, SHAFT_MM).width_mm
     }
 
-    fn planet_pin(&mut self, stack: &SetStack, x: f64, y: f64) {
+    pub(super) fn planet_pin(&mut self, stack: &SetStack, x: f64, y: f64) {
         let color = if self.rests(stack.members[2]) { RESTING } else { Color::BLACK };
         let look = Look { color, width_mm: WEB_MM, inner_mm: 0.0 };
         self.line(
@@ -263,7 +281,7 @@ impl Sheet<'_> {
     }
 
     /// Sides on which a carrier reaches the planet of a set.
-    fn carrier_sides(&self, stack: &SetStack) -> Vec<f64> {
+    pub(super) fn carrier_sides(&self, stack: &SetStack) -> Vec<f64> {
         let ground = self.layout.links.iter().filter(|shape| shape.link == stack.members[2]);
         let level = ground
             .flat_map(|shape| &shape.segments)
@@ -291,7 +309,7 @@ impl Sheet<'_> {
         // The step in mesh below is the larger one, so that both are seen.
         for (x, size, meshes) in [(x - aside, reach[0], -1.0), (x + aside, reach[1], 1.0)] {
             for side in [-1.0, 1.0] {
-                let rim = y + side * if side == meshes { size } else { 0.72 * size };
+                let rim = y + side * if side == meshes { size } else { STEP * size };
                 self.scene.add_styled(
                     self.layers.toothed_gears,
                     style,

@@ -1,0 +1,86 @@
+//! What a drawing costs to look at.
+
+use super::layout::{Layout, Point, SetStack};
+use super::scheme::Scheme;
+use epicyclic_train::{Gearbox, LinkId};
+
+/// A corner, over a unit of length.
+pub(super) const BEND: f64 = 6.0;
+/// A wall of the housing between sets.
+pub(super) const WALL: f64 = 24.0;
+/// Two sets against the order of the power.
+pub(super) const BACKWARDS: f64 = 1.5;
+/// A further band of sets costs more than all else.
+const BAND: f64 = 1e4;
+
+/// What a drawing costs to look at; see [`Layout::cost`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// Different heights at which planets stand.
+    pub bands: usize,
+    /// Ends of level lines of links, without shaft ends and planet pins: there the link turns.
+    pub bends: usize,
+    /// Upright walls of the housing.
+    pub walls: usize,
+    /// Length of all lines of links, in grid units.
+    pub length: f64,
+    /// Pairs of sets of which the one nearer to the output stands on the left.
+    pub backwards: usize,
+}
+
+impl Cost {
+    /// All as one number: a band more than the first 10⁴, a corner 6, a wall 24, a unit of length 1, a pair of sets
+    /// against the order of the power 1.5.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        let many = |count: usize, each: f64| count as f64 * each;
+        many(self.bands.saturating_sub(1), BAND)
+            + many(self.bends, BEND)
+            + many(self.walls, WALL)
+            + self.length
+            + many(self.backwards, BACKWARDS)
+    }
+}
+
+impl Layout {
+    /// What the drawing costs to look at: that of the fewest bands is drawn, and of these the one with the least
+    ///
+    /// ```text
+    /// 6·bends + 24·walls + length + 1.5·backwards
+    /// ```
+    ///
+    /// which [`draw`](super::draw) searches for; a crossing is not allowed at any price. A set is nearer to the output than
+    /// another if its links are fewer sets and shift elements away from the output and more from the input.
+    #[must_use]
+    pub fn cost(&self, gearbox: &Gearbox) -> Cost {
+        let mut heights: Vec<f64> = self.sets.iter().map(|stack| stack.planet).collect();
+        heights.sort_by(f64::total_cmp);
+        heights.dedup();
+        let is_pin = |link: LinkId, at: Point| {
+            self.sets.iter().any(|stack| stack.members[2] == link && stack.planet == at.y && stack.x == at.x)
+        };
+        let is_end = |link: LinkId, at: Point| {
+            [self.input, self.output].iter().any(|end| end.link == link && end.at == at)
+        };
+        let (mut bends, mut walls, mut length) = (0, 0, 0.0);
+        for shape in &self.links {
+            for segment in &shape.segments {
+                length += (segment.to.x - segment.from.x) + (segment.to.y - segment.from.y);
+                if segment.from.y == segment.to.y {
+                    let ends = [segment.from, segment.to].into_iter();
+                    bends += ends.filter(|&at| !is_pin(shape.link, at) && !is_end(shape.link, at)).count();
+                } else if shape.link == LinkId::GROUND {
+                    walls += 1;
+                }
+            }
+        }
+        let stages = Scheme::new(gearbox, &[]).stages();
+        let stage = |stack: &SetStack| {
+            let set = gearbox.drawn_sets()[stack.set].set;
+            (stages[set], set)
+        };
+        let pairs = self.sets.iter().flat_map(|a| self.sets.iter().map(move |b| (a, b)));
+        let backwards = pairs.filter(|(a, b)| stage(a) < stage(b) && a.x > b.x).count();
+        Cost { bands: heights.len(), bends, walls, length, backwards }
+    }
+}

@@ -1,0 +1,273 @@
+//! Sets of more than two central gears drawn as one: a Ravigneaux set with its long planet, a Wolfrom drive with its stepped planet.
+//!
+//! The layout has such a set as two, from the gear that they have in common to the two others. Where they stand side by side on one
+//! level line of their carrier, the planet in common is drawn through both, and the gear in common once.
+
+use super::signs::{FORK_MM, MESH_MM, PLANET_PIN_MM, RIM_MM, STEP};
+use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
+use epicyclic_drawing::{Point, Shape, Style};
+use epicyclic_layout::Layout;
+use epicyclic_layout::layout::{Point as Place, SetStack};
+use epicyclic_train::Gearbox;
+use epicyclic_train::set::SetKind;
+
+/// Which planet two drawn sets have in common.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Common {
+    /// The long planet of a Ravigneaux set: in the first it is the outer of two planets, in the second the only one.
+    Long,
+    /// A stepped planet: in the first the step in mesh with the gear in common, in the second the other.
+    Stepped,
+}
+
+/// Two drawn sets that are one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Pair {
+    pub(super) stacks: [SetStack; 2],
+    pub(super) common: Common,
+    /// The member in common: 0 the first central gear, 1 the second.
+    pub(super) member: usize,
+    /// Which of the two stacks does not draw it, because its line ends there.
+    pub(super) without: Option<usize>,
+}
+
+impl Pair {
+    /// Whether a member of a drawn set is drawn by the other.
+    pub(super) fn hides(&self, set: usize, member: usize) -> bool {
+        self.member == member && self.without.is_some_and(|without| self.stacks[without].set == set)
+    }
+
+    /// The height of the line that carries the gear in common.
+    fn seat(&self, stack: usize) -> Place {
+        let stack = &self.stacks[stack];
+        Place { x: stack.x, y: if self.member == 0 { stack.sun } else { stack.ring } }
+    }
+}
+
+/// Drawn sets `[first, second]` that are one set with a planet in common.
+fn commons(gearbox: &Gearbox) -> Vec<([usize; 2], Common, usize)> {
+    let drawn = gearbox.drawn_sets();
+    let mut found = vec![];
+    for first in 0..drawn.len() {
+        let of = |other: &usize| drawn[*other].set == drawn[first].set;
+        if (0..drawn.len()).filter(of).count() != 2 {
+            continue;
+        }
+        let Some(second) = (0..drawn.len()).filter(of).find(|other| *other != first) else { continue };
+        let common = |member: usize| drawn[first].members[member] == drawn[second].members[member];
+        match [first, second].map(|set| drawn[set].kind) {
+            [SetKind::DoublePlanet, SetKind::Simple] if common(1) => {
+                found.push(([first, second], Common::Long, 1));
+            }
+            [SetKind::Simple, SetKind::SteppedSunRing] if common(0) => {
+                found.push(([first, second], Common::Stepped, 0));
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The pairs that the layout has side by side.
+pub(super) fn pairs(gearbox: &Gearbox, layout: &Layout) -> Vec<Pair> {
+    let found = commons(gearbox).into_iter().filter_map(|(sets, common, member)| {
+        let stacks = sets.map(|set| layout.sets[set]);
+        let [left, right] = [stacks[0].x.min(stacks[1].x), stacks[0].x.max(stacks[1].x)];
+        let pin = stacks[0].planet;
+        let shape = layout.links.iter().find(|shape| shape.link == stacks[0].members[2])?;
+        let is_joined = stacks[1].planet == pin
+            && shape
+                .segments
+                .iter()
+                .any(|s| s.from.y == pin && s.to.y == pin && s.from.x <= left && right <= s.to.x);
+        let is_free =
+            layout.sets.iter().all(|other| {
+                sets.contains(&other.set) || other.planet != pin || other.x < left || right < other.x
+            }) && !shape.segments.iter().any(|s| s.from.x == s.to.x && left < s.from.x && s.from.x < right);
+        let mut pair = Pair { stacks, common, member, without: None };
+        // The gear in common is drawn once where nothing lies beyond one of its two seats.
+        let link = stacks[0].members[member];
+        let own = layout.links.iter().find(|shape| shape.link == link)?;
+        let ends = |stack: usize| {
+            let seat = pair.seat(stack);
+            let beyond = own.segments.iter().filter(|s| touches(s.from, s.to, seat));
+            let met =
+                layout.clutches.iter().flat_map(|mark| [mark.lower, mark.upper]).any(|(_, at)| at == seat);
+            let mut beyond = beyond.peekable();
+            let first = beyond.next();
+            !met && beyond.next().is_none()
+                && first.is_some_and(|s| s.from.y == s.to.y && (s.from == seat || s.to == seat))
+        };
+        pair.without = [1, 0].into_iter().find(|&stack| ends(stack));
+        (is_joined && is_free && left < right).then_some(pair)
+    });
+    found.collect()
+}
+
+/// What the legend says of sets that are one.
+pub(super) fn words(gearbox: &Gearbox, layout: &Layout) -> Vec<String> {
+    let pairs = pairs(gearbox, layout);
+    let said = commons(gearbox).into_iter().map(|(sets, common, _)| {
+        let [a, b] = [sets[0].min(sets[1]) + 1, sets[0].max(sets[1]) + 1];
+        if !pairs.iter().any(|pair| sets.contains(&pair.stacks[0].set)) {
+            return format!("sets {a} and {b}: one set, drawn as two");
+        }
+        match common {
+            Common::Long => format!("sets {a} and {b}: one set with the long planet and the ring in common"),
+            Common::Stepped => {
+                format!("sets {a} and {b}: one set with the stepped planet and the sun in common")
+            }
+        }
+    });
+    said.collect()
+}
+
+fn touches(from: Place, to: Place, at: Place) -> bool {
+    (from.x..=to.x).contains(&at.x) && (from.y..=to.y).contains(&at.y)
+}
+
+/// Whether a piece of a line leads to nothing but a gear that another stack draws.
+pub(super) fn leads_nowhere(pairs: &[Pair], link: epicyclic_train::LinkId, from: Place, to: Place) -> bool {
+    pairs.iter().any(|pair| {
+        pair.without.is_some_and(|without| {
+            let seat = pair.seat(without);
+            pair.stacks[without].members[pair.member] == link
+                && from.y == to.y
+                && (from == seat || to == seat)
+        })
+    })
+}
+
+impl Sheet<'_> {
+    /// The pair that a drawn set belongs to.
+    pub(super) fn pair_of(&self, set: usize) -> Option<Pair> {
+        self.pairs.iter().copied().find(|pair| pair.stacks.iter().any(|stack| stack.set == set))
+    }
+
+    /// The same where the planet in common is a long one, around which the carrier forks.
+    pub(super) fn long_pair_of(&self, set: usize) -> Option<Pair> {
+        self.pair_of(set).filter(|pair| pair.common == Common::Long)
+    }
+
+    /// Central gears and planets of two sets that are one.
+    pub(super) fn pair(&mut self, pair: &Pair) {
+        match pair.common {
+            Common::Long => self.ravigneaux(pair),
+            Common::Stepped => self.wolfrom(pair),
+        }
+    }
+
+    fn level(&mut self, [left, right]: [f64; 2], y: f64, color: epicyclic_drawing::Color, width_mm: f64) {
+        let style = Style::line(width_mm).color(color);
+        self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([left, y], [right, y]));
+    }
+
+    /// Both suns, the ring once over both, the short planet under the long one, and the carrier's fork around them.
+    fn ravigneaux(&mut self, pair: &Pair) {
+        let [double, simple] = pair.stacks;
+        let [xd, xs] = [double.x, simple.x].map(|x| self.at(Place { x, y: 0.0 }).x);
+        let ends = [xd.min(xs) - RIM_MM, xd.max(xs) + RIM_MM];
+        let middle = UP_MM * double.planet;
+        let (low, high) = (UP_MM * double.sun_mesh, UP_MM * double.ring_mesh);
+        let short = [low + MESH_MM, middle - MESH_MM];
+        let long = [middle + MESH_MM, high - MESH_MM];
+        self.central_gear(&double, 0, [xd, UP_MM * double.sun], low - MESH_MM, 0.0);
+        self.central_gear(&simple, 0, [xs, UP_MM * simple.sun], middle - MESH_MM, 0.0);
+        for (place, stack) in pair.stacks.iter().enumerate().filter(|(place, _)| Some(*place) != pair.without)
+        {
+            let x = if place == 0 { xd } else { xs };
+            self.central_gear(stack, 1, [x, UP_MM * stack.ring], high + MESH_MM, 0.0);
+        }
+        let ring =
+            if self.rests(double.members[1]) { super::RESTING } else { epicyclic_drawing::Color::BLACK };
+        self.level(ends, high + MESH_MM, ring, SHAFT_MM);
+        let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(&double, 2, SHAFT_MM) };
+        let pins = [short, long].map(|[low, high]| f64::midpoint(low, high));
+        let sides = [(-1.0, xd.min(xs)), (1.0, xd.max(xs))];
+        let outwards = |side: f64, x: f64| {
+            let stack = if x == xd { &double } else { &simple };
+            self.carrier_sides(stack).contains(&side)
+        };
+        let mut forks: Vec<(f64, f64)> = sides.into_iter().filter(|&(side, x)| outwards(side, x)).collect();
+        if forks.is_empty() {
+            forks.push(sides[usize::from(xd > xs)]);
+        }
+        for &(side, x) in &forks {
+            let fork = x + side * FORK_MM;
+            let is_double = x == xd;
+            let foot = if is_double { pins[0] } else { middle };
+            self.line(self.layers.toothed_gears, look, Point::new(fork, foot), Point::new(fork, pins[1]));
+        }
+        // The pins: the long one from fork to fork, the short one at the fork beside it, or from its own.
+        let left = forks.iter().find(|fork| fork.0 < 0.0).map_or(ends[0] - 0.6, |&(_, x)| x - FORK_MM);
+        let right = forks.iter().find(|fork| fork.0 > 0.0).map_or(ends[1] + 0.6, |&(_, x)| x + FORK_MM);
+        self.line(self.layers.toothed_gears, look, Point::new(left, pins[1]), Point::new(right, pins[1]));
+        let beside = sides[usize::from(xd > xs)].0;
+        let is_held = forks.iter().any(|&(_, x)| x == xd);
+        let outer = if is_held { FORK_MM } else { PLANET_PIN_MM };
+        self.line(
+            self.layers.toothed_gears,
+            look,
+            Point::new(xd + beside * outer, pins[0]),
+            Point::new(xd - beside * 1.8, pins[0]),
+        );
+        if !is_held {
+            // A web on the long planet's pin holds the short one's.
+            let web = xd + beside * PLANET_PIN_MM;
+            self.line(self.layers.toothed_gears, look, Point::new(web, pins[0]), Point::new(web, pins[1]));
+        }
+        let color = self.planet_color(&double);
+        for ([low, high], pin, reach, webs) in
+            [(short, pins[0], [xd - RIM_MM, xd + RIM_MM], vec![xd]), (long, pins[1], ends, vec![xd, xs])]
+        {
+            for (side, rim) in [(-1.0, low), (1.0, high)] {
+                let bearing = pin + 0.8 * side;
+                for &x in &webs {
+                    let style = Style::line(WEB_MM).color(color);
+                    self.scene.add_styled(
+                        self.layers.toothed_gears,
+                        style,
+                        Shape::line([x, bearing], [x, rim]),
+                    );
+                }
+                let hub = [
+                    webs.iter().copied().fold(f64::INFINITY, f64::min) - 1.2,
+                    webs.iter().copied().fold(f64::NEG_INFINITY, f64::max) + 1.2,
+                ];
+                self.level(hub, bearing, color, WEB_MM);
+                self.level(reach, rim, color, SHAFT_MM);
+            }
+        }
+    }
+
+    /// The sun once, a ring on each step of the planet.
+    fn wolfrom(&mut self, pair: &Pair) {
+        let [first, second] = pair.stacks;
+        let [xa, xb] = [first.x, second.x].map(|x| self.at(Place { x, y: 0.0 }).x);
+        let pin = UP_MM * first.planet;
+        let [low, high] = [UP_MM * first.sun_mesh + MESH_MM, UP_MM * first.ring_mesh - MESH_MM];
+        self.central_gear(&first, 0, [xa, UP_MM * first.sun], low - 2.0 * MESH_MM, 0.0);
+        if pair.without != Some(1) {
+            let seat = Point::new(xb, UP_MM * second.sun);
+            let look = self.member_look(&second, 0, WEB_MM);
+            self.line(self.layers.toothed_gears, look, seat, Point::new(xb, low - 2.0 * MESH_MM));
+        }
+        // The second ring stands lower on its smaller step.
+        let small = pin + STEP * (high - pin);
+        self.central_gear(&first, 1, [xa, UP_MM * first.ring], high + 2.0 * MESH_MM, 0.0);
+        self.central_gear(&second, 1, [xb, UP_MM * second.ring], small + 2.0 * MESH_MM, 0.0);
+        self.planet_pin(&first, xa, pin);
+        self.planet_pin(&second, xb, pin);
+        let color = self.planet_color(&first);
+        let hub = self.planet_pin_half(&first) + 0.55;
+        for side in [-1.0, 1.0] {
+            for (x, rim) in [(xa, if side < 0.0 { low } else { high }), (xb, pin + side * (small - pin))] {
+                let style = Style::line(WEB_MM).color(color);
+                let web = Shape::line([x, pin + side * hub], [x, rim]);
+                self.scene.add_styled(self.layers.toothed_gears, style, web);
+                self.level([x - RIM_MM, x + RIM_MM], rim, color, SHAFT_MM);
+            }
+            self.level([xa.min(xb) - 1.2, xa.max(xb) + 1.2], pin + side * hub, color, WEB_MM);
+        }
+    }
+}
