@@ -60,6 +60,25 @@ fn sets_with_planets_in_common_are_drawn_as_one() {
     }
 }
 
+/// In second gear all power of the four-speed goes from the small sun through the meshes to the ring: none along the carrier, none around.
+#[test]
+fn halves_of_one_set_show_no_power_that_only_passes_between_them() {
+    let gearbox = whole_examples().into_iter().find(|gearbox| gearbox.name() == "Ravigneaux four-speed").unwrap();
+    let (layout, gear) = (layout(&gearbox), gearbox.analyze("2").unwrap());
+    let scene = scene(&gearbox, &layout, Show::Power(&gear), &Options::default()).unwrap();
+    let pin = layout.sets[0].planet * UP_MM;
+    let mut widths = vec![];
+    for item in scene.items() {
+        let Shape::Line { from, to } = item.shape else { continue };
+        let Some(style) = item.style.filter(|style| style.color == POWER) else { continue };
+        assert!((from.y, to.y) != (pin, pin), "the carrier passes no power: {from:?} {to:?}");
+        widths.push(style.width_mm);
+    }
+    // Nothing is wider than the input.
+    let input = widths.iter().copied().fold(0.0, f64::max);
+    assert!(widths.iter().all(|width| *width <= input) && (input - 2.2).abs() < 1e-9, "{widths:?}");
+}
+
 #[test]
 fn no_label_of_a_structure_meets_anything() {
     for gearbox in all() {

@@ -3,8 +3,10 @@
 //! A link of a layout is a tree of straight pieces between the places where its gears sit, its shift elements take hold and shafts leave.
 //! What passes a piece is therefore what enters the link on one side of it, `Σ T·ω`.
 
+use super::shared;
 use epicyclic_layout::Layout;
 use epicyclic_layout::layout::Point;
+use epicyclic_train::drawn::DrawnPower;
 use epicyclic_train::{Analysis, Gearbox, LinkId, LoadCase};
 
 /// A piece of a link between two places of interest.
@@ -120,14 +122,24 @@ fn passed(entering: &[Vec<&Entry>], behind: &[bool]) -> (Option<f64>, f64) {
 
 fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &LoadCase)>) -> Vec<Entry> {
     let mut entries = vec![];
+    let pairs = shared::pairs(gearbox, layout);
+    let of_set = |set: usize| load.and_then(|(gear, case)| gear.drawn_power(case, set));
     for stack in &layout.sets {
-        let power = load.and_then(|(gear, case)| gear.drawn_power(case, stack.set));
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
+            // What two halves of one set have in common hands on the power of the whole, at one of its two places.
+            let of: Vec<usize> = match pairs.iter().find_map(|pair| pair.hands_on(stack.set, member)) {
+                Some(sets) => sets,
+                None => vec![stack.set],
+            };
+            let powers: Option<Vec<_>> = of.into_iter().map(of_set).collect();
+            let sum = |of: fn(&DrawnPower, usize) -> f64| {
+                powers.as_ref().map(|powers| powers.iter().map(|power| of(power, member)).sum::<f64>())
+            };
             entries.push(Entry {
                 link: stack.members[member],
                 at: Point { x: stack.x, y },
-                power: power.map(|power| -power.members[member]),
-                circulating: -power.map_or(0.0, |power| power.circulating[member]),
+                power: sum(|power, member| -power.members[member]),
+                circulating: sum(|power, member| -power.circulating[member]).unwrap_or(0.0),
             });
         }
     }

@@ -37,6 +37,18 @@ impl Pair {
         self.member == member && self.without.is_some_and(|without| self.stacks[without].set == set)
     }
 
+    /// Whose power a member of a drawn set hands on where it is common to both: of both sets in one place, of none in the other. `None`
+    /// of members that are not in common.
+    pub(super) fn hands_on(&self, set: usize, member: usize) -> Option<Vec<usize>> {
+        let own = self.stacks.iter().position(|stack| stack.set == set)?;
+        let place = match member {
+            2 => 0,
+            member if member == self.member => self.without.map_or(0, |without| 1 - without),
+            _ => return None,
+        };
+        Some(if own == place { self.stacks.map(|stack| stack.set).to_vec() } else { vec![] })
+    }
+
     /// The height of the line that carries the gear in common.
     fn seat(&self, stack: usize) -> Place {
         let stack = &self.stacks[stack];
