@@ -50,8 +50,11 @@ impl Files {
         files
     }
 
-    /// Refuses two that are one.
+    /// Refuses two that are one, and a file named `-`, which is standard input where something is read.
     pub(crate) fn are_apart(&self) -> Result<(), Failure> {
+        if let Some((option, _)) = self.written.iter().find(|(_, file)| file.as_os_str() == "-") {
+            return Err(Failure::WrittenDash { option: option.clone() });
+        }
         let named = |option: &str, file: &Path| format!("{option} {}", file.display());
         for (place, (option, file)) in self.written.iter().enumerate() {
             if let Some(input) = self.read.iter().find(|input| input.exists() && are_one_file(input, file)) {

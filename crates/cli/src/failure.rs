@@ -55,6 +55,14 @@ pub(crate) enum Failure {
         /// Why.
         source: io::Error,
     },
+    /// A file to write that is named `-`.
+    #[error(
+        "{option} -: a - is no file; leave --output out for standard output, or write ./- for a file of that name"
+    )]
+    WrittenDash {
+        /// The option.
+        option: String,
+    },
     /// Standard output that takes nothing.
     #[error("standard output: {0}")]
     StandardOutput(io::Error),

@@ -19,9 +19,9 @@ const NARROWEST: usize = 20;
 /// How the answer is written and where.
 #[derive(Debug, clap::Args)]
 pub(crate) struct OutputArgs {
-    /// How the answer is written.
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub(crate) format: Format,
+    /// How the answer is written. Default: by the end of the name of --output, .json or .csv; else tables.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
 
     #[command(flatten)]
     target: Target,
@@ -62,14 +62,43 @@ impl OutputArgs {
         self.is_file() || !io::stdout().is_terminal()
     }
 
+    /// How the answer is written.
+    pub(crate) fn format(&self) -> Format {
+        self.format.unwrap_or_else(|| match self.end().as_deref() {
+            Some("json") => Format::Json,
+            Some("csv") => Format::Csv,
+            _ => Format::Table,
+        })
+    }
+
+    /// The end of the name of the file.
+    fn end(&self) -> Option<String> {
+        Some(self.file()?.extension()?.to_str()?.to_ascii_lowercase())
+    }
+
+    /// Refuses tables in a file that its name says to be something else.
+    fn check_end(&self) -> Result<(), Failure> {
+        let Some(end) = self.end().filter(|_| self.format() == Format::Table) else { return Ok(()) };
+        let remedy = match end.as_str() {
+            "html" | "htm" => {
+                "no page is made of this answer; `report` makes one of a gearbox, drive or motor, and compare, drive, motor, select and \
+                 synthesize of theirs in a file that ends in .html"
+            }
+            "pdf" => "no PDF is made of it; print a page in a browser",
+            "json" | "csv" => "these are tables; leave --format out, or name the file .txt",
+            "png" | "svg" | "dxf" => "`draw` makes pictures",
+            _ => return Ok(()),
+        };
+        Err(Failure::Option { option: "--output", message: format!("a file that ends in .{end}: {remedy}") })
+    }
+
     /// Whether a page is asked for: tables into a file whose name ends in `.html`.
     pub(crate) fn is_page(&self) -> bool {
-        let is_html = |file: &PathBuf| file.extension().is_some_and(|end| end.eq_ignore_ascii_case("html"));
-        self.format == Format::Table && self.target.output.as_ref().is_some_and(is_html)
+        self.format() == Format::Table && self.end().as_deref() == Some("html")
     }
 
     /// Writes an answer: JSON as it is, tables and CSV as they show it. Warnings that go to a file out of sight are shown
-    /// as well.
+    /// as well, and those that CSV does not have.
     pub(crate) fn deliver<A: Answer + AsReport>(&self, answer: &A) -> Result<(), Failure> {
         self.deliver_with(vec![], answer)
     }
@@ -80,10 +109,11 @@ impl OutputArgs {
         files: Vec<Content>,
         answer: &A,
     ) -> Result<(), Failure> {
+        self.check_end()?;
         finite::check(answer)?;
         // A view is made where it is shown, or where its warnings go to people beside a file.
-        let report = (self.format != Format::Json || self.is_file()).then(|| answer.report());
-        match (self.format, &report) {
+        let report = (self.format() != Format::Json || self.is_file()).then(|| answer.report());
+        match (self.format(), &report) {
             (Format::Json, _) => self.stream(&files, &mut |out| write_json(answer, out))?,
             (format, Some(report)) => {
                 // In the units of drawings a number can be too large that is not in SI units.
@@ -96,7 +126,10 @@ impl OutputArgs {
             }
             _ => unreachable!("a report is made for tables and CSV"),
         }
-        if let Some(report) = report.filter(|_| self.is_file()) {
+        // A list in CSV has no place for them.
+        if let Some(report) =
+            report.filter(|one| self.is_file() || (self.format() == Format::Csv && one.is_list()))
+        {
             tell(&report);
         }
         Ok(())
@@ -168,6 +201,20 @@ fn tell(report: &Report) {
 }
 
 impl Target {
+    /// Refuses a page in a file that its name says to be something else.
+    pub(crate) fn is_for_a_page(&self, is_page: bool) -> Result<(), Failure> {
+        let end = self.output.as_deref().and_then(Path::extension).and_then(|end| end.to_str());
+        let end = end.map(str::to_ascii_lowercase).filter(|_| is_page);
+        let remedy = match end.as_deref() {
+            Some("pdf") => "a page is HTML: name it .html, and print it in a browser",
+            Some("json") => "a page is HTML: name it .html, or give --format json",
+            Some("csv" | "txt" | "svg" | "png" | "dxf") => "a page is HTML: name it .html",
+            _ => return Ok(()),
+        };
+        let end = end.unwrap_or_default();
+        Err(Failure::Option { option: "--output", message: format!("a file that ends in .{end}: {remedy}") })
+    }
+
     /// Writes all of it.
     pub(crate) fn write(&self, answer: &[u8]) -> Result<(), Failure> {
         self.write_with(vec![], answer)

@@ -53,6 +53,7 @@ enum Format {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.format == Format::Html)?;
+    args.target.is_for_a_page(args.format == Format::Html)?;
     let Read { document, bytes, .. } = args.choice.document(false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();

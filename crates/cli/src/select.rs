@@ -277,7 +277,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if args.teeth {
         return with_teeth(args, requirements, order, duty);
     }
-    let most = match (args.limit, args.output.format) {
+    let most = match (args.limit, args.output.format()) {
         (Some(limit), _) => limit,
         (None, Format::Table) => SHOWN,
         (None, _) => usize::MAX,
@@ -309,7 +309,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     let nth = args.save.is_some().then_some(args.nth);
     let limit = args.limit.unwrap_or(SHOWN);
     let most = limit.max(nth.unwrap_or(0));
-    let for_programs = args.output.format != Format::Table;
+    let for_programs = args.output.format() != Format::Table;
     let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
     let limits = SizeLimits {
         ring_diameter: length(args.size.ring_diameter),
@@ -352,7 +352,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
         // Each design is made when it is written: there may be some hundred thousand of them.
         let shown = args.output.is_out_of_sight().then(Progress::of_writing);
         let told = |share: f64| shown.iter().for_each(|shown| shown.at(share));
-        if args.output.format == Format::Json {
+        if args.output.format() == Format::Json {
             let answer = found.streamed(&told)?;
             args.output.stream(&files, &mut |out| write_json(&answer, out))?;
         } else {
@@ -383,7 +383,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     Ok(())
 }
 
-/// The file of --save with its content; where there is no design, none.
+/// The file of --save with its content; where there is no design that meets every criterion, none, unless one of the others is asked for.
 fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> Result<Vec<Content>, Failure> {
     let Some(file) = &args.save else { return Ok(vec![]) };
     let Some(Saved { scheme, gearbox }) = saved else {
@@ -393,9 +393,19 @@ fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> R
         let message = format!("{}: there are designs 1 to {designs}", args.nth);
         return Err(Failure::Option { option: "--nth", message });
     };
-    let comment =
-        format!("Design {} of epicyclic select: {scheme}, with the direct-drive clutch chosen.", args.nth);
-    let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
+    let mut comments = vec![format!(
+        "Design {} of epicyclic select: {scheme}, with the direct-drive clutch chosen.",
+        args.nth
+    )];
+    if args.nth > accepted {
+        if args.nth == 1 {
+            return Ok(vec![]);
+        }
+        let remark = "It was rejected: it does not meet every criterion.";
+        complain(&format!("note: design {} is saved; it does not meet every criterion", args.nth));
+        comments.push(remark.to_owned());
+    }
+    let text = written(&gearbox, &comments).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(vec![(file.clone(), text.into_bytes())])
 }
 

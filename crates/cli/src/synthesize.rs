@@ -319,7 +319,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let efficiency = MeshEfficiency::new(args.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
-    let format = args.output.format;
+    let format = args.output.format();
     // Tooth numbers of thousands of gearboxes would take hours.
     let few = format == Format::Table || args.teeth.teeth;
     let most = args.limit.unwrap_or(if few { SHOWN_IN_TABLE } else { MOST_SOLUTIONS });

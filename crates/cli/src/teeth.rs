@@ -129,7 +129,7 @@ fn mode(text: &str) -> Result<Mode, String> {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let bounds = bounds(args)?;
-    let format = args.output.format;
+    let format = args.output.format();
     let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
     let nth = args.save.as_ref().map_or(0, |_| args.nth);
     let wanted = Wanted {

@@ -41,7 +41,8 @@ pub(crate) fn write_files_and(
     for (file, mut source) in all {
         let target = Target::of(file).map_err(|error| failed(file, error))?;
         match target {
-            Target::Device => devices.push((file, source)),
+            Target::Device => devices.push((file, source, None)),
+            Target::Stream(stream) => devices.push((file, source, Some(stream))),
             Target::File { place, permissions } => {
                 remove_stale(folder_of(&place));
                 let added = prepared.add(file, place, permissions, &mut *source);
@@ -49,8 +50,12 @@ pub(crate) fn write_files_and(
             }
         }
     }
-    for (file, mut source) in devices {
-        write_device(file, &mut *source).map_err(|error| failed(file, error))?;
+    for (file, mut source, stream) in devices {
+        let written = match stream {
+            Some(stream) => stream.write(&mut *source),
+            None => write_device(file, &mut *source),
+        };
+        written.map_err(|error| failed(file, error))?;
     }
     prepared.take_names()
 }
@@ -65,10 +70,53 @@ fn write_device(file: &Path, source: &mut Source) -> io::Result<()> {
     out.flush()
 }
 
+/// An open stream of this program.
+#[derive(Clone, Copy)]
+enum Stream {
+    Out,
+    Error,
+}
+
+impl Stream {
+    /// The stream that goes into a file: `/dev/stdout`, or the file that a shell has opened for it. It is written where it stands, since a file
+    /// that takes its name would leave the stream's own behind.
+    #[cfg(unix)]
+    fn of(file: &fs::Metadata) -> Option<Self> {
+        use std::os::fd::{AsFd as _, BorrowedFd};
+        use std::os::unix::fs::MetadataExt as _;
+        let is_file = |stream: BorrowedFd<'_>| {
+            let own = stream.try_clone_to_owned().ok().and_then(|stream| File::from(stream).metadata().ok());
+            own.is_some_and(|own| (own.dev(), own.ino()) == (file.dev(), file.ino()))
+        };
+        if is_file(io::stdout().as_fd()) {
+            return Some(Self::Out);
+        }
+        is_file(io::stderr().as_fd()).then_some(Self::Error)
+    }
+
+    #[cfg(not(unix))]
+    fn of(_: &fs::Metadata) -> Option<Self> {
+        None
+    }
+
+    fn write(self, source: &mut Source) -> io::Result<()> {
+        match self {
+            Self::Out => {
+                let mut out = BufWriter::new(io::stdout().lock());
+                source(&mut out)?;
+                out.flush()
+            }
+            Self::Error => source(&mut io::stderr().lock()),
+        }
+    }
+}
+
 /// Where a file goes.
 enum Target {
     /// Has no content to keep.
     Device,
+    /// Is open already.
+    Stream(Stream),
     File {
         /// Behind any links, so that they stay links.
         place: PathBuf,
@@ -82,7 +130,10 @@ impl Target {
         let permissions = match fs::metadata(file) {
             Ok(metadata) if metadata.is_dir() => return Err(ErrorKind::IsADirectory.into()),
             Ok(metadata) if !metadata.is_file() => return Ok(Self::Device),
-            Ok(metadata) => Some(metadata.permissions()),
+            Ok(metadata) => match Stream::of(&metadata) {
+                Some(stream) => return Ok(Self::Stream(stream)),
+                None => Some(metadata.permissions()),
+            },
             Err(error) if error.kind() == ErrorKind::NotFound => None,
             Err(error) => return Err(error),
         };

@@ -301,3 +301,77 @@ fn a_whole_front_is_written_as_it_comes() {
     let table = output(folder.path(), &search);
     assert!(table.status.code() == Some(2) && text(&table.stderr).contains("at most 10000"), "{table:?}");
 }
+
+/// The file that a shell has opened for standard output is written where the stream stands.
+#[cfg(unix)]
+#[test]
+fn standard_output_by_its_name_keeps_what_stands_in_its_file() {
+    let folder = here();
+    let script = format!(
+        "{{ echo before; '{PROGRAM}' teeth --ratio 6 --limit 1 --format csv -o /dev/stdout; echo after; }} > log.txt"
+    );
+    let done = Command::new("sh").args(["-c", &script]).current_dir(folder.path()).output().unwrap();
+    assert!(done.status.success(), "{done:?}");
+    let log = fs::read_to_string(folder.path().join("log.txt")).unwrap();
+    let lines: Vec<&str> = log.lines().collect();
+    assert!(lines.len() == 4 && lines[0] == "before" && lines[3] == "after", "{log}");
+}
+
+#[test]
+fn the_end_of_a_name_says_the_format_or_is_refused() {
+    let folder = here();
+    let run = |arguments: &[&str]| output(folder.path(), arguments);
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(run(&["teeth", "--ratio", "6", "-o", "a.json"]).status.success());
+    assert!(read("a.json").starts_with('{'));
+    assert!(run(&["teeth", "--ratio", "6", "-o", "a.csv"]).status.success());
+    assert!(read("a.csv").starts_with("sun,"));
+    assert!(run(&["teeth", "--ratio", "6", "-o", "a.txt"]).status.success());
+    assert!(run(&["teeth", "--ratio", "6", "-o", "b.csv", "--format", "json"]).status.success());
+    assert!(read("b.csv").starts_with('{'), "what is said goes before the name");
+    let motor = examples().join("motor-5x3.yaml");
+    let motor = motor.to_str().unwrap();
+    for (arguments, remedy) in [
+        (&["teeth", "--ratio", "6", "-o", "a.html"][..], "no page is made of this answer"),
+        (&["teeth", "--ratio", "6", "-o", "a.PDF"], "print a page in a browser"),
+        (&["teeth", "--ratio", "6", "--format", "table", "-o", "c.json"], "these are tables"),
+        (&["report", motor, "-o", "a.pdf"], "a page is HTML"),
+        (&["teeth", "--ratio", "6", "-o", "-"], "leave --output out for standard output"),
+        (&["draw", "II-3", "--svg", "-"], "leave --output out for standard output"),
+    ] {
+        let done = run(arguments);
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&done.stderr).contains(remedy), "{arguments:?} {done:?}");
+        assert!(done.stdout.is_empty());
+        let named = arguments[arguments.len() - 1];
+        assert!(!folder.path().join(named).exists(), "{arguments:?}");
+    }
+}
+
+/// A list in CSV has no place for warnings: they are told beside it.
+#[test]
+fn warnings_of_a_list_in_csv_are_told() {
+    let file = examples().join("scheme-ii-3.yaml");
+    let done = output(here().path(), &["analyze", file.to_str().unwrap(), "--format", "csv"]);
+    assert!(
+        done.status.success() && text(&done.stderr).contains("warning: in gear slow a planet"),
+        "{done:?}"
+    );
+}
+
+/// What no design meets is not saved as if one did; a rejected one is only where it is asked for, and says so.
+#[test]
+fn rejected_designs_are_saved_only_on_demand() {
+    let folder = here();
+    let done = output(folder.path(), &["select", "--ratios", "50", "--save", "none.yaml"]);
+    assert_eq!(done.status.code(), Some(1));
+    assert!(!folder.path().join("none.yaml").exists());
+    let speeds = ["select", "--speeds", "0.76 m/s, 1.33 m/s, 1.95 m/s", "--nth", "3", "--save", "third.yaml"];
+    let done = output(folder.path(), &speeds);
+    assert!(done.status.success());
+    assert!(
+        text(&done.stderr).contains("note: design 3 is saved; it does not meet every criterion"),
+        "{done:?}"
+    );
+    assert!(fs::read_to_string(folder.path().join("third.yaml")).unwrap().contains("# It was rejected"));
+}

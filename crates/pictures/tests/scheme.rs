@@ -63,7 +63,8 @@ fn sets_with_planets_in_common_are_drawn_as_one() {
 /// In second gear all power of the four-speed goes from the small sun through the meshes to the ring: none along the carrier, none around.
 #[test]
 fn halves_of_one_set_show_no_power_that_only_passes_between_them() {
-    let gearbox = whole_examples().into_iter().find(|gearbox| gearbox.name() == "Ravigneaux four-speed").unwrap();
+    let gearbox =
+        whole_examples().into_iter().find(|gearbox| gearbox.name() == "Ravigneaux four-speed").unwrap();
     let (layout, gear) = (layout(&gearbox), gearbox.analyze("2").unwrap());
     let scene = scene(&gearbox, &layout, Show::Power(&gear), &Options::default()).unwrap();
     let pin = layout.sets[0].planet * UP_MM;

@@ -262,15 +262,12 @@ fn sets_of_every_form_are_drawn_as_kinds_of_three_members() {
             (DoublePlanet, [2, 1], 62.0 / 24.0),
             (SteppedRings, [1, 3], -56.0 / 62.0),
         ],
-        &[(Simple, [0, 1], -58.0 / 20.0), (SteppedRings, [1, 2], (18.0 / 58.0) * (61.0 / 17.0))],
+        &[(Simple, [0, 1], -58.0 / 20.0), (SteppedSunRing, [0, 2], -(18.0 / 20.0) * (61.0 / 17.0))],
         &[
             (SteppedSunRing, [1, 2], -(18.0 / 24.0) * (57.0 / 17.0)),
             (DoublePlanet, [0, 2], (18.0 / 20.0) * (57.0 / 17.0)),
         ],
-        &[
-            (SteppedSunRing, [0, 1], -(18.0 / 20.0) * (57.0 / 17.0)),
-            (SteppedRings, [1, 2], (17.0 / 57.0) * (20.0 / 18.0) * (60.0 / 20.0)),
-        ],
+        &[(SteppedSunRing, [0, 1], -(18.0 / 20.0) * (57.0 / 17.0)), (Simple, [0, 2], -60.0 / 20.0)],
         &[(SteppedRings, [0, 1], -60.0 / 58.0)],
         &[(SteppedSuns, [0, 1], (18.0 / 20.0) * (24.0 / 17.0))],
     ];

@@ -289,6 +289,14 @@ impl Report {
     }
 }
 
+impl Report {
+    /// Whether CSV has one line for each of its things, and no place for warnings.
+    #[must_use]
+    pub fn is_list(&self) -> bool {
+        self.parts.iter().any(|part| matches!(part, Part::Records(records) if records.is_answer))
+    }
+}
+
 impl Part {
     fn tables(&self, width: usize) -> Vec<String> {
         match self {

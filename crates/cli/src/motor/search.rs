@@ -178,7 +178,7 @@ enum Order {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let format = args.output.format;
+    let format = args.output.format();
     let wanted = Wanted {
         search: search(args)?,
         with_teeth: args.with_teeth,

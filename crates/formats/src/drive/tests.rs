@@ -109,7 +109,7 @@ fn refusals_name_field_line_and_column() {
         ("allowable_stress: 20 MPa", "allowable_stress: 0 MPa"),
         ("bearing: 310", "bearing: 510"),
         ("diameter: 60 mm", "diameter: 0 mm"),
-        ("{ diameter: 60 mm, bearing: 312 }", "{ diameter: 120 mm }"),
+        ("{ diameter: 50 mm, bearing: 310 }", "{ diameter: 120 mm }"),
         ("hole: { radius: 30 mm", "hole: { radius: 45 mm"),
         ("width: 80 mm", "width: 800 mm"),
         ("outside_radius: 105 mm", "outside_radius: 90 mm"),

@@ -113,11 +113,15 @@ impl Places {
         let own = self.lines.iter().filter(|(line, _, around)| is_own(line, &around.grown(HAIR_MM)));
         let own = own.map(|(_, half, _)| half + LEADER_CLEAR_MM);
         let off = own.fold(OWN_MM, f64::max);
-        let part = (off / length.max(off)).min(1.0);
-        let off = Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y));
+        let after = |off: f64| {
+            let part = (off / length.max(off)).min(1.0);
+            Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y))
+        };
+        // A wide line of power hides more of its leader, but no sign.
+        let (off, bare) = (after(off), after(OWN_MM));
         let whole = Shape::line(at, end);
         !self.labels.iter().any(|label| line_meets(&whole, label.grown(LEADER_CLEAR_MM)))
-            && !self.signs.iter().any(|sign| line_meets(&Shape::line(off, end), *sign))
+            && !self.signs.iter().any(|sign| line_meets(&Shape::line(bare, end), *sign))
             && self.lines.iter().all(|(line, half, around)| {
                 let clear = half + LEADER_CLEAR_MM;
                 if !around.grown(clear).grown(HAIR_MM).overlaps(whole.bounds().grown(HAIR_MM)) {

@@ -189,7 +189,10 @@ fn called(sheet: &mut Sheet, layer: LayerId, places: &[Point], radius: f64, word
                 Shape::Text(text) => Some(text.bounds()),
                 _ => None,
             });
-            if text::is_free(&sheet.scene, &label, 0.5 * sheet.letter())
+            let clear = 0.5 * sheet.letter();
+            // Its own leader comes from the drawing and must end before the words.
+            if text::is_free(&sheet.scene, &label, clear)
+                && !text::line_meets(&line, label.bounds())
                 && !others.any(|other| text::line_meets(&line, other))
             {
                 sheet.line(layer, tip, end);

@@ -1,6 +1,7 @@
 //! What the symbols of a formula stand for.
 
 use super::subscript;
+use crate::compound::CentralKind;
 use crate::planet_set::{Description, GearOf};
 use crate::{Gearbox, LinkId};
 use epicyclic_gears::simple_set::Fraction;
@@ -42,18 +43,21 @@ impl Symbol {
         let [r, c, h] = one.links;
         let (size, exact) =
             (one.ratio.abs(), one.exact.map(|exact| if exact < 0.into() { -exact } else { exact }));
-        // A short description has its first gear for a root, a compound set the gear of reference.
-        let is_short = matches!(set.description(), Description::Short(_));
+        // From the root: of a short description, whose root is its first gear, and from a sun to a ring, so that k is z_ring/z_sun. Else a
+        // compound set's root is the ring that the other gears are related to.
+        let kind = |place: usize| set.centrals()[place].kind;
+        let from_root = matches!(set.description(), Description::Short(_))
+            || (kind(root), kind(central)) == (CentralKind::Sun, CentralKind::Ring);
         Self {
             number: equation + 1,
             set: one.set,
             is_pair: set.is_pair(),
-            centrals: if is_short { [root, central] } else { [central, root] },
-            links: if is_short { [r, c, h] } else { [c, r, h] },
+            centrals: if from_root { [root, central] } else { [central, root] },
+            links: if from_root { [r, c, h] } else { [c, r, h] },
             is_negative: one.ratio < 0.0,
-            teeth: if is_short { [above, below] } else { [below, above] },
-            value: if is_short { size } else { 1.0 / size },
-            exact: if is_short { exact } else { exact.map(|exact| exact.recip()) },
+            teeth: if from_root { [above, below] } else { [below, above] },
+            value: if from_root { size } else { 1.0 / size },
+            exact: if from_root { exact } else { exact.map(|exact| exact.recip()) },
         }
     }
 

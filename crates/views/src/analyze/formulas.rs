@@ -20,8 +20,7 @@ const DIGITS: usize = 6;
 const RATIO_DIGITS: usize = 5;
 
 /// What the symbols have in common.
-const BASIC_RATIO: &str =
-    "  i₀ = (ω_1 − ω_H)/(ω_2 − ω_H): central gears 1 and 2 of a set, H its carrier";
+const BASIC_RATIO: &str = "  i₀ = (ω_1 − ω_H)/(ω_2 − ω_H): central gears 1 and 2 of a set, H its carrier";
 
 /// The housing.
 const GROUND: &str = "ground";

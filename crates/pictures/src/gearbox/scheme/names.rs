@@ -33,7 +33,8 @@ impl Sheet<'_> {
         }
         for item in self.scene.items().iter().filter(|item| item.layer == self.layers.toothed_gears) {
             if let Shape::Line { from, to } = &item.shape {
-                let margin = if from.y == to.y { MESH_MM } else { 0.5 * WEB_MM };
+                // Boxes of rims in mesh overlap, so that no leader slips between them.
+                let margin = if from.y == to.y { 1.2 * MESH_MM } else { 0.5 * WEB_MM };
                 places.keep_clear(item.shape.bounds().grown(margin));
             }
         }
