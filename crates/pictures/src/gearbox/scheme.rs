@@ -22,6 +22,7 @@
 
 mod along;
 mod flow;
+mod halves;
 mod names;
 mod shared;
 mod signs;
@@ -234,7 +235,7 @@ struct Sheet<'a> {
     load: Option<&'a LoadCase>,
     pieces: Vec<Piece>,
     /// Drawn sets that are one.
-    pairs: Vec<shared::Pair>,
+    pairs: Vec<halves::Pair>,
     /// Width of the power that enters.
     entering_mm: f64,
     along: Along,
@@ -270,7 +271,7 @@ impl<'a> Sheet<'a> {
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
         let along = Along::of(gearbox, layout, along_mm);
-        let pairs = shared::pairs(gearbox, layout);
+        let pairs = halves::pairs(gearbox, layout);
         Ok(Self { gearbox, layout, gear, load, pieces, pairs, entering_mm, along, scene, layers })
     }
 
@@ -329,7 +330,7 @@ impl<'a> Sheet<'a> {
     }
 
     fn leads_nowhere(&self, piece: &Piece) -> bool {
-        shared::leads_nowhere(&self.pairs, piece.link, piece.from, piece.to)
+        halves::leads_nowhere(&self.pairs, piece.link, piece.from, piece.to)
     }
 
     fn links(&mut self) {
@@ -408,7 +409,7 @@ impl<'a> Sheet<'a> {
         for place in 0..sets {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
         }
-        let said = if options.bare { vec![] } else { shared::words(self.gearbox, self.layout) };
+        let said = if options.bare { vec![] } else { halves::words(self.gearbox, self.layout) };
         for words in said {
             write(&mut self.scene, 0.0, words);
         }

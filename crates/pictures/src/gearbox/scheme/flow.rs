@@ -3,7 +3,7 @@
 //! A link of a layout is a tree of straight pieces between the places where its gears sit, its shift elements take hold and shafts leave.
 //! What passes a piece is therefore what enters the link on one side of it, `Σ T·ω`.
 
-use super::shared;
+use super::halves;
 use epicyclic_layout::Layout;
 use epicyclic_layout::layout::Point;
 use epicyclic_train::drawn::DrawnPower;
@@ -122,7 +122,7 @@ fn passed(entering: &[Vec<&Entry>], behind: &[bool]) -> (Option<f64>, f64) {
 
 fn entries(gearbox: &Gearbox, layout: &Layout, load: Option<(&Analysis<'_>, &LoadCase)>) -> Vec<Entry> {
     let mut entries = vec![];
-    let pairs = shared::pairs(gearbox, layout);
+    let pairs = halves::pairs(gearbox, layout);
     let of_set = |set: usize| load.and_then(|(gear, case)| gear.drawn_power(case, set));
     for stack in &layout.sets {
         for (member, y) in [stack.sun, stack.ring, stack.planet].into_iter().enumerate() {
