@@ -40,7 +40,7 @@ pub struct LinkShape {
 /// stacked in the same order, central gear 1, planet, central gear 2: see [what is idealised](super#idealised).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SetStack {
-    /// Place of the set in [`Gearbox::drawn_sets`].
+    /// Place of the set in [`Gearbox::drawn_sets`](epicyclic_train::Gearbox::drawn_sets).
     pub set: usize,
     /// Links of central gear 1, central gear 2 and carrier as they are drawn.
     pub members: [LinkId; 3],
@@ -61,7 +61,7 @@ pub struct SetStack {
 /// A clutch: a gap between two links that it closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClutchMark {
-    /// Place of the shift element in [`Gearbox::shift_elements`]; further numbers are direct-drive clutches asked for.
+    /// Place of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements); further numbers are direct-drive clutches asked for.
     pub shift_element: usize,
     /// Link and its end below the gap.
     pub lower: (LinkId, Point),
@@ -72,7 +72,7 @@ pub struct ClutchMark {
 /// A brake: a gap between a link and the housing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BrakeMark {
-    /// Place of the shift element in [`Gearbox::shift_elements`].
+    /// Place of the shift element in [`Gearbox::shift_elements`](epicyclic_train::Gearbox::shift_elements).
     pub shift_element: usize,
     /// The link it holds.
     pub link: LinkId,

@@ -10,12 +10,16 @@ use epicyclic_formats::Dimension;
 /// Seconds of an hour, in which a bearing's life is told.
 const HOUR_S: f64 = 3600.0;
 
-/// A table of the planet bearings; `None` of no bearings.
+/// A table of the planet bearings; `None` of no bearings, or where nothing is known of them.
 pub(super) fn records(bearings: &[PlanetBearing], at: &OperatingPoint, of_one_gear: bool) -> Option<Records> {
     if bearings.is_empty() {
         return None;
     }
     let is_sized = bearings.iter().any(|bearing| bearing.carrier_radius_m.is_some());
+    // Of planets that differ nothing is known without sizes.
+    if !is_sized && bearings.iter().all(|bearing| bearing.carrier_torque_of_input.is_none()) {
+        return None;
+    }
     let is_loaded = bearings.iter().any(|bearing| bearing.tangential_force_n.is_some());
     let first: &[&'static str] = if of_one_gear { &["set", "planet"] } else { &["gear", "set", "planet"] };
     let shown: &[&'static str] = match (is_sized, is_loaded, at.speed_rad_s) {
