@@ -308,7 +308,7 @@ fn runs(direction: RollingPower) -> Figure {
     Figure::choice(direction, words)
 }
 
-fn kind_in_words(kind: Kind) -> &'static str {
+pub(super) fn kind_in_words(kind: Kind) -> &'static str {
     match kind {
         Kind::Simple => "simple",
         Kind::DoublePlanet => "double planet",
