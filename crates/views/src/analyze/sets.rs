@@ -1,7 +1,6 @@
 //! What the planet sets are, and whether their planets fit.
 
-use super::gear::kind_in_words;
-use super::shared::exact;
+use super::shared::{exact, kind_in_words};
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Records, View};
 use epicyclic_answers::analyze::sets::{Fit, SetFacts, TeethOf};

@@ -142,11 +142,11 @@ fn in_words(gear: &OneGear) -> String {
 /// The sign patterns of the losses of a gear that has several.
 fn patterns(gear: &OneGear) -> Option<Block> {
     let parts = gear.report().parts.into_iter();
-    let found = parts.filter_map(|part| match part {
+    let mut found = parts.filter_map(|part| match part {
         Part::Records(records) if records.name == "patterns" => Some(records),
         _ => None,
     });
-    let mut records = found.last()?;
+    let mut records = found.next_back()?;
     for view in &mut records.views {
         view.title = format!("Gear {}: {}", gear.gear.gear, view.title);
     }
