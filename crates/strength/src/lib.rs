@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`rating`] | stresses, limits and safeties of a mesh under one load, and against an overload |
 //! | [`mesh`] | a mesh, its load, how to calculate |
+//! | [`planets`] | the loads of both meshes of a simple set |
 //! | [`spectrum`] | damage, safety and life over a duty, by Miner's rule |
 //! | [`factor`] | a factor with its symbol and where its value comes from; factors given |
 //! | [`load`] | `K_γ`, `K_v`, `K_Fβ`, `K_Hα`, `K_Fα` |
@@ -36,6 +37,7 @@ pub mod load;
 pub mod loss;
 pub mod material;
 pub mod mesh;
+pub mod planets;
 mod prepared;
 pub mod rating;
 pub mod root;

@@ -54,7 +54,7 @@ pub struct ContactRating {
 /// Root stress, limit and safety of a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RootRating {
-    /// The critical section; `None` where `Y_F` and `Y_S` are given.
+    /// The critical section; `None` where `Y_F`, `Y_S` and `Y_δrelT` are given.
     pub section: Option<RootSection>,
     /// `Y_F`, `Y_S`, `Y_β`, `Y_B`, `Y_DT`.
     pub stress_factors: [Factor; 5],
@@ -251,11 +251,21 @@ pub struct Overload {
     pub root: f64,
 }
 
-/// Safeties of both gears against the greatest torque of their life, static: `K_A` and `K_v` are 1, since the torque contains them.
+/// Safeties of a mesh against an overload.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OverloadRating {
+    /// Edition of the standard.
+    pub edition: Edition,
+    /// Both gears.
+    pub gears: [Overload; 2],
+}
+
+/// Safeties of both gears against the greatest torque of their life, static: `K_A` and `K_v` are 1, since the torque contains them. Given `Z_NT` and `Y_NT`
+/// are of the duty's cycles and not used here.
 ///
 /// # Errors
 /// Those of [`rate`]; [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known.
-pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<[Overload; 2], Error> {
+pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<OverloadRating, Error> {
     let prepared = Prepared::new(mesh, method)?;
     let force = prepared.force(positive(Quantity::Torque, n_m(torque), "N·m")?);
     let given = method.given.with(Symbol::Application, 1.0).with(Symbol::Dynamic, 1.0);
@@ -269,5 +279,5 @@ pub fn overload(mesh: &Mesh, torque: Torque, method: &Method) -> Result<[Overloa
         let root_stress = prepared.nominal_root(side, force) * factors.root();
         Ok(Overload { contact: contact / contact_stress, root: root / root_stress })
     };
-    Ok([side(Side::First)?, side(Side::Second)?])
+    Ok(OverloadRating { edition: method.edition, gears: [side(Side::First)?, side(Side::Second)?] })
 }

@@ -19,7 +19,7 @@
 //! # Source
 //! ISO 6336-6:2006: Miner's rule, safety by iteration on the stresses.
 
-use crate::factor::Side;
+use crate::factor::{Edition, Side};
 use crate::life::Line;
 use crate::mesh::{Mesh, Method};
 use crate::prepared::Prepared;
@@ -58,6 +58,15 @@ pub struct GearDuty {
     pub root: Worn,
 }
 
+/// A mesh under a duty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DutyRating {
+    /// Edition of the standard.
+    pub edition: Edition,
+    /// Both gears.
+    pub gears: [GearDuty; 2],
+}
+
 /// A stress, how often it comes, and the limit it is held against.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Cycle {
@@ -66,7 +75,8 @@ struct Cycle {
     line: Line,
 }
 
-/// Damage, safety and life of both gears over a duty; `contacts` as in [`Load`](crate::mesh::Load).
+/// Damage, safety and life of both gears over a duty; `contacts` as in [`Load`](crate::mesh::Load). Given `Z_NT` and `Y_NT` are of one number of cycles and not
+/// used here.
 ///
 /// # Errors
 /// [`Error::Shares`] where the shares do not sum to 1, [`Error::Negative`] for a share, torque or speed below 0, [`Error::IdleDuty`] without a step that does
@@ -77,7 +87,7 @@ pub fn rate_duty(
     life: Time,
     contacts: [f64; 2],
     method: &Method,
-) -> Result<[GearDuty; 2], Error> {
+) -> Result<DutyRating, Error> {
     let life_h = positive(Quantity::Life, hours(life), "h")?;
     let mut sum = 0.0;
     for step in duty {
@@ -108,7 +118,9 @@ pub fn rate_duty(
     if cycles[0][0].is_empty() {
         return Err(Error::IdleDuty);
     }
-    Ok(cycles.map(|[contact, root]| GearDuty { contact: worn(&contact, life_h), root: worn(&root, life_h) }))
+    let gears =
+        cycles.map(|[contact, root]| GearDuty { contact: worn(&contact, life_h), root: worn(&root, life_h) });
+    Ok(DutyRating { edition: method.edition, gears })
 }
 
 /// `U` with all stresses times a factor.

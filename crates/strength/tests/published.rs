@@ -12,6 +12,7 @@ use epicyclic_strength::load::{Arrangement, Dynamics};
 use epicyclic_strength::loss::{loss_factor, power_loss};
 use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Load, Mesh, Method};
+use epicyclic_strength::planets::loads;
 use epicyclic_strength::rating::{MeshRating, rate};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
@@ -98,14 +99,13 @@ fn wind_meshes() -> [Mesh; 2] {
 }
 
 fn wind_load() -> [Load; 2] {
-    let load = |torque, speed, contacts| Load {
-        torque: Torque::new::<newton_meter>(torque),
-        speed: AngularVelocity::new::<revolution_per_minute>(speed),
-        life: Time::new::<hour>(175_200.0),
-        contacts,
-    };
-    let sun = 162_105.5 / 3.0;
-    [load(sun, 294.5 - 47.8, [3.0, 1.0]), load(2.0 * sun, (294.5 - 47.8) / 2.0, [1.0, 3.0])]
+    let teeth = [18, 36].map(|teeth| ToothCount::new(teeth).unwrap());
+    let speed = AngularVelocity::new::<revolution_per_minute>(294.5 - 47.8);
+    let loads =
+        loads(Torque::new::<newton_meter>(162_105.5), speed, 3, teeth, Time::new::<hour>(175_200.0)).unwrap();
+    // The ring's torque as printed, 837 545.3 N·m.
+    near(loads[1].torque.get::<newton_meter>() * 3.0 * 93.0 / 36.0, 837_545.3, 1e-6);
+    loads
 }
 
 /// As printed: `K_A` 1.25, `K_γ` 1.10, `K_v` 1.061, `K_Hβ` 2.06/1.15, `K_Fβ` 1.94/1.14, `K_Hα` = `K_Fα` = 1.
