@@ -219,6 +219,46 @@ proptest! {
     }
 }
 
+/// Over the speed the standard's ranges follow each other; where the range between resonance and the speeds above begins and ends nothing jumps.
+#[test]
+fn the_ranges_of_the_dynamic_factor_join() {
+    let mesh = mesh(20, 50, false, 0.0);
+    let dynamics = Dynamics {
+        arrangement: Arrangement::Pair,
+        pitch_deviations: [um(8.0), um(9.0)],
+        profile_deviations: [um(10.0), um(11.0)],
+        tip_relief: Some(um(20.0)),
+        rims: [None; 2],
+        blank_factor: 1.0,
+    };
+    let given = Given::default()
+        .with(Symbol::Application, 1.0)
+        .with(Symbol::LoadSharing, 1.0)
+        .with(Symbol::FaceContact, 1.2);
+    let method = Method { given, dynamics: Some(dynamics), ..Method::default() };
+    let of = |rpm| rate(&mesh, &load(1000.0, rpm, 1e4), &method).unwrap().load_factors.dynamic;
+    let mut before = of(100.0);
+    let mut places = vec![before.origin];
+    for step in 1..=4000 {
+        let here = of(100.0 + 10.0 * f64::from(step));
+        if here.origin == before.origin || places.len() > 1 {
+            assert!((here.value - before.value).abs() < 5e-3, "{} {}", before.value, here.value);
+        }
+        if here.origin != before.origin {
+            places.push(here.origin);
+        }
+        before = here;
+    }
+    let places: Vec<String> = places.iter().map(ToString::to_string).collect();
+    let part1 = |number| format!("ISO 6336-1:2006, formula ({number})");
+    assert_eq!(places, [14, 20, 22, 21].map(part1));
+    let light = rate(&mesh, &load(100.0, 1000.0, 1e4), &method);
+    refused(
+        light,
+        "factor K_v is not given and cannot be calculated: below a line load of 100 N/mm method B is not offered; give it",
+    );
+}
+
 #[test]
 fn the_governing_safety_is_the_least_over_what_is_required() {
     let mesh = mesh(20, 50, false, 0.0);
