@@ -13,6 +13,7 @@
 //! | [`planets`] | the largest speeds of planets and forces on them over all gears |
 //! | [`records`] | records that these answers share |
 //! | [`planet_bearings`] | forces on the planet bearings |
+//! | [`step_losses`] | torques and powers with losses down to the efficiency, as steps of a calculation |
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
 //! | [`warnings`] | what the reader should know of a gearbox and of its gears |
 //!
@@ -30,6 +31,7 @@ pub mod planets;
 pub mod progression;
 pub mod records;
 pub mod shifts;
+pub mod step_losses;
 pub mod step_torques;
 pub mod warnings;
 
@@ -63,7 +65,7 @@ pub struct OperatingPoint {
 }
 
 impl OperatingPoint {
-    fn of(input: Input) -> Self {
+    pub(crate) fn of(input: Input) -> Self {
         let (torque, power) = match input.load {
             Some(InputLoad::Torque(torque)) => (Some(torque), None),
             Some(InputLoad::Power(power)) => (None, Some(power)),
