@@ -14,6 +14,7 @@
 //! | [`records`] | records that these answers share |
 //! | [`planet_bearings`] | forces on the planet bearings |
 //! | [`sets`] | the planet sets: teeth, ratios, and whether their planets fit |
+//! | [`step_losses`] | torques and powers with losses down to the efficiency, as steps of a calculation |
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
 //! | [`warnings`] | what the reader should know of a gearbox and of its gears |
 //!
@@ -32,6 +33,7 @@ pub mod progression;
 pub mod records;
 pub mod sets;
 pub mod shifts;
+pub mod step_losses;
 pub mod step_torques;
 pub mod warnings;
 
@@ -65,7 +67,7 @@ pub struct OperatingPoint {
 }
 
 impl OperatingPoint {
-    fn of(input: Input) -> Self {
+    pub(crate) fn of(input: Input) -> Self {
         let (torque, power) = match input.load {
             Some(InputLoad::Torque(torque)) => (Some(torque), None),
             Some(InputLoad::Power(power)) => (None, Some(power)),

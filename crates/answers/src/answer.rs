@@ -3,6 +3,7 @@
 use crate::{Error, finite};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Serialize;
+use serde_json::Value;
 use serde_json::ser::{Formatter, PrettyFormatter};
 use std::io::{self, Write};
 
@@ -104,10 +105,30 @@ impl Formatter for Plain<'_> {
     }
 }
 
-/// The JSON Schema of an answer.
+/// The JSON Schema of an answer: its name and version are those of its records and no others.
 #[must_use]
 pub fn schema<A: Answer>() -> Schema {
-    schema_for!(Whole<'_, A>)
+    let mut schema = schema_for!(Whole<'_, A>);
+    let described = schema_for!(A).get("description").cloned();
+    schema
+        .insert("$id".to_owned(), format!("urn:epicyclic:schema:{SCHEMA_VERSION}:answer:{}", A::NAME).into());
+    schema.insert("title".to_owned(), format!("Answer of epicyclic: {}", A::NAME).into());
+    schema.insert("description".to_owned(), described.unwrap_or_default());
+    for (key, only) in [("schema_version", SCHEMA_VERSION.into()), ("answer", Value::from(A::NAME))] {
+        if let Some(Value::Object(key)) = schema.pointer_mut(&format!("/properties/{key}")) {
+            key.insert("const".to_owned(), only);
+        }
+    }
+    schema
+}
+
+/// The JSON Schema of a file that is read, under its name.
+#[must_use]
+pub fn schema_of_file<F: JsonSchema>(name: &str) -> Schema {
+    let mut schema = schema_for!(F);
+    schema.insert("$id".to_owned(), format!("urn:epicyclic:schema:{SCHEMA_VERSION}:file:{name}").into());
+    schema.insert("title".to_owned(), format!("File of epicyclic: {name}").into());
+    schema
 }
 
 #[cfg(test)]
@@ -121,6 +142,14 @@ mod tests {
 
     impl Answer for Zeros {
         const NAME: &'static str = "zeros";
+    }
+
+    #[test]
+    fn a_schema_names_its_answer_and_no_other() {
+        let schema = schema::<Zeros>();
+        assert_eq!(schema.get("$id"), Some(&Value::from("urn:epicyclic:schema:1:answer:zeros")));
+        assert_eq!(schema.pointer("/properties/answer/const"), Some(&Value::from("zeros")));
+        assert_eq!(schema.pointer("/properties/schema_version/const"), Some(&Value::from(1)));
     }
 
     #[test]

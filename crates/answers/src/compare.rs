@@ -11,12 +11,13 @@
 pub mod page;
 pub mod rows;
 
-use crate::analyze::Input;
 use crate::analyze::elements::{OverGears, ShiftElement};
 use crate::analyze::overview::{self, Overview};
 use crate::analyze::records::ShiftElementKind;
 use crate::analyze::shifts::Transition;
+use crate::analyze::{Input, OperatingPoint};
 use crate::gearbox::Subject;
+use crate::number::plain;
 use crate::tolerance::ROUNDED;
 use crate::{Answer, Error, Warning};
 use epicyclic_train::{Gearbox, PlanetSet};
@@ -32,6 +33,8 @@ pub struct Comparison {
     pub gearboxes: Vec<Compared>,
     /// By what gears stand beside each other.
     pub gears_by: GearsBy,
+    /// Speed and load of the input that were asked for, all the same.
+    pub operating_point: OperatingPoint,
     /// Figures of the gearboxes as a whole.
     pub figures: Vec<ComparedFigure>,
     /// Figures gear by gear.
@@ -67,6 +70,10 @@ pub struct ComparedElement {
     pub slip_of_input: Option<f64>,
     /// In which gear.
     pub slip_gear: Option<String>,
+    /// Its largest torque at the operating point.
+    pub torque_n_m: Option<f64>,
+    /// Its largest slip at the operating point.
+    pub slip_rad_s: Option<f64>,
 }
 
 impl ComparedElement {
@@ -74,6 +81,8 @@ impl ComparedElement {
         let (torque, slip) = (one.largest_torque, one.largest_slip);
         Self {
             element: one.element,
+            torque_n_m: torque.as_ref().and_then(|torque| torque.torque_n_m),
+            slip_rad_s: slip.as_ref().and_then(|slip| slip.slip_rad_s),
             torque_of_input: torque.as_ref().map(|torque| torque.torque_of_input),
             torque_gear: torque.map(|torque| torque.gear),
             slip_of_input: slip.as_ref().map(|slip| slip.slip_of_input),
@@ -211,6 +220,12 @@ pub enum FigureName {
     LinkSpeed,
     /// Largest speed of a planet in a gear relative to its carrier, over the input's.
     PlanetSpeed,
+    /// Speed of the output in a gear at the operating point, in rad/s.
+    OutputSpeedRadS,
+    /// Torque on the gearbox at the output in a gear at the operating point, in N·m.
+    OutputTorqueNM,
+    /// Power lost in a gear at the operating point, in W.
+    LossW,
 }
 
 impl Answer for Comparison {
@@ -226,14 +241,14 @@ pub struct Candidate<'s, 'd> {
     pub from: String,
 }
 
-/// Gearboxes side by side.
+/// Gearboxes side by side, at one speed and load of the input where these are given.
 ///
 /// # Errors
 /// [`Error::ManyGears`] for a gearbox of more than [`rows::MOST_GEARS`] gears; those of [`overview::answer`].
-pub fn answer(candidates: &[Candidate<'_, '_>]) -> Result<Comparison, Error> {
+pub fn answer(candidates: &[Candidate<'_, '_>], input: Input) -> Result<Comparison, Error> {
     let overviews = candidates
         .iter()
-        .map(|candidate| overview::answer(candidate.subject, Input::default(), None))
+        .map(|candidate| overview::answer(candidate.subject, input, None))
         .collect::<Result<Vec<Overview>, Error>>()?;
     let (gears_by, rows) = rows::of(&overviews)?;
     let boxes: Vec<(&Gearbox, &Overview)> =
@@ -247,6 +262,7 @@ pub fn answer(candidates: &[Candidate<'_, '_>]) -> Result<Comparison, Error> {
     let gears = rows.iter().map(|row| ComparedGear::of(row, &overviews)).collect();
     Ok(Comparison {
         gears_by,
+        operating_point: OperatingPoint::of(input),
         figures,
         gears,
         warnings: warnings(&overviews),
@@ -401,7 +417,18 @@ const OF_GEAR: &[(FigureName, OfGear)] = &[
     (FigureName::CirculatingPower, |_, gear| gear.circulating_of_entering),
     (FigureName::LinkSpeed, |_, gear| gear.largest_speed_of_input),
     (FigureName::PlanetSpeed, |_, gear| gear.largest_planet_speed_of_input),
+    (FigureName::OutputSpeedRadS, |_, gear| gear.output_speed_rad_s),
+    (FigureName::OutputTorqueNM, |_, gear| gear.output_torque_n_m),
+    (FigureName::LossW, loss),
 ];
+
+/// What enters at the input and at the output together: powers on the gearbox.
+fn loss(overview: &Overview, gear: &overview::Gear) -> Option<f64> {
+    let at = &overview.operating_point;
+    let speed = at.speed_rad_s?;
+    let input = at.power_w.or(at.torque_n_m.map(|torque| torque * speed))?;
+    Some(plain(input + gear.output_torque_n_m? * gear.output_speed_rad_s?))
+}
 
 impl ComparedGear {
     fn of(row: &[Option<usize>], overviews: &[Overview]) -> Self {

@@ -214,6 +214,47 @@ pub enum Error {
 }
 
 impl Error {
+    /// The name of the error, which does not change: `no-tooth-numbers`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::Json(_) => "not-writable",
+            Self::TooMany { .. } => "too-many",
+            Self::Document(error) => error.name(),
+            Self::Placed { why, .. } => why.name(),
+            Self::Drive(error) => error.name(),
+            Self::Motor(error) => error.name(),
+            Self::NoMotor(_) => "no-motor",
+            Self::NoTeethHold { .. } => "no-teeth-hold",
+            Self::NoSuchDesign { .. } => "no-such-design",
+            Self::PressureDrop => "pressure-drop",
+            Self::RotorSpeed => "rotor-speed",
+            Self::CentrodePoints { .. } => "centrode-points",
+            Self::Gear(error) => error.name(),
+            Self::Gearbox(error) => error.name(),
+            Self::OneGearbox => "one-gearbox",
+            Self::SeveralTransmissions { .. } => "several-transmissions",
+            Self::NoTransmission { .. } => "no-transmission",
+            Self::AmbiguousTransmission { .. } => "ambiguous-transmission",
+            Self::NoGear { .. } => "no-gear",
+            Self::Load { .. } => "load",
+            Self::ProgressionFactor { .. } => "progression-factor",
+            Self::ManyGears { .. } => "many-gears",
+            Self::NoLink { .. } => "no-link",
+            Self::Inputs { .. } => "inputs",
+            Self::Places { .. } => "places",
+            Self::Design(error) => error.name(),
+            Self::SchemeSize { .. } => "scheme-size",
+            Self::Selection(error) => error.name(),
+            Self::Synthesis(_) => "synthesis",
+            Self::Duty(_) => "duty",
+            Self::TooManyDesigns { .. } => "too-many-designs",
+            Self::ModuleRange { .. } => "module-range",
+            Self::NoChute => "no-chute",
+        }
+    }
+
     /// Whether the question is sound and only has no answer within its bounds.
     #[must_use]
     pub fn is_nothing_found(&self) -> bool {

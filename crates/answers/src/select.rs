@@ -62,6 +62,24 @@ pub struct Select {
     pub unreachable: Vec<Unreachable>,
     /// What the first candidate leaves to object to, and how many candidates do not.
     pub remedies: Vec<Remedy>,
+    /// Where nothing is accepted: how many of all structures are; `null` where something is, or those were the mechanisms.
+    pub accepted_of_all_structures: Option<usize>,
+    /// Where nothing is accepted: criteria that alone keep a candidate out, with the limit that would let the nearest pass.
+    pub relaxations: Vec<Relaxation>,
+}
+
+/// A required criterion that alone keeps candidates out, where nothing is accepted.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Relaxation {
+    /// Which criterion.
+    pub criterion: Criterion,
+    /// The limit that would let the nearest of them pass, of `k` on the side where it lies; `null` of a yes or no.
+    pub limit: Option<f64>,
+    /// How many candidates nothing else keeps out.
+    pub candidates: usize,
+    /// The nearest one by the number of its candidate.
+    pub nearest: u32,
 }
 
 /// A criterion that is not required and that the first candidate does not meet, and what requiring it would leave.
@@ -148,7 +166,7 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
     });
     let saved = saved
         .and_then(|no| ranked.get(no.checked_sub(1)?))
-        .map(|one| Saved::of(one.candidate, requirements, &[]))
+        .map(|one| Saved::of(one.candidate, requirements, &[], vec![]))
         .transpose()?;
     let answer = Select {
         required: Required::of(requirements, *order, duty)?,
@@ -158,8 +176,70 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
         candidates,
         unreachable: found.unreachable.iter().map(Unreachable::of).collect(),
         remedies,
+        accepted_of_all_structures: if accepted == 0 { of_all_structures(wanted)? } else { None },
+        relaxations: if accepted == 0 { relaxations(&ranked, requirements) } else { vec![] },
     };
     Ok((answer, saved))
+}
+
+/// How many of all structures are accepted; nothing where those are searched anyway.
+fn of_all_structures(wanted: &Wanted) -> Result<Option<usize>, Error> {
+    if matches!(wanted.space, Space::All) {
+        return Ok(None);
+    }
+    let all = select_with(&wanted.requirements, &Space::All, wanted.order, Some(&drawable_direct_clutches))?;
+    Ok(Some(all.accepted.len()))
+}
+
+/// What alone keeps each of the rejected out, the nearest of each criterion.
+fn relaxations(rejected: &[Ranked<'_>], requirements: &Requirements) -> Vec<Relaxation> {
+    let mut found: Vec<(f64, Relaxation)> = vec![];
+    for one in rejected {
+        let mut unmet = one.candidate.verdicts.iter().filter(|verdict| verdict.required && !verdict.met);
+        let (Some(only), None) = (unmet.next(), unmet.next()) else { continue };
+        let Some((limit, distance)) = limit_that_admits(one.candidate, only, requirements) else { continue };
+        let criterion = Criterion::of(only.criterion);
+        let of_it = Relaxation { criterion, limit, candidates: 1, nearest: one.no };
+        match found.iter_mut().find(|(_, other)| other.criterion == criterion) {
+            None => found.push((distance, of_it)),
+            Some((nearest, other)) => {
+                let candidates = other.candidates + 1;
+                if distance < *nearest {
+                    (*nearest, *other) = (distance, of_it);
+                }
+                other.candidates = candidates;
+            }
+        }
+    }
+    found.into_iter().map(|(_, one)| one).collect()
+}
+
+/// The limit of a criterion that would admit a candidate, and how far it is from the one there is; nothing where none would.
+fn limit_that_admits(
+    one: &selection::Candidate,
+    verdict: &selection::Verdict,
+    requirements: &Requirements,
+) -> Option<(Option<f64>, f64)> {
+    use selection::Criterion as C;
+    match verdict.criterion {
+        C::SameDirection | C::Drawable => Some((None, 0.0)),
+        C::RingToSun => {
+            let [least, greatest] = verdict.limits;
+            let (low, high) = (one.k.iter().any(|k| *k < least), one.k.iter().any(|k| *k > greatest));
+            let k = verdict.value;
+            // Planets in such a set would run into each other.
+            let collide =
+                (k + 1.0) * (std::f64::consts::PI / f64::from(requirements.rating.planets)).sin() <= k - 1.0;
+            (k > 1.0 && low != high && !collide)
+                .then(|| (Some(k), (k / if low { least } else { greatest }).ln().abs()))
+        }
+        _ => {
+            let limit = verdict.limits[usize::from(verdict.value > verdict.limits[1])];
+            // A gear that is self-locking has the efficiency 0: no limit admits it.
+            let admits = verdict.value.is_finite() && verdict.value > 0.0;
+            admits.then(|| (Some(verdict.value), (verdict.value - limit).abs()))
+        }
+    }
 }
 
 /// What the first candidate leaves to object to, and how many candidates there are that do not.

@@ -12,6 +12,7 @@
 
 pub mod explain;
 pub mod families;
+pub mod near_miss;
 pub mod page;
 pub mod rating;
 pub mod saved;
@@ -33,7 +34,7 @@ use crate::tolerance::AT_EDGE;
 use crate::{Answer, Error};
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::family;
-use epicyclic_synthesis::gearbox::{element_name, real_k};
+use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
 use epicyclic_synthesis::judge::{Judged, judge_all};
 use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rank::{self, front};
@@ -46,6 +47,7 @@ use epicyclic_train::formula::subscript;
 use explain::Explanation;
 use families::{Family, families};
 use left_out::LeftOuts;
+use near_miss::NearMiss;
 use rating::{Objective, Rating};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -97,6 +99,8 @@ pub struct Synthesis {
     pub decided_by: Option<Objective>,
     /// A given gearbox beside the search; `null` where none was given.
     pub explanation: Option<Explanation>,
+    /// A gearbox of fewer sets that misses the ratios narrowly; `null` where none is known.
+    pub near_miss: Option<NearMiss>,
     /// These, the best first.
     pub solutions: Vec<Solution>,
 }
@@ -234,8 +238,10 @@ pub enum Edge {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftElement {
-    /// Its name: a brake's link, or the two links of a clutch.
+    /// Its name: `B1`, `B2` … of a brake, `C1`, `C2` … of a clutch.
     pub name: String,
+    /// What it joins: a brake's link to the housing, or the two links of a clutch.
+    pub joins: String,
     /// Whether it holds a link on the housing.
     pub is_brake: bool,
     /// Other elements that lock the same and may take its place.
@@ -342,6 +348,7 @@ pub fn solve_by<E: From<Error>>(
         non_dominated: 0,
         decided_by: None,
         explanation: None,
+        near_miss: None,
         solutions: Vec::new(),
     };
     let mut left_out = LeftOuts::default();
@@ -519,9 +526,11 @@ impl Solution {
             let (k, k_range) = (real(*k), range.map(real));
             Set { sun, ring, carrier, is_double_planet, k, k_range, has_equal_k, at_edge }
         });
-        let names: Vec<String> = solution.elements.iter().map(|pairs| element_name(pairs[0])).collect();
+        let chosen: Vec<Element> = solution.elements.iter().map(|pairs| pairs[0]).collect();
+        let names = own_names(&chosen);
         let shift_elements = solution.elements.iter().zip(&names).map(|(pairs, name)| ShiftElement {
             name: name.clone(),
+            joins: element_name(pairs[0]),
             is_brake: pairs[0][0] == 0,
             instead: pairs[1..].iter().map(|pair| element_name(*pair)).collect(),
         });

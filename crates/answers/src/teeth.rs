@@ -12,7 +12,7 @@ use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;
 use crate::{Answer, Error};
 use epicyclic_formats::Physical;
-use epicyclic_gears::simple_set::Mode;
+use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{Bounds, Candidate};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -110,6 +110,57 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64)) -> Result<Teeth, Error> {
     })
 }
 
+/// So many sets in series have a ratio that one has not within the same bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stages {
+    /// How many sets.
+    pub sets: u32,
+    /// The size of the ratio of each, were all alike.
+    pub ratio: f64,
+    /// The mode of the others, where one alone turns the direction of rotation.
+    pub others: Option<Mode>,
+}
+
+/// The most sets in series that [`stages`] tries.
+const MOST_STAGES: u32 = 4;
+
+/// How many sets in series have a ratio that one has not: each has the same root of it within its share of the tolerance.
+///
+/// A mode with negative ratios, the carrier at rest, is that of one set, and the carrier of the others turns.
+///
+/// # Errors
+/// Those of a bound that cannot be.
+pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
+    let Wanted { ratio, mode, tolerance, bounds, .. } = wanted;
+    let is_negative = mode.fixed() == Member::Carrier;
+    if is_negative != (*ratio < 0.0) {
+        return Ok(None);
+    }
+    let others = match is_negative {
+        false => None,
+        true if ratio.abs() < 1.0 => Some(Mode::new(Member::Carrier, Member::Sun)?),
+        true => Some(Mode::new(Member::Sun, Member::Carrier)?),
+    };
+    for sets in 2..=MOST_STAGES {
+        let of_each = ratio.abs().powf(1.0 / f64::from(sets));
+        let has = |ratio: f64, mode: Mode| match bounds.first_for_ratio(
+            ratio,
+            mode,
+            tolerance / f64::from(sets),
+            1,
+            |_| {},
+        ) {
+            Ok(_) => Ok(true),
+            Err(epicyclic_gears::Error::NoToothNumbers { .. }) => Ok(false),
+            Err(error) => Err(error),
+        };
+        if has(of_each * ratio.signum(), *mode)? && others.map_or(Ok(true), |others| has(of_each, others))? {
+            return Ok(Some(Stages { sets, ratio: of_each, others }));
+        }
+    }
+    Ok(None)
+}
+
 impl ToothNumbers {
     fn of(found: &Candidate) -> Self {
         let imbalance = found.spacing.imbalance();
@@ -128,5 +179,32 @@ impl ToothNumbers {
             planet_angles_rad: found.spacing.angles().into_iter().map(Physical::si).collect(),
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wanted(ratio: f64, mode: [Member; 2], bounds: Bounds) -> Wanted {
+        let mode = Mode::new(mode[0], mode[1]).unwrap();
+        Wanted { ratio, mode, tolerance: 0.01, bounds, most: 1 }
+    }
+
+    #[test]
+    fn several_sets_have_a_ratio_that_one_has_not() {
+        let sun_to_carrier = [Member::Sun, Member::Carrier];
+        let found = |ratio: f64, mode| stages(&wanted(ratio, mode, Bounds::default())).unwrap().unwrap();
+        let two = found(24.0, sun_to_carrier);
+        assert!(two.sets == 2 && (two.ratio - 24.0_f64.sqrt()).abs() < 1e-12 && two.others.is_none());
+        assert_eq!(found(400.0, sun_to_carrier).sets, 3);
+        let negative = found(-24.0, [Member::Sun, Member::Ring]);
+        assert_eq!((negative.sets, negative.others.unwrap().to_string()), (2, "aH^b".to_owned()));
+        let faster = found(-1.0 / 24.0, [Member::Ring, Member::Sun]);
+        assert_eq!((faster.sets, faster.others.unwrap().to_string()), (2, "Ha^b".to_owned()));
+        // A mode with the other sign, and bounds that no number of sets helps.
+        assert_eq!(stages(&wanted(-24.0, sun_to_carrier, Bounds::default())).unwrap(), None);
+        let narrow = Bounds { ring_to_sun_ratio: 5.0..=5.0, ..Bounds::default() };
+        assert_eq!(stages(&wanted(7.0, sun_to_carrier, narrow)).unwrap(), None);
     }
 }

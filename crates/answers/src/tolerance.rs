@@ -22,6 +22,9 @@ pub(crate) const SAME_RATIO: f64 = 1e-9;
 /// The residual of a closed motor is told as a power of ten from here on.
 pub(crate) const CLOSED: f64 = 1e-12;
 
+/// A number of a file to be written differs from a shorter one by less than this share of it: rounding.
+pub(crate) const SHORT: f64 = 1e-12;
+
 /// Objectives that differ by less are equal.
 pub(crate) const OBJECTIVE: f64 = 2e-12;
 

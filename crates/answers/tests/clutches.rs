@@ -10,9 +10,10 @@ use epicyclic_answers::compare::{self, Candidate, FigureName, GearsBy};
 use epicyclic_answers::gearbox::{Choice, Subject, one};
 use epicyclic_formats::{Document, Physical as _};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::InputLoad;
 use std::collections::BTreeMap;
 use std::path::Path;
-use uom::si::f64::AngularVelocity;
+use uom::si::f64::{AngularVelocity, Torque};
 
 fn document(name: &str) -> Document {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
@@ -267,12 +268,12 @@ fn a_gearbox_beside_itself_differs_in_nothing_and_others_are_laid_by_ratio() {
     let list = document("real-transmissions.yaml");
     let [eight, simpson] = ["8HP", "TH400"].map(|name| one(&list, &choice(name, Some(0.97))).unwrap());
     let candidate = |subject| Candidate { subject, from: "file".to_owned() };
-    let same = compare::answer(&[candidate(&eight), candidate(&eight)]).unwrap();
+    let same = compare::answer(&[candidate(&eight), candidate(&eight)], Input::default()).unwrap();
     assert_eq!(same.gears_by, GearsBy::Name);
     let of_gears = same.gears.iter().flat_map(|gear| &gear.figures).map(|figure| figure.differs);
     let all = same.figures.iter().map(|figure| figure.differs).chain(of_gears);
     assert!(all.into_iter().all(|differs| differs.difference.is_none()));
-    let both = compare::answer(&[candidate(&eight), candidate(&simpson)]).unwrap();
+    let both = compare::answer(&[candidate(&eight), candidate(&simpson)], Input::default()).unwrap();
     assert_eq!(both.gears_by, GearsBy::Ratio);
     let figure = |name: FigureName| both.figures.iter().find(|figure| figure.figure == name).unwrap();
     let values = |name: FigureName| -> Vec<f64> {
@@ -291,4 +292,39 @@ fn a_gearbox_beside_itself_differs_in_nothing_and_others_are_laid_by_ratio() {
     assert_eq!(direct.gears[1].as_deref(), Some("3"));
     let first = both.gears.iter().find(|gear| gear.gears[0].as_deref() == Some("1")).unwrap();
     assert_eq!(first.gears[1], None);
+}
+
+/// At one power and speed the figures are those of the efficiencies and ratios.
+#[test]
+fn gearboxes_are_compared_at_an_operating_point() {
+    let list = document("real-transmissions.yaml");
+    let [eight, simpson] = ["8HP", "TH400"].map(|name| one(&list, &choice(name, Some(0.97))).unwrap());
+    let candidate = |subject| Candidate { subject, from: "file".to_owned() };
+    let (speed, torque) = (150.0, 400.0);
+    let input = Input {
+        speed: Some(AngularVelocity::from_si(speed)),
+        load: Some(InputLoad::Torque(Torque::from_si(torque))),
+    };
+    let both = compare::answer(&[candidate(&eight), candidate(&simpson)], input).unwrap();
+    let mut told = 0;
+    for gear in &both.gears {
+        let values = |name| &gear.figures.iter().find(|figure| figure.figure == name).unwrap().values;
+        for place in 0..2 {
+            let of = |name| values(name)[place];
+            let Some((ratio, efficiency)) = of(FigureName::Ratio).zip(of(FigureName::Efficiency)) else {
+                continue;
+            };
+            let power = speed * torque;
+            assert!(is_near(of(FigureName::OutputSpeedRadS).unwrap(), speed / ratio));
+            assert!(is_near(of(FigureName::OutputTorqueNM).unwrap(), -torque * ratio * efficiency));
+            let loss = of(FigureName::LossW).unwrap();
+            assert!((loss - power * (1.0 - efficiency)).abs() < 1e-9 * power, "{loss}");
+            told += 1;
+        }
+    }
+    assert_eq!(told, 9 + 4);
+    let brake = &both.gearboxes[0].shift_elements[0];
+    assert!(is_near(brake.torque_n_m.unwrap(), torque * brake.torque_of_input.unwrap()));
+    let alone = compare::answer(&[candidate(&eight), candidate(&simpson)], Input::default()).unwrap();
+    assert!(alone.gearboxes[0].shift_elements[0].torque_n_m.is_none());
 }

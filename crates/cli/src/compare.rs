@@ -1,6 +1,6 @@
 //! The command `compare`: gearboxes side by side.
 
-use crate::analyze::refuse;
+use crate::analyze::{Load, refuse};
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
 use crate::input;
@@ -18,13 +18,14 @@ use uom::si::f64::Ratio;
 /// Gearboxes side by side: ratios, steps, spread, efficiency, torques and slips of shift elements, speeds, circulating power, parts.
 ///
 /// Differences are counted from the first. Gears stand beside each other by their names where these are the same in all gearboxes, with
-/// their ratios in the same order; else by their ratios. Of a list of transmissions those are compared that --transmission names. Schemes and structures by their names take
+/// their ratios in the same order; else by their ratios. With a speed and a load of the input they are compared at it, too. Of a list of transmissions those are compared that --transmission names. Schemes and structures by their names take
 /// the sizes that are given, all the same. With --output and a name that ends in .html the answer is a page with the schemes.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
   epicyclic synthesize --ratios '2.56, 1.465' --save box.yaml
   epicyclic compare box.yaml D.T2.B+T1.B.T2 --ratio1 1.465 --ratio2 2.56
+  epicyclic compare box.yaml other.yaml --power 75kW --speed 1475rpm
   epicyclic compare II-3 II-4 --k1 2.15 --k2 2.35 -o compared.html")]
 pub(crate) struct Args {
     /// Files in YAML, - for standard input, and schemes (I … III-3) or structures (D.T1.B+T2.B.T1) by their names.
@@ -42,6 +43,9 @@ pub(crate) struct Args {
     /// set each mesh takes its square root.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     efficiency: Option<Quantity<Ratio>>,
+
+    #[command(flatten)]
+    load: Load,
 
     #[command(flatten)]
     page: PageArgs,
@@ -90,7 +94,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let candidates: Vec<Candidate<'_, '_>> =
         subjects.iter().map(|(subject, from)| Candidate { subject, from: (*from).clone() }).collect();
-    let answer = answers::answer(&candidates).map_err(refuse)?;
+    let answer = answers::answer(&candidates, args.load.input()).map_err(refuse)?;
     if !args.output.is_page() {
         return args.output.deliver(&answer);
     }

@@ -10,6 +10,7 @@
 
 use crate::interrupt::INTERRUPTED;
 use epicyclic_answers::drawability::Conflict;
+use epicyclic_answers::refused::{Place, Refused};
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Document, Path, Problem, motor};
@@ -78,6 +79,14 @@ pub(crate) enum Failure {
     /// Requirements that no gear meets.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
+    /// A ratio that no set of tooth numbers has, and how several sets have it.
+    #[error("{error}{hint}")]
+    NoToothNumbers {
+        /// The ratio and the bounds.
+        error: epicyclic_gears::Error,
+        /// Several sets in series, or nothing.
+        hint: String,
+    },
     /// A gearbox that cannot be analysed so.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
@@ -163,6 +172,7 @@ impl Failure {
     pub(crate) fn code(&self) -> u8 {
         match self {
             Self::NothingFound(_)
+            | Self::NoToothNumbers { .. }
             | Self::SelfCrossing { .. }
             | Self::Gear(
                 epicyclic_gears::Error::NoToothNumbers { .. }
@@ -175,6 +185,51 @@ impl Failure {
             }
             _ => WRONG,
         }
+    }
+
+    /// The name of the failure, which does not change: `no-tooth-numbers`.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Read { .. } => "cannot-be-read",
+            Self::Write { .. } => "cannot-be-written",
+            Self::WrittenDash { .. } => "written-dash",
+            Self::StandardOutput(_) => "standard-output",
+            Self::Document(error) => error.name(),
+            Self::Answer(error) => error.name(),
+            Self::View(_) => "not-finite",
+            Self::Gear(error) | Self::NoToothNumbers { error, .. } => error.name(),
+            Self::Gearbox(error) => error.name(),
+            Self::Design(error) => error.name(),
+            Self::Selection(error) => error.name(),
+            Self::SelfCrossing { .. } => "self-crossing",
+            Self::Picture(_) => "no-picture",
+            Self::NothingFound(_) => "nothing-found",
+            Self::Interrupted(_) => "interrupted",
+            Self::TooLong(_) => "too-long",
+            Self::Table(_) => "table",
+            Self::Motor(error) => error.name(),
+            Self::Option { .. } | Self::Range { .. } => "option",
+            Self::AllUndercut { .. } => "all-undercut",
+            Self::OneFile { .. } => "one-file",
+            Self::Format(_) => "not-writable",
+        }
+    }
+
+    /// The failure as an answer.
+    pub(crate) fn as_answer(&self) -> Refused {
+        let option = match self {
+            Self::Option { option, .. } | Self::Range { option, .. } | Self::AllUndercut { option, .. } => {
+                Some((*option).to_owned())
+            }
+            Self::WrittenDash { option } => Some(option.clone()),
+            _ => None,
+        };
+        let place = match self {
+            Self::Document(error) => Some(Place::of(error)),
+            Self::Answer(error) => Place::of_answer(error),
+            _ => None,
+        };
+        Refused { name: self.name(), message: self.to_string(), exit_code: self.code(), option, place }
     }
 
     /// What is told of it: one line, whatever the names in it hold, but for messages that list several things.

@@ -99,11 +99,11 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let (cli, files) = match parsed(std::env::args_os()) {
+    let (cli, files, is_json) = match parsed(std::env::args_os()) {
         Ok(parsed) => parsed,
         // Help and version are answers, and may fail to be written like any.
         Err(asked) if !asked.use_stderr() => {
-            return end(asked.print().map_err(failure::Failure::StandardOutput));
+            return end(asked.print().map_err(failure::Failure::StandardOutput), false);
         }
         Err(wrong) => {
             let unit = loose_unit(&wrong).map(str::to_owned);
@@ -116,19 +116,20 @@ fn main() -> ExitCode {
             return ExitCode::from(failure::WRONG);
         }
     };
-    end(files.are_apart().and_then(|()| run(cli.command)))
+    end(files.are_apart().and_then(|()| run(cli.command)), is_json)
 }
 
-/// The command line, and the files that it names.
-fn parsed<Word>(line: impl IntoIterator<Item = Word>) -> Result<(Cli, apart::Files), clap::Error>
+/// The command line, the files that it names, and whether JSON is due on standard output.
+fn parsed<Word>(line: impl IntoIterator<Item = Word>) -> Result<(Cli, apart::Files, bool), clap::Error>
 where
     Word: Into<OsString> + Clone,
 {
     let mut command = Cli::command();
     let mut matches = command.try_get_matches_from_mut(line)?;
     let files = apart::Files::of(&command, &matches);
+    let is_json = output::is_json_to_standard_output(&matches);
     let cli = Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))?;
-    Ok((cli, files))
+    Ok((cli, files, is_json))
 }
 
 /// The same refusal with every character of what was typed shown.
@@ -177,10 +178,13 @@ fn run(command: Command) -> Result<(), failure::Failure> {
     }
 }
 
-fn end(done: Result<(), failure::Failure>) -> ExitCode {
+fn end(done: Result<(), failure::Failure>, is_json: bool) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
+            if is_json {
+                output::in_place_of_an_answer(&failure.as_answer());
+            }
             if !failure.is_quiet() {
                 output::complain(&format!("error: {}", failure.told()));
             }

@@ -2,7 +2,9 @@
 
 use crate::failure::Failure;
 use crate::writing::{Content, Source, write_files, write_files_and};
+use clap::ArgMatches;
 use epicyclic_answers::answer::write_json;
+use epicyclic_answers::refused::Refused;
 use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
 use epicyclic_views::page::{Imprint, Sheet};
@@ -11,6 +13,7 @@ use epicyclic_views::{AsReport, Report};
 use serde::Serialize;
 use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use terminal_size::terminal_size_of;
 
 /// The fewest columns of tables, below which most numbers have no room beside their names.
@@ -141,6 +144,7 @@ impl OutputArgs {
             return write_files_and(files, Some((file, source)));
         }
         write_files(files)?;
+        ANSWERED.store(true, Ordering::Relaxed);
         let mut out = io::stdout().lock();
         let written = if out.is_terminal() {
             let mut text = vec![];
@@ -240,6 +244,7 @@ pub(crate) fn say(text: &str) -> Result<(), Failure> {
 }
 
 fn print(text: &[u8]) -> io::Result<()> {
+    ANSWERED.store(true, Ordering::Relaxed);
     let mut out = io::stdout().lock();
     match std::str::from_utf8(text) {
         // Programs get what there is, a terminal only what it can show.
@@ -247,6 +252,27 @@ fn print(text: &[u8]) -> io::Result<()> {
         _ => out.write_all(text)?,
     }
     out.flush()
+}
+
+/// Whether anything was written to standard output: then there is an answer, whatever fails later.
+static ANSWERED: AtomicBool = AtomicBool::new(false);
+
+/// Whether a command line asks for JSON on standard output.
+pub(crate) fn is_json_to_standard_output(matches: &ArgMatches) -> bool {
+    let mut level = matches;
+    while let Some((_, below)) = level.subcommand() {
+        level = below;
+    }
+    let given = |id: &str| level.try_get_raw(id).ok().flatten().and_then(|mut values| values.next());
+    given("format").is_some_and(|format| format == "json") && given("output").is_none()
+}
+
+/// Writes why there is no answer, in its place, unless something was written. What fails here has been told already.
+pub(crate) fn in_place_of_an_answer(refused: &Refused) {
+    if !ANSWERED.load(Ordering::Relaxed) {
+        let mut text = vec![];
+        let _ = write_json(refused, &mut text).and_then(|()| print(&text));
+    }
 }
 
 /// A line, or lines, on standard error. Nothing can be done where that fails.

@@ -9,7 +9,7 @@
 //! | no point, spaces or semicolons for separators, at most one inner comma a number | parts decimals |
 //! | anything else | may be either and is refused |
 
-use epicyclic_formats::WantedRatio;
+use epicyclic_formats::{Number, WantedRatio};
 use std::str::FromStr;
 
 /// A list of ratios.
@@ -21,6 +21,19 @@ impl FromStr for Ratios {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let read = |piece: &String| piece.parse().map_err(|error| format!("{error}"));
+        pieces(text)?.iter().map(read).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+/// A list of ratios that are mere numbers, separated in the same way.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PlainRatios(pub(crate) Vec<Number>);
+
+impl FromStr for PlainRatios {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let read = |piece: &String| piece.parse::<Number>().map_err(|error| format!("{error}"));
         pieces(text)?.iter().map(read).collect::<Result<_, _>>().map(Self)
     }
 }
@@ -176,6 +189,20 @@ mod tests {
         assert_eq!(read("4.714,3,1"), [4.714, 3.0, 1.0]);
         assert_eq!(read("4,3 2,1"), [4.3, 2.1]);
         assert_eq!(read("2.5"), [2.5]);
+    }
+
+    #[test]
+    fn mere_numbers_are_separated_alike() {
+        let plain = |text: &str| -> Vec<f64> {
+            text.parse::<PlainRatios>().unwrap().0.iter().map(|ratio| ratio.get()).collect()
+        };
+        for text in ["2.5,1.5", "2.5, 1.5", "2.5;1.5", "2.5 1.5", "2,5; 1,5", "2,5 1,5"] {
+            assert_eq!(plain(text), [2.5, 1.5], "{text}");
+        }
+        assert_eq!(plain("3.9375"), [3.9375]);
+        let refused = |text: &str| text.parse::<PlainRatios>().unwrap_err();
+        assert!(refused("3,94").contains("may part decimals or ratios"));
+        assert!(refused("2.5, fast").contains("does not start with a number"));
     }
 
     #[test]

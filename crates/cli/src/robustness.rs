@@ -278,7 +278,7 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
         }
     }
     let is_plain = |text: &str| !text.contains(|c: char| c.is_control() && c != '\n');
-    let (cli, files) = match parsed(&all) {
+    let (cli, files, _) = match parsed(&all) {
         Ok(parsed) => parsed,
         Err(refused) => {
             let told = shown(refused).to_string();
@@ -484,7 +484,7 @@ fn whatever_files_are_named_none_is_lost() {
         let shown = |name: &str| path(name).display().to_string();
         let line =
             ["epicyclic", "draw", &shown(NAMES[input].0), "--svg", &shown(svg.0), "--dxf", &shown(dxf.0)];
-        let (cli, files) = parsed(line).unwrap();
+        let (cli, files, _) = parsed(line).unwrap();
         let done = files.are_apart().and_then(|()| run(cli.command));
         let apart = svg.1 != "in.yaml" && dxf.1 != "in.yaml" && svg.1 != dxf.1;
         prop_assert_eq!(done.is_ok(), apart);

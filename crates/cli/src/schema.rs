@@ -8,13 +8,14 @@ use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::inputs::{Inputs, Map};
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::shifts::Shifts;
-use epicyclic_answers::answer::schema;
+use epicyclic_answers::answer::{schema, schema_of_file};
 use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::motor::Motor;
 use epicyclic_answers::motor_search::MotorSearch;
+use epicyclic_answers::refused::Refused;
 use epicyclic_answers::report::Report;
 use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
@@ -26,7 +27,6 @@ use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
-use schemars::schema_for;
 
 /// The JSON Schema of a file that the program reads, or of an answer in JSON.
 #[derive(Debug, clap::Args)]
@@ -108,15 +108,17 @@ enum Of {
     AnswerDraw,
     /// The answer of `epicyclic report`.
     AnswerReport,
+    /// In place of an answer: why there is none.
+    AnswerError,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let schema = match args.of {
-        Of::Drive => schema_for!(DriveFile),
-        Of::Gearbox => schema_for!(GearboxFile),
-        Of::Transmissions => schema_for!(TransmissionsFile),
-        Of::Motor => schema_for!(MotorFile),
+        Of::Drive => schema_of_file::<DriveFile>("drive"),
+        Of::Gearbox => schema_of_file::<GearboxFile>("gearbox"),
+        Of::Transmissions => schema_of_file::<TransmissionsFile>("transmissions"),
+        Of::Motor => schema_of_file::<MotorFile>("motor"),
         Of::AnswerAnalyze => schema::<Overview>(),
         Of::AnswerAnalyzeGear => schema::<OneGear>(),
         Of::AnswerAnalyzeInputs => schema::<Inputs>(),
@@ -143,6 +145,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerMachineRotor => schema::<Rotor>(),
         Of::AnswerDraw => schema::<Drawing>(),
         Of::AnswerReport => schema::<Report>(),
+        Of::AnswerError => schema::<Refused>(),
     };
     args.target.write(output::json(&schema)?.as_bytes())
 }

@@ -1,11 +1,14 @@
 //! The command `select`: which gearbox gives these speeds.
 
+mod nothing;
+
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
 use crate::lists::{List, Numbers, Quantities};
 use crate::options;
 use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
+use crate::ratios::PlainRatios;
 use crate::teeth::IN_A_SECOND;
 use crate::writing::Content;
 use epicyclic_answers::Error;
@@ -15,7 +18,6 @@ use epicyclic_answers::select::page::drawn;
 use epicyclic_answers::select::saved::Saved;
 use epicyclic_answers::select::teeth::{self, MOST_DESIGNS, Searched, SizeLimits};
 use epicyclic_answers::select::{self, Wanted};
-use epicyclic_formats::gearbox::written;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
@@ -24,6 +26,8 @@ use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
 use epicyclic_views::page;
 use epicyclic_views::select::teeth::csv;
+use epicyclic_views::select::ways_out;
+use nothing::{nothing_found, with_teeth_more};
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
 
@@ -57,9 +61,9 @@ pub(crate) struct Args {
     #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
     speeds: Option<Quantities<Velocity>>,
 
-    /// Ratios of the braked gears, in place of speeds: one or two.
+    /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.
     #[arg(long, allow_hyphen_values = true)]
-    ratios: Option<Numbers>,
+    ratios: Option<PlainRatios>,
 
     /// All 111 structures of two sets (or the 6 of one), and not only the source's.
     #[arg(long)]
@@ -234,7 +238,7 @@ struct Size {
 #[group(id = "duty")]
 struct DutyOptions {
     /// Speed of the input, 1475 rpm: gives the speed of the output in each gear.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
     input: Option<Quantity<AngularVelocity>>,
 
     /// Power into the input, 75 kW; needs --input. Gives torques and losses in each gear.
@@ -297,7 +301,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     } else {
         args.output.deliver_with(files, &found)?;
     }
-    if found.accepted == 0 { Err(nothing_found()) } else { Ok(()) }
+    if found.accepted == 0 { Err(nothing_found(ways_out(&found).first())) } else { Ok(()) }
 }
 
 /// The mechanisms to choose among.
@@ -375,7 +379,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
         }
     }
     if accepted == 0 || (count == 0 && most > 0) {
-        return Err(nothing_found());
+        return Err(nothing_found(with_teeth_more(args).as_ref()));
     }
     if for_programs && count == most {
         complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
@@ -386,7 +390,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
 /// The file of --save with its content; where there is no design that meets every criterion, none, unless one of the others is asked for.
 fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> Result<Vec<Content>, Failure> {
     let Some(file) = &args.save else { return Ok(vec![]) };
-    let Some(Saved { scheme, gearbox }) = saved else {
+    let Some(saved) = saved else {
         if accepted == 0 {
             return Ok(vec![]);
         }
@@ -394,9 +398,12 @@ fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> R
         return Err(Failure::Option { option: "--nth", message });
     };
     let mut comments = vec![format!(
-        "Design {} of epicyclic select: {scheme}, with the direct-drive clutch chosen.",
-        args.nth
+        "Design {} of epicyclic select: {}, with the direct-drive clutch chosen.",
+        args.nth, saved.scheme
     )];
+    if !saved.sizes.is_empty() {
+        comments.push("Module and face width are what the load factor needs.".to_owned());
+    }
     if args.nth > accepted {
         if args.nth == 1 {
             return Ok(vec![]);
@@ -405,13 +412,8 @@ fn save(args: &Args, saved: Option<Saved>, accepted: usize, designs: usize) -> R
         complain(&format!("note: design {} is saved; it does not meet every criterion", args.nth));
         comments.push(remark.to_owned());
     }
-    let text = written(&gearbox, &comments).map_err(|error| Failure::Format(error.to_string()))?;
+    let text = saved.file(&comments).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(vec![(file.clone(), text.into_bytes())])
-}
-
-/// The answer says why; this says it to whoever sees only the end.
-fn nothing_found() -> Failure {
-    Failure::NothingFound("no design meets every criterion".to_owned())
 }
 
 impl DutyOptions {

@@ -13,6 +13,7 @@ use crate::shards;
 use crate::size;
 use crate::writing::Content;
 use epicyclic_answers::gearbox::{Choice, one};
+use epicyclic_answers::synthesize::near_miss::near_miss;
 use epicyclic_answers::synthesize::page::drawn;
 use epicyclic_answers::synthesize::teeth::TeethWanted;
 use epicyclic_answers::synthesize::{Kept, MOST_SOLUTIONS, Synthesis, Wanted, saved, solve_by};
@@ -58,10 +59,9 @@ const ANY_K: RangeInclusive<f64> = 1.05..=20.0;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --elements 2 --engaged 1
-  epicyclic synthesize --ratios '3.059, 1.625, 1, 0.696, -2.294' --sets 2 \\
-      --elements 5 --engaged 2 --class all-sparse
-  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --elements 2 --save best.yaml
+  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --elements 2
+  epicyclic synthesize --ratios '3.059,1.625,1,0.696,-2.294' --class all-sparse
+  epicyclic synthesize --ratios '2.56, 1.465' --sets 2 --save best.yaml
 
 Objectives of --order and --objectives: drawable, shifts (that exchange several
 shift elements), efficiency (the least of a gear), drag (slips of the open shift
@@ -362,11 +362,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if let (Some(share), Some(file)) = (args.shard, args.output.file()) {
         return shards::search(&wanted, share, file);
     }
-    let (found, kept) = if args.merge.is_empty() {
+    let (mut found, kept) = if args.merge.is_empty() {
         searched(&wanted, args.longest.as_ref().map(|longest| longest.0))?
     } else {
         shards::merged(&wanted, &args.merge)?
     };
+    if args.merge.is_empty() && found.complete {
+        found.near_miss = near_miss(&wanted, &found)?;
+    }
     let ended = || Failure::Interrupted("the search was ended before it was complete".into());
     if found.found == 0 && !found.complete {
         return Err(ended());
@@ -383,9 +386,13 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             })
             .collect();
         return Err(Failure::NothingFound(format!(
-            "no gearbox has these ratios: searched {}{}; try more --sets or --elements, --class all-sparse, a wider --tolerance or --k",
+            "no gearbox has these ratios: searched {}{}; {}try more --sets or --elements, --class all-sparse, a wider --tolerance or --k",
             searched.join(", "),
-            epicyclic_views::synthesize::left_out_in_words(&found.left_out)
+            epicyclic_views::synthesize::left_out_in_words(&found.left_out),
+            found.near_miss.as_ref().map_or_else(String::new, |near| format!(
+                "{}; or ",
+                epicyclic_views::synthesize::near_miss(near).trim_end_matches('.')
+            ))
         )));
     }
     let files = save(args, &found, &kept)?;

@@ -6,8 +6,9 @@ use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use crate::writing::Content;
 use epicyclic_answers as answers;
-use epicyclic_answers::teeth::{Wanted, answer, double_planet, saved};
+use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, saved, stages};
 use epicyclic_formats::gearbox::written;
+use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::Error;
 use epicyclic_gears::rack::BasicRack;
@@ -159,7 +160,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         args.output.deliver_with(files, &told)?;
         note(format, told.found, told.shown);
     } else {
-        let found = answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
+        let found = answer(&wanted, |share| shown.at(share)).map_err(|error| refuse_one(error, &wanted))?;
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
         let chosen = chosen.map(|set| saved::simple(&wanted, set)).transpose()?;
@@ -193,6 +194,26 @@ fn save(args: &Args, wanted: &Wanted, chosen: Option<Gearbox>, found: u64) -> Re
     );
     let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(vec![(file.clone(), text.into_bytes())])
+}
+
+/// A ratio that one set has not may be that of several in series.
+fn refuse_one(error: answers::Error, wanted: &Wanted) -> Failure {
+    let answers::Error::Gear(error @ Error::NoToothNumbers { .. }) = error else {
+        return refuse_answer(error);
+    };
+    let hint = match stages(wanted) {
+        Ok(Some(Stages { sets, ratio, others })) => {
+            let each = trimmed(ratio, 4);
+            let others = match (others, sets) {
+                (None, _) => String::new(),
+                (Some(others), 2) => format!(", the other one in mode {others}"),
+                (Some(others), _) => format!(", the others in mode {others}"),
+            };
+            format!("; {sets} sets in series have it, each with a ratio of about {each}{others}")
+        }
+        _ => String::new(),
+    };
+    Failure::NoToothNumbers { error, hint }
 }
 
 fn refuse_answer(error: answers::Error) -> Failure {

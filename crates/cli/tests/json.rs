@@ -22,6 +22,12 @@ const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
 /// Each section with commands that together write all of its keys.
 const RUNS: &[(&str, &[&str])] = &[
     ("teeth", &["teeth", "--ratio", "6", "--limit", "1"]),
+    ("error", &["teeth", "--ratio", "24"]),
+    ("error", &["teeth", "--ratio", "6", "--limit", "1", "--save", "no.yaml", "--nth", "999"]),
+    ("error", &["analyze", "broken.yaml"]),
+    ("select", &["select", "--speeds", WHEEL, "--same-direction"]),
+    ("compare", &["compare", "ravigneaux.yaml", "simpson.yaml", "--power", "75 kW", "--speed", "1475 rpm"]),
+    ("compare", &["compare", "ravigneaux.yaml", "simpson.yaml", "--torque", "500 N·m"]),
     ("drive", &["drive", "xe215cll-drive.yaml"]),
     ("drive", &["drive", "every-drive-key.yaml"]),
     ("analyze", &["analyze", "real-transmissions.yaml"]),
@@ -81,6 +87,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
     ("select", &["select", "--speeds", "0.8 m/s, 3.15 m/s", "--circulation", "0.3"]),
     ("synthesize", &["synthesize", "--ratios", "2.56, 1.465", "--limit", "2"]),
+    ("synthesize", &["synthesize", "--ratios", "2.56, 1.465, -2", "--limit", "1"]),
     (
         "synthesize",
         &["synthesize", "--ratios", "2.56, 1.465", "--tolerance", "5%", "--sets", "2", "--equal-k", "2"],
@@ -477,6 +484,7 @@ fn folder() -> tempfile::TempDir {
         std::fs::copy(file.path(), folder.path().join(file.file_name())).unwrap();
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
+    std::fs::write(folder.path().join("broken.yaml"), FREE.replace("k: 3", "k: 0.3")).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
     std::fs::write(folder.path().join("one-way.yaml"), ONE_WAY).unwrap();
     std::fs::write(folder.path().join("redundant.yaml"), REDUNDANT).unwrap();
@@ -511,7 +519,8 @@ fn answers() -> Vec<(&'static str, Value)> {
     let answer = |(section, args): &(&'static str, &[&str])| {
         let done = output(folder.path(), &[args, &["--format", "json"][..]].concat());
         // That there is none is an answer too.
-        assert!(matches!(done.status.code(), Some(0 | 1)), "{args:?} {done:?}");
+        let is_refused = *section == "error" && done.status.code() == Some(2);
+        assert!(is_refused || matches!(done.status.code(), Some(0 | 1)), "{args:?} {done:?}");
         (*section, serde_json::from_slice(&done.stdout).unwrap())
     };
     RUNS.iter().map(answer).collect()
@@ -600,6 +609,69 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
         let missing: Vec<&String> = keys.difference(found).collect();
         assert!(missing.is_empty(), "{name}: no run here gives a value to {missing:?}");
     }
+}
+
+/// The book names every warning that is met here.
+#[test]
+fn the_names_of_warnings_stand_in_the_book() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/reference/json.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let names: BTreeSet<String> = answers()
+        .iter()
+        .flat_map(|(_, json)| json["warnings"].as_array().into_iter().flatten())
+        .map(|warning| warning["name"].as_str().unwrap().to_owned())
+        .collect();
+    assert!(names.len() > 8, "{names:?}");
+    for name in names {
+        assert!(page.contains(&format!("`{name}`")), "{name}");
+    }
+}
+
+/// Whatever happens there is one object on standard output.
+#[test]
+fn there_is_always_one_object() {
+    let folder = folder();
+    for (args, code, name) in [
+        (&["teeth", "--ratio", "24"][..], 1, "no-tooth-numbers"),
+        (&["teeth", "--ratio", "6", "--planets", "9"], 2, "option"),
+        (
+            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "1", "--elements", "2", "--engaged", "1"],
+            1,
+            "nothing-found",
+        ),
+        (
+            &[
+                "motor",
+                "search",
+                "--torque",
+                "600 N·m",
+                "--pressure",
+                "20 MPa",
+                "--stator",
+                "5..6",
+                "--z3",
+                "55..66",
+                "--outer-diameter",
+                "10 mm",
+            ],
+            1,
+            "no-motor",
+        ),
+        (&["analyze", "missing.yaml"], 3, "cannot-be-read"),
+        (&["analyze", "ravigneaux.yaml", "--gear", "9"], 2, "option"),
+    ] {
+        let done = output(folder.path(), &[args, &["--format", "json"]].concat());
+        assert_eq!(done.status.code(), Some(code), "{args:?} {done:?}");
+        let json: Value =
+            serde_json::from_slice(&done.stdout).unwrap_or_else(|error| panic!("{args:?}: {error}"));
+        if json["answer"] == "error" {
+            assert_eq!((json["name"].as_str(), json["exit_code"].as_i64()), (Some(name), Some(code.into())));
+        }
+        let text = String::from_utf8(done.stderr).unwrap();
+        assert!(text.contains("error: "), "{text}");
+    }
+    let to_file = output(folder.path(), &["teeth", "--ratio", "24", "-o", "no.json"]);
+    assert!(to_file.stdout.is_empty() && !folder.path().join("no.json").exists());
 }
 
 /// Quantities say their unit: a key is never one thing with a unit and the same without.

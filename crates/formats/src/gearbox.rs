@@ -67,7 +67,7 @@ mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use place::{gear_place, located};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
-pub use written::{NotWritable, written};
+pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
 
 /// A description that is no gearbox.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -310,3 +310,28 @@ fn what_set_2_does_not_change_is_equal_beside_every_set_2() {
     assert!(beside.len() > 5 && beside.contains(&3.0), "{beside:?}");
     assert_eq!(found.entries().iter().filter(|e| found.designs(e)[0].k[0] == 40.0 / 18.0).count(), 1);
 }
+
+/// The best of each structure is what a search of that structure alone finds first.
+#[test]
+fn the_best_of_each_structure_is_the_first_of_a_search_of_it_alone() {
+    let mut search = ToothSearch::new(excavator());
+    search.bounds = Bounds { ring: 12..=48, ..Bounds::default() };
+    let best = search.best_of_each_watched(&|_| std::ops::ControlFlow::Continue(())).unwrap();
+    assert!(best.len() > 1, "{}", best.len());
+    let mut told = 0;
+    for structure in search.structures.clone() {
+        let alone = ToothSearch { structures: vec![structure], ..search.clone() }.best(1).unwrap();
+        let Some(first) = alone.entries().first() else { continue };
+        let of_it = best
+            .iter()
+            .find(|found| found.first_design(&found.entries()[0]).unwrap().0.structure == structure);
+        let of_it = of_it.unwrap();
+        assert_eq!(of_it.entries()[0].objectives, first.objectives);
+        assert_eq!(of_it.first_design(&of_it.entries()[0]), alone.first_design(first));
+        told += 1;
+    }
+    assert_eq!(told, best.len());
+    // The first of all is the first of its structure.
+    let all = search.best(1).unwrap();
+    assert_eq!(best[0].entries()[0].objectives, all.entries()[0].objectives);
+}

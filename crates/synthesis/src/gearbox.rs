@@ -26,6 +26,18 @@ pub fn element_name(element: Element) -> String {
     }
 }
 
+/// Names of the elements of a gearbox, side by side: its brakes are `B1`, `B2`, …, its clutches `C1`, `C2`, …, each in their order.
+#[must_use]
+pub fn own_names(elements: &[Element]) -> Vec<String> {
+    let [mut brakes, mut clutches] = [0, 0];
+    let name = |element: &Element| {
+        let (letter, count) = if element[0] == HOUSING { ('B', &mut brakes) } else { ('C', &mut clutches) };
+        *count += 1;
+        format!("{letter}{count}")
+    };
+    elements.iter().map(name).collect()
+}
+
 /// The element with a name, as [`element_name`] gives it.
 #[must_use]
 pub fn element_of_name(name: &str) -> Option<Element> {
@@ -73,16 +85,16 @@ pub fn gearbox(
         builder =
             builder.set(SetSpec::new(&name, kind, members, real_k(structure, place, *k)).with_loss(loss));
     }
-    for element in elements {
-        let name = element_name(*element);
+    let names = own_names(elements);
+    for (element, name) in elements.iter().zip(&names) {
         builder = match *element {
-            [HOUSING, link] => builder.brake(&name, &solver_name(link)),
-            [one, other] => builder.clutch(&name, &solver_name(one), &solver_name(other)),
+            [HOUSING, link] => builder.brake(name, &solver_name(link)),
+            [one, other] => builder.clutch(name, &solver_name(one), &solver_name(other)),
         };
     }
     builder = builder.input(&solver_name(INPUT)).output(&solver_name(OUTPUT));
     for (place, engaged) in gears.iter().enumerate() {
-        let engaged = engaged.iter().map(|element| element_name(elements[*element]));
+        let engaged = engaged.iter().map(|element| names[*element].clone());
         builder = builder.gear(&(place + 1).to_string(), engaged);
     }
     builder.build()
@@ -103,6 +115,11 @@ mod tests {
             assert_eq!(set.meshes().len(), meshes);
             assert!((product - 0.97f64.powf(f64::from(u8::try_from(meshes).unwrap()) / 2.0)).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn brakes_and_clutches_are_numbered_apart() {
+        assert_eq!(own_names(&[[0, 3], [2, 4], [0, 4], [1, 3]]), ["B1", "C1", "B2", "C2"]);
     }
 
     #[test]

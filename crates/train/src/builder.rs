@@ -9,6 +9,7 @@ use crate::planet_set::{
     Central, Description, GearOf, Mesh, MeshKind, Parts, Planet, PlanetSet, parts_of_short,
 };
 use crate::set::SetSpec;
+use crate::set_kind::SetKind;
 use crate::tolerance::{
     MOST_ALIKE, MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_MEMBERS, MOST_PLANETS, MOST_SETS, SPREAD,
 };
@@ -494,17 +495,22 @@ fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Result<Parts, Er
     })
 }
 
-/// Sets that may share planets: one carrier, and a central gear of the same kind and teeth on one link.
+/// Sets that may share planets: one carrier, and a central gear of the same kind and teeth on one link. Where no teeth are known, a simple set
+/// and a double-planet set with a ring in common are such: the halves of a Ravigneaux set.
 fn sharing(gearbox: &Gearbox) -> Vec<Warning> {
     let mut found = vec![];
     let sets = gearbox.sets();
+    let kind = |set: &PlanetSet| set.short().map(|short| short.kind);
     for (place, second) in sets.iter().enumerate() {
         for first in &sets[..place] {
+            let kinds = [kind(first), kind(second)];
+            let are_halves =
+                [SetKind::Simple, SetKind::DoublePlanet].iter().all(|one| kinds.contains(&Some(*one)));
             let same = |one: &Central, other: &Central| {
                 one.link == other.link
                     && one.kind == other.kind
                     && one.teeth == other.teeth
-                    && one.teeth.is_some()
+                    && (one.teeth.is_some() || are_halves && one.kind == CentralKind::Ring)
             };
             let shared = first.centrals().iter().find(|one| {
                 one.link != LinkId::GROUND && second.centrals().iter().any(|other| same(one, other))

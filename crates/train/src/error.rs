@@ -575,7 +575,7 @@ impl fmt::Display for Warning {
             Self::SharedPlanets { first, second, member } => write!(
                 f,
                 "sets `{first}` and `{second}` have one carrier and one {member}: if they share planets, describe \
-                 them as one compound set, since as two sets the shared mesh loses twice"
+                 them as one compound set: as two sets the shared mesh loses twice, and what it passes on may seem to circulate"
             ),
         }
     }

@@ -2,10 +2,12 @@
 
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
+use crate::quantities::column;
 use crate::report::{Column, Part, Records, Report, Text, View};
 use epicyclic_answers::compare::{
     Compared, ComparedFigure, ComparedGear, Comparison, Differs, FigureName, GearFigure, GearsBy, Value,
 };
+use epicyclic_formats::Dimension;
 
 impl AsReport for Comparison {
     fn report(&self) -> Report {
@@ -56,7 +58,20 @@ const OF_GEAR: &[(FigureName, &str)] = &[
     (FigureName::Efficiency, "Efficiencies"),
     (FigureName::CirculatingPower, "Circulating power over what enters"),
     (FigureName::PlanetSpeed, "Largest planet speeds, relative to the carriers over the input's"),
+    (FigureName::OutputSpeedRadS, "Speeds of the output, rpm"),
+    (FigureName::OutputTorqueNM, "Torques on the gearbox at the output, N·m"),
+    (FigureName::LossW, "Power lost, kW"),
 ];
+
+/// What a figure at the operating point measures.
+const fn dimension(figure: FigureName) -> Option<Dimension> {
+    match figure {
+        FigureName::OutputSpeedRadS => Some(Dimension::AngularSpeed),
+        FigureName::OutputTorqueNM => Some(Dimension::Torque),
+        FigureName::LossW => Some(Dimension::Power),
+        _ => None,
+    }
+}
 
 fn words(figure: FigureName) -> &'static str {
     match figure {
@@ -87,6 +102,9 @@ fn words(figure: FigureName) -> &'static str {
         FigureName::CirculatingPower => "circulating power",
         FigureName::LinkSpeed => "speed of a link",
         FigureName::PlanetSpeed => "planet speed",
+        FigureName::OutputSpeedRadS => "output_speed_rpm",
+        FigureName::OutputTorqueNM => "output_torque_n_m",
+        FigureName::LossW => "loss_kw",
     }
 }
 
@@ -126,7 +144,11 @@ fn difference(figure: FigureName, differs: Differs) -> Figure {
 }
 
 fn value(figure: FigureName, value: f64) -> Figure {
-    if is_count(figure) { Figure::Number(value) } else { Figure::Multiple(value) }
+    match dimension(figure) {
+        Some(dimension) => Figure::Column { si: value, dimension },
+        None if is_count(figure) => Figure::Number(value),
+        None => Figure::Multiple(value),
+    }
 }
 
 /// The value, and in which gear and part it is.
@@ -236,9 +258,27 @@ fn shift_elements(comparison: &Comparison, letters: &[String]) -> Records {
                 gear(&element.torque_gear),
                 multiple(element.slip_of_input),
                 gear(&element.slip_gear),
+                column(Dimension::Torque, element.torque_n_m),
+                column(Dimension::AngularSpeed, element.slip_rad_s),
             ]
         })
     });
+    let at = &comparison.operating_point;
+    let mut shown = vec![
+        "gearbox",
+        "shift_element",
+        "kind",
+        "torque_of_input",
+        "torque_gear",
+        "slip_of_input",
+        "slip_gear",
+    ];
+    if at.torque_n_m.is_some() || at.power_w.is_some() {
+        shown.push("torque");
+    }
+    if at.speed_rad_s.is_some() {
+        shown.push("slip");
+    }
     Records {
         name: "shift_elements",
         rows: rows.collect(),
@@ -250,21 +290,12 @@ fn shift_elements(comparison: &Comparison, letters: &[String]) -> Records {
             Column::words("torque_gear", "in gear"),
             Column::number("slip_of_input", "slip"),
             Column::words("slip_gear", "in gear"),
+            Column { heading: "T, N·m".to_owned(), ..Column::quantity("torque", Dimension::Torque) },
+            Column { heading: "slip, rpm".to_owned(), ..Column::quantity("slip", Dimension::AngularSpeed) },
         ],
         views: vec![View {
             note: "T, slip: over the input's torque, with losses, and its speed.".to_owned(),
-            ..View::new(
-                "Shift elements: largest torque and slip",
-                &[
-                    "gearbox",
-                    "shift_element",
-                    "kind",
-                    "torque_of_input",
-                    "torque_gear",
-                    "slip_of_input",
-                    "slip_gear",
-                ],
-            )
+            ..View::new("Shift elements: largest torque and slip", &shown)
         }],
         is_answer: false,
     }
@@ -277,15 +308,28 @@ fn all(comparison: &Comparison, letters: &[String]) -> Records {
     let differences = ["difference", "relative_difference"].map(|name| Column::number(name, name));
     let places =
         letters.iter().flat_map(|letter| ["gear", "part"].map(|what| Column::words(what, "").of(letter)));
-    let number = |value: Option<f64>| value.map_or(Figure::None, Figure::Number);
+    // A quantity in the unit that its name has.
+    let number = |figure: FigureName, value: Option<f64>| match (value, dimension(figure)) {
+        (None, _) => Figure::None,
+        (Some(si), Some(dimension)) => Figure::Column { si, dimension },
+        (Some(value), None) => Figure::Number(value),
+    };
     let name = |name: Option<&String>| text(name.cloned().unwrap_or_default());
     let row = |gear: String,
                figure: FigureName,
                values: Vec<Option<f64>>,
                differs: Differs,
                places: Vec<Figure>| {
-        let figures = values.into_iter().chain([differs.difference, differs.relative_difference]).map(number);
-        [text(gear), Figure::choice(figure, words(figure))].into_iter().chain(figures).chain(places).collect()
+        let differences = [
+            number(figure, differs.difference),
+            differs.relative_difference.map_or(Figure::None, Figure::Number),
+        ];
+        let figures = values.into_iter().map(|value| number(figure, value)).chain(differences);
+        let name = match dimension(figure) {
+            Some(_) => text(words(figure)),
+            None => Figure::choice(figure, words(figure)),
+        };
+        [text(gear), name].into_iter().chain(figures).chain(places).collect()
     };
     let whole = comparison.figures.iter().map(|figure| {
         let values = || figure.values.iter().map(Option::as_ref);

@@ -59,7 +59,7 @@ pub enum Figure {
     Numbers(Vec<f64>),
     /// A name or a word.
     Text(String),
-    /// Several names.
+    /// Several names, in CSV with a `+` between them.
     Texts(Vec<String>),
     /// One of a few answers: its name, and in words.
     Answer(Cow<'static, str>, &'static str),
@@ -185,7 +185,7 @@ impl Figure {
             }
             Self::Numbers(values) => plain(joined(values)),
             Self::Text(text) => plain(text.clone()),
-            Self::Texts(texts) => plain(texts.join(" ")),
+            Self::Texts(texts) => plain(texts.join("+")),
             Self::Answer(name, _) => plain(name.clone().into_owned()),
             Self::YesNo(yes) | Self::Mark(yes) => plain(yes.to_string()),
         }

@@ -401,6 +401,20 @@ impl Records {
     }
 }
 
+/// Names of columns in CSV, no two alike: where a thing is called as if its column were another, a point parts its name from the rest, as in
+/// `output.torque_n_m` of a brake called `output`.
+fn keys<'c>(columns: impl Iterator<Item = &'c Column> + Clone) -> Vec<String> {
+    let all: Vec<String> = columns.clone().map(Column::key).collect();
+    let is_taken = |key: &String| all.iter().filter(|other| *other == key).count() > 1;
+    columns
+        .zip(&all)
+        .map(|(column, key)| match &column.of {
+            Some(of) if is_taken(key) => format!("{of}.{}", &key[of.len() + 1..]),
+            _ => key.clone(),
+        })
+        .collect()
+}
+
 /// Rows of a list as CSV, each when it comes.
 pub(crate) fn rows_as_csv<'a>(
     columns: &[Column],
@@ -408,7 +422,7 @@ pub(crate) fn rows_as_csv<'a>(
     out: impl io::Write,
 ) -> io::Result<()> {
     let places: Vec<usize> = (0..columns.len()).filter(|&place| !columns[place].is_for_people).collect();
-    let header: Vec<String> = places.iter().map(|&place| columns[place].key()).collect();
+    let header = keys(places.iter().map(|&place| &columns[place]));
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let rows = rows.map(|row| places.iter().map(|&place| row[place].csv().0).collect());
     text::csv(&header, rows, out)

@@ -20,7 +20,10 @@ fn links(set: Option<&SetLinks>) -> Vec<Figure> {
 }
 
 fn in_a_row(set: Option<&SetLinks>) -> Figure {
-    Figure::Texts(set.iter().flat_map(|set| set.links()).map(|link| link.name().to_owned()).collect())
+    match set {
+        None => Figure::None,
+        Some(set) => text(set.links().map(|link| link.name()).join(" ")),
+    }
 }
 
 impl AsReport for Schemes {
@@ -95,7 +98,7 @@ impl AsReport for Scheme {
 fn structure(sets: &[SetLinks], connection: Option<Connection>) -> Section {
     let links = |set: &SetLinks| {
         let members = set.links().into_iter().zip(["a", "b", "H"]);
-        Figure::Texts(members.map(|(link, member)| format!("{member}={link}")).collect())
+        text(members.map(|(link, member)| format!("{member}={link}")).collect::<Vec<_>>().join(" "))
     };
     let labels = [("set_1", "set 1: sun a, ring b, carrier H"), ("set_2", "set 2")];
     let mut rows: Vec<Row> = labels

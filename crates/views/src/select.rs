@@ -6,11 +6,14 @@ mod words;
 
 pub(crate) use best::in_short;
 pub(crate) use words::unmet;
+pub use words::ways_out;
 
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
+use crate::quantities::column;
 use crate::report::{Column, Part, Records, Report, View};
-use epicyclic_answers::select::candidate::{Candidate, Criterion, DirectDriveClutch, Verdict};
+use epicyclic_answers::catalogue::GearName;
+use epicyclic_answers::select::candidate::{Candidate, Criterion, DirectDriveClutch, GearOperation, Verdict};
 use epicyclic_answers::select::required::Required;
 use epicyclic_answers::select::{Select, Unreachable};
 use epicyclic_formats::Dimension;
@@ -95,7 +98,7 @@ fn accepted_views(select: &Select, accepted: &[Candidate]) -> Vec<View> {
         ]
     };
     vec![
-        View { note: note(accepted), ..View::new(heading, main) },
+        View { note: note(select, accepted), ..View::new(heading, &with_speeds(&select.required, main)) },
         View {
             note: objectives_note(&select.required),
             ..View::new(
@@ -141,8 +144,11 @@ fn rejected_view(select: &Select, rejected: &[Candidate]) -> View {
     View::new(heading, columns)
 }
 
-fn note(accepted: &[Candidate]) -> String {
+fn note(select: &Select, accepted: &[Candidate]) -> String {
     let mut note = String::from("η: of the gears.");
+    if select.required.input_speed_rad_s.is_some() {
+        note += " n: of the output, rpm.";
+    }
     if accepted.iter().any(|one| one.mixed_directions) {
         note += " A negative ratio: the output reverses against direct drive.";
     }
@@ -163,11 +169,13 @@ fn objectives_note(required: &Required) -> String {
 }
 
 /// What a size is.
-fn size_note(required: &Required) -> &'static str {
-    match required.load_factor_pa {
-        Some(_) => "Ring: the largest one's pitch diameter at the load factor.",
-        None => "Size: the largest ring, relative.",
-    }
+fn size_note(required: &Required) -> String {
+    let what = match required.load_factor_pa {
+        Some(_) => "Ring: the largest one's pitch diameter at the load factor",
+        None => "Size: the largest ring, relative",
+    };
+    let alike = required.mesh_load_factors.iter().all(|factor| *factor == 1.0);
+    format!("{what}{}.", if alike { ", if all planets carry alike (K_γ = 1)" } else { "" })
 }
 
 /// The column of sizes: lengths where the load is given.
@@ -190,6 +198,13 @@ fn common_columns() -> Vec<Column> {
         Column::number("k2", "k₂"),
         Column::number("efficiency_1", "η₁"),
         Column::number("efficiency_2", "η₂"),
+        Column { heading: "n₁".to_owned(), ..Column::quantity("output_speed_1", Dimension::AngularSpeed) },
+        Column { heading: "n₂".to_owned(), ..Column::quantity("output_speed_2", Dimension::AngularSpeed) },
+        Column::quantity("output_torque_1", Dimension::Torque),
+        Column::quantity("output_torque_2", Dimension::Torque),
+        Column::quantity("brake_torque_at_load_1", Dimension::Torque),
+        Column::quantity("brake_torque_at_load_2", Dimension::Torque),
+        Column::quantity("clutch_torque_at_load", Dimension::Torque),
         Column::number("efficiency", "efficiency"),
         Column::number("speed", "speed"),
         Column::number("k_distance", "k"),
@@ -216,6 +231,19 @@ fn common_figures(one: &Candidate) -> Vec<Figure> {
         k(1),
         multiple(gear(0).and_then(|gear| gear.efficiency)),
         multiple(gear(1).and_then(|gear| gear.efficiency)),
+        of_gear(one, 0, Dimension::AngularSpeed, |at| at.output_speed_rad_s),
+        of_gear(one, 1, Dimension::AngularSpeed, |at| at.output_speed_rad_s),
+        of_gear(one, 0, Dimension::Torque, |at| at.output_torque_n_m),
+        of_gear(one, 1, Dimension::Torque, |at| at.output_torque_n_m),
+        of_gear(one, 0, Dimension::Torque, |at| at.k1_torque_n_m),
+        of_gear(one, 1, Dimension::Torque, |at| at.k2_torque_n_m),
+        column(
+            Dimension::Torque,
+            one.operation
+                .iter()
+                .find(|at| at.gear == GearName::Direct)
+                .and_then(|at| at.direct_drive_clutch_torque_n_m),
+        ),
         Figure::Multiple(of.efficiency),
         Figure::Multiple(of.speed_of_input),
         Figure::Multiple(of.ring_to_sun_distance),
@@ -224,6 +252,25 @@ fn common_figures(one: &Candidate) -> Vec<Figure> {
         length(of.ring_diameter_m),
         Figure::YesNo(one.mixed_directions),
     ]
+}
+
+/// A figure of a braked gear at the speed and load of the input, where these are given.
+fn of_gear(
+    one: &Candidate,
+    place: usize,
+    dimension: Dimension,
+    of: impl Fn(&GearOperation) -> Option<f64>,
+) -> Figure {
+    let gear = one.gears.get(place).map(|gear| gear.gear);
+    let at = one.operation.iter().find(|at| Some(at.gear) == gear);
+    column(dimension, at.and_then(of))
+}
+
+/// These columns, and those of the output's speeds where that of the input is given.
+fn with_speeds(required: &Required, columns: &[&'static str]) -> Vec<&'static str> {
+    let speeds = ["output_speed_1", "output_speed_2"];
+    let given = usize::from(required.input_speed_rad_s.is_some()) * required.ratios.len().min(2);
+    columns.iter().copied().chain(speeds.into_iter().take(given)).collect()
 }
 
 fn length(metres: Option<f64>) -> Figure {

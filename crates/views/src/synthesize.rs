@@ -8,6 +8,8 @@ mod teeth;
 use crate::AsReport;
 use crate::figure::{self, Figure};
 use crate::report::{Column, Part, Records, Report, Text, View};
+use epicyclic_answers::synthesize::near_miss::NearMiss;
+use epicyclic_answers::synthesize::teeth::TeethOfSet;
 use epicyclic_answers::synthesize::{
     ClassName, Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear,
 };
@@ -36,11 +38,15 @@ impl AsReport for Synthesis {
             Part::Records(searched(&self.searched)),
             Part::Text(Text::paragraph(count(self))),
         ];
+        if let Some(near) = &self.near_miss {
+            parts.push(Part::Text(Text::paragraph(near_miss(near))));
+        }
         if !self.left_out.is_empty() {
             parts.push(Part::Text(left_out(&self.left_out)));
         }
         parts.extend(self.explanation.as_ref().map(explain::explained).map(Part::Text));
         if let Some(first) = self.solutions.first() {
+            parts.push(Part::Text(Text::paragraph(NAMES)));
             parts.push(Part::Records(solutions(self)));
             parts.push(Part::Records(rating::ratings(&self.solutions)));
             parts.extend(rating::why(self).map(Part::Text));
@@ -50,7 +56,7 @@ impl AsReport for Synthesis {
                 parts.extend(teeth::teeth(found.number, found).map(Part::Text));
             }
             parts.push(Part::Text(rating::gears(first.number, first)));
-            parts.push(Part::Text(Text::paragraph(LEGEND)));
+            parts.push(Part::Text(Text::paragraph(TORQUES)));
         }
         Report { title: Some("Gearboxes for a list of ratios".into()), parts, warnings: Some(warnings(self)) }
     }
@@ -96,10 +102,28 @@ const fn why(reason: Reason) -> &'static str {
     }
 }
 
-const LEGEND: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier, with a star a double-planet set, in formulas with k′ = k − 1. A shift element \
-    of one letter is a brake, of two a clutch. Mult.: shifts between neighbouring forward gears that exchange more than one shift \
-    element. Least η: the least efficiency of a gear. T_e, T_m: the greatest torque of a shift element, of a member of a \
-    set. Link, planet: the greatest speed of a link, of a planet relative to its carrier. Circ.: circulating power over what enters.";
+const NAMES: &str = "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier, with a star a double-planet set, in \
+    formulas with k′ = k − 1. A shift element of one letter is a brake of this link, of two a clutch between them; in each gearbox the \
+    brakes are called B1, B2, … and the clutches C1, C2, …, in this order. Mult.: shifts between neighbouring forward gears that \
+    exchange more than one shift element. Least η: the least efficiency of a gear.";
+
+const TORQUES: &str = "T_e, T_m: the greatest torque of a shift element, of a member of a set. Link, planet: the greatest speed of a link, of a \
+    planet relative to its carrier. Circ.: circulating power over what enters.";
+
+/// What fewer sets would do.
+#[must_use]
+pub fn near_miss(near: &NearMiss) -> String {
+    let percent = 100.0 * near.greatest_deviation;
+    let sets = if near.sets == 1 { "1 set".to_owned() } else { format!("{} sets", near.sets) };
+    // A tolerance that has it, rounded up.
+    let tolerance = (10.0 * percent).ceil() / 10.0;
+    format!(
+        "{sets} with {} shift elements would do within {percent:.2} %: --sets {} --tolerance {}%.",
+        near.shift_elements,
+        near.sets,
+        trimmed(tolerance, 4)
+    )
+}
 
 /// How many were found, how many shown.
 #[must_use]
@@ -242,11 +266,21 @@ fn searched(classes: &[Searched]) -> Records {
 fn solutions(answer: &Synthesis) -> Records {
     let row = |of: &Solution| {
         let ks: Vec<f64> = of.sets.iter().map(|set| set.k).collect();
-        let names: Vec<&str> = of.shift_elements.iter().map(|element| element.name.as_str()).collect();
+        let joins: Vec<String> = of.shift_elements.iter().map(|element| element.joins.clone()).collect();
+        let (rating, best) = (&of.rating, of.teeth.as_ref().and_then(|teeth| teeth.choices.first()));
+        let ratios = of.gears.iter().map(|gear| gear.ratio).collect();
+        let engaged: Vec<String> = of.gears.iter().map(|gear| gear.engaged.join("+")).collect();
+        let efficiencies: Option<Vec<f64>> = of.gears.iter().map(|gear| gear.efficiency).collect();
+        // Of each set, as its k.
+        let teeth = |number: fn(&TeethOfSet) -> u32| {
+            best.map_or(Figure::None, |best| {
+                Figure::Numbers(best.sets.iter().map(|set| f64::from(number(set))).collect())
+            })
+        };
         vec![
             figure::count(of.number),
             Figure::Text(of.structure.clone()),
-            Figure::Text(names.join(" ")),
+            Figure::Texts(joins),
             Figure::Numbers(ks.clone()),
             Figure::Text(ks.iter().map(|k| format!("{k:.3}")).collect::<Vec<_>>().join(" ")),
             Figure::Number(of.greatest_deviation),
@@ -262,6 +296,19 @@ fn solutions(answer: &Synthesis) -> Records {
             figure::count(of.family),
             figure::count(of.gearboxes_of_family),
             figure::count(of.gearboxes_of_family - 1),
+            Figure::Numbers(ratios),
+            Figure::Text(engaged.join(" ")),
+            efficiencies.map_or(Figure::None, Figure::Numbers),
+            Figure::Number(rating.mean_drag_of_input),
+            Figure::Number(rating.greatest_torque_of_input),
+            Figure::Number(rating.greatest_circulating_of_entering),
+            rating.progression.map_or(Figure::None, Figure::Number),
+            Figure::YesNo(rating.drawable),
+            Figure::YesNo(rating.non_dominated),
+            teeth(|set| set.sun),
+            teeth(|set| set.planet),
+            teeth(|set| set.ring),
+            teeth(|set| set.planets),
         ]
     };
     // A column of families that says nothing is left out.
@@ -293,6 +340,19 @@ fn solutions(answer: &Synthesis) -> Records {
             Column::number("family", "family"),
             Column::number("gearboxes_of_family", "gearboxes of family"),
             Column::number("others", "others").for_people(),
+            Column::words("ratios", "ratios"),
+            Column::words("engaged", "engaged"),
+            Column::words("efficiencies", "efficiencies"),
+            Column::number("mean_drag_of_input", "drag"),
+            Column::number("greatest_torque_of_input", "torque"),
+            Column::number("greatest_circulating_of_entering", "circulating"),
+            Column::number("progression", "progression"),
+            Column::words("drawable", "drawable"),
+            Column::words("non_dominated", "on front"),
+            Column::words("sun_teeth", "suns"),
+            Column::words("planet_teeth", "planets"),
+            Column::words("ring_teeth", "rings"),
+            Column::words("planet_counts", "numbers of planets"),
         ],
         rows: answer.solutions.iter().map(row).collect(),
         views: vec![View {
@@ -336,11 +396,13 @@ fn gears(found: &Solution) -> Text {
         };
         format!("k{} {:.4} ({:.4} to {:.4}{edge})", place + 1, set.k, set.k_range[0], set.k_range[1])
     });
+    let elements = found.shift_elements.iter().map(|element| format!("{} {}", element.name, element.joins));
     let instead = found.shift_elements.iter().filter(|element| !element.instead.is_empty());
     let mut points: Vec<String> = vec![format!(
         "k with the least deviation, and the range that keeps the tolerances: {}",
         k.collect::<Vec<_>>().join(", ")
     )];
+    points.push(format!("brakes and clutches: {}", elements.collect::<Vec<_>>().join(", ")));
     points.push(format!(
         "over the input's speed at most: slip of an open element {:.3}, a link {:.3}, a planet on its carrier {:.3}",
         found.greatest_slip, found.greatest_link_speed, found.greatest_planet_speed
@@ -365,7 +427,7 @@ fn gears(found: &Solution) -> Text {
         points.push(format!("without gear {} of the list", gears.join(" and ")));
     }
     points.extend(
-        instead.map(|element| format!("instead of {} also {}", element.name, element.instead.join(" or "))),
+        instead.map(|element| format!("instead of {} also {}", element.joins, element.instead.join(" or "))),
     );
     Text {
         heading: Some(format!("Gearbox {}: {}", found.number, found.structure)),

@@ -2,6 +2,7 @@
 
 use super::analysis;
 use super::records::{GearFacts, Kind, ShiftElementKind, member_name};
+use super::step_losses::StepLosses;
 use super::step_torques::StepTorques;
 use crate::gearbox::Subject;
 use crate::shared::Fraction;
@@ -153,6 +154,8 @@ pub struct Steps {
     pub substitutions: Vec<Substitution>,
     /// Torques without losses, where they follow.
     pub torques: Option<StepTorques>,
+    /// Torques and powers with losses, where any set has some and they follow.
+    pub losses: Option<StepLosses>,
 }
 
 /// Willis' equation ω₁ − i₀·ω₂ − (1 − i₀)·ω_H = 0 with its numbers.
@@ -405,6 +408,7 @@ impl Steps {
             conditions: steps.conditions.iter().map(|condition| Condition::of(gearbox, *condition)).collect(),
             substitutions: steps.substitutions.iter().map(substitution).collect(),
             torques: StepTorques::of(gearbox, analysis),
+            losses: StepLosses::of(gearbox, analysis),
         }
     }
 }

@@ -35,9 +35,9 @@ pub struct PlanetBearing {
     /// The part of it for each planet; none of a set of planets that differ.
     pub carrier_torque_each_of_input: Option<f64>,
     /// Tangential force in N at 1 N·m on the input.
-    pub tangential_force_per_input_n_m: Option<f64>,
+    pub tangential_force_n_per_input_n_m: Option<f64>,
     /// Radial force in N at 1 N·m on the input.
-    pub radial_force_per_input_n_m: Option<f64>,
+    pub radial_force_n_per_input_n_m: Option<f64>,
     /// Tangential force at the load.
     pub tangential_force_n: Option<f64>,
     /// Radial force of the meshes at the load.
@@ -196,8 +196,8 @@ fn one(
         carrier_torque_each_of_input: carrier_torque
             .zip(bearing.planets)
             .map(|(torque, count)| torque / f64::from(count)),
-        tangential_force_per_input_n_m: si(per_unit.tangential),
-        radial_force_per_input_n_m: si(per_unit.radial),
+        tangential_force_n_per_input_n_m: si(per_unit.tangential),
+        radial_force_n_per_input_n_m: si(per_unit.radial),
         tangential_force_n: si(forces.tangential),
         radial_force_n: si(forces.radial),
         centrifugal_force_n: si(forces.centrifugal),

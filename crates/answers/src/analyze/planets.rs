@@ -46,7 +46,7 @@ pub struct LargestForce {
     /// Tangential force at the load.
     pub tangential_force_n: Option<f64>,
     /// Tangential force in N at 1 N·m on the input.
-    pub tangential_force_per_input_n_m: Option<f64>,
+    pub tangential_force_n_per_input_n_m: Option<f64>,
 }
 
 impl LargestForce {
@@ -55,7 +55,7 @@ impl LargestForce {
         let measures: [fn(&PlanetBearing) -> Option<f64>; 3] = [
             |bearing| bearing.force_n,
             |bearing| bearing.tangential_force_n,
-            |bearing| bearing.tangential_force_per_input_n_m,
+            |bearing| bearing.tangential_force_n_per_input_n_m,
         ];
         let by = |measure: fn(&PlanetBearing) -> Option<f64>| {
             largest(bearings.iter().filter_map(|bearing| Some((measure(bearing)?, *bearing))))
@@ -65,7 +65,7 @@ impl LargestForce {
             gear: found.gear.clone(),
             force_n: found.force_n,
             tangential_force_n: found.tangential_force_n,
-            tangential_force_per_input_n_m: found.tangential_force_per_input_n_m,
+            tangential_force_n_per_input_n_m: found.tangential_force_n_per_input_n_m,
         })
     }
 }

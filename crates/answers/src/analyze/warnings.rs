@@ -29,7 +29,7 @@ pub(crate) fn fast_planets(planets: &[PlanetSpeed<'_>]) -> Option<Warning> {
         [] => return None,
         [only] => format!(
             "in gear {} a planet of set {} turns at {} times the input's speed relative to its carrier; \
-             {USUAL_PLANET_SPEED} is the usual limit",
+             {USUAL_PLANET_SPEED} is the customary limit, a convention",
             only.gear,
             only.set,
             speed(only)
@@ -47,7 +47,7 @@ pub(crate) fn fast_planets(planets: &[PlanetSpeed<'_>]) -> Option<Warning> {
                 sets.iter().map(|(set, gears)| format!("set {set}: {}", gears.join(", "))).collect();
             format!(
                 "planets turn faster relative to their carriers than {USUAL_PLANET_SPEED} times the input's speed, \
-                 the usual limit: {}",
+                 the customary limit, a convention: {}",
                 sets.join("; ")
             )
         }

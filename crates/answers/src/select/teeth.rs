@@ -1,6 +1,6 @@
 //! The choice of a gearbox over all tooth numbers of its one set, or of both.
 
-use super::candidate::{Candidate, Ranked};
+use super::candidate::{BrakedGear, Candidate, Objectives, Ranked};
 use super::decisive;
 use super::duty::Duty;
 use super::required::{Required, finite};
@@ -9,9 +9,10 @@ use crate::tolerance::LEAST_MODULE_M;
 use crate::units::millimetres;
 use crate::{Answer, Error, finite};
 use epicyclic_formats::Physical;
+use epicyclic_formats::gearbox::WrittenSize;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::search::{Counts, OneSetSearch, Progress, ToothSearch};
+use epicyclic_selection::search::{Counts, Found, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter;
 use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -19,6 +20,7 @@ use serde::ser::{Error as _, SerializeSeq as _};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 use std::ops::{ControlFlow, RangeInclusive};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use uom::si::f64::Length;
 
 /// The most designs that an answer holds, some 35 kB each; of more each is made when it is written ([`Streamed`]).
@@ -85,6 +87,26 @@ pub struct SelectTeeth {
     pub shown: usize,
     /// These.
     pub designs: Vec<Design>,
+    /// The best design of each structure by itself, the best first; that of another may dominate it. Of one set those on the front alone.
+    pub best_of_structures: Vec<BestOfStructure>,
+}
+
+/// The best design of a structure, by the order.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct BestOfStructure {
+    /// The source's name of the scheme; `null` where it has none.
+    pub scheme: Option<&'static str>,
+    /// Name of the structure, by the links of sun, ring and carrier of each set.
+    pub structure: String,
+    /// Tooth numbers of each set.
+    pub tooth_numbers: Vec<SetTeeth>,
+    /// Its braked gears.
+    pub gears: Vec<BrakedGear>,
+    /// What it is compared by.
+    pub objectives: Objectives,
+    /// Whether the output turns in mixed directions: backward in a braked gear, forward in direct drive.
+    pub mixed_directions: bool,
 }
 
 /// Limits of the size of a set at the load factor; `null` where there is none.
@@ -180,6 +202,8 @@ pub struct Searches<'a> {
     wanted: &'a Wanted,
     searched: Searched,
     found: Vec<First>,
+    /// The first of each structure.
+    of_structures: Vec<First>,
 }
 
 /// The search, for as many designs as are wanted, [`MOST_DESIGNS`] and more.
@@ -189,8 +213,9 @@ pub struct Searches<'a> {
 pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Error> {
     wanted.duty.torque()?;
     let of_one_set = wanted.requirements.series.braked().len() == 1;
-    let (found, counts) = if of_one_set { of_one(wanted, watch)? } else { of_two(wanted, watch)? };
-    Ok(Searches { wanted, searched: Searched::of(counts), found })
+    let (found, of_structures, counts) =
+        if of_one_set { of_one(wanted, watch)? } else { of_two(wanted, watch)? };
+    Ok(Searches { wanted, searched: Searched::of(counts), found, of_structures })
 }
 
 impl<'a> Searches<'a> {
@@ -219,8 +244,11 @@ impl<'a> Searches<'a> {
         let Some(place) = no.checked_sub(1).filter(|place| *place < self.found.len()) else {
             return Ok(None);
         };
-        let (_, candidate) = self.design(place)?;
-        Saved::of(&candidate, &self.wanted.requirements, &self.found[place].teeth).map(Some)
+        let (design, candidate) = self.design(place)?;
+        let (requirements, teeth) = (&self.wanted.requirements, &self.found[place].teeth);
+        let width = requirements.rating.face_width_ratio;
+        let sizes = design.tooth_numbers.iter().filter_map(|set| size(set, width)).collect();
+        Saved::of(&candidate, requirements, teeth, sizes).map(Some)
     }
 
     /// The whole answer.
@@ -238,8 +266,9 @@ impl<'a> Searches<'a> {
     pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
         let head = self.without_designs()?;
         finite::check(&head)?;
-        let SelectTeeth { required, size_limits, searched, shown, .. } = head;
-        Ok(Streamed { required, size_limits, searched, shown, designs: Designs { of: self, told } })
+        let SelectTeeth { required, size_limits, searched, shown, best_of_structures, .. } = head;
+        let designs = Designs { of: self, told };
+        Ok(Streamed { required, size_limits, searched, shown, designs, best_of_structures })
     }
 
     fn without_designs(&self) -> Result<SelectTeeth, Error> {
@@ -254,11 +283,27 @@ impl<'a> Searches<'a> {
             searched: self.searched,
             shown: self.shown(),
             designs: vec![],
+            best_of_structures: self
+                .of_structures
+                .iter()
+                .map(|first| self.best(first))
+                .collect::<Result<_, _>>()?,
         })
     }
 
+    fn best(&self, first: &First) -> Result<BestOfStructure, Error> {
+        let (design, _) = self.designed(first, 1)?;
+        let Candidate { scheme, structure, gears, objectives, mixed_directions, .. } = design.candidate;
+        let tooth_numbers = design.tooth_numbers;
+        Ok(BestOfStructure { scheme, structure, tooth_numbers, gears, objectives, mixed_directions })
+    }
+
     fn design(&self, place: usize) -> Result<(Design, selection::Candidate), Error> {
-        let (first, wanted) = (&self.found[place], self.wanted);
+        self.designed(&self.found[place], u32::try_from(place + 1).unwrap_or(u32::MAX))
+    }
+
+    fn designed(&self, first: &First, no: u32) -> Result<(Design, selection::Candidate), Error> {
+        let wanted = self.wanted;
         let requirements = &wanted.requirements;
         let mut candidate = selection::Candidate::new(
             first.mechanism,
@@ -274,7 +319,6 @@ impl<'a> Searches<'a> {
         let tooth_numbers =
             teeth.map(|(set, teeth)| SetTeeth::of(teeth, set, &candidate, &requirements.rating)).collect();
         let behind = decisive(wanted.order, &self.found[0].objectives, &first.objectives);
-        let no = u32::try_from(place + 1).unwrap_or(u32::MAX);
         let ranked = Ranked { no, candidate: &candidate, non_dominated: true };
         let of = Candidate::of(&ranked, behind, requirements, &wanted.duty)?;
         Ok((Design { tooth_numbers, others: first.others, candidate: of }, candidate))
@@ -289,6 +333,7 @@ pub struct Streamed<'a> {
     searched: Searched,
     shown: usize,
     designs: Designs<'a>,
+    best_of_structures: Vec<BestOfStructure>,
 }
 
 struct Designs<'a> {
@@ -325,7 +370,7 @@ impl Answer for Streamed<'_> {
 }
 
 /// The first design of an entry of the front.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct First {
     mechanism: Mechanism,
     wanted: Vec<f64>,
@@ -337,7 +382,7 @@ struct First {
     others: u64,
 }
 
-fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error> {
+fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
     let search = OneSetSearch {
         sets: wanted.space.sets(),
         bounds: wanted.bounds.clone(),
@@ -347,7 +392,7 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error>
         ..OneSetSearch::new(wanted.requirements.clone())
     };
     let found = search.front_watched(|share| watch(At { share, searched: None }))?;
-    let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
+    let first = |entry: &selection::front::Entry| {
         let designs = found.designs(entry);
         let count: usize = designs.iter().map(|design| design.teeth.len()).sum();
         let first = designs.into_iter().next()?;
@@ -359,11 +404,27 @@ fn of_one(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error>
             objectives: entry.objectives,
             others: count.saturating_sub(1) as u64,
         })
-    });
-    Ok((first.collect(), found.counts()))
+    };
+    let mut of_structures: Vec<First> = vec![];
+    for entry in found.entries() {
+        for design in found.designs(entry) {
+            let mechanism = Mechanism::OneSet(design.set);
+            if of_structures.iter().all(|other| other.mechanism != mechanism) {
+                of_structures.push(First {
+                    mechanism,
+                    wanted: vec![design.wanted],
+                    k: vec![design.k],
+                    teeth: design.teeth.first().copied().into_iter().collect(),
+                    objectives: entry.objectives,
+                    others: design.teeth.len().saturating_sub(1) as u64,
+                });
+            }
+        }
+    }
+    Ok((found.entries().iter().take(wanted.most).filter_map(first).collect(), of_structures, found.counts()))
 }
 
-fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error> {
+fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Vec<First>, Counts), Error> {
     let search = ToothSearch {
         bounds: wanted.bounds.clone(),
         order: wanted.order,
@@ -372,18 +433,20 @@ fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error>
         module: wanted.limits.module()?,
         ..ToothSearch::new(wanted.requirements.clone())
     };
-    let watch = |progress: Progress| {
-        let share = progress.done as f64 / progress.of.max(1) as f64;
-        watch(At { share, searched: Some(Searched::of(progress.counts)) });
+    // What is tried once for all structures is tried once more for each by itself.
+    let told = |share: f64, progress: Progress| {
+        watch(At { share: share.min(1.0), searched: Some(Searched::of(progress.counts)) });
         ControlFlow::Continue(())
     };
+    let share = |progress: Progress| progress.done as f64 / progress.of.max(1) as f64;
+    let watch = |progress: Progress| told(0.5 * share(progress), progress);
     // Of many the first are not to be had much sooner than all.
     let found = if wanted.most > MOST_DESIGNS {
         search.front_watched(&watch)?
     } else {
         search.best_watched(wanted.most.max(1), &watch)?
     };
-    let first = found.entries().iter().take(wanted.most).filter_map(|entry| {
+    let first = |found: &Found, entry: &selection::front::Entry| {
         let (first, count) = found.first_design(entry)?;
         Some(First {
             mechanism: Mechanism::TwoSets(first.structure),
@@ -393,8 +456,18 @@ fn of_two(wanted: &Wanted, watch: &Watch) -> Result<(Vec<First>, Counts), Error>
             objectives: entry.objectives,
             others: count.saturating_sub(1),
         })
-    });
-    Ok((first.collect(), found.counts()))
+    };
+    let counts = found.counts();
+    let pieces = AtomicUsize::new(0);
+    let of_all = search.structures.len().max(1) as f64;
+    let each = search.best_of_each_watched(&|progress| {
+        let structures =
+            pieces.fetch_add(usize::from(progress.done == progress.of), Ordering::Relaxed) as f64;
+        told(0.5 + 0.5 * (structures / of_all).min(1.0), progress)
+    })?;
+    let of_structures = each.iter().filter_map(|one| first(one, one.entries().first()?)).collect();
+    let found = found.entries().iter().take(wanted.most).filter_map(|entry| first(&found, entry)).collect();
+    Ok((found, of_structures, counts))
 }
 
 impl Searched {
@@ -407,6 +480,14 @@ impl Searched {
             accepted: counts.feasible,
         }
     }
+}
+
+/// Module and face width of a set whose ring has the diameter that the load factor asks for: the face width is a multiple of the pitch
+/// diameter of the smaller of sun and planet.
+fn size(set: &SetTeeth, face_width_ratio: f64) -> Option<WrittenSize> {
+    let module = set.module_m?;
+    let width = face_width_ratio * module * f64::from(set.sun.min(set.planet));
+    Some(WrittenSize { module: Length::from_si(module), face_width: Length::from_si(width) })
 }
 
 impl SetTeeth {

@@ -439,3 +439,16 @@ fn a_message_is_one_line_that_shows_every_character_of_a_name() {
         "{text}"
     );
 }
+
+#[test]
+fn json_is_read_with_pairs_of_surrogates() {
+    let text = "{\"a\": \"\\ud83d\\ude00 \\u00e4 \\\\ud83d \\\"\", 'b': '\\ud83d\\ude00'} # \"\n";
+    let document = Document::parse_one("a.json", text.as_bytes()).unwrap();
+    assert_eq!(document.value()["a"], "\u{1f600} \u{e4} \\ud83d \"");
+    assert_eq!(document.value()["b"], "\\ud83d\\ude00");
+    // Half a pair is none.
+    assert!(Document::parse_one("a.json", br#"{"a": "\ud83d"}"#).is_err());
+    // A plain text of YAML keeps its backslashes.
+    let plain = Document::parse_one("a.yaml", b"a: \\ud83d\\ude00\n").unwrap();
+    assert_eq!(plain.value()["a"], "\\ud83d\\ude00");
+}

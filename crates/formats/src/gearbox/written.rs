@@ -3,10 +3,16 @@
 //! What is read back from it is the same gearbox, but for the order of its links and shift elements: sets with their `k` or teeth,
 //! planets and losses, shift elements, permanent connections, gears with their inputs and outputs. A set described gear by gear has no short form and is refused.
 
+use crate::quantity::format::in_unit;
+use crate::quantity::{Dimension, Physical};
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
 use std::fmt::Write as _;
+use uom::si::f64::Length;
+
+/// Significant digits of lengths.
+const DIGITS: usize = 5;
 
 /// A gearbox that has no short description.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -41,6 +47,27 @@ pub struct NotWritable {
 /// # Errors
 /// [`NotWritable`] for a set described gear by gear.
 pub fn written(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWritable> {
+    written_with_sizes(gearbox, &[], comment)
+}
+
+/// Size of a set, which a gearbox itself does not have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WrittenSize {
+    /// Module.
+    pub module: Length,
+    /// Face width of its gears.
+    pub face_width: Length,
+}
+
+/// The same with the sizes of the first sets, to [`DIGITS`] digits.
+///
+/// # Errors
+/// As [`written`].
+pub fn written_with_sizes(
+    gearbox: &Gearbox,
+    sizes: &[WrittenSize],
+    comment: &[String],
+) -> Result<String, NotWritable> {
     let mut text: String =
         comment.iter().flat_map(|line| line.lines()).map(|line| format!("# {line}\n")).collect();
     let link = |link: LinkId| scalar(gearbox.link_name(link));
@@ -56,9 +83,11 @@ pub fn written(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWrita
         line(format!("links: [{}]", shafts.join(", ")));
     }
     line("sets:".to_owned());
-    for set in gearbox.sets() {
+    for (place, set) in gearbox.sets().iter().enumerate() {
         match set.description() {
-            Description::Short(spec) => line(format!("  - {{ {} }}", of_set(spec))),
+            Description::Short(spec) => {
+                line(format!("  - {{ {}{} }}", of_set(spec), of_size(sizes.get(place))))
+            }
             Description::Compound(_) => return Err(NotWritable { set: set.id().to_owned() }),
         }
     }
@@ -128,6 +157,12 @@ fn of_set(spec: &SetSpec) -> String {
         }
     }
     keys.join(", ")
+}
+
+fn of_size(size: Option<&WrittenSize>) -> String {
+    let Some(WrittenSize { module, face_width }) = size else { return String::new() };
+    let written = |length: &Length| in_unit(length.si(), Dimension::Length.usual_unit(), DIGITS);
+    format!(", module: {}, face_width: {}", written(module), written(face_width))
 }
 
 fn of_gear(gearbox: &Gearbox, gear: &Gear) -> String {

@@ -77,6 +77,7 @@
 
 mod contenders;
 mod double;
+mod each;
 mod exact;
 mod found;
 mod levels;
@@ -265,7 +266,10 @@ impl ToothSearch {
     /// # Errors
     /// As [`front_watched`](Self::front_watched).
     pub fn best_watched(&self, count: usize, watch: &Watch) -> Result<Found, Error> {
-        let mut found = self.prepared()?;
+        self.best_of(self.prepared()?, count, watch)
+    }
+
+    fn best_of(&self, mut found: Found, count: usize, watch: &Watch) -> Result<Found, Error> {
         let farther = if count <= FEW { &[[2, 12], [16, 100]][..] } else { &[] };
         for [times, more] in farther {
             let kept = times * count + more;

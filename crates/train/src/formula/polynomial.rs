@@ -67,6 +67,10 @@ impl Polynomial {
         if is_negative { -size } else { size }
     }
 
+    pub(super) fn negated(&self) -> Self {
+        self.clone().divided(-1)
+    }
+
     fn divided(mut self, number: i64) -> Self {
         self.terms.values_mut().for_each(|coefficient| *coefficient /= number);
         self

@@ -27,7 +27,16 @@ impl Quotient {
             common.is_none()
         });
         let divisor = greatest_divisor(above, below) * below.signum();
-        Some(Self { number: [above / divisor, below / divisor], factors: [numerator, denominator] })
+        let mut number = [above / divisor, below / divisor];
+        // A factor with a term to subtract takes a minus sign from the front: k₂ − k₁ for −(k₁ − k₂).
+        let mut turned = denominator.iter_mut().chain(&mut numerator);
+        if number[0] < 0
+            && let Some(factor) = turned.find(|factor| factor.products().any(|(_, of)| of < 0))
+        {
+            *factor = factor.negated();
+            number[0] = -number[0];
+        }
+        Some(Self { number, factors: [numerator, denominator] })
     }
 
     /// Factors of the numerator, a number other than 1 first; their product is the numerator.
@@ -74,7 +83,7 @@ impl Quotient {
         Scalar::over(&of(0)?, &of(1)?)
     }
 
-    /// `−(1 + k₁)·(1 + k₂)/(1 − k₁·k₂)`, with these names of the symbols.
+    /// `(1 + k₁)·(1 + k₂)/(k₁·k₂ − 1)`, with these names of the symbols.
     #[must_use]
     pub fn text(&self, name: &dyn Fn(usize) -> String) -> String {
         let product = |side: usize| {
@@ -135,10 +144,19 @@ mod tests {
         assert_eq!(text(&[(0, 1)], &[(1, 1)]), "1/k1");
         assert_eq!(text(&[(0, 1), (1, 1)], &[(1, -1)]), "−(1 + k1)/k1");
         assert_eq!(text(&[(0, 1), (1, 1)], &[(3, 1)]), "(1 + k1)/(k1·k2)");
-        assert_eq!(
-            text(&[(0, 1), (1, 1), (2, 1), (3, 1)], &[(0, 1), (3, -1)]),
-            "(1 + k1)·(1 + k2)/(1 − k1·k2)"
-        );
+        let product = [(0, 1), (1, 1), (2, 1), (3, 1)];
+        assert_eq!(text(&product, &[(0, 1), (3, -1)]), "(1 + k1)·(1 + k2)/(1 − k1·k2)");
+        assert_eq!(text(&product, &[(0, -1), (3, 1)]), "(1 + k1)·(1 + k2)/(k1·k2 − 1)");
+    }
+
+    #[test]
+    fn a_factor_takes_the_minus_sign_where_one_can() {
+        assert_eq!(text(&[(2, 1), (3, 1)], &[(1, -1), (2, 1)]), "(1 + k1)·k2/(k2 − k1)");
+        assert_eq!(text(&[(2, 1), (3, 1)], &[(1, 1), (2, -1)]), "(1 + k1)·k2/(k1 − k2)");
+        assert_eq!(text(&[(1, -1), (2, 1)], &[(4, 1)]), "(k2 − k1)/k3");
+        assert_eq!(text(&[(0, -2), (1, -2)], &[(2, 1)]), "−2·(1 + k1)/k2");
+        let quotient = Quotient::new(&polynomial(&[(1, -1), (2, 1)]), &polynomial(&[(4, 1)])).unwrap();
+        assert!((quotient.value(&|symbol| (symbol + 1) as f64) - 1.0 / 3.0).abs() < 1e-15);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use epicyclic_answers::analyze::formulas::{
     By, Condition, Equation, Formulas, Gear, GearTeeth, NoFormula, Reason, Speed, Steps, Substitution, Symbol,
 };
 use epicyclic_answers::analyze::records::ShiftElementKind;
+use epicyclic_answers::analyze::step_losses::{MeshSteps, StepLosses};
 use epicyclic_answers::analyze::step_torques::{MemberTorque, StepTorques, TorqueFrom};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_answers::shared::Fraction;
@@ -295,6 +296,13 @@ fn way(formulas: &Formulas, gear: &Gear, steps: &Steps) -> Text {
         Some(torques) => lines.extend(balance(torques)),
         None => lines.push("  Torques do not follow from the input's alone.".to_owned()),
     }
+    match &steps.losses {
+        Some(losses) => lines.extend(of_losses(losses)),
+        None if steps.torques.is_some() => {
+            lines.push("  Without losses η = 1; --efficiency 0.97 gives each set some.".to_owned());
+        }
+        None => {}
+    }
     Text { heading: Some(format!("Gear {}: the way to its ratio", facts.gear)), lines, ..Text::default() }
 }
 
@@ -378,6 +386,55 @@ fn balance(torques: &StepTorques) -> Vec<String> {
         }
         lines.push(format!("    {}: {sum} = 0", link.links.join(", ")));
     }
+    lines
+}
+
+/// Torques, rolling powers and losses of the sets, and the efficiency.
+fn of_losses(losses: &StepLosses) -> Vec<String> {
+    let number = |value: f64| decimal(value, RATIO_DIGITS);
+    if losses.sets.is_empty() {
+        return vec!["  No set carries torque: no losses, η = 1.".to_owned()];
+    }
+    let mut lines = vec![
+        "  With losses, driven from the input: torques over the input's, rolling powers".to_owned(),
+        "  P = T·(ω − ω_H) over what enters, which sum up to what the meshes take".to_owned(),
+    ];
+    for set in &losses.sets {
+        let eta = set.efficiency.map_or_else(String::new, |eta| format!("η₀ = {}, ", number(eta)));
+        let ratio = match set.exponent {
+            Some(1) => "rolling power from gear 1 to 2\n      T_1 : T_2 : T_H = 1 : −i₀·η₀ : i₀·η₀ − 1",
+            Some(-1) => "rolling power from gear 2 to 1\n      T_1 : T_2 : T_H = 1 : −i₀/η₀ : i₀/η₀ − 1",
+            Some(_) => "no rolling power\n      T_1 : T_2 : T_H = 1 : −i₀ : i₀ − 1",
+            None => "each mesh passes on its efficiency",
+        };
+        lines.extend(format!("    {}: {eta}{ratio}", set.set).split('\n').map(str::to_owned));
+        for member in &set.members {
+            let (torque, speed) = (member.torque_of_input, member.relative_speed_of_input);
+            let power = member.rolling_power_of_entering;
+            let power = if speed == 0.0 {
+                String::new()
+            } else {
+                format!(", P = T·({}) = {}", number(speed), number(power))
+            };
+            lines.push(format!("      {}: T = {}{power}", member.member, number(torque)));
+        }
+        let rolls = |mesh: &&MeshSteps| mesh.enters_of_entering > 0.0;
+        for MeshSteps { from, to, efficiency, enters_of_entering, leaves_of_entering } in
+            set.meshes.iter().filter(rolls)
+        {
+            lines.push(format!(
+                "      mesh {from} to {to}: {}·{} = {}",
+                number(*enters_of_entering),
+                number(*efficiency),
+                number(*leaves_of_entering)
+            ));
+        }
+        lines.push(format!("      loss {}", number(set.loss_of_entering)));
+    }
+    let all: Vec<String> = losses.sets.iter().map(|set| number(set.loss_of_entering)).collect();
+    lines.push("  Efficiency".to_owned());
+    let sum = if all.len() > 1 { format!("({})", all.join(" + ")) } else { all.concat() };
+    lines.push(format!("    η = 1 − {sum} = {}", number(losses.efficiency)));
     lines
 }
 

@@ -260,7 +260,7 @@ fn sets(sets: &[Set]) -> Records {
             exact(set.exact_ratio),
             multiple(set.efficiency),
             set.rolling_power_runs.map_or(Figure::None, runs),
-            Figure::Texts(set.kreines_exponents.iter().map(ToString::to_string).collect()),
+            text(set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")),
             multiple(set.rolling_power_of_entering),
             multiple(set.loss_of_entering),
         ]

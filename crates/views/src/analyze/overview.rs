@@ -336,7 +336,7 @@ fn planets(overview: &Overview) -> Option<Records> {
     let forces: [(&str, OfForce); 3] = [
         ("force", |force| force.force_n),
         ("tangential_force", |force| force.tangential_force_n),
-        ("tangential_force_per_input_n_m", |force| force.tangential_force_per_input_n_m),
+        ("tangential_force_n_per_input_n_m", |force| force.tangential_force_n_per_input_n_m),
     ];
     let known = forces
         .into_iter()
@@ -355,7 +355,7 @@ fn planets(overview: &Overview) -> Option<Records> {
             gear(speed.map(|speed| &speed.gear)),
             column(force.and_then(|force| force.force_n), Dimension::Force),
             column(force.and_then(|force| force.tangential_force_n), Dimension::Force),
-            multiple(force.and_then(|force| force.tangential_force_per_input_n_m)),
+            multiple(force.and_then(|force| force.tangential_force_n_per_input_n_m)),
             gear(force.map(|force| &force.gear)),
         ]
     };
@@ -369,7 +369,7 @@ fn planets(overview: &Overview) -> Option<Records> {
             Column::words("speed_gear", "in gear"),
             headed("force", "force, N", Dimension::Force),
             headed("tangential_force", "tangential force, N", Dimension::Force),
-            Column::number("tangential_force_per_input_n_m", "tangential force, N at 1 N·m"),
+            Column::number("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m"),
             Column::words("force_gear", "in gear"),
         ],
         rows: all.iter().map(row).collect(),

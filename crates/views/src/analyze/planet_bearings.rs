@@ -25,13 +25,13 @@ pub(super) fn records(bearings: &[PlanetBearing], at: &OperatingPoint, of_one_ge
     let shown: &[&'static str] = match (is_sized, is_loaded, at.speed_rad_s) {
         (false, ..) => &["planets", "carrier_torque_of_input", "carrier_torque_each_of_input"],
         (true, false, None) => {
-            &["planets", "carrier_radius", "tangential_force_per_input_n_m", "radial_force_per_input_n_m"]
+            &["planets", "carrier_radius", "tangential_force_n_per_input_n_m", "radial_force_n_per_input_n_m"]
         }
         (true, false, Some(_)) => &[
             "planets",
             "carrier_radius",
             "planet_mass",
-            "tangential_force_per_input_n_m",
+            "tangential_force_n_per_input_n_m",
             "centrifugal_force",
         ],
         (true, true, None) => &["planets", "carrier_radius", "tangential_force", "radial_force"],
@@ -77,8 +77,8 @@ fn columns() -> Vec<Column> {
         headed("planet_mass", "mass, kg", Dimension::Mass),
         Column::number("carrier_torque_of_input", "|T_H|"),
         Column::number("carrier_torque_each_of_input", "|T_H|/n"),
-        Column::number("tangential_force_per_input_n_m", "tangential"),
-        Column::number("radial_force_per_input_n_m", "radial"),
+        Column::number("tangential_force_n_per_input_n_m", "tangential"),
+        Column::number("radial_force_n_per_input_n_m", "radial"),
         headed("tangential_force", "tangential", Dimension::Force),
         headed("radial_force", "radial", Dimension::Force),
         headed("centrifugal_force", "centrifugal", Dimension::Force),
@@ -99,8 +99,8 @@ fn row(one: &PlanetBearing) -> Vec<Figure> {
         column(one.planet_mass_kg, Dimension::Mass),
         multiple(one.carrier_torque_of_input),
         multiple(one.carrier_torque_each_of_input),
-        multiple(one.tangential_force_per_input_n_m),
-        multiple(one.radial_force_per_input_n_m),
+        multiple(one.tangential_force_n_per_input_n_m),
+        multiple(one.radial_force_n_per_input_n_m),
         column(one.tangential_force_n, Dimension::Force),
         column(one.radial_force_n, Dimension::Force),
         column(one.centrifugal_force_n, Dimension::Force),

@@ -89,7 +89,9 @@ fn in_short(solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
 
 /// The scheme of a solution, with what is to be known of it in a few lines.
 fn of_one(name: &str, solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
-    let elements: Vec<&str> = solution.shift_elements.iter().map(|element| element.name.as_str()).collect();
+    let elements = solution.shift_elements.iter();
+    let elements: Vec<String> =
+        elements.map(|element| format!("{} {}", element.name, element.joins)).collect();
     let k: Vec<String> = solution.sets.iter().map(|set| trimmed(set.k, 5)).collect();
     let scheme =
         solution.scheme.map_or_else(String::new, |scheme| format!("Scheme {scheme} of the catalogue. "));

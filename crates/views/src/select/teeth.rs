@@ -1,12 +1,12 @@
 //! The choice over tooth numbers, as tables.
 
-use super::{best, common_columns, common_figures, length, size_column, size_note, title};
-use crate::figure::{Figure, text};
+use super::{best, common_columns, common_figures, length, size_column, size_note, title, with_speeds};
+use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View, rows_as_csv};
 use crate::{AsReport, Error};
 use epicyclic_answers::select::candidate::Candidate;
 use epicyclic_answers::select::required::Required;
-use epicyclic_answers::select::teeth::{Design, SelectTeeth, SetTeeth};
+use epicyclic_answers::select::teeth::{BestOfStructure, Design, SelectTeeth, SetTeeth};
 use epicyclic_formats::Dimension;
 use std::borrow::Cow;
 use std::io;
@@ -17,6 +17,9 @@ impl AsReport for SelectTeeth {
         match self.designs.first() {
             None => parts.push(Part::Text(Text::paragraph("No design meets every criterion."))),
             Some(_) => parts.push(Part::Records(designs(self))),
+        }
+        if self.best_of_structures.len() > 1 {
+            parts.push(Part::Records(of_structures(self)));
         }
         parts.push(Part::Text(Text::paragraph(searched(self))));
         if let Some(first) = self.designs.first() {
@@ -102,7 +105,14 @@ fn designs(select: &SelectTeeth) -> Records {
             ),
             ..View::new("Designs, the best first", sets)
         },
-        View::new(if one { "Ratio and efficiency" } else { "Ratios and efficiencies" }, ratios),
+        View {
+            note: if select.required.input_speed_rad_s.is_some() { "n: of the output, rpm." } else { "" }
+                .to_owned(),
+            ..View::new(
+                if one { "Ratio and efficiency" } else { "Ratios and efficiencies" },
+                &with_speeds(&select.required, ratios),
+            )
+        },
         View {
             note: format!(
                 "Non-dominated: no other design is better in one and worse in none. {}",
@@ -128,6 +138,57 @@ fn designs(select: &SelectTeeth) -> Records {
         rows: select.designs.iter().map(row).collect(),
         views,
         is_answer: true,
+    }
+}
+
+/// The best design of each structure: designs of one differ little from each other at the head of the list.
+fn of_structures(select: &SelectTeeth) -> Records {
+    let one = is_of_one_set(&select.required);
+    let shown: &[&str] = if one {
+        &["scheme", "teeth_1", "ratio_1", "efficiency_1", "speed", "ratio_error", "size"]
+    } else {
+        &["scheme", "teeth_1", "teeth_2", "ratio_1", "ratio_2", "efficiency"]
+    };
+    let reversed = if select.best_of_structures.iter().any(|one| one.mixed_directions) {
+        " A negative ratio: the output reverses against direct drive."
+    } else {
+        ""
+    };
+    let note = format!("By the same order, whether or not another structure surpasses it.{reversed}");
+    let row = |one: &BestOfStructure| {
+        let gear = |place: usize| one.gears.get(place);
+        let teeth =
+            |place: usize| one.tooth_numbers.get(place).map_or(Figure::None, |set| text(teeth_of(set)));
+        vec![
+            text(one.scheme.unwrap_or(&one.structure)),
+            teeth(0),
+            teeth(1),
+            multiple(gear(0).map(|gear| gear.ratio)),
+            multiple(gear(1).map(|gear| gear.ratio)),
+            multiple(gear(0).and_then(|gear| gear.efficiency)),
+            Figure::Multiple(one.objectives.efficiency),
+            Figure::Multiple(one.objectives.speed_of_input),
+            Figure::Multiple(one.objectives.ratio_error),
+            Figure::Multiple(one.objectives.size),
+        ]
+    };
+    Records {
+        name: "best_of_structures",
+        columns: vec![
+            Column::words("scheme", "scheme"),
+            Column::words("teeth_1", "set 1"),
+            Column::words("teeth_2", "set 2"),
+            Column::number("ratio_1", "i₁"),
+            Column::number("ratio_2", "i₂"),
+            Column::number("efficiency_1", "η₁"),
+            Column::number("efficiency", "least η"),
+            Column::number("speed", "speed"),
+            Column::number("ratio_error", "ratio error"),
+            Column::number("size", "size"),
+        ],
+        rows: select.best_of_structures.iter().map(row).collect(),
+        views: vec![View { note, ..View::new("The best design of each scheme", shown) }],
+        is_answer: false,
     }
 }
 
@@ -182,10 +243,14 @@ fn row(design: &Design) -> Vec<Figure> {
     figures
 }
 
+fn teeth_of(set: &SetTeeth) -> String {
+    format!("{} {} {} x{}", set.sun, set.planet, set.ring, set.planets)
+}
+
 fn of_set(set: Option<&SetTeeth>) -> Vec<Figure> {
     let Some(set) = set else { return vec![Figure::None; 8] };
     vec![
-        text(format!("{} {} {} x{}", set.sun, set.planet, set.ring, set.planets)),
+        text(teeth_of(set)),
         Figure::Count(set.sun),
         Figure::Count(set.planet),
         Figure::Count(set.ring),

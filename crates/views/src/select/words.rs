@@ -6,7 +6,7 @@ use epicyclic_answers::select::candidate::{
     Candidate, Criterion, InSource, InSourceStanding, Reach, ReachKind, Verdict,
 };
 use epicyclic_answers::select::required::Objective;
-use epicyclic_answers::select::{Remedy, Select, Unreachable};
+use epicyclic_answers::select::{Relaxation, Remedy, Select, Unreachable};
 use epicyclic_formats::quantity::format::trimmed;
 
 /// Mechanisms out of reach that are told one by one.
@@ -15,7 +15,7 @@ const MOST_TOLD: usize = 6;
 /// The reasons, as a list.
 pub(super) fn why(select: &Select, accepted: &[Candidate]) -> Text {
     let (heading, mut points) = match accepted.split_first() {
-        None if select.accepted == 0 => ("Nothing meets every criterion".to_owned(), vec![]),
+        None if select.accepted == 0 => ("Nothing meets every criterion".to_owned(), ways_out(select)),
         None => (of(select.accepted, "candidate") + " accepted", vec![]),
         Some((best, others)) => {
             let mut points = vec![why_first(select, best)];
@@ -41,6 +41,63 @@ pub(super) fn why(select: &Select, accepted: &[Candidate]) -> Text {
     }
     points.extend(out_of_reach(&select.unreachable));
     Text::list(heading, points)
+}
+
+/// Where nothing is accepted: which options would help, those that search more first.
+#[must_use]
+pub fn ways_out(select: &Select) -> Vec<String> {
+    let mut ways = vec![];
+    if let Some(all) = select.accepted_of_all_structures.filter(|all| *all > 0) {
+        ways.push(format!("--all-structures leaves {}", of(all, "design")));
+    }
+    for relaxation in &select.relaxations {
+        let nearest = select.candidates.iter().find(|one| one.no == relaxation.nearest);
+        let which = nearest.map_or_else(|| of(relaxation.candidates, "design"), named);
+        let more = match relaxation.candidates {
+            0 | 1 => String::new(),
+            all => format!(", the nearest of {all} that nothing else keeps out"),
+        };
+        ways.push(format!("{} admits {which}{more}", option_that_admits(select, relaxation)));
+    }
+    if select.accepted_of_all_structures == Some(0) {
+        ways.push("--all-structures finds nothing either".to_owned());
+    }
+    ways
+}
+
+/// The option with a value that admits the nearest candidate, to three digits on the safe side.
+fn option_that_admits(select: &Select, relaxation: &Relaxation) -> String {
+    let limit = relaxation.limit.unwrap_or_default();
+    let (up, down) = (|| trimmed(rounded(limit, f64::ceil), 4), || trimmed(rounded(limit, f64::floor), 4));
+    match relaxation.criterion {
+        Criterion::RatioError => {
+            format!("--tolerance {}%", trimmed(rounded(100.0 * limit, f64::ceil), 4))
+        }
+        Criterion::RingToSunRatio => {
+            let [least, greatest] = [select.required.k.least, select.required.k.greatest];
+            if limit < least {
+                format!("--k {}..{}", down(), trimmed(greatest, 6))
+            } else {
+                format!("--k {}..{}", trimmed(least, 6), up())
+            }
+        }
+        Criterion::Efficiency => format!("--least-efficiency {}", down()),
+        Criterion::LinkSpeed => format!("--link-speed {}", up()),
+        Criterion::PlanetSpeed => format!("--planet-speed {}", up()),
+        Criterion::ClutchSlip => format!("--clutch-slip {}", up()),
+        Criterion::Circulation => format!("--circulation {}", up()),
+        Criterion::SameDirection => "leaving out --same-direction".to_owned(),
+        Criterion::Drawable => "--allow-crossing".to_owned(),
+    }
+}
+
+/// Three significant digits, the last by `round`.
+fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
+    if value == 0.0 {
+        return 0.0;
+    }
+    let unit = 10_f64.powf(value.abs().log10().floor() - 2.0);
+    round(value / unit) * unit
 }
 
 fn of(count: usize, what: &str) -> String {

@@ -1,0 +1,23 @@
+//! What is said where no design meets every criterion.
+
+use super::Args;
+use crate::failure::Failure;
+
+/// The answer says why; this says it to whoever sees only the end.
+pub(super) fn nothing_found(way_out: Option<&String>) -> Failure {
+    let way_out = way_out.map(|way| format!("; {way}")).unwrap_or_default();
+    Failure::NothingFound(format!("no design meets every criterion{way_out}"))
+}
+
+/// What a search for tooth numbers that found nothing may still try; without teeth the criteria that stand in the way are told.
+pub(super) fn with_teeth_more(args: &Args) -> Option<String> {
+    let mut more = vec![];
+    if !args.all_structures {
+        more.push("--all-structures searches all, not only the source's");
+    }
+    if args.criteria.same_direction {
+        more.push("leaving out --same-direction admits outputs that reverse");
+    }
+    more.push("without --teeth each criterion that stands in the way is told");
+    Some(more.join("; "))
+}

@@ -1,0 +1,31 @@
+//! The best design of each structure by itself.
+
+use super::patch::Patch;
+use super::{Found, ToothSearch, Watch};
+use crate::Error;
+
+impl ToothSearch {
+    /// The first entry of the front of each structure by itself, where it has any; the best first by the order. Another structure may
+    /// dominate it.
+    ///
+    /// # Errors
+    /// As [`front_watched`](Self::front_watched).
+    pub fn best_of_each_watched(&self, watch: &Watch) -> Result<Vec<Found>, Error> {
+        let all = self.prepared()?;
+        let mut best = vec![];
+        for structure in &self.structures {
+            let of_it = all.patches.iter().filter(|patch| patch.structure == *structure);
+            let patches: Vec<Patch> = of_it.cloned().collect();
+            if patches.is_empty() {
+                continue;
+            }
+            let found = self.best_of(Found { patches, ..all.clone() }, 1, watch)?;
+            if !found.entries.is_empty() {
+                best.push(found);
+            }
+        }
+        let first = |found: &Found| found.entries[0].objectives;
+        best.sort_by(|one, other| self.order.compare(&first(one).costs(), &first(other).costs()));
+        Ok(best)
+    }
+}
