@@ -159,7 +159,7 @@ impl InvoluteGear {
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
     pub fn with_tip_alteration(self, tip_alteration: f64) -> Result<Self, Error> {
-        Self { tip_alteration, ..self }.checked()
+        self.altered(self.shift, tip_alteration).checked()
     }
 
     /// The same with another profile shift.
@@ -167,10 +167,15 @@ impl InvoluteGear {
     /// # Errors
     /// [`Error::ShiftOutOfRange`].
     pub fn with_shift(self, shift: f64) -> Result<Self, Error> {
-        Self { shift, ..self }.checked()
+        self.altered(shift, self.tip_alteration).checked()
     }
 
-    fn checked(self) -> Result<Self, Error> {
+    /// The same with another shift and other tips, whether or not that leaves teeth.
+    pub(super) const fn altered(self, shift: f64, tip_alteration: f64) -> Self {
+        Self { shift, tip_alteration, ..self }
+    }
+
+    pub(super) fn checked(self) -> Result<Self, Error> {
         let fault = |fault: ShiftFault| Error::ShiftOutOfRange {
             teeth: self.teeth.get(),
             kind: self.kind,

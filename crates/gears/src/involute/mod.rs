@@ -30,13 +30,18 @@
 //! | [`function`] | the involute function and its inverse |
 //! | [`gear`] | one gear: circles, thickness, undercut, span and ball measures |
 //! | [`pair`] | two gears in mesh: working angle, centre distance, contact ratio, sliding, backlash |
-//! | [`fault`] | why a shift gives no gear |
+//! | [`fault`] | why a shift gives no gear, and gears no set |
 //! | [`interference`] | whether an internal pair turns, and can be put together |
+//! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
+//! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
+//! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the NREL reference
 //! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
 
+pub mod closing;
+pub mod family;
 pub mod fault;
 pub mod function;
 pub mod gear;
@@ -44,6 +49,8 @@ pub mod interference;
 pub mod pair;
 #[cfg(test)]
 mod published;
+pub mod set;
 
 pub use gear::{InvoluteGear, Profile};
 pub use pair::Pair;
+pub use set::PlanetSet;

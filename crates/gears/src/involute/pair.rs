@@ -138,12 +138,12 @@ impl Pair {
     }
 
     /// The radius of curvature of the mate's flank where that of one gear has a radius of curvature.
-    fn mate(&self, radius: f64) -> f64 {
+    pub(super) fn mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius + self.tangents() } else { self.tangents() - radius }
     }
 
     /// The same, back.
-    fn of_mate(&self, radius: f64) -> f64 {
+    pub(super) fn of_mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius - self.tangents() } else { self.tangents() - radius }
     }
 
