@@ -120,11 +120,16 @@ pub struct InvoluteGear {
     tip_alteration: f64,
     /// Teeth with the sign of the kind.
     z: f64,
-    /// Transverse pressure angle, rad, its involute function and its cosine.
-    alpha_t: f64,
+    /// Of the transverse pressure angle the involute function, cosine and sine.
     inv_alpha_t: f64,
     cos_alpha_t: f64,
+    sin_alpha_t: f64,
+    /// Of the normal pressure angle.
+    tan_alpha_n: f64,
+    sin_alpha_n: f64,
+    /// Of the helix angle.
     cos_beta: f64,
+    tan_beta: f64,
 }
 
 impl InvoluteGear {
@@ -146,10 +151,13 @@ impl InvoluteGear {
             shift,
             tip_alteration: 0.0,
             z,
-            alpha_t,
             inv_alpha_t: involute(alpha_t),
             cos_alpha_t: alpha_t.cos(),
+            sin_alpha_t: alpha_t.sin(),
+            tan_alpha_n: radians(profile.rack.pressure_angle).tan(),
+            sin_alpha_n: radians(profile.rack.pressure_angle).sin(),
             cos_beta: radians(profile.helix_angle).cos(),
+            tan_beta: radians(profile.helix_angle).tan(),
         };
         gear.checked()
     }
@@ -295,16 +303,18 @@ impl InvoluteGear {
     /// ```
     #[must_use]
     pub fn thickness_at(&self, diameter: f64) -> f64 {
-        let half = (PI + 4.0 * self.shift * radians(self.profile.rack.pressure_angle).tan()) / (2.0 * self.z);
-        self.sign() * diameter * (half + self.inv_alpha_t - involute(self.angle_at_rad(diameter)))
+        let half = (PI + 4.0 * self.shift * self.tan_alpha_n) / (2.0 * self.z);
+        let tan = 2.0 * self.curvature_radius(diameter) / self.base_diameter();
+        self.sign() * diameter * (half + self.inv_alpha_t - (tan - tan.atan()))
     }
 
     /// Normal tooth thickness at the tip `s_an`: the transverse one times `cos β_a`.
     #[must_use]
     pub fn tip_thickness(&self) -> f64 {
         let diameter = self.tip_diameter();
-        let tan_beta = radians(self.profile.helix_angle).tan() * diameter / self.reference_diameter();
-        self.thickness_at(diameter) * tan_beta.atan().cos()
+        // cos β_a from tan β_a
+        let tan_beta = self.tan_beta * diameter / self.reference_diameter();
+        self.thickness_at(diameter) / tan_beta.hypot(1.0)
     }
 
     /// Least diameter, of an internal gear the greatest, where the flank that a rack cuts is an involute: `d_Ff`.
@@ -325,11 +335,14 @@ impl InvoluteGear {
 
     /// Twice the radius of curvature at which the straight flank of the rack ends; below 0 it undercuts.
     fn rack_reach(&self) -> f64 {
-        let alpha_n = radians(self.profile.rack.pressure_angle);
+        let sin = self.sin_alpha_t;
+        self.sign() * (self.signed_reference() * sin - 2.0 * (self.form_dedendum() - self.shift) / sin)
+    }
+
+    /// `h_FfP* = h_aP* + c_P* − ρ_fP*·(1 − sin α_n)`
+    fn form_dedendum(&self) -> f64 {
         let rack = &self.profile.rack;
-        let form = rack.addendum + rack.clearance - self.profile.fillet * (1.0 - alpha_n.sin());
-        let sin = self.alpha_t.sin();
-        self.sign() * (self.signed_reference() * sin - 2.0 * (form - self.shift) / sin)
+        rack.addendum + rack.clearance - self.profile.fillet * (1.0 - self.sin_alpha_n)
     }
 
     /// The least profile shift without undercut by a rack.
@@ -341,10 +354,7 @@ impl InvoluteGear {
     /// `None` of an internal gear: no rack cuts it.
     #[must_use]
     pub fn least_shift_without_undercut(&self) -> Option<f64> {
-        let alpha_n = radians(self.profile.rack.pressure_angle);
-        let rack = &self.profile.rack;
-        let form = rack.addendum + rack.clearance - self.profile.fillet * (1.0 - alpha_n.sin());
-        let least = form - self.z * self.alpha_t.sin().powi(2) / (2.0 * self.cos_beta);
+        let least = self.form_dedendum() - self.z * self.sin_alpha_t.powi(2) / (2.0 * self.cos_beta);
         (self.kind == GearKind::External).then_some(least)
     }
 

@@ -136,9 +136,11 @@ impl PlanetSet {
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
     pub fn with_tip_alterations(self, [sun, planet, ring]: [f64; 3]) -> Result<Self, Error> {
+        let gears = self.gears();
+        let planet = gears[1].with_tip_alteration(planet)?;
         Ok(Self {
-            sun_mesh: self.sun_mesh.with_tip_alterations([sun, planet])?,
-            ring_mesh: self.ring_mesh.with_tip_alterations([planet, ring])?,
+            sun_mesh: self.sun_mesh.with_gears([gears[0].with_tip_alteration(sun)?, planet]),
+            ring_mesh: self.ring_mesh.with_gears([planet, gears[2].with_tip_alteration(ring)?]),
             planets: self.planets,
         })
     }
