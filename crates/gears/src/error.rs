@@ -300,6 +300,17 @@ pub enum Error {
         fault: SetFault,
     },
 
+    /// Limits of a deviation that are no numbers or in the wrong order.
+    #[error("{quantity} from {lower} to {upper} modules: two finite numbers are needed, the smaller first")]
+    Deviation {
+        /// What deviates.
+        quantity: Quantity,
+        /// Lower limit given, modules.
+        lower: f64,
+        /// Upper limit given, modules.
+        upper: f64,
+    },
+
     /// Two internal gears cannot mesh.
     #[error(
         "both gears are internal ({first} and {second} teeth); an internal gear meshes with an external one"
@@ -399,6 +410,7 @@ impl Error {
             Self::ShiftOutOfRange { .. } => "shift-out-of-range",
             Self::ShiftSumOutOfRange { .. } => "shift-sum-out-of-range",
             Self::NoShifts { .. } => "no-shifts",
+            Self::Deviation { .. } => "deviation",
             Self::BothInternal { .. } => "both-internal",
             Self::InternalNotLarger { .. } => "internal-not-larger",
             Self::NoStandardDiameter { .. } => "no-standard-diameter",

@@ -242,6 +242,11 @@ impl InvoluteGear {
         self.z
     }
 
+    /// `tan α_n`
+    pub(super) const fn tan_normal_angle(&self) -> f64 {
+        self.tan_alpha_n
+    }
+
     /// 1, or −1 of an internal gear.
     pub(super) fn sign(&self) -> f64 {
         self.z.signum()

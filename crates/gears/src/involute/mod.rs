@@ -35,6 +35,7 @@
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
 //! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
+//! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the NREL reference
@@ -47,6 +48,7 @@ pub mod function;
 pub mod gear;
 pub mod interference;
 pub mod pair;
+pub mod play;
 #[cfg(test)]
 mod published;
 pub mod set;
