@@ -19,6 +19,8 @@ words! {
         ThicknessAllowance "tooth thickness allowance"
         CentreDistanceDeviation "deviation of the centre distance"
         MeshStiffness "mesh stiffness"
+        ShaperTipRadius "tip radius of the shaper"
+        ChordDeviation "deviation of the chords"
         Module "module"
         CentreDistance "centre distance"
         PitchRadius "pitch radius"

@@ -22,7 +22,7 @@
 //! | `d`, `d_b`, `d_a`, `d_f`, `d_w` | diameters: reference, base, tip, root, working | modules |
 //! | `a`, `a_d` | centre distance: of the mesh, and of the reference circles | modules |
 //!
-//! The gears are cut by a rack: roots of rings that a shaper cuts are a little deeper. Left out: deviations, tip
+//! Root circles are those by a rack: a shaper's are a little deeper ([`curve`]). Left out: deviations, tip
 //! chamfers, deflection.
 //!
 //! | file | answers |
@@ -35,6 +35,8 @@
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
 //! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
+//! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
+//! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
 //! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
 //!
 //! # Source
@@ -42,11 +44,13 @@
 //! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
 
 pub mod closing;
+pub mod curve;
 pub mod family;
 pub mod fault;
 pub mod function;
 pub mod gear;
 pub mod interference;
+pub mod outline;
 pub mod pair;
 pub mod play;
 #[cfg(test)]

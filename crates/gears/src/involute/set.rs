@@ -16,7 +16,8 @@
 //! | involute, fillet, trochoidal interference, trimming | as in [`interference`](super::interference) |
 //! | planets | `2·a·sin(γ/2) − d_a > 0` |
 //!
-//! Tips that reach into a fillet are a fault of external meshes too.
+//! Tips that reach into a fillet are a fault of external meshes too. Fillets are those that a rack leaves, of the ring too; where a shaper
+//! leaves a ring less involute, its [`curve`](super::curve) shows it.
 
 use super::fault::{SetFault, SetMesh};
 use super::gear::InvoluteGear;
