@@ -3,7 +3,7 @@
 use super::curve::{Point, ToothCurve};
 use crate::units::positive;
 use crate::{Error, Quantity};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Halvings of a piece at most: 2^12 chords of a fillet or flank.
 const MOST_HALVINGS: u32 = 12;
@@ -97,6 +97,7 @@ mod tests {
     use crate::gear_kind::GearKind;
     use crate::involute::curve::Shaper;
     use crate::involute::{InvoluteGear, Profile};
+    use std::f64::consts::PI;
 
     fn curves() -> Vec<ToothCurve> {
         let gear = |kind, teeth, shift| {
