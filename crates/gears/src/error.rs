@@ -300,6 +300,17 @@ pub enum Error {
         fault: SetFault,
     },
 
+    /// Offsets of the ring that hold none, or go too far.
+    #[error("ring offsets from {from} to {to}: write the smaller first, from -{most} to {most}")]
+    RingOffset {
+        /// Lower end.
+        from: i32,
+        /// Upper end.
+        to: i32,
+        /// The largest taken.
+        most: i32,
+    },
+
     /// Limits of a deviation that are no numbers or in the wrong order.
     #[error("{quantity} from {lower} to {upper} modules: two finite numbers are needed, the smaller first")]
     Deviation {
@@ -410,6 +421,7 @@ impl Error {
             Self::ShiftOutOfRange { .. } => "shift-out-of-range",
             Self::ShiftSumOutOfRange { .. } => "shift-sum-out-of-range",
             Self::NoShifts { .. } => "no-shifts",
+            Self::RingOffset { .. } => "ring-offset",
             Self::Deviation { .. } => "deviation",
             Self::BothInternal { .. } => "both-internal",
             Self::InternalNotLarger { .. } => "internal-not-larger",

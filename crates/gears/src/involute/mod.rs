@@ -35,6 +35,7 @@
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
 //! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
+//! | [`search`] | every such set for a ratio |
 //! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
 //! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
 //! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
@@ -55,6 +56,7 @@ pub mod pair;
 pub mod play;
 #[cfg(test)]
 mod published;
+pub mod search;
 pub mod set;
 
 pub use gear::{InvoluteGear, Profile};
