@@ -33,6 +33,13 @@ impl Default for Profile {
 }
 
 impl Profile {
+    /// Spur teeth by a basic rack, with a fillet of 0.38 modules or what it has room for.
+    #[must_use]
+    pub fn of_rack(rack: BasicRack) -> Self {
+        let usual = Self { rack, ..Self::default() };
+        Self { fillet: usual.fillet.min(usual.most_fillet()).max(0.0), ..usual }
+    }
+
     /// Refuses proportions that no rack has.
     ///
     /// # Errors
