@@ -1,10 +1,10 @@
 //! Sets with profile shift: the short description of one with the shifts of its gears.
 
 use crate::set::{Gearing, SetKind, SetSpec};
-use epicyclic_gears::Error;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::{Error, ToothCount, mesh};
 
 /// Profile shifts of sun, planets and ring, with the sign of [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring
 /// inwards.
@@ -32,11 +32,34 @@ impl SetSpec {
     /// Those of [`InvoluteGear::new`] and [`Pair::without_backlash`] for shifts that leave no teeth or no mesh.
     #[must_use]
     pub fn involute_set(&self, rack: &BasicRack) -> Option<Result<PlanetSet, Error>> {
-        let (Some(shifts), Gearing::Teeth(sun, ring), Some(planet), SetKind::Simple) =
-            (self.shifts, self.gearing, self.planet, self.kind)
-        else {
-            return None;
+        self.with_shifts(self.shifts?, self.planet?, rack)
+    }
+
+    /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre distances need none.
+    ///
+    /// `None` of a set that is not simple, whose teeth are not known, or that needs shifts and has none.
+    ///
+    /// # Errors
+    /// As [`involute_set`](Self::involute_set).
+    #[must_use]
+    pub fn toothed_set(&self, rack: &BasicRack) -> Option<Result<PlanetSet, Error>> {
+        let Gearing::Teeth(sun, ring) = self.gearing else { return None };
+        let coaxial = mesh::coaxial_planet(sun, ring);
+        let planet = match self.planet {
+            Some(planet) if self.shifts.is_some() || planet.as_f64() == coaxial => planet,
+            None if coaxial >= 1.0 && coaxial.fract() == 0.0 => ToothCount::new(coaxial as u32).ok()?,
+            _ => return None,
         };
+        self.with_shifts(self.shifts.unwrap_or_default(), planet, rack)
+    }
+
+    fn with_shifts(
+        &self,
+        shifts: Shifts,
+        planet: ToothCount,
+        rack: &BasicRack,
+    ) -> Option<Result<PlanetSet, Error>> {
+        let (Gearing::Teeth(sun, ring), SetKind::Simple) = (self.gearing, self.kind) else { return None };
         let profile = Profile::of_rack(*rack);
         let gear = |kind, teeth, place: usize| {
             InvoluteGear::new(kind, teeth, profile, shifts.profile[place])?

@@ -38,6 +38,7 @@
 //! | [`search`] | every such set for a ratio |
 //! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
 //! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
+//! | [`placed`] | how sun, planets and ring are turned in mesh |
 //! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
 //!
 //! # Source
@@ -53,6 +54,7 @@ pub mod gear;
 pub mod interference;
 pub mod outline;
 pub mod pair;
+pub mod placed;
 pub mod play;
 #[cfg(test)]
 mod published;
