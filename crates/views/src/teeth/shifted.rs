@@ -122,15 +122,15 @@ fn row(set: &ShiftedNumbers) -> Vec<Figure> {
         Figure::Text(set.exact_ratio.to_string()),
         Figure::Number(set.ratio_error),
         Figure::Text(percent(set.ratio_error)),
-        Figure::Number(set.centre_distance_in_modules),
+        Figure::Printed(set.centre_distance_in_modules, 3),
     ];
-    row.extend(set.profile_shifts.map(Figure::Number));
-    row.extend(set.tip_alterations.map(Figure::Number));
+    row.extend(set.profile_shifts.map(|shift| Figure::Printed(shift, 4)));
+    row.extend(set.tip_alterations.map(|alteration| Figure::Printed(alteration, 4)));
     row.extend(set.working_angles_rad.map(angle));
-    row.extend(set.contact_ratios.map(Figure::Number));
-    row.extend(set.tip_thicknesses_in_modules.map(Figure::Number));
+    row.extend(set.contact_ratios.map(|ratio| Figure::Printed(ratio, 3)));
+    row.extend(set.tip_thicknesses_in_modules.map(|thickness| Figure::Printed(thickness, 3)));
     row.extend([
-        Figure::Number(set.planet_gap_in_modules),
+        Figure::Printed(set.planet_gap_in_modules, 3),
         Figure::YesNo(set.aim_met),
         Figure::YesNo(set.equal_spacing),
         Figure::List { si: set.planet_angles_rad.clone(), dimension: Dimension::Angle },
