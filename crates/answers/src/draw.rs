@@ -91,7 +91,7 @@ pub enum View {
     Ladder,
     /// Of a motor: its centrodes.
     Centrodes,
-    /// Of a motor: every tooth in mesh.
+    /// Every tooth in mesh, of a motor or of the simple sets of a gearbox.
     Teeth,
     /// Of a motor: the motor in its housing with its ports.
     Motor,

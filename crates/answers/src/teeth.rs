@@ -3,10 +3,12 @@
 //! | module | is |
 //! |---|---|
 //! | [`double_planet`] | the same of a double-planet set |
+//! | [`shifted`] | the same of simple sets with profile shift |
 //! | [`saved`] | a set as a gearbox |
 
 pub mod double_planet;
 pub mod saved;
+pub mod shifted;
 
 use crate::shared::{Fraction, Motion};
 use crate::tolerance::ROUNDED;

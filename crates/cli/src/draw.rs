@@ -19,11 +19,13 @@ use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
+use epicyclic_pictures::toothed_sets::{self, ToothedSet};
 use epicyclic_train::{Analysis, Gearbox};
 use epicyclic_views::draw;
 use std::path::{Path, PathBuf};
 use subject::Subject;
-use uom::si::f64::Ratio;
+use uom::si::f64::{Length, Ratio};
+use uom::si::length::millimeter;
 
 /// A gearbox as a drawing: its scheme, speed diagram, lever diagram or ratio ladder; a hydromotor from its file.
 ///
@@ -123,7 +125,7 @@ enum View {
     Ladder,
     /// Of a motor: its centrodes, and how the arcs are constructed.
     Centrodes,
-    /// Of a motor: every tooth in mesh.
+    /// Every tooth in mesh: of a motor, and of the simple sets of a gearbox, with their profile shifts.
     Teeth,
     /// Of a motor: the motor in its housing with its ports.
     Motor,
@@ -305,13 +307,16 @@ fn consistent(args: &Args) -> Result<(), Failure> {
     let schemes_alone = "only the view scheme has it";
     match args.view.unwrap_or(View::Scheme) {
         View::Scheme => Ok(()),
-        view if view.of_motor().is_some() => {
-            refuse("--view", "a gearbox has the views scheme, speeds, levers, ladder")
+        view if view != View::Teeth && view.of_motor().is_some() => {
+            refuse("--view", "a gearbox has the views scheme, speeds, levers, ladder, teeth")
         }
         _ if args.power => refuse("--power", schemes_alone),
         _ if args.whole => refuse("--whole", schemes_alone),
         _ if args.same_side => refuse("--same-side", schemes_alone),
         View::Speeds if args.gear.is_none() => refuse("--gear", "a speed diagram shows one gear; name it"),
+        View::Teeth if args.gear.is_some() => {
+            refuse("--gear", "the teeth stand alike in all gears; leave it out")
+        }
         View::Ladder if args.gear.is_some() => refuse("--gear", "the ladder shows all gears; leave it out"),
         _ => Ok(()),
     }
@@ -324,10 +329,30 @@ fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
     Ok(match (args.view.unwrap_or(View::Scheme), &gear) {
         (View::Scheme, gear) => kinematic(args, subject, gear.as_ref())?,
         (View::Speeds, Some(gear)) => speeds::scene(gearbox, gear, title)?,
+        (View::Teeth, _) => toothed(subject, title)?,
         (View::Levers, gear) => levers::scene(gearbox, gear.as_ref(), title)?,
         // `consistent` leaves the ladder alone.
         _ => ladder::scene(gearbox, &all_gears(gearbox)?, title)?,
     })
+}
+
+/// The simple sets whose teeth are known, in mesh; a millimetre for a module where the file has none.
+fn toothed(subject: &Subject, title: Option<&str>) -> Result<Scene, Failure> {
+    let gearbox = &subject.gearbox;
+    let mut sets = vec![];
+    for set in gearbox.sets() {
+        let Some(gears) = set.short().and_then(|spec| spec.toothed_set(&subject.rack)) else { continue };
+        let module = subject.modules.get(set.id()).copied().unwrap_or(Length::new::<millimeter>(1.0));
+        let set = gears.map(|gears| ToothedSet { name: set.id().to_owned(), set: gears, module });
+        sets.push(set.map_err(epicyclic_pictures::Error::from)?);
+    }
+    if sets.is_empty() {
+        let message = "no set is a simple one whose teeth are known and share a centre distance: give `teeth`, and `planet_teeth` with \
+                       `profile_shifts` where it needs them"
+            .to_owned();
+        return Err(Failure::Option { option: "--view", message });
+    }
+    Ok(toothed_sets::scene(title.unwrap_or(gearbox.name()), &sets)?)
 }
 
 fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {

@@ -18,6 +18,8 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
         Error::ToothRange { gear: SimpleGear::Sun, .. } => "--sun",
         Error::ToothRange { gear: SimpleGear::Planet, .. } => "--planet",
         Error::ToothRange { gear: SimpleGear::Ring, .. } => "--ring",
+        Error::RingOffset { .. } => "--ring-offset",
+        Error::Negative { quantity: Quantity::TipThickness, .. } => "--tip-thickness",
         Error::Negative { quantity: Quantity::TipGap, .. } => "--tip-gap",
         Error::Negative { quantity: Quantity::AddendumCoefficient, .. } => "--addendum",
         Error::OutOfRange { quantity: Quantity::PressureAngle, .. } => "--pressure-angle",

@@ -23,6 +23,7 @@ use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::synthesize::Synthesis;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_answers::teeth::double_planet::DoublePlanetTeeth;
+use epicyclic_answers::teeth::shifted::ShiftedTeeth;
 use epicyclic_answers::transmissions::Transmissions;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
@@ -84,6 +85,8 @@ enum Of {
     AnswerTeeth,
     /// The answer of `epicyclic teeth --double-planet`.
     AnswerTeethDoublePlanet,
+    /// The answer of `epicyclic teeth --ring-offset`.
+    AnswerTeethShifted,
     /// The answer of `epicyclic select`.
     AnswerSelect,
     /// The answer of `epicyclic select --teeth`.
@@ -133,6 +136,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerMotorSearch => schema::<MotorSearch>(),
         Of::AnswerTeeth => schema::<Teeth>(),
         Of::AnswerTeethDoublePlanet => schema::<DoublePlanetTeeth>(),
+        Of::AnswerTeethShifted => schema::<ShiftedTeeth>(),
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),

@@ -6,7 +6,7 @@ use crate::output::{Format, OutputArgs, complain};
 use crate::progress::Progress;
 use crate::writing::Content;
 use epicyclic_answers as answers;
-use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, saved, stages};
+use epicyclic_answers::teeth::{Stages, Wanted, answer, double_planet, saved, shifted, stages};
 use epicyclic_formats::gearbox::written;
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_formats::{Number, Physical, Quantity, Span};
@@ -28,13 +28,14 @@ const SHOWN_IN_TABLE: usize = 20;
 /// Every set of tooth numbers of a simple or double-planet gear set for a ratio.
 ///
 /// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets clear each other and
-/// assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun and ring stands once, with one choice of planets. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
+/// assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun and ring stands once, with one choice of planets. With --ring-offset the ring may depart from the rule of equal centre distances, and profile shifts make up for it. The most exact come first. Ranges include both ends and may be open: 12..40, 17.., ..=200, 20.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
   epicyclic teeth --ratio 6 --planets 4 --no-undercut
   epicyclic teeth --ratio 6 --planets 4 --save set.yaml --nth 2
-  epicyclic teeth --ratio -1.6 --double-planet --no-undercut")]
+  epicyclic teeth --ratio -1.6 --double-planet --no-undercut
+  epicyclic teeth --ratio 6.17 --planets 3 --ring-offset -3..3")]
 pub(crate) struct Args {
     /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
     #[arg(long, allow_negative_numbers = true)]
@@ -51,6 +52,25 @@ pub(crate) struct Args {
     /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the ring.
     #[arg(long)]
     double_planet: bool,
+
+    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a range from -9 to 9. Without it
+    /// sets have no profile shift.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets, conflicts_with_all = ["double_planet", "no_undercut"])]
+    ring_offset: Option<RangeInclusive<i32>>,
+
+    /// With --ring-offset: what picks the shifts, of which the sums are fixed.
+    #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::Sliding)]
+    aim: Aim,
+
+    /// With --ring-offset: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
+    #[arg(
+        long,
+        value_name = "MODULES",
+        requires = "ring_offset",
+        default_value = "0.2",
+        allow_negative_numbers = true
+    )]
+    tip_thickness: Number,
 
     /// Number of planets, or of pairs of planets, from 2 to 8.
     #[arg(long, default_value = "3..8")]
@@ -117,6 +137,25 @@ enum Spacing {
     LeastUnequal,
 }
 
+/// What picks the shifts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Aim {
+    /// Equal specific sliding at the roots of sun and planets.
+    Sliding,
+    /// Least tip alteration.
+    TipAlteration,
+}
+
+fn offsets(text: &str) -> Result<RangeInclusive<i32>, String> {
+    let whole = |text: &str| {
+        text.trim().parse::<i32>().map_err(|_| format!("{text:?} is not a whole number; write -3..3, or 2"))
+    };
+    let ends = text.split_once("..=").or_else(|| text.split_once(".."));
+    let (from, to) = ends.unwrap_or((text, text));
+    let (from, to) = (whole(from)?, whole(to)?);
+    if from > to { Err(format!("write the smaller number first: {to}..{from}")) } else { Ok(from..=to) }
+}
+
 fn mode(text: &str) -> Result<Mode, String> {
     Mode::ALL.into_iter().find(|mode| mode.to_string() == text).ok_or_else(|| {
         let all: Vec<String> = Mode::ALL
@@ -148,7 +187,24 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         "sun, planet and number of planets"
     };
     shown.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
-    if args.double_planet {
+    if let Some(offsets) = &args.ring_offset {
+        let aim = match args.aim {
+            Aim::Sliding => shifted::ShiftAim::BalancedSliding,
+            Aim::TipAlteration => shifted::ShiftAim::LeastTipAlteration,
+        };
+        let shifts =
+            shifted::WantedShifts { offsets: offsets.clone(), aim, tip_thickness: args.tip_thickness.get() };
+        let found = shifted::answer(&wanted, &shifts, |share| shown.at(share)).map_err(refuse_answer)?;
+        drop(shown);
+        let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
+        let chosen = chosen.map(|set| saved::shifted(&wanted, set)).transpose()?;
+        let files = save(args, &wanted, chosen, found.found)?;
+        let mut told = found;
+        told.tooth_numbers.truncate(limit);
+        told.shown = told.tooth_numbers.len();
+        args.output.deliver_with(files, &told)?;
+        note(format, told.found, told.shown);
+    } else if args.double_planet {
         let found = double_planet::answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));

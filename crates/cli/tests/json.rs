@@ -82,6 +82,7 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("teeth", &["teeth", "--ratio", "-1.6", "--double-planet", "--limit", "2"]),
+    ("teeth", &["teeth", "--ratio", "5.2", "--ring-offset", "1..3", "--limit", "2"]),
     ("compare", &["compare", "ravigneaux.yaml", "real-transmissions.yaml", "--transmission", "8HP"]),
     ("compare", &["compare", "II-3", "scheme-ii-3.yaml", "--ratio1", "1.5", "--ratio2", "2.56"]),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),

@@ -52,7 +52,7 @@ use epicyclic_gears::life::Rolling;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
-use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
@@ -102,6 +102,14 @@ pub enum DescriptionError {
         set: String,
         /// How many were given.
         given: usize,
+    },
+    /// Profile shifts of a set that is not simple, or whose teeth are not all given; tip alterations without shifts.
+    #[error(
+        "set `{set}`: `profile_shifts`, with or without `tip_alterations`, are of a simple set with `teeth` and one count in `planet_teeth`"
+    )]
+    Shifts {
+        /// The set.
+        set: String,
     },
     /// A set of a transmission without something its kind needs.
     #[error("set `{set}`: {missing} is missing")]
@@ -165,6 +173,7 @@ impl DescriptionError {
             Self::Carrier { .. } => "carrier",
             Self::Losses { .. } => "losses",
             Self::PlanetTeeth { .. } => "planet-teeth",
+            Self::Shifts { .. } => "shifts",
             Self::Missing { .. } => "missing",
             Self::MemberInNoLink { .. } => "member-in-no-link",
             Self::MemberInTwoLinks { .. } => "member-in-two-links",
@@ -252,6 +261,13 @@ pub struct SetEntry {
     /// How many planets stand around the axis.
     #[serde(default)]
     pub planets: Option<u32>,
+    /// Profile shift coefficients of sun, planets and ring of a simple set with `teeth` and `planet_teeth`; one above 0 moves the tips of the
+    /// ring inwards.
+    #[serde(default)]
+    pub profile_shifts: Option<[Number; 3]>,
+    /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the teeth are shorter. Default 0.
+    #[serde(default)]
+    pub tip_alterations: Option<[Number; 3]>,
     /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
@@ -492,9 +508,13 @@ impl GearboxFile {
             ..usual
         };
         if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
+            // Shifts move the planets from where their teeth alone would have them.
+            let rack = self.rack().ok();
+            let shifted = set.short().zip(rack).and_then(|(spec, rack)| spec.involute_set(&rack)?.ok());
+            let by_shifts = shifted.zip(entry.module).map(|(set, module)| module.0 * set.centre_distance());
             return SetSize {
                 module: entry.module.map(|module| module.0),
-                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0).or(by_shifts),
                 face_width: entry.face_width.map(|width| width.0),
                 planet_bore: entry.planet_bore.map(|bore| bore.0),
                 planet_mass: entry.planet_mass.map(|mass| mass.0),
@@ -534,10 +554,18 @@ impl SetEntry {
                 _ => return Err(DescriptionError::PlanetTeeth { set: set(), given: counts.len() }),
             };
         }
-        Ok(match self.planets {
-            Some(count) => spec.planet_count(count),
-            None => spec,
-        })
+        if let Some(count) = self.planets {
+            spec = spec.planet_count(count);
+        }
+        if self.profile_shifts.is_none() && self.tip_alterations.is_none() {
+            return Ok(spec);
+        }
+        let is_known = spec.planet.is_some() && spec.second_planet.is_none() && self.teeth.is_some();
+        let Some(profile) = self.profile_shifts.filter(|_| kind == SetKind::Simple && is_known) else {
+            return Err(DescriptionError::Shifts { set: set() });
+        };
+        let tips = self.tip_alterations.map_or([0.0; 3], |tips| tips.map(Number::get));
+        Ok(spec.shifted(Shifts { profile: profile.map(Number::get), tips }))
     }
 }
 

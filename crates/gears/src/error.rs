@@ -1,7 +1,7 @@
 //! What this crate refuses.
 
 use crate::gear_kind::GearKind;
-use crate::involute::fault::ShiftFault;
+use crate::involute::fault::{SetFault, ShiftFault};
 use crate::mode::{Member, Mode};
 use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
@@ -283,6 +283,45 @@ pub enum Error {
         limit: f64,
     },
 
+    /// Teeth of a set for which no profile shifts keep the limits at a centre distance.
+    #[error(
+        "{sun}/{planet}/{ring} at a centre distance of {centre_distance:.4} modules: no profile shifts let the gears run together; {fault}"
+    )]
+    NoShifts {
+        /// Teeth of the sun.
+        sun: u32,
+        /// Teeth of a planet.
+        planet: u32,
+        /// Teeth of the ring.
+        ring: u32,
+        /// Centre distance, modules.
+        centre_distance: f64,
+        /// What the set nearest to the aim lacks.
+        fault: SetFault,
+    },
+
+    /// Offsets of the ring that hold none, or go too far.
+    #[error("ring offsets from {from} to {to}: write the smaller first, from -{most} to {most}")]
+    RingOffset {
+        /// Lower end.
+        from: i32,
+        /// Upper end.
+        to: i32,
+        /// The largest taken.
+        most: i32,
+    },
+
+    /// Limits of a deviation that are no numbers or in the wrong order.
+    #[error("{quantity} from {lower} to {upper} modules: two finite numbers are needed, the smaller first")]
+    Deviation {
+        /// What deviates.
+        quantity: Quantity,
+        /// Lower limit given, modules.
+        lower: f64,
+        /// Upper limit given, modules.
+        upper: f64,
+    },
+
     /// Two internal gears cannot mesh.
     #[error(
         "both gears are internal ({first} and {second} teeth); an internal gear meshes with an external one"
@@ -381,6 +420,9 @@ impl Error {
             Self::HelixAnglesDiffer { .. } => "helix-angles-differ",
             Self::ShiftOutOfRange { .. } => "shift-out-of-range",
             Self::ShiftSumOutOfRange { .. } => "shift-sum-out-of-range",
+            Self::NoShifts { .. } => "no-shifts",
+            Self::RingOffset { .. } => "ring-offset",
+            Self::Deviation { .. } => "deviation",
             Self::BothInternal { .. } => "both-internal",
             Self::InternalNotLarger { .. } => "internal-not-larger",
             Self::NoStandardDiameter { .. } => "no-standard-diameter",

@@ -199,7 +199,7 @@ impl Bounds {
     }
 
     /// The planets that a sun leaves, by the ranges of ring and `k`.
-    fn planets_of(&self, sun: u32) -> RangeInclusive<u32> {
+    pub(crate) fn planets_of(&self, sun: u32) -> RangeInclusive<u32> {
         let z_a = f64::from(sun);
         let (low_k, high_k) = (*self.ring_to_sun_ratio.start(), *self.ring_to_sun_ratio.end());
         // One tooth of slack against rounding; the test on k itself decides.

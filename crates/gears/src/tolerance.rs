@@ -7,6 +7,7 @@
 //! | `ROUNDING` | a shortfall of a diameter, over it | the rounding of a cube root |
 //! | `LEAST_EFFICIENCY` | an efficiency of a mesh | far below any gear |
 //! | `TOUCH` | a gap between two circles, in modules | rounding of a sine or cosine times a centre distance |
+//! | `PRESSED` | a backlash, in modules | shifts that leave none are sums of rounded involutes |
 //! | `PLAIN` | a number in a message | below, its zeros would hide it |
 
 /// Bores that differ by less are the same.
@@ -24,6 +25,9 @@ pub(crate) const LEAST_EFFICIENCY: f64 = 1e-6;
 
 /// Circles with a gap below this many modules only touch.
 pub(crate) const TOUCH: f64 = 1e-9;
+
+/// Teeth thicker than their pitch by less than this many modules just fill it.
+pub(crate) const PRESSED: f64 = 1e-9;
 
 /// Smaller numbers are written with an exponent.
 pub(crate) const PLAIN: f64 = 1e-6;

@@ -33,6 +33,9 @@ pub enum Error {
     /// A drawing that no file can hold: a motor of a hundred metres, say.
     #[error(transparent)]
     Drawing(#[from] epicyclic_drawing::Error),
+    /// Teeth that no tool cuts.
+    #[error(transparent)]
+    Gear(#[from] epicyclic_gears::Error),
     /// An angle at which a motor is nowhere.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),

@@ -5,6 +5,7 @@
 //! | [`gearbox`] | kinematic schemes, speed diagrams, lever diagrams, ratio ladders |
 //! | [`gear_set`] | a gear set along its axis |
 //! | [`motor`] | centrodes, teeth, chambers, a motor at an angle |
+//! | [`toothed_sets`] | gear sets along their axis, every tooth in mesh |
 //! | [`plot`] | curves over an axis |
 //!
 //! Each function takes what a domain crate computed and returns an [`epicyclic_drawing::Scene`]; nothing here computes a speed or a curve,
@@ -16,6 +17,7 @@ pub mod gearbox;
 pub mod motor;
 pub mod plot;
 mod tolerance;
+pub mod toothed_sets;
 mod units;
 
 pub use error::Error;

@@ -89,6 +89,7 @@ pub mod planet_set;
 pub mod power_flow;
 pub mod set;
 mod set_kind;
+mod shifted;
 pub mod solution;
 pub mod speeds;
 pub mod state;

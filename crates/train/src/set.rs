@@ -6,6 +6,7 @@
 //! [`CompoundSpec`](crate::compound::CompoundSpec).
 
 pub use crate::set_kind::SetKind;
+pub use crate::shifted::Shifts;
 
 use crate::Error;
 use crate::tolerance::BASIC_RATIO;
@@ -87,6 +88,8 @@ pub struct SetSpec {
     pub second_planet: Option<ToothCount>,
     /// How many planets, or pairs of planets, stand around the axis.
     pub planet_count: Option<u32>,
+    /// Profile shifts of a simple set.
+    pub shifts: Option<Shifts>,
 }
 
 impl SetSpec {
@@ -102,6 +105,7 @@ impl SetSpec {
             planet: None,
             second_planet: None,
             planet_count: None,
+            shifts: None,
         }
     }
 

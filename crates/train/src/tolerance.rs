@@ -14,6 +14,7 @@
 //! | `SPEED` | a difference of speeds, over the larger | speeds are known to 1e-13 of the largest |
 //! | `LATE`, `LEAST_WEIGHT` | the weight of a number as a pivot, by the size of its error bound | one known to six digits or fewer has the least, so that a better known one is taken first |
 //! | `FLAT` | the cosine of a triangle beyond ±1 | rounding of sides that lie on one line |
+//! | `PRINTED_SHIFTS` | the overlap of flanks, in modules | two shifts of four decimals |
 //! | `TOUCH` | the overlap of two circles, in modules | rounding of a sine times a centre distance |
 //! | `NO_TORQUE` | the torque of a carrier, over the largest of its set | torques with losses are known to 1e-11; less says nothing of the pins |
 //!
@@ -67,6 +68,9 @@ pub(crate) const LEAST_WEIGHT: f64 = 1e-6;
 
 /// Rounding that the cosine of a flat triangle may have.
 pub(crate) const FLAT: f64 = 1e-9;
+
+/// Teeth of a described set may be thicker than their pitch by this many modules: shifts printed to four digits leave as much.
+pub(crate) const PRINTED_SHIFTS: f64 = 5e-4;
 
 /// A length in modules below which two circles only touch.
 pub(crate) const TOUCH: f64 = 1e-9;

@@ -1,7 +1,10 @@
 //! Whether the gears of a set fit: equal centre distances, clearance, assembly, undercut, interference.
 //!
+//! A simple set with [shifts](crate::set::Shifts) is checked with them instead: limits, interference and clearance as
+//! [`involute::set`](epicyclic_gears::involute::set) has them, with flanks that may press by what printed shifts are rounded by.
+//!
 //! Nothing here keeps a gearbox from being analysed, and much of it is met in service on purpose: profile shift, teeth
-//! of other proportions, planets at unequal angles. All is said of gears without profile shift. Lengths are in
+//! of other proportions, planets at unequal angles. All else is said of gears without profile shift. Lengths are in
 //! modules; gears that mesh with one another, and all meshes of one gear, have one module, and nothing more is
 //! assumed: the steps of a planet may differ in theirs.
 //!
@@ -49,11 +52,13 @@ use crate::planet_places::{
     Given, NoPair, Places, central_mesh, centre_distance, places, planet_mesh, planet_of, teeth_of,
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
-use crate::tolerance::{MOST_ALIKE, TOUCH};
+use crate::tolerance::{MOST_ALIKE, PRINTED_SHIFTS, TOUCH};
 use assembly::slots;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
+use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Profile};
 use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
 use std::f64::consts::{PI, TAU};
@@ -163,6 +168,15 @@ impl<'a> Checks<'a> {
 
     fn all(&self) -> Vec<ToothWarning> {
         let mut found = vec![];
+        if let Some(shifted) = self.set.short().and_then(|spec| spec.involute_set(&self.rack)) {
+            found.extend(self.small_rings());
+            match shifted {
+                Ok(set) => found.extend(self.shift_faults(&set)),
+                Err(error) => found.push(ToothWarning::ShiftsRefused { set: self.name(), error }),
+            }
+            found.extend(self.assembly());
+            return found;
+        }
         if !self.set.is_pair() {
             found.extend(self.half_tooth());
             found.extend(self.small_rings());
@@ -175,6 +189,12 @@ impl<'a> Checks<'a> {
         found.extend(self.undercut());
         found.extend(self.planes());
         found
+    }
+
+    fn shift_faults(&self, set: &InvoluteSet) -> impl Iterator<Item = ToothWarning> + use<'_> {
+        let is_rounding = |fault: &SetFault| matches!(fault, SetFault::Pressed { backlash, .. } if *backlash >= -PRINTED_SHIFTS);
+        let faults = set.faults(&Limits::default()).into_iter().filter(move |fault| !is_rounding(fault));
+        faults.map(|fault| ToothWarning::ShiftFault { set: self.name(), fault })
     }
 
     fn name(&self) -> String {

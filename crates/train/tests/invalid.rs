@@ -6,7 +6,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::compound::{CentralKind, CompoundSpec, SetMember};
-use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::MOST_SETS;
 use epicyclic_train::{
     CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Place, Solution,
@@ -158,6 +158,28 @@ fn shifted_profiles_are_a_matter_of_tooth_checks() {
           teeth): equal centre distances need shifted profiles"
         ]
     );
+}
+
+#[test]
+fn shifts_given_are_checked_in_place_of_what_they_would_have_to_mend() {
+    let with = |shifts: Shifts| {
+        let set = SetSpec::teeth("2", SetKind::Simple, ["drive", "ring", "driven"], 18, 93).unwrap();
+        let set = set.planet_teeth(ToothCount::new(36).unwrap(), None).planet_count(3).shifted(shifts);
+        let gearbox = sound().set(set).build().unwrap();
+        let found = gearbox.tooth_checks(&BasicRack::default());
+        found.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    // As printed of a wind gearbox, to four digits.
+    let shifts = Shifts { profile: [0.389, 0.5039, 0.1171], tips: [-0.0833, -0.0833, 0.0] };
+    assert_eq!(with(shifts), [""; 0]);
+    let long = Shifts { tips: [0.3, -0.0833, 0.0], ..shifts };
+    assert_eq!(
+        with(long)[1],
+        "set `2`: the tips of the sun clear the roots of the sun–planet mesh by -0.133 modules, at least 0 needed"
+    );
+    let pointed = with(Shifts { profile: [3.0, 0.5, 0.1], ..shifts });
+    let start = "set `2`: external gear of 18 teeth, profile shift x = 3, tip alteration k = 0: its teeth are pointed";
+    assert!(pointed.len() == 1 && pointed[0].starts_with(start), "{pointed:?}");
 }
 
 #[test]

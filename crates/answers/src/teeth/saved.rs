@@ -1,11 +1,12 @@
 //! A set of tooth numbers as a gearbox, to be written as a file that `analyze`, `draw` and `report` read.
 
 use super::double_planet::DoublePlanetNumbers;
+use super::shifted::ShiftedNumbers;
 use super::{ToothNumbers, Wanted};
 use crate::Error;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::simple_set::Member;
-use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::{GROUND, Gearbox};
 
 /// The one gear of the gearbox.
@@ -18,6 +19,16 @@ const GEAR: &str = "1";
 pub fn simple(wanted: &Wanted, of: &ToothNumbers) -> Result<Gearbox, Error> {
     let set = SetSpec::teeth(GEAR, SetKind::Simple, members(wanted), of.sun, of.ring)?;
     built(wanted, set.planet_teeth(ToothCount::new(of.planet)?, None).planet_count(of.planets))
+}
+
+/// A set with profile shift as a gearbox in the same way, with its shifts and tip alterations.
+///
+/// # Errors
+/// None of a set that [`shifted::answer`](super::shifted::answer) tells.
+pub fn shifted(wanted: &Wanted, of: &ShiftedNumbers) -> Result<Gearbox, Error> {
+    let set = SetSpec::teeth(GEAR, SetKind::Simple, members(wanted), of.sun, of.ring)?;
+    let set = set.planet_teeth(ToothCount::new(of.planet)?, None).planet_count(of.planets);
+    built(wanted, set.shifted(Shifts { profile: of.profile_shifts, tips: of.tip_alterations }))
 }
 
 /// A double-planet set as a gearbox in the same way.

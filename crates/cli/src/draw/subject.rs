@@ -7,15 +7,22 @@ use crate::input;
 use crate::named;
 use crate::options;
 use epicyclic_answers::draw::{self as answers, Origin};
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{self as formats, Document};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::Gearbox;
+use std::collections::BTreeMap;
 use std::path::Path;
+use uom::si::f64::Length;
 
 /// A gearbox, and whether its rows have known sizes.
 pub(super) struct Subject {
     pub(super) gearbox: Gearbox,
     pub(super) gearing: bool,
+    /// The basic rack of its teeth, and the modules of its sets where the file has them.
+    pub(super) rack: BasicRack,
+    pub(super) modules: BTreeMap<String, Length>,
     /// Its place in a file.
     pub(super) base: formats::Path,
     origin: Origin,
@@ -45,19 +52,29 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
         return Err(named.no_transmission());
     }
     let eta = args.efficiency.map_or(Ok(MeshEfficiency::IDEAL), options::efficiency)?;
-    let (base, origin) = (formats::Path::root(), named.origin());
+    let origin = named.origin();
     if let Some(gearbox) = named.sized(args.sizes, eta)? {
-        return Ok(Subject { gearbox, gearing: true, base, origin });
+        return Ok(Subject { gearing: true, ..of_name(gearbox, origin) });
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
         return Err(named.needs_sizes("for speeds"));
     }
-    Ok(Subject { gearbox: named.of_any_size()?, gearing: false, base, origin })
+    Ok(of_name(named.of_any_size()?, origin))
+}
+
+/// A gearbox that no file describes.
+fn of_name(gearbox: Gearbox, origin: Origin) -> Subject {
+    let (base, rack) = (formats::Path::root(), BasicRack::default());
+    Subject { gearbox, gearing: false, rack, modules: BTreeMap::new(), base, origin }
 }
 
 fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, Failure> {
     args.sizes.none_with_a_file()?;
     let choice = Choice::new(file.display().to_string(), args.transmission.clone(), args.efficiency);
-    let epicyclic_answers::gearbox::Subject { gearbox, base, .. } = analyze::subject(&choice, document)?;
-    Ok(Subject { gearbox, gearing: true, base, origin: Origin::GearboxFile })
+    let epicyclic_answers::gearbox::Subject { gearbox, base, rack, .. } =
+        analyze::subject(&choice, document)?;
+    // A list of transmissions has no modules.
+    let sets = document.read().map(|file: GearboxFile| file.sets).unwrap_or_default();
+    let modules = sets.into_iter().filter_map(|set| Some((set.id, set.module?.0))).collect();
+    Ok(Subject { gearbox, gearing: true, rack, modules, base, origin: Origin::GearboxFile })
 }

@@ -105,6 +105,13 @@ const GEARBOX: &[Key] = &[
     of_winch("sets.face_width", "face_width: 30 mm", "face_width: 31 mm"),
     of_winch("sets.planet_bore", "planet_bore: 18 mm", "planet_bore: 17 mm"),
     of_winch("sets.meshes", "meshes: [0.98, 0.98, 0.99]", "meshes: [0.98, 0.97, 0.99]"),
+    key("sets.profile_shifts", "profile_shifts: [0.389,", "profile_shifts: [0.6,", OVERVIEW),
+    key(
+        "sets.tip_alterations",
+        "tip_alterations: [-0.0833, -0.0833",
+        "tip_alterations: [0.3, -0.0833",
+        OVERVIEW,
+    ),
     key("sets.efficiency", "efficiency: 0.985", "efficiency: 0.98", OVERVIEW),
     key("sets.k", "k: 2.5", "k: 2.6", OVERVIEW),
     key("sets.carrier_radius", "carrier_radius: 90 mm", "carrier_radius: 91 mm", OVERVIEW),

@@ -31,6 +31,11 @@ teeth: --ratio 6 --save set.yaml
   --nth 2
 teeth: --ratio -1.6
   --double-planet
+teeth: --ratio 6 --limit 5
+  --ring-offset -3..3
+teeth: --ratio 6.2 --ring-offset -3..3 --limit 5
+  --aim tip-alteration
+  --tip-thickness 0.7
 teeth: --ratio 6 --no-undercut
   --pressure-angle 25deg
 drive: minimal-drive.yaml
@@ -435,6 +440,10 @@ select: --ratios 2.5 --face-width-ratio 0.5 | --load-factor
 schemes: --efficiency 90% | --k1
 schemes: II-3 --efficiency 90% | --k1
 teeth: --ratio 6 --nth 2 | --save
+teeth: --ratio 6 --aim sliding | --ring-offset
+teeth: --ratio 6 --tip-thickness 0.4 | --ring-offset
+teeth: --ratio 6 --ring-offset 1 --double-planet | --double-planet
+teeth: --ratio 6 --ring-offset 1 --no-undercut | --no-undercut
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --view teeth | --svg
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --points 5 | --csv
 motor search: --displacement '250 cm3/rev' --z3 55 --view teeth | --svg

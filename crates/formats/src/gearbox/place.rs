@@ -55,6 +55,10 @@ impl File<'_> {
                 keys_of(source).iter().fold(self.set(set), |path, key| self.key(path, key))
             }
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
+            E::Shifts { set } => {
+                let keys = ["tip_alterations", "profile_shifts"];
+                keys.iter().fold(self.set(set), |path, key| self.key(path, key))
+            }
             E::PlanetTeeth { set, .. } => self.key(self.set(set), "planet_teeth"),
             E::MemberInNoLink { set, member } => self.text(self.set(set), member),
             E::NoSuchPlanet { set, planet } => self.key(self.key(self.set(set), "planet_sizes"), planet),

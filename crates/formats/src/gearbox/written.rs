@@ -6,7 +6,7 @@
 use crate::quantity::format::in_unit;
 use crate::quantity::{Dimension, Physical};
 use epicyclic_train::planet_set::Description;
-use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec};
+use epicyclic_train::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
 use std::fmt::Write as _;
 use uom::si::f64::Length;
@@ -145,6 +145,12 @@ fn of_set(spec: &SetSpec) -> String {
     if let Some(count) = spec.planet_count {
         keys.push(format!("planets: {count}"));
     }
+    if let Some(Shifts { profile, tips }) = spec.shifts {
+        keys.push(format!("profile_shifts: [{}]", list(profile.iter().map(ToString::to_string))));
+        if tips != [0.0; 3] {
+            keys.push(format!("tip_alterations: [{}]", list(tips.iter().map(ToString::to_string))));
+        }
+    }
     match spec.loss {
         loss if loss == MeshLoss::IDEAL => {}
         MeshLoss::Set(eta) => keys.push(format!("efficiency: {}", eta.get())),
@@ -228,11 +234,15 @@ mod tests {
         let eta = |value| MeshEfficiency::new(value).unwrap();
         let z = |count| ToothCount::new(count).unwrap();
         let teeth = SetSpec::teeth("2", SetKind::DoublePlanet, ["y", "in", "null"], 30, 72).unwrap();
+        let shifts = Shifts { profile: [0.1 + 0.2, -0.0426, 0.0], tips: [-0.07, 0.0, 0.0] };
+        let shifted = SetSpec::teeth("3", SetKind::Simple, ["y", "in", "free"], 21, 108).unwrap();
+        let shifted = shifted.planet_teeth(z(43), None).shifted(shifts);
         let losses = MeshLoss::Meshes { first: eta(0.98), between: eta(0.97), second: eta(0.99) };
         let gearbox = Gearbox::builder("a \"box\": #1\n\\")
             .links(["in", "y", "out", "null", "free", "shaft"])
             .set(SetSpec::simple("1", ["in", "y", "out"], 0.1 + 2.2).with_loss(MeshLoss::Set(eta(0.97))))
             .set(teeth.planet_teeth(z(19), Some(z(20))).planet_count(3).with_loss(losses))
+            .set(shifted)
             .set(SetSpec::pair("p", ["free", "out"], 20, 41).unwrap())
             .brake("1", "y")
             .clutch("in-y", "in", "shaft")

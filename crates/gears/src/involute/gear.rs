@@ -33,6 +33,13 @@ impl Default for Profile {
 }
 
 impl Profile {
+    /// Spur teeth by a basic rack, with a fillet of 0.38 modules or what it has room for.
+    #[must_use]
+    pub fn of_rack(rack: BasicRack) -> Self {
+        let usual = Self { rack, ..Self::default() };
+        Self { fillet: usual.fillet.min(usual.most_fillet()).max(0.0), ..usual }
+    }
+
     /// Refuses proportions that no rack has.
     ///
     /// # Errors
@@ -120,11 +127,16 @@ pub struct InvoluteGear {
     tip_alteration: f64,
     /// Teeth with the sign of the kind.
     z: f64,
-    /// Transverse pressure angle, rad, its involute function and its cosine.
-    alpha_t: f64,
+    /// Of the transverse pressure angle the involute function, cosine and sine.
     inv_alpha_t: f64,
     cos_alpha_t: f64,
+    sin_alpha_t: f64,
+    /// Of the normal pressure angle.
+    tan_alpha_n: f64,
+    sin_alpha_n: f64,
+    /// Of the helix angle.
     cos_beta: f64,
+    tan_beta: f64,
 }
 
 impl InvoluteGear {
@@ -146,10 +158,13 @@ impl InvoluteGear {
             shift,
             tip_alteration: 0.0,
             z,
-            alpha_t,
             inv_alpha_t: involute(alpha_t),
             cos_alpha_t: alpha_t.cos(),
+            sin_alpha_t: alpha_t.sin(),
+            tan_alpha_n: radians(profile.rack.pressure_angle).tan(),
+            sin_alpha_n: radians(profile.rack.pressure_angle).sin(),
             cos_beta: radians(profile.helix_angle).cos(),
+            tan_beta: radians(profile.helix_angle).tan(),
         };
         gear.checked()
     }
@@ -159,7 +174,7 @@ impl InvoluteGear {
     /// # Errors
     /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
     pub fn with_tip_alteration(self, tip_alteration: f64) -> Result<Self, Error> {
-        Self { tip_alteration, ..self }.checked()
+        self.altered(self.shift, tip_alteration).checked()
     }
 
     /// The same with another profile shift.
@@ -167,10 +182,15 @@ impl InvoluteGear {
     /// # Errors
     /// [`Error::ShiftOutOfRange`].
     pub fn with_shift(self, shift: f64) -> Result<Self, Error> {
-        Self { shift, ..self }.checked()
+        self.altered(shift, self.tip_alteration).checked()
     }
 
-    fn checked(self) -> Result<Self, Error> {
+    /// The same with another shift and other tips, whether or not that leaves teeth.
+    pub(super) const fn altered(self, shift: f64, tip_alteration: f64) -> Self {
+        Self { shift, tip_alteration, ..self }
+    }
+
+    pub(super) fn checked(self) -> Result<Self, Error> {
         let fault = |fault: ShiftFault| Error::ShiftOutOfRange {
             teeth: self.teeth.get(),
             kind: self.kind,
@@ -227,6 +247,11 @@ impl InvoluteGear {
     /// `z`, negative of an internal gear.
     pub(super) const fn signed_teeth(&self) -> f64 {
         self.z
+    }
+
+    /// `tan α_n`
+    pub(super) const fn tan_normal_angle(&self) -> f64 {
+        self.tan_alpha_n
     }
 
     /// 1, or −1 of an internal gear.
@@ -290,16 +315,18 @@ impl InvoluteGear {
     /// ```
     #[must_use]
     pub fn thickness_at(&self, diameter: f64) -> f64 {
-        let half = (PI + 4.0 * self.shift * radians(self.profile.rack.pressure_angle).tan()) / (2.0 * self.z);
-        self.sign() * diameter * (half + self.inv_alpha_t - involute(self.angle_at_rad(diameter)))
+        let half = (PI + 4.0 * self.shift * self.tan_alpha_n) / (2.0 * self.z);
+        let tan = 2.0 * self.curvature_radius(diameter) / self.base_diameter();
+        self.sign() * diameter * (half + self.inv_alpha_t - (tan - tan.atan()))
     }
 
     /// Normal tooth thickness at the tip `s_an`: the transverse one times `cos β_a`.
     #[must_use]
     pub fn tip_thickness(&self) -> f64 {
         let diameter = self.tip_diameter();
-        let tan_beta = radians(self.profile.helix_angle).tan() * diameter / self.reference_diameter();
-        self.thickness_at(diameter) * tan_beta.atan().cos()
+        // cos β_a from tan β_a
+        let tan_beta = self.tan_beta * diameter / self.reference_diameter();
+        self.thickness_at(diameter) / tan_beta.hypot(1.0)
     }
 
     /// Least diameter, of an internal gear the greatest, where the flank that a rack cuts is an involute: `d_Ff`.
@@ -320,11 +347,14 @@ impl InvoluteGear {
 
     /// Twice the radius of curvature at which the straight flank of the rack ends; below 0 it undercuts.
     fn rack_reach(&self) -> f64 {
-        let alpha_n = radians(self.profile.rack.pressure_angle);
+        let sin = self.sin_alpha_t;
+        self.sign() * (self.signed_reference() * sin - 2.0 * (self.form_dedendum() - self.shift) / sin)
+    }
+
+    /// `h_FfP* = h_aP* + c_P* − ρ_fP*·(1 − sin α_n)`
+    fn form_dedendum(&self) -> f64 {
         let rack = &self.profile.rack;
-        let form = rack.addendum + rack.clearance - self.profile.fillet * (1.0 - alpha_n.sin());
-        let sin = self.alpha_t.sin();
-        self.sign() * (self.signed_reference() * sin - 2.0 * (form - self.shift) / sin)
+        rack.addendum + rack.clearance - self.profile.fillet * (1.0 - self.sin_alpha_n)
     }
 
     /// The least profile shift without undercut by a rack.
@@ -336,10 +366,7 @@ impl InvoluteGear {
     /// `None` of an internal gear: no rack cuts it.
     #[must_use]
     pub fn least_shift_without_undercut(&self) -> Option<f64> {
-        let alpha_n = radians(self.profile.rack.pressure_angle);
-        let rack = &self.profile.rack;
-        let form = rack.addendum + rack.clearance - self.profile.fillet * (1.0 - alpha_n.sin());
-        let least = form - self.z * self.alpha_t.sin().powi(2) / (2.0 * self.cos_beta);
+        let least = self.form_dedendum() - self.z * self.sin_alpha_t.powi(2) / (2.0 * self.cos_beta);
         (self.kind == GearKind::External).then_some(least)
     }
 

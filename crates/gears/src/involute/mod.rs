@@ -22,7 +22,7 @@
 //! | `d`, `d_b`, `d_a`, `d_f`, `d_w` | diameters: reference, base, tip, root, working | modules |
 //! | `a`, `a_d` | centre distance: of the mesh, and of the reference circles | modules |
 //!
-//! The gears are cut by a rack: roots of rings that a shaper cuts are a little deeper. Left out: deviations, tip
+//! Root circles are those by a rack: a shaper's are a little deeper ([`curve`]). Left out: deviations, tip
 //! chamfers, deflection.
 //!
 //! | file | answers |
@@ -30,20 +30,37 @@
 //! | [`function`] | the involute function and its inverse |
 //! | [`gear`] | one gear: circles, thickness, undercut, span and ball measures |
 //! | [`pair`] | two gears in mesh: working angle, centre distance, contact ratio, sliding, backlash |
-//! | [`fault`] | why a shift gives no gear |
+//! | [`fault`] | why a shift gives no gear, and gears no set |
 //! | [`interference`] | whether an internal pair turns, and can be put together |
+//! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
+//! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
+//! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
+//! | [`search`] | every such set for a ratio |
+//! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
+//! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
+//! | [`placed`] | how sun, planets and ring are turned in mesh |
+//! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the NREL reference
 //! wind gearbox (Nejad, Guo, Gao, Moan 2016) and the tables of SDP/SI D785.
 
+pub mod closing;
+pub mod curve;
+pub mod family;
 pub mod fault;
 pub mod function;
 pub mod gear;
 pub mod interference;
+pub mod outline;
 pub mod pair;
+pub mod placed;
+pub mod play;
 #[cfg(test)]
 mod published;
+pub mod search;
+pub mod set;
 
 pub use gear::{InvoluteGear, Profile};
 pub use pair::Pair;
+pub use set::PlanetSet;

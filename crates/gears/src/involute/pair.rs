@@ -27,8 +27,10 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
     gears: [InvoluteGear; 2],
-    /// Working transverse pressure angle, rad.
+    /// Working transverse pressure angle, rad, its sine and its cosine.
     alpha_wt: f64,
+    sin_wt: f64,
+    cos_wt: f64,
 }
 
 impl Pair {
@@ -48,7 +50,17 @@ impl Pair {
                 sum,
                 limit: -involute(profile.transverse_angle_rad()) * teeth / (2.0 * tan),
             })?;
-        Ok(Self { gears: [first, second], alpha_wt })
+        Ok(Self::new([first, second], alpha_wt))
+    }
+
+    fn new(gears: [InvoluteGear; 2], alpha_wt: f64) -> Self {
+        let (sin_wt, cos_wt) = alpha_wt.sin_cos();
+        Self { gears, alpha_wt, sin_wt, cos_wt }
+    }
+
+    /// The same mesh of gears that differ from these in their tips alone.
+    pub(super) const fn with_gears(self, gears: [InvoluteGear; 2]) -> Self {
+        Self { gears, ..self }
     }
 
     /// The mesh at a centre distance, with the backlash that is left.
@@ -63,7 +75,7 @@ impl Pair {
     ) -> Result<Self, Error> {
         let teeth = check(&first, &second)?;
         let alpha_wt = working_angle(&first, teeth, centre_distance)?;
-        Ok(Self { gears: [first, second], alpha_wt })
+        Ok(Self::new([first, second], alpha_wt))
     }
 
     /// Sum of the profile shifts that leaves no backlash at a centre distance.
@@ -116,7 +128,7 @@ impl Pair {
     pub fn centre_distance(&self) -> f64 {
         let [first, second] = &self.gears;
         let bases = first.base_diameter() + self.sign() * second.base_diameter();
-        bases.abs() / (2.0 * self.alpha_wt.cos())
+        bases.abs() / (2.0 * self.cos_wt)
     }
 
     /// Centre distance of the reference circles `a_d`.
@@ -129,21 +141,21 @@ impl Pair {
     /// Working diameters `d_w`: they roll on each other.
     #[must_use]
     pub fn working_diameters(&self) -> [f64; 2] {
-        self.gears.map(|gear| gear.base_diameter() / self.alpha_wt.cos())
+        self.gears.map(|gear| gear.base_diameter() / self.cos_wt)
     }
 
     /// The part of the line of action between the tangent points of the base circles, `a·sin α_wt`.
     fn tangents(&self) -> f64 {
-        self.centre_distance() * self.alpha_wt.sin()
+        self.centre_distance() * self.sin_wt
     }
 
     /// The radius of curvature of the mate's flank where that of one gear has a radius of curvature.
-    fn mate(&self, radius: f64) -> f64 {
+    pub(super) fn mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius + self.tangents() } else { self.tangents() - radius }
     }
 
     /// The same, back.
-    fn of_mate(&self, radius: f64) -> f64 {
+    pub(super) fn of_mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius - self.tangents() } else { self.tangents() - radius }
     }
 

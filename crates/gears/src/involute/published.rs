@@ -1,6 +1,8 @@
 //! Gears that others calculated, to all printed digits.
 
-use super::{InvoluteGear, Pair, Profile};
+use super::family::Family;
+use super::set::Limits;
+use super::{InvoluteGear, Pair, PlanetSet, Profile};
 use crate::ToothCount;
 use crate::gear_kind::GearKind::{External, Internal};
 use crate::units::angle_from_degrees;
@@ -250,4 +252,42 @@ fn a_helical_set_has_its_printed_working_angles() {
         outer.backlash(),
         inner.backlash()
     );
+}
+
+/// Sets that break `z_r = z_s + 2·z_p`: each is a member of its family, with its printed shifts and without a fault.
+#[test]
+fn published_sets_are_members_of_their_families() {
+    let [straight, helical] =
+        [0.0, 8.0].map(|helix| Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() });
+    for (teeth, planets, profile, a, printed) in [
+        ([18, 36, 93], 3, straight, 584.0 / 21.0, [0.3890, 0.5039, 0.1171]),
+        ([21, 43, 108], 3, straight, 56.8 / 1.75, [0.4380, 0.0426, 0.0]),
+        ([26, 31, 89], 5, helical, 877.033 / 30.0, [0.2702, 0.2093, -0.1591]),
+    ] {
+        let teeth = teeth.map(|count| ToothCount::new(count).unwrap());
+        let family = Family::new(teeth, planets, profile, a).unwrap();
+        let shifts = family.shifts(printed[0]);
+        for (shift, printed) in shifts.into_iter().zip(printed) {
+            // Two printed shifts make a sum: one unit of the last digit.
+            assert!((shift - printed).abs() < 1.01e-4, "{teeth:?}: {shift}, printed {printed}");
+        }
+        let set = family.at(printed[0]).unwrap();
+        assert_eq!(set.faults(&Limits { tip_thickness: 0.4, ..Limits::default() }), []);
+        // The tips of two rings reach into the fillets that a hob of profile A leaves on planets: they are shortened a little.
+        let [sun, planet, ring] = set.gears().map(InvoluteGear::tip_alteration);
+        assert_eq!([sun, planet], [family.tip_alteration(); 2]);
+        assert!((-0.08..=0.0).contains(&ring) && (ring < 0.0) == (printed[2] <= 0.0), "{ring}");
+        assert!(set.spacing().is_equal());
+    }
+}
+
+#[test]
+fn a_stage_of_a_wind_gearbox_is_a_set() {
+    let [outer, inner] = wind();
+    let ([sun, planet], ring) = (*outer.gears(), inner.gears()[1]);
+    let bare = [sun, planet, ring].map(|gear| gear.with_tip_alteration(0.0).unwrap());
+    let set = PlanetSet::new(bare, 3, 584.0 / 21.0).unwrap().with_tip_clearance().unwrap();
+    assert_eq!([*set.sun_mesh(), *set.ring_mesh()], [outer, inner]);
+    // 2·584·sin 60° − 815.663 mm
+    is_but_for(21.0 * set.planet_gap(), 1e-3, "195.855");
 }

@@ -1,5 +1,6 @@
 //! What does not fit in the teeth of a set, and how it is said.
 
+use epicyclic_gears::involute::fault::SetFault;
 use std::fmt;
 
 /// A gear with its teeth, by name.
@@ -104,6 +105,20 @@ pub enum ToothWarning {
         /// The fewest teeth that are not undercut.
         least: u32,
     },
+    /// A set with profile shift whose gears do not run together.
+    ShiftFault {
+        /// The set.
+        set: String,
+        /// What is wrong.
+        fault: SetFault,
+    },
+    /// Shifts that leave a set no teeth or no mesh.
+    ShiftsRefused {
+        /// The set.
+        set: String,
+        /// What is wrong.
+        error: epicyclic_gears::Error,
+    },
     /// Two gears not in mesh whose tip circles overlap: they cannot lie in one plane.
     DifferentPlanes {
         /// The set.
@@ -126,6 +141,8 @@ impl ToothWarning {
             | Self::PlanetsOverlap { set, .. }
             | Self::Assembly { set, .. }
             | Self::Undercut { set, .. }
+            | Self::ShiftFault { set, .. }
+            | Self::ShiftsRefused { set, .. }
             | Self::DifferentPlanes { set, .. } => set,
         }
     }
@@ -207,6 +224,8 @@ impl fmt::Display for ToothWarning {
                     None => f.write_str("not even 2 clear"),
                 }
             }
+            Self::ShiftFault { fault, .. } => fault.fmt(f),
+            Self::ShiftsRefused { error, .. } => error.fmt(f),
             Self::Assembly { planets, slots, fewer, more, .. } => {
                 write!(
                     f,

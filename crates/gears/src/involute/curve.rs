@@ -1,0 +1,590 @@
+//! The exact outline of a tooth in the transverse plane: involute flank and the fillet that a hob or a shaper leaves.
+//!
+//! A point is given by its radius and its angle from the centre line of the tooth; the other flank is its mirror image. Lengths in
+//! modules, angles in rad.
+//!
+//! # Involute
+//! ```text
+//! ψ(r) = s_yt/(2·r)
+//! ```
+//!
+//! # Fillet by a rack
+//! The corner of the rack, of radius `ρ` about `(ξ_c, η_c)` from the middle of its tooth and from the reference line of the gear, touches
+//! the gear where its normal passes through the pitch point. With the angle `θ` of the corner, from 0 at its crest to `90° − α_n` at its flank,
+//!
+//! ```text
+//! η_c = x − h_fP* + ρ,   ξ_c = π/4 + (η_c − x)·tan α_n − ρ/cos α_n
+//! ξ = (ξ_c + ρ·sin θ)/cos β,   η = η_c − ρ·cos θ,   u = −η·tan θ·cos β
+//! r_y = √(u² + (r + η)²),   angle from the middle of the space: atan(u/(r + η)) + (ξ − u)/r
+//! ```
+//!
+//! The factors `cos β` carry the corner, a circle in the normal section, into the transverse one.
+//!
+//! # Fillet by a shaper
+//! The corner of a cutter's tooth is an arc of radius `ρ_a0` that touches its tip circle and its involute; its centre has the radius
+//! `r_c = r_a0 − ρ_a0` and the angle `χ` from the middle of the tooth. A normal of the arc in the direction `δ` passes through the pitch point
+//! when the cutter has turned by `γ`:
+//!
+//! ```text
+//! sin(δ + γ) = r_c·sin(δ − χ)/r_w0
+//! ```
+//!
+//! The point of the arc there, seen from the gear, which turns by `γ·z_0/z`, is the one of the fillet. `ρ_a0` is of the transverse section.
+//!
+//! # Undercut
+//! Where the tool reaches below the tangent point of the base circle, the fillet cuts into the foot of the involute and crosses it further
+//! out; there the outline goes over. Otherwise both have a tangent in common where the flank of the tool ends.
+//!
+//! Left out: chamfers, protuberance, grinding stock, the feed of the tool.
+
+use super::gear::InvoluteGear;
+use super::pair::Pair;
+use crate::gear_kind::GearKind;
+use crate::tolerance::TOUCH;
+use crate::units::radians;
+use crate::{Error, Quantity, ToothCount};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+/// A point of an outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Distance from the axis, modules.
+    pub radius: f64,
+    /// Angle from the centre line of the tooth, rad.
+    pub angle: f64,
+}
+
+impl Point {
+    /// Coordinates with the centre line of the tooth along the first axis.
+    #[must_use]
+    pub fn coordinates(self) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        [self.radius * cos, self.radius * sin]
+    }
+}
+
+/// A shaper, with the pressure and helix angle of the gear that it cuts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shaper {
+    /// Teeth.
+    pub teeth: ToothCount,
+    /// Profile shift coefficient.
+    pub shift: f64,
+    /// Addendum, modules.
+    pub addendum: f64,
+    /// Radius of the tip corners in the transverse section, modules.
+    pub tip_radius: f64,
+}
+
+impl Shaper {
+    /// The cutter as a gear.
+    fn gear(&self, cut: &InvoluteGear) -> Result<InvoluteGear, Error> {
+        let profile = *cut.profile();
+        InvoluteGear::new(GearKind::External, self.teeth, profile, self.shift)?
+            .with_tip_alteration(self.addendum - profile.rack.addendum)
+    }
+}
+
+/// Half of a tooth, from the middle of the space at the root to the corner of the tip.
+///
+/// ```
+/// use epicyclic_gears::involute::curve::ToothCurve;
+/// use epicyclic_gears::involute::{InvoluteGear, Profile};
+/// use epicyclic_gears::{ToothCount, geometry::GearKind};
+/// # fn main() -> Result<(), epicyclic_gears::Error> {
+/// let gear = |teeth, x| InvoluteGear::new(GearKind::External, ToothCount::new(teeth)?, Profile::default(), x);
+/// // Without shift a rack undercuts 12 teeth; with x = 0.3 it does not.
+/// assert!(ToothCurve::by_rack(gear(12, 0.0)?)?.is_undercut());
+/// assert!(!ToothCurve::by_rack(gear(12, 0.3)?)?.is_undercut());
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ToothCurve {
+    gear: InvoluteGear,
+    tool: Tool,
+    /// The parameter of the fillet where the involute takes over, at most 1.
+    joint: f64,
+    undercut: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Tool {
+    /// Centre of the corner in the normal section, `η` from the reference line of the gear, and its radius.
+    Rack { xi: f64, eta: f64, radius: f64 },
+    /// Centre of the corner from the axis of the cutter, the direction of its flank's normal, and its radius; the working radius of the cutter,
+    /// the centre distance, below 0 within a ring, and the teeth of the cutter over those of the gear.
+    Shaper { centre: Point, normal: f64, radius: f64, working: f64, distance: f64, ratio: f64 },
+}
+
+/// Halvings of a stretch: below the rounding of its ends.
+const HALVINGS: u32 = 48;
+
+impl ToothCurve {
+    /// A gear cut by its basic rack, a hob.
+    ///
+    /// # Errors
+    /// [`Error::WrongGearKind`] of an internal gear.
+    pub fn by_rack(gear: InvoluteGear) -> Result<Self, Error> {
+        if gear.kind() == GearKind::Internal {
+            return Err(Error::WrongGearKind { given: GearKind::Internal, wanted: GearKind::External });
+        }
+        let profile = gear.profile();
+        let alpha = radians(profile.rack.pressure_angle);
+        let radius = profile.fillet;
+        let depth = profile.rack.addendum + profile.rack.clearance - radius;
+        let xi = FRAC_PI_4 - depth * alpha.tan() - radius / alpha.cos();
+        Ok(Self::joined(gear, Tool::Rack { xi, eta: gear.shift() - depth, radius }))
+    }
+
+    /// A gear cut by a shaper, rings and external gears.
+    ///
+    /// # Errors
+    /// [`Error::Negative`] for the tip radius, [`Error::OutOfRange`] for one that the tip of the cutter has no room for;
+    /// [`Error::ShiftOutOfRange`] for a cutter without teeth; those of [`Pair::without_backlash`] for a cutter that does not mesh with the
+    /// gear.
+    pub fn by_shaper(gear: InvoluteGear, shaper: Shaper) -> Result<Self, Error> {
+        let tool = shaper.gear(&gear)?;
+        crate::units::not_negative(Quantity::ShaperTipRadius, shaper.tip_radius, "modules")?;
+        let pair = Pair::without_backlash(tool, gear)?;
+        let base = tool.base_diameter() / 2.0;
+        let corner = |radius: f64| {
+            let from_axis = tool.tip_diameter() / 2.0 - radius;
+            // Along the normal of the flank from the base circle: to the centre, and to where the arc begins.
+            let length = (from_axis * from_axis - base * base).max(0.0).sqrt() + radius;
+            let at = base.hypot(length);
+            let tangent = tool.thickness_at(2.0 * at) / (2.0 * at) - (length / base).atan();
+            (from_axis, length, tangent, tangent + ((length - radius) / base).atan())
+        };
+        let fits = |radius: f64| {
+            let (from_axis, .., angle) = corner(radius);
+            from_axis >= base && angle >= 0.0
+        };
+        if !fits(shaper.tip_radius) {
+            let (mut low, mut high) = (0.0, shaper.tip_radius);
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(low, high);
+                if fits(middle) { low = middle } else { high = middle }
+            }
+            return Err(Error::OutOfRange {
+                quantity: Quantity::ShaperTipRadius,
+                value: shaper.tip_radius,
+                low: 0.0,
+                high: low,
+                unit: "modules",
+            });
+        }
+        let (from_axis, _, tangent, angle) = corner(shaper.tip_radius);
+        Ok(Self::joined(
+            gear,
+            Tool::Shaper {
+                centre: Point { radius: from_axis, angle },
+                normal: tangent + FRAC_PI_2,
+                radius: shaper.tip_radius,
+                working: pair.working_diameters()[0] / 2.0,
+                distance: gear.sign() * pair.centre_distance(),
+                ratio: tool.teeth().as_f64() / gear.teeth().as_f64(),
+            },
+        ))
+    }
+
+    fn joined(gear: InvoluteGear, tool: Tool) -> Self {
+        let curve = Self { gear, tool, joint: 1.0, undercut: false };
+        // How far the fillet stands outside the involute. Where the tool undercuts, its corner ends on the other branch of the involute,
+        // beyond the base circle, and has cut into the tooth before.
+        let excess = |t: f64| {
+            let point = curve.fillet(t);
+            point.angle - curve.involute_angle(point.radius)
+        };
+        if excess(1.0) <= TOUCH {
+            return curve;
+        }
+        let base = gear.base_diameter() / 2.0;
+        let bisect = |mut low: f64, is_below: &dyn Fn(f64) -> bool| {
+            let mut high = 1.0;
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(low, high);
+                if is_below(middle) { low = middle } else { high = middle }
+            }
+            high
+        };
+        let at_base = bisect(0.0, &|t| curve.fillet(t).radius <= base);
+        let joint = bisect(at_base, &|t| excess(t) < 0.0);
+        Self { joint, undercut: true, ..curve }
+    }
+
+    /// The gear.
+    #[must_use]
+    pub const fn gear(&self) -> &InvoluteGear {
+        &self.gear
+    }
+
+    /// Parameter of the fillet where the involute takes over.
+    pub(super) const fn joint(&self) -> f64 {
+        self.joint
+    }
+
+    /// Whether the fillet takes a part of the involute away.
+    #[must_use]
+    pub const fn is_undercut(&self) -> bool {
+        self.undercut
+    }
+
+    /// Root radius: where the crest of the tool passes.
+    #[must_use]
+    pub fn root_radius(&self) -> f64 {
+        self.fillet(0.0).radius
+    }
+
+    /// Radius where the involute takes over from the fillet.
+    #[must_use]
+    pub fn joint_radius(&self) -> f64 {
+        self.fillet(self.joint).radius
+    }
+
+    /// Tip radius.
+    #[must_use]
+    pub fn tip_radius(&self) -> f64 {
+        self.gear.tip_diameter() / 2.0
+    }
+
+    /// A point of the flank: its involute at a radius, as far as the tool would cut it.
+    #[must_use]
+    pub fn involute(&self, radius: f64) -> Point {
+        Point { radius, angle: self.involute_angle(radius) }
+    }
+
+    fn involute_angle(&self, radius: f64) -> f64 {
+        self.gear.thickness_at(2.0 * radius) / (2.0 * radius)
+    }
+
+    /// A point of the fillet, as the tool would cut it without the flank: 0 at the root, 1 where the corner of the tool ends.
+    #[must_use]
+    pub fn fillet(&self, t: f64) -> Point {
+        let (radius, from_space) = match self.tool {
+            Tool::Rack { xi, eta, radius } => {
+                let profile = self.gear.profile();
+                let cos_beta = radians(profile.helix_angle).cos();
+                let theta = t * (FRAC_PI_2 - radians(profile.rack.pressure_angle));
+                let (sin, cos) = theta.sin_cos();
+                let (xi, eta) = ((xi + radius * sin) / cos_beta, eta - radius * cos);
+                let u = -eta * theta.tan() * cos_beta;
+                let reference = self.gear.reference_diameter() / 2.0;
+                (u.hypot(reference + eta), u.atan2(reference + eta) + (xi - u) / reference)
+            }
+            Tool::Shaper { centre, normal, radius, working, distance, ratio } => {
+                let delta = centre.angle + t * (normal - centre.angle);
+                let reach = centre.radius * (delta - centre.angle).sin() / working;
+                let direction = reach.clamp(-1.0, 1.0).asin();
+                let turned = direction - delta;
+                let (sin, cos) = (centre.angle + turned).sin_cos();
+                let x = centre.radius * cos + radius * direction.cos();
+                let y = centre.radius * sin + radius * direction.sin();
+                // From the axis of the gear, beyond the pitch point or, of a ring, behind the cutter.
+                let across = distance - x;
+                let (from_axis, angle) = (across.hypot(y), (y / across).atan());
+                (from_axis, self.gear.sign() * angle - ratio * turned)
+            }
+        };
+        Point { radius, angle: PI / self.gear.teeth().as_f64() - from_space }
+    }
+
+    /// Half the angle of the tooth at a radius between root and tip; within the root it is the whole pitch, beyond the tip nothing.
+    #[must_use]
+    pub fn half_angle(&self, radius: f64) -> f64 {
+        let sign = self.gear.sign();
+        let height = |of: f64| sign * of;
+        if height(radius) <= height(self.root_radius()) {
+            return PI / self.gear.teeth().as_f64();
+        }
+        if height(radius) > height(self.tip_radius()) {
+            return 0.0;
+        }
+        if height(radius) >= height(self.joint_radius()) {
+            return self.involute_angle(radius);
+        }
+        let (mut low, mut high) = (0.0, self.joint);
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            if height(self.fillet(middle).radius) < height(radius) { low = middle } else { high = middle }
+        }
+        self.fillet(f64::midpoint(low, high)).angle
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::involute::Profile;
+    use crate::involute::closing::Closing;
+    use crate::involute::fault::SetFault;
+    use crate::involute::set::Limits;
+    use crate::units::angle_from_degrees;
+    use proptest::prelude::*;
+    use std::f64::consts::TAU;
+
+    fn count(teeth: u32) -> ToothCount {
+        ToothCount::new(teeth).unwrap()
+    }
+
+    fn gear(kind: GearKind, teeth: u32, shift: f64, helix_deg: f64) -> Option<InvoluteGear> {
+        let profile = Profile { helix_angle: angle_from_degrees(helix_deg), ..Profile::default() };
+        InvoluteGear::new(kind, count(teeth), profile, shift).ok()
+    }
+
+    fn shaper(teeth: u32, tip_radius: f64) -> Shaper {
+        Shaper { teeth: count(teeth), shift: 0.0, addendum: 1.25, tip_radius }
+    }
+
+    #[test]
+    fn tools_that_cannot_cut_are_refused() {
+        let ring = gear(GearKind::Internal, 60, 0.0, 0.0).unwrap();
+        assert_eq!(ToothCurve::by_rack(ring).unwrap_err().name(), "wrong-gear-kind");
+        assert_eq!(ToothCurve::by_shaper(ring, shaper(60, 0.2)).unwrap_err().name(), "internal-not-larger");
+        assert_eq!(ToothCurve::by_shaper(ring, shaper(30, -0.1)).unwrap_err().name(), "negative");
+        let error = ToothCurve::by_shaper(ring, shaper(30, 0.9)).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("tip radius of the shaper is 0.9 modules; it must lie between 0 and 0.39"),
+            "{error}"
+        );
+        let pointed = Shaper { addendum: 3.0, ..shaper(30, 0.2) };
+        assert_eq!(ToothCurve::by_shaper(ring, pointed).unwrap_err().name(), "shift-out-of-range");
+    }
+
+    /// A shaper with very many teeth is a rack.
+    #[test]
+    fn a_large_shaper_cuts_as_a_rack_does() {
+        for helix in [0.0, 20.0] {
+            let sun = gear(GearKind::External, 20, 0.2, helix).unwrap();
+            // The corner of a rack is round in the normal section: sharp ones are alike.
+            let sharp = Profile { fillet: 0.0, ..*sun.profile() };
+            let sun = InvoluteGear::new(GearKind::External, count(20), sharp, 0.2).unwrap();
+            let by_rack = ToothCurve::by_rack(sun).unwrap();
+            let by_shaper = ToothCurve::by_shaper(sun, shaper(2_000_000, 0.0)).unwrap();
+            for t in [0.2, 0.5, 0.75, 1.0] {
+                let radius = by_rack.fillet(t).radius;
+                let angles = [by_rack, by_shaper].map(|curve| curve.half_angle(radius + 1e-9));
+                assert!((angles[0] - angles[1]).abs() < 1e-5, "{helix} {t}: {angles:?}");
+            }
+        }
+        let sun = gear(GearKind::External, 20, 0.2, 0.0).unwrap();
+        let [one, other] = [ToothCurve::by_rack(sun), ToothCurve::by_shaper(sun, shaper(2_000_000, 0.38))]
+            .map(Result::unwrap);
+        for t in [0.2, 0.6, 1.0] {
+            let radius = one.fillet(t).radius + 1e-9;
+            assert!((one.half_angle(radius) - other.half_angle(radius)).abs() < 1e-5, "{t}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_fillet_goes_over_into_the_involute_at_the_form_circle(
+            teeth in 8..90_u32, shift in -0.3..0.8_f64, helix in 0.0..30.0_f64,
+        ) {
+            let Some(gear) = gear(GearKind::External, teeth, shift, helix) else { return Ok(()) };
+            let curve = ToothCurve::by_rack(gear).unwrap();
+            prop_assert!((curve.root_radius() - gear.root_diameter() / 2.0).abs() < 1e-12 * gear.root_diameter());
+            let joint = curve.fillet(curve.joint);
+            prop_assert!((joint.angle - curve.involute(joint.radius).angle).abs() < 1e-8);
+            let least = gear.least_shift_without_undercut().unwrap();
+            if shift > least + 1e-3 {
+                prop_assert!(!curve.is_undercut());
+                prop_assert!((2.0 * joint.radius - gear.form_diameter()).abs() < 1e-9 * gear.form_diameter());
+            } else if shift < least - 0.02 {
+                // Seen on the curve alone.
+                prop_assert!(curve.is_undercut() && 2.0 * joint.radius > gear.base_diameter());
+            }
+        }
+
+        #[test]
+        fn a_tooth_is_as_thick_as_its_formula_says(
+            teeth in 20..90_u32, shift in -0.1..0.8_f64, ring in any::<bool>(), place in 0.0..1.0_f64,
+        ) {
+            let kind = if ring { GearKind::Internal } else { GearKind::External };
+            let Some(gear) = gear(kind, teeth + 30, shift, 0.0) else { return Ok(()) };
+            let Ok(curve) = ToothCurve::by_shaper(gear, shaper(25, 0.2)) else { return Ok(()) };
+            let radius = curve.joint_radius() + place * (curve.tip_radius() - curve.joint_radius());
+            // Across from flank to flank by coordinates, as an arc.
+            let [x, y] = curve.involute(radius).coordinates();
+            let thickness = 2.0 * radius * (y / x).atan();
+            prop_assert!((thickness - gear.thickness_at(2.0 * radius)).abs() < 1e-10 * radius);
+            let tool = shaper(25, 0.2).gear(&gear).unwrap();
+            let pair = Pair::without_backlash(tool, gear).unwrap();
+            let a = pair.centre_distance();
+            let root = if ring { a + tool.tip_diameter() / 2.0 } else { a - tool.tip_diameter() / 2.0 };
+            prop_assert!((curve.root_radius() - root).abs() < 1e-10 * root);
+        }
+
+        /// The envelope by steps: no point of the tool ever stands inside the tooth that it has cut.
+        #[test]
+        fn the_shaper_never_enters_the_tooth_that_it_leaves(
+            teeth in 45..110_u32, cutter in 18..30_u32, shift in -0.3..0.5_f64, radius in 0.1..0.3_f64, ring in any::<bool>(),
+        ) {
+            let kind = if ring { GearKind::Internal } else { GearKind::External };
+            let Some(gear) = gear(kind, teeth, shift, 0.0) else { return Ok(()) };
+            let Ok(curve) = ToothCurve::by_shaper(gear, shaper(cutter, radius)) else { return Ok(()) };
+            let Tool::Shaper { centre, normal, radius: corner, distance, ratio, .. } = curve.tool else { unreachable!() };
+            let mut nearest = f64::INFINITY;
+            for step in -400..=400 {
+                let turned = f64::from(step) / 400.0 * 0.6;
+                for part in 0..=20 {
+                    let delta = centre.angle + (normal - centre.angle) * f64::from(part) / 20.0;
+                    let x = centre.radius * (centre.angle + turned).cos() + corner * (delta + turned).cos();
+                    let y = centre.radius * (centre.angle + turned).sin() + corner * (delta + turned).sin();
+                    let (from_axis, angle) = if ring {
+                        ((x - distance).hypot(y), y.atan2(x - distance) - ratio * turned)
+                    } else {
+                        ((distance - x).hypot(y), y.atan2(distance - x) - ratio * turned)
+                    };
+                    let height = if ring { curve.root_radius() - from_axis } else { from_axis - curve.root_radius() };
+                    if height > 1e-6 && (gear.sign() * (curve.joint_radius() - from_axis)) > 0.0 {
+                        // From the middle of the space to its edge.
+                        let edge = PI / gear.teeth().as_f64() - curve.half_angle(from_axis);
+                        nearest = nearest.min((edge - angle) * from_axis);
+                    }
+                }
+            }
+            prop_assert!(nearest > -1e-6, "{nearest}");
+            prop_assert!(nearest < 5e-3, "{nearest}");
+        }
+    }
+
+    /// Contact by the curves alone: the normal of each sampled point, by differences, through the pitch point.
+    fn contact_ratio_by_curves(pair: &Pair, curves: [&ToothCurve; 2]) -> f64 {
+        let [first, second] = curves;
+        let pitch_point = pair.working_diameters()[0] / 2.0;
+        let centre = if pair.is_internal() {
+            pitch_point - pair.working_diameters()[1] / 2.0
+        } else {
+            pitch_point + pair.working_diameters()[1] / 2.0
+        };
+        let outwards = second.gear().sign();
+        let gear = first.gear();
+        let [low, high] =
+            [first.joint_radius(), first.tip_radius()].map(|radius| gear.curvature_radius(2.0 * radius));
+        let steps = 4_000;
+        let mut turns = (f64::INFINITY, f64::NEG_INFINITY);
+        for step in 1..steps {
+            let length = low + (high - low) * f64::from(step) / f64::from(steps);
+            let at = |length: f64| first.involute((gear.base_diameter() / 2.0).hypot(length)).coordinates();
+            let small = 1e-6;
+            let [before, here, after] = [at(length - small), at(length), at(length + small)];
+            let tangent = [after[0] - before[0], after[1] - before[1]];
+            let length = tangent[0].hypot(tangent[1]);
+            let normal = [-tangent[1] / length, tangent[0] / length];
+            // Distance of the normal from the axis; turned until it passes through the pitch point.
+            let arm = here[0] * normal[1] - here[1] * normal[0];
+            let direction = (arm / pitch_point).clamp(-1.0, 1.0).asin();
+            let turned = direction - normal[1].atan2(normal[0]);
+            let (sin, cos) = turned.sin_cos();
+            let [x, y] = [here[0] * cos - here[1] * sin, here[0] * sin + here[1] * cos];
+            let from_mate = (x - centre).hypot(y);
+            let is_met = outwards * (from_mate - second.joint_radius()) >= 0.0
+                && outwards * (second.tip_radius() - from_mate) >= 0.0;
+            if is_met {
+                turns = (turns.0.min(turned), turns.1.max(turned));
+            }
+        }
+        ((turns.1 - turns.0) * first.gear().teeth().as_f64() / TAU).max(0.0)
+    }
+
+    /// The deepest that a point of one outline stands in a tooth of the other, as an arc in modules; below 0 the nearest distance.
+    fn overlap(pair: &Pair, curves: [&ToothCurve; 2]) -> f64 {
+        let [first, second] = curves;
+        let [z1, z2] = curves.map(|curve| curve.gear().teeth().as_f64());
+        let sign = second.gear().sign();
+        let a = pair.centre_distance();
+        let halves = curves.map(|curve| curve.half(1e-3).unwrap());
+        let inside = |curve: &ToothCurve, radius: f64, angle: f64| {
+            let pitch = TAU / curve.gear().teeth().as_f64();
+            let from_tooth = (angle - (angle / pitch).round() * pitch).abs();
+            (curve.half_angle(radius) - from_tooth) * radius
+        };
+        let near =
+            |curve: &ToothCurve, radius: f64| curve.gear().sign() * (curve.tip_radius() - radius) > 0.0;
+        let mut deepest = f64::NEG_INFINITY;
+        let steps = 24;
+        for step in 0..steps {
+            let turn1 = TAU / z1 * f64::from(step) / f64::from(steps);
+            // A tooth of the first faces a space of the second at the angle 0: the second lies beyond, or is a ring about it.
+            let turn2 = if sign > 0.0 { PI / z2 - turn1 * z1 / z2 } else { PI / z2 + turn1 * z1 / z2 };
+            for tooth in -3..=3 {
+                for side in [-1.0, 1.0] {
+                    for point in &halves[0] {
+                        let angle = turn1 + f64::from(tooth) * TAU / z1 + side * point.angle;
+                        let (x, y) = (point.radius * angle.cos(), point.radius * angle.sin());
+                        let (x, y) = if sign > 0.0 { (a - x, y) } else { (x + a, y) };
+                        let radius = x.hypot(y);
+                        if near(second, radius) {
+                            let turned = if sign > 0.0 { y.atan2(x) + turn2 } else { y.atan2(x) - turn2 };
+                            deepest = deepest.max(inside(second, radius, turned));
+                        }
+                    }
+                    for point in &halves[1] {
+                        let angle = turn2 + f64::from(tooth) * TAU / z2 + side * point.angle;
+                        let (x, y) = (point.radius * angle.cos(), point.radius * angle.sin());
+                        let (x, y) = if sign > 0.0 { (a - x, -y) } else { (x - a, y) };
+                        let radius = x.hypot(y);
+                        if near(first, radius) {
+                            deepest = deepest.max(inside(first, radius, y.atan2(x) - turn1));
+                        }
+                    }
+                }
+            }
+        }
+        deepest
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn drawn_curves_meet_without_overlap_and_with_the_contact_ratio(
+            sun in 14..40_u32, planet in 16..50_u32, offset in -3..=3_i32, helix in prop_oneof![Just(0.0), 0.0..25.0_f64],
+        ) {
+            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let Some(ring) = (sun + 2 * planet).checked_add_signed(offset) else { return Ok(()) };
+            let closing = Closing { profile, ..Closing::default() };
+            let Ok(choice) = closing.close([count(sun), count(planet), count(ring)]) else { return Ok(()) };
+            let set = choice.set;
+            let [sun, planet, ring] = set.gears();
+            let [sun, planet] = [sun, planet].map(|gear| ToothCurve::by_rack(*gear).unwrap());
+            let Ok(ring) = ToothCurve::by_shaper(*ring, shaper((ring.teeth().get() - planet.gear().teeth().get()).min(30), 0.1)) else {
+                return Ok(());
+            };
+            for (pair, curves) in [(set.sun_mesh(), [&sun, &planet]), (set.ring_mesh(), [&planet, &ring])] {
+                let by_curves = contact_ratio_by_curves(pair, curves);
+                // A shaper may leave a ring less involute than the rack that the formulas take; then tips reach into its fillets.
+                let reach = pair.mate(curves[0].gear().curvature_radius(2.0 * curves[0].tip_radius()));
+                if pair.is_internal() && reach > curves[1].gear().curvature_radius(2.0 * curves[1].joint_radius()) {
+                    prop_assert!(by_curves <= pair.transverse_contact_ratio() + 1e-3);
+                    continue;
+                }
+                prop_assert!((by_curves - pair.transverse_contact_ratio()).abs() < 1e-3, "{by_curves} {}", pair.transverse_contact_ratio());
+                let deepest = overlap(pair, curves);
+                // Without backlash flanks touch; numbers of steps see them within some thousandths.
+                prop_assert!(deepest < 1e-6, "{deepest}");
+                prop_assert!(deepest > -0.02, "{deepest}");
+            }
+        }
+    }
+
+    /// Two gears closer than their shifts allow, and a ring whose tips reach into the fillets of its pinion: the curves overlap.
+    #[test]
+    fn faults_are_seen_on_the_curves() {
+        let set = Closing::default().close([count(21), count(43), count(107)]).unwrap().set;
+        let [_, planet, ring] = set.gears();
+        let long = ring.with_tip_alteration(0.15).unwrap();
+        let pair = Pair::at_centre_distance(*planet, long, set.centre_distance()).unwrap();
+        let found =
+            crate::involute::PlanetSet::new([*set.gears()[0], *planet, long], 3, set.centre_distance())
+                .unwrap();
+        let faults = found.faults(&Limits::default());
+        assert!(faults.iter().any(|fault| matches!(fault, SetFault::Fillet { .. })), "{faults:?}");
+        let curves =
+            [ToothCurve::by_rack(*planet).unwrap(), ToothCurve::by_shaper(long, shaper(30, 0.1)).unwrap()];
+        let deepest = overlap(&pair, [&curves[0], &curves[1]]);
+        assert!(deepest > 1e-4, "{deepest}");
+    }
+}

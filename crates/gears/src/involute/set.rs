@@ -1,0 +1,276 @@
+//! A simple set as two meshes on one centre distance, and what keeps its gears from running together.
+//!
+//! The teeth need not obey `z_r = z_s + 2·z_p`: profile shifts make up for a ring with some teeth more or fewer
+//! ([`family`](super::family)). The number of assembly positions is `z_s + z_r` all the same.
+//!
+//! # Faults
+//! [`PlanetSet::faults`] names each with its numbers, by the limits of [`Limits`]:
+//!
+//! | fault | condition |
+//! |---|---|
+//! | undercut | `x ≥ x_min` of sun and planet |
+//! | tip thickness | `s_an ≥ 0.2` of each gear, case-hardened `0.4` |
+//! | contact ratio | `ε_α ≥ 1.1` of both meshes |
+//! | tip clearance | tips of each gear from the roots of its mates, `≥ 0` |
+//! | pressed flanks | `j_wt ≥ 0` of both meshes |
+//! | involute, fillet, trochoidal interference, trimming | as in [`interference`](super::interference) |
+//! | planets | `2·a·sin(γ/2) − d_a > 0` |
+//!
+//! Tips that reach into a fillet are a fault of external meshes too. Fillets are those that a rack leaves, of the ring too; where a shaper
+//! leaves a ring less involute, its [`curve`](super::curve) shows it.
+
+use super::fault::{SetFault, SetMesh};
+use super::gear::InvoluteGear;
+use super::pair::Pair;
+use crate::mesh::TipCircle;
+use crate::quantity::{Counted, SimpleGear};
+use crate::spacing::PlanetSpacing;
+use crate::tolerance::{PRESSED, TOUCH};
+use crate::{Error, Quantity};
+
+/// What a set must keep; lengths in modules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Least normal thickness of a tip: 0.2 by default, 0.4 of case-hardened teeth.
+    pub tip_thickness: f64,
+    /// Least transverse contact ratio: 1.1 by default.
+    pub contact_ratio: f64,
+    /// Least clearance between tips and the roots of the mate: 0 by default.
+    pub tip_clearance: f64,
+    /// Gap between the tip circles of neighbouring planets that must be exceeded: 0 by default.
+    pub planet_gap: f64,
+    /// Whether the planets must enter the ring radially; they need not by default, since they enter it along the axis.
+    pub radial_assembly: bool,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            tip_thickness: 0.2,
+            contact_ratio: 1.1,
+            tip_clearance: 0.0,
+            planet_gap: 0.0,
+            radial_assembly: false,
+        }
+    }
+}
+
+impl Limits {
+    /// Refuses limits that are no numbers or below 0.
+    ///
+    /// # Errors
+    /// [`Error::Negative`].
+    pub fn check(&self) -> Result<(), Error> {
+        for (quantity, value, unit) in [
+            (Quantity::TipThickness, self.tip_thickness, "modules"),
+            (Quantity::ContactRatio, self.contact_ratio, ""),
+            (Quantity::TipClearance, self.tip_clearance, "modules"),
+            (Quantity::TipGap, self.planet_gap, "modules"),
+        ] {
+            crate::units::not_negative(quantity, value, unit)?;
+        }
+        Ok(())
+    }
+}
+
+/// Sun, planets and ring with their shifts on one centre distance; lengths in modules.
+///
+/// ```
+/// use epicyclic_gears::involute::set::{Limits, PlanetSet};
+/// use epicyclic_gears::involute::{InvoluteGear, Profile};
+/// use epicyclic_gears::{ToothCount, geometry::GearKind};
+/// # fn main() -> Result<(), epicyclic_gears::Error> {
+/// let gear = |kind, teeth, shift| InvoluteGear::new(kind, ToothCount::new(teeth)?, Profile::default(), shift);
+/// // 18 + 2·36 ≠ 93: the second stage of a wind gearbox, module 21 mm, centre distance 584 mm.
+/// let gears = [
+///     gear(GearKind::External, 18, 0.3890)?,
+///     gear(GearKind::External, 36, 0.5038)?,
+///     gear(GearKind::Internal, 93, 0.1171)?,
+/// ];
+/// let set = PlanetSet::new(gears, 3, 584.0 / 21.0)?.with_tip_clearance()?;
+/// assert!((set.sun_mesh().transverse_contact_ratio() - 1.370).abs() < 5e-4);
+/// assert!((set.ring_mesh().transverse_contact_ratio() - 1.618).abs() < 5e-4);
+/// assert!(set.faults(&Limits::default()).is_empty());
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanetSet {
+    sun_mesh: Pair,
+    ring_mesh: Pair,
+    planets: u32,
+}
+
+impl PlanetSet {
+    /// Sun, planet and ring in mesh at a centre distance, so many planets at the assembly positions nearest to equal angles.
+    ///
+    /// # Errors
+    /// Those of [`Pair::at_centre_distance`]; [`Error::TooFew`] for no planets.
+    pub fn new(gears: [InvoluteGear; 3], planets: u32, centre_distance: f64) -> Result<Self, Error> {
+        if planets == 0 {
+            return Err(Error::TooFew { what: Counted::Planets, count: 0, at_least: 1 });
+        }
+        let [sun, planet, ring] = gears;
+        Ok(Self {
+            sun_mesh: Pair::at_centre_distance(sun, planet, centre_distance)?,
+            ring_mesh: Pair::at_centre_distance(planet, ring, centre_distance)?,
+            planets,
+        })
+    }
+
+    /// The same with the tips of sun and planets moved to where they keep the clearance of the basic rack in their mesh, and
+    /// those of the ring as they come: towards the ring there is as much clearance or more.
+    ///
+    /// ```text
+    /// k_s = k_p = a − a_d − (x_s + x_p),    k_r = 0
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::ShiftOutOfRange`] where teeth vanish.
+    pub fn with_tip_clearance(self) -> Result<Self, Error> {
+        let alteration = self.sun_mesh.tip_alteration();
+        self.with_tip_alterations([alteration, alteration, 0.0])
+    }
+
+    /// The same with other tips of sun, planets and ring.
+    ///
+    /// # Errors
+    /// [`Error::ShiftOutOfRange`] where teeth become pointed or vanish.
+    pub fn with_tip_alterations(self, [sun, planet, ring]: [f64; 3]) -> Result<Self, Error> {
+        let gears = self.gears();
+        let planet = gears[1].with_tip_alteration(planet)?;
+        Ok(Self {
+            sun_mesh: self.sun_mesh.with_gears([gears[0].with_tip_alteration(sun)?, planet]),
+            ring_mesh: self.ring_mesh.with_gears([planet, gears[2].with_tip_alteration(ring)?]),
+            planets: self.planets,
+        })
+    }
+
+    /// The mesh of sun and planet, the sun first.
+    #[must_use]
+    pub const fn sun_mesh(&self) -> &Pair {
+        &self.sun_mesh
+    }
+
+    /// The mesh of planet and ring, the planet first.
+    #[must_use]
+    pub const fn ring_mesh(&self) -> &Pair {
+        &self.ring_mesh
+    }
+
+    /// Sun, planet, ring.
+    #[must_use]
+    pub const fn gears(&self) -> [&InvoluteGear; 3] {
+        let [sun, planet] = self.sun_mesh.gears();
+        [sun, planet, &self.ring_mesh.gears()[1]]
+    }
+
+    /// Number of planets.
+    #[must_use]
+    pub const fn planets(&self) -> u32 {
+        self.planets
+    }
+
+    /// Centre distance `a`.
+    #[must_use]
+    pub fn centre_distance(&self) -> f64 {
+        self.sun_mesh.centre_distance()
+    }
+
+    /// Where the planets stand.
+    #[must_use]
+    pub fn spacing(&self) -> PlanetSpacing {
+        let [sun, _, ring] = self.gears();
+        PlanetSpacing::least_unequal(sun.teeth(), ring.teeth(), self.planets)
+    }
+
+    /// A planet as its neighbours see it.
+    #[must_use]
+    pub fn planet_circle(&self) -> TipCircle {
+        let [_, planet, _] = self.gears();
+        TipCircle { centre_radius: self.centre_distance(), tip_radius: planet.tip_diameter() / 2.0 }
+    }
+
+    /// Gap between the tip circles of the planets that stand nearest to each other; infinite of one planet.
+    #[must_use]
+    pub fn planet_gap(&self) -> f64 {
+        if self.planets == 1 {
+            return f64::INFINITY;
+        }
+        self.planet_circle().gap_to_alike(self.spacing().half_gap_sine())
+    }
+
+    /// All that keeps the gears from running together, in the order of the module's table.
+    #[must_use]
+    pub fn faults(&self, limits: &Limits) -> Vec<SetFault> {
+        let mut faults = Vec::new();
+        let [sun, planet, ring] = self.gears();
+        let named = [(SimpleGear::Sun, sun), (SimpleGear::Planet, planet), (SimpleGear::Ring, ring)];
+        for (gear, of) in named {
+            let least = of.least_shift_without_undercut().filter(|least| of.shift() < least - TOUCH);
+            faults.extend(least.map(|least| SetFault::Undercut { gear, shift: of.shift(), least }));
+            let thickness = of.tip_thickness();
+            if thickness < limits.tip_thickness - TOUCH {
+                faults.push(SetFault::TipThickness { gear, thickness, least: limits.tip_thickness });
+            }
+        }
+        for (mesh, pair, gears) in [
+            (SetMesh::SunPlanet, &self.sun_mesh, [SimpleGear::Sun, SimpleGear::Planet]),
+            (SetMesh::PlanetRing, &self.ring_mesh, [SimpleGear::Planet, SimpleGear::Ring]),
+        ] {
+            mesh_faults(mesh, pair, gears, limits, &mut faults);
+        }
+        if let Some(free) = self.ring_mesh.interference() {
+            if free.trochoidal < 0.0 {
+                faults.push(SetFault::Trochoidal { by_rad: -free.trochoidal });
+            }
+            if limits.radial_assembly && free.trimming < 0.0 {
+                faults.push(SetFault::Trimming { by_rad: -free.trimming });
+            }
+        }
+        let gap = self.planet_gap();
+        if gap <= limits.planet_gap {
+            faults.push(SetFault::Planets { planets: self.planets, gap, least: limits.planet_gap });
+        }
+        faults
+    }
+}
+
+fn mesh_faults(
+    mesh: SetMesh,
+    pair: &Pair,
+    gears: [SimpleGear; 2],
+    limits: &Limits,
+    faults: &mut Vec<SetFault>,
+) {
+    let ratio = pair.transverse_contact_ratio();
+    if ratio < limits.contact_ratio {
+        faults.push(SetFault::ContactRatio { mesh, ratio, least: limits.contact_ratio });
+    }
+    for (gear, clearance) in gears.into_iter().zip(pair.tip_clearances()) {
+        if clearance < limits.tip_clearance - TOUCH {
+            faults.push(SetFault::TipClearance { gear, mesh, clearance, least: limits.tip_clearance });
+        }
+    }
+    let backlash = pair.backlash();
+    if backlash < -PRESSED {
+        faults.push(SetFault::Pressed { mesh, backlash });
+    }
+    // Where each tip meets its mate's flank, as the radius of curvature there, and where that flank's involute ends; on a ring it
+    // ends outwards.
+    let [first, second] = pair.gears();
+    let at_first = pair.of_mate(second.curvature_radius(second.tip_diameter()));
+    let at_second = pair.mate(first.curvature_radius(first.tip_diameter()));
+    let end = |gear: &InvoluteGear| gear.curvature_radius(gear.form_diameter());
+    let outwards = second.sign();
+    for (gear, radius, room) in [
+        (gears[1], at_first, at_first - end(first)),
+        (gears[0], at_second, outwards * (at_second - end(second))),
+    ] {
+        if radius < 0.0 {
+            faults.push(SetFault::Involute { gear, mesh, radius });
+        } else if room < -TOUCH {
+            faults.push(SetFault::Fillet { gear, mesh, by: -room });
+        }
+    }
+}
