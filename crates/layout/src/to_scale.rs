@@ -111,15 +111,16 @@ const WALL: usize = 0;
 
 impl Layout {
     /// The same drawing with contacts and planet pins at heights in proportion to their radii, and the scale: grid units over
-    /// the unit of the radii. `sets` are in the order of [`Layout::sets`]; no planet has a radius below `least` grid units
-    /// over its scale if that is the least radius of a planet given as `smallest`.
+    /// the unit of the radii. `sets` are in the order of [`Layout::sets`]; `chosen` says which scale is taken where this is the
+    /// least that leaves room, and a smaller one is not.
     ///
     /// # Errors
     /// [`NotToScale`] where a set stands on another that is larger, as it may where not all stand in one band.
-    ///
-    /// # Panics
-    /// With fewer `sets` than the layout has.
-    pub fn to_scale(&self, sets: &[SetRadii], smallest: Option<f64>) -> Result<(Self, f64), NotToScale> {
+    pub fn to_scale(
+        &self,
+        sets: &[SetRadii],
+        chosen: impl FnOnce(f64) -> f64,
+    ) -> Result<(Self, f64), NotToScale> {
         let heights = Heights::new(self, sets);
         let mut scale = 1.0;
         for _ in 0..HALVINGS {
@@ -142,7 +143,7 @@ impl Layout {
             let middle = f64::midpoint(low, high);
             if heights.solve(middle).is_ok() { high = middle } else { low = middle }
         }
-        let scale = smallest.map_or(high, |radius| high.max(REACH / radius));
+        let scale = high.max(chosen(high));
         let places = heights.solve(scale)?;
         Ok((heights.layout(&places), scale))
     }

@@ -10,12 +10,15 @@ use epicyclic_answers::draw::{self as answers, Origin};
 use epicyclic_formats::{self as formats, Document};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::Gearbox;
+use epicyclic_train::planet_bearings::PlanetBearing;
 use std::path::Path;
 
 /// A gearbox, and whether its rows have known sizes.
 pub(super) struct Subject {
     pub(super) gearbox: Gearbox,
     pub(super) gearing: bool,
+    /// What its file says of the sizes of its planets.
+    pub(super) planet_bearings: Vec<PlanetBearing>,
     /// Its place in a file.
     pub(super) base: formats::Path,
     origin: Origin,
@@ -47,17 +50,18 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
     let eta = args.efficiency.map_or(Ok(MeshEfficiency::IDEAL), options::efficiency)?;
     let (base, origin) = (formats::Path::root(), named.origin());
     if let Some(gearbox) = named.sized(args.sizes, eta)? {
-        return Ok(Subject { gearbox, gearing: true, base, origin });
+        return Ok(Subject { gearbox, gearing: true, planet_bearings: vec![], base, origin });
     }
     if args.gear.is_some() || args.view.is_some_and(|view| view != View::Scheme) {
         return Err(named.needs_sizes("for speeds"));
     }
-    Ok(Subject { gearbox: named.of_any_size()?, gearing: false, base, origin })
+    Ok(Subject { gearbox: named.of_any_size()?, gearing: false, planet_bearings: vec![], base, origin })
 }
 
 fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, Failure> {
     args.sizes.none_with_a_file()?;
     let choice = Choice::new(file.display().to_string(), args.transmission.clone(), args.efficiency);
-    let epicyclic_answers::gearbox::Subject { gearbox, base, .. } = analyze::subject(&choice, document)?;
-    Ok(Subject { gearbox, gearing: true, base, origin: Origin::GearboxFile })
+    let read = analyze::subject(&choice, document)?;
+    let epicyclic_answers::gearbox::Subject { gearbox, planet_bearings, base, .. } = read;
+    Ok(Subject { gearbox, gearing: true, planet_bearings, base, origin: Origin::GearboxFile })
 }

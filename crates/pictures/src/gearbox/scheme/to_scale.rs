@@ -33,6 +33,11 @@ use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
 
+/// Radius of the smallest planet or step.
+const LEAST_WHEEL_MM: f64 = 4.2;
+/// The least that lies between axis, contacts and pin of a set, over how far it reaches.
+const LEAST_SHARE: f64 = 1.0 / 32.0;
+
 /// A gear on a planet pin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Wheel {
@@ -139,7 +144,11 @@ pub fn to_scale(
     }
     let ordered: Vec<SetRadii> = layout.sets.iter().map(|stack: &SetStack| radii[stack.set]).collect();
     let smallest = wheels.iter().flatten().map(|wheel| wheel.radius).reduce(f64::min);
-    let (layout, scale) = layout.to_scale(&ordered, smallest).map_err(|in_the_way| {
+    let chosen = |least: f64| {
+        let least = smallest.map_or(least, |radius| least.max(LEAST_WHEEL_MM / (UP_MM * radius)));
+        if sizes.is_in_mm { round(UP_MM * least) / UP_MM } else { least }
+    };
+    let (layout, scale) = layout.to_scale(&ordered, chosen).map_err(|in_the_way| {
         let [lower, upper] = in_the_way.sets.map(|set| set_name(gearbox, set));
         Error::NotToScale { lower, upper }
     })?;
@@ -150,7 +159,7 @@ pub fn to_scale(
     let mut scale = Scale { wheels, notes: vec![], units_to_mm };
     notes.push(match scale.enlarged() {
         Some(times) => {
-            format!("heights of gears and planet axes to scale, {} : 1; widths are not", decimal(times))
+            format!("heights of gears and planet axes to scale, {}; widths are not", ratio(times))
         }
         None => "heights of gears and planet axes in proportion to their pitch radii; widths are not".into(),
     });
@@ -158,6 +167,19 @@ pub fn to_scale(
     notes.extend(remarks(drawn, &all, &pairs, &radii));
     scale.notes = notes;
     Ok((layout, scale))
+}
+
+/// The next larger scale that is `n : 1` or `1 : n` with two digits in `n`.
+fn round(scale: f64) -> f64 {
+    let one = if scale < 1.0 { 1.0 / scale } else { scale };
+    let digit = 10_f64.powf(one.log10().floor() - 1.0);
+    if scale < 1.0 { 1.0 / ((one / digit).floor() * digit) } else { (one / digit).ceil() * digit }
+}
+
+/// A scale as drawings have it.
+fn ratio(scale: f64) -> String {
+    let short = |n: f64| format!("{n:.4}").trim_end_matches('0').trim_end_matches('.').to_owned();
+    if scale < 1.0 { format!("1 : {}", short(1.0 / scale)) } else { format!("{} : 1", short(scale)) }
 }
 
 /// Gives the halves of one set the pin of their planet in common, and the sizes that follow.
@@ -327,7 +349,8 @@ fn heights(set: &DrawnSet, radii: &Radii, pair: Option<&Pair>, unit: f64) -> (Se
     };
     let low = wheels.iter().map(|wheel| wheel.pin - wheel.radius).fold(sun_mesh, f64::min);
     let high = wheels.iter().map(|wheel| wheel.pin + wheel.radius).fold(ring_mesh, f64::max);
-    if low <= 0.0 || sun_mesh >= planet || planet >= ring_mesh {
+    // Nothing can be seen of a planet that hardly orbits, as in an eccentric drive, beside a ring of that size.
+    if low.min(planet - sun_mesh).min(ring_mesh - planet) < LEAST_SHARE * high {
         return (SetRadii::Free, vec![]);
     }
     (SetRadii::Planets { sun_mesh, planet, ring_mesh, reach: [low, high] }, wheels)
@@ -374,4 +397,23 @@ fn remarks(drawn: &[DrawnSet], all: &[Radii], pairs: &[Pair], heights: &[SetRadi
 fn named(sets: &[usize]) -> String {
     let numbers: Vec<String> = sets.iter().map(|set| (set + 1).to_string()).collect();
     format!("{} {}", if sets.len() == 1 { "set" } else { "sets" }, numbers.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ratio, round};
+
+    #[test]
+    fn scales_are_round_and_no_smaller() {
+        for (scale, rounded, words) in [
+            (0.166, 1.0 / 6.0, "1 : 6"),
+            (0.95, 1.0, "1 : 1"),
+            (1.02, 1.1, "1.1 : 1"),
+            (0.011, 1.0 / 90.0, "1 : 90"),
+        ] {
+            let found = round(scale);
+            assert!((found - rounded).abs() < 1e-12 && found >= scale, "{scale}: {found}");
+            assert_eq!(ratio(found), words);
+        }
+    }
 }
