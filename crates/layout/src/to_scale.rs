@@ -498,3 +498,86 @@ fn gap(lower: &Node, upper: &Node) -> Option<f64> {
         _ => Some(LINE),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Options, Verdict, draw};
+    use epicyclic_train::Gearbox;
+    use epicyclic_train::set::SetSpec;
+
+    fn planets(sun_mesh: f64, ring_mesh: f64) -> SetRadii {
+        let planet = f64::midpoint(sun_mesh, ring_mesh);
+        SetRadii::Planets { sun_mesh, planet, ring_mesh, reach: [sun_mesh, ring_mesh] }
+    }
+
+    fn plain(gearbox: &Gearbox) -> Layout {
+        match draw(gearbox, Options::default()) {
+            Verdict::Drawable(layout) => *layout,
+            Verdict::SelfCrossing(_) => unreachable!("it can be drawn"),
+        }
+    }
+
+    /// Scheme I with radii 1, 2 and 3, by hand: the sun on the axis asks for a scale of 0.45, the planet for 0.35. The ring's
+    /// web is 0.45 high and the brake in it 0.75.
+    #[test]
+    fn the_least_heights_of_one_set() {
+        let gearbox = crate::samples::scheme_one();
+        let (layout, scale) = plain(&gearbox).to_scale(&[planets(1.0, 3.0)], |least| least).unwrap();
+        let set = layout.sets[0];
+        assert!((scale - SEAT).abs() < 1e-9, "{scale}");
+        assert_eq!(
+            [set.sun, set.sun_mesh, set.planet, set.ring_mesh],
+            [0.0, scale, 2.0 * scale, 3.0 * scale]
+        );
+        assert!((set.ring - (3.0 * scale + SEAT)).abs() < 1e-9, "{set:?}");
+        assert!((layout.housing.from.y - (set.ring + BRAKE)).abs() < 1e-9, "{layout:?}");
+        assert_eq!(layout.crossings(), []);
+        // A larger scale is taken as it is, a smaller one is not.
+        let chosen = |wanted| plain(&gearbox).to_scale(&[planets(1.0, 3.0)], |_| wanted).unwrap().1;
+        assert_eq!([chosen(2.0), chosen(0.1)], [2.0, scale]);
+    }
+
+    /// Carriers on one level line with pins at different heights get a web between them, and nothing crosses.
+    #[test]
+    fn a_web_joins_pins_at_different_heights() {
+        let gearbox = Gearbox::builder("one carrier")
+            .links(["D", "B", "T1", "T2"])
+            .set(SetSpec::simple("1", ["T1", "D", "T2"], 2.5))
+            .set(SetSpec::simple("2", ["T1", "B", "T2"], 2.5))
+            .brake("K1", "T1")
+            .brake("K2", "T2")
+            .input("D")
+            .output("B")
+            .build()
+            .unwrap();
+        let flat = plain(&gearbox);
+        assert_eq!(flat.sets[0].planet, flat.sets[1].planet);
+        let (layout, scale) = flat.to_scale(&[planets(1.0, 3.0), planets(2.0, 4.0)], |least| least).unwrap();
+        assert_eq!(layout.crossings(), []);
+        let pins = layout.sets.iter().map(|stack| stack.planet);
+        assert_eq!(pins.collect::<Vec<_>>(), [2.0 * scale, 3.0 * scale]);
+        let carrier = layout.links.iter().find(|shape| shape.link == layout.sets[0].members[2]).unwrap();
+        let joins = |s: &Segment| s.from.x == s.to.x && s.from.y <= 2.0 * scale && 3.0 * scale <= s.to.y;
+        assert!(carrier.segments.iter().any(joins), "{carrier:?}");
+    }
+
+    /// A set around another one, as drawings with sets at any heights may have it, and with smaller gears.
+    #[test]
+    fn a_smaller_set_around_a_larger_one_is_refused() {
+        let mut layout = plain(&crate::samples::scheme_one());
+        let first = layout.sets[0];
+        let up = |y: f64| y + layout.housing.from.y;
+        layout.sets.push(SetStack {
+            set: 1,
+            sun: up(first.sun),
+            sun_mesh: up(first.sun_mesh),
+            planet: up(first.planet),
+            ring_mesh: up(first.ring_mesh),
+            ring: up(first.ring),
+            ..first
+        });
+        let refused = layout.to_scale(&[planets(1.0, 3.0), planets(2.0, 4.0)], |least| least);
+        assert_eq!(refused.unwrap_err(), NotToScale { sets: [0, 1] });
+    }
+}

@@ -4,11 +4,14 @@
 
 mod common;
 
-use common::{catalogue, check, examples, gears, in_service, layout, sized};
+use common::{catalogue, check, crossed, examples, gears, in_service, layout, met, sized};
 use epicyclic_drawing::{Scene, Shape};
-use epicyclic_layout::Layout;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_layout as drawability;
+use epicyclic_layout::{Layout, Verdict};
 use epicyclic_pictures::gearbox::Error;
 use epicyclic_pictures::gearbox::scheme::{Options, Scale, Show, UP_MM, scene, to_scale};
+use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_train::Gearbox;
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::set::{SetKind, SetSpec};
@@ -66,16 +69,46 @@ fn nothing_crosses_and_no_label_meets_anything() {
     }
 }
 
+/// All structures of two sets that can be drawn, with input and output on one side or two.
+#[test]
+fn no_two_set_structure_crosses_to_scale() {
+    let eta = MeshEfficiency::new(0.97).unwrap();
+    let mut drawn = 0;
+    for structure in Structure::all() {
+        let gearbox = structure.gearbox([2.15, 3.1], eta, [Role::D, Role::B]).unwrap();
+        for same_side in [false, true] {
+            let how = drawability::Options { same_side, attempts: 20 };
+            let Verdict::Drawable(layout) = drawability::draw(&gearbox, how) else { continue };
+            drawn += 1;
+            let (layout, scale) = to_scale(&gearbox, &layout, &[]).unwrap();
+            assert_eq!(layout.crossings(), [], "{structure} {same_side}");
+            for (stack, k) in layout.sets.iter().zip([2.15, 3.1]) {
+                near(stack.ring_mesh / stack.sun_mesh, k, gearbox.name());
+            }
+            let options = Options { scale: Some(scale), ..Options::default() };
+            let scene = scene(&gearbox, &layout, Show::Structure, &options).unwrap();
+            assert_eq!(met(&scene), [""; 0], "{structure} {same_side}");
+            assert_eq!(crossed(&scene), [""; 0], "{structure} {same_side}");
+        }
+    }
+    assert!(drawn > 100, "{drawn}");
+}
+
 /// Of sets with a sun and a ring both heights are as their radii, and between sets with teeth and one module as the teeth.
 #[test]
 fn heights_are_as_radii() {
-    let (mut compared, mut between) = (0, 0);
+    let (mut compared, mut between, mut left_out) = (0, 0, vec![]);
     for (gearbox, bearings) in all() {
         let (layout, _) = scaled(&gearbox, &bearings);
         let mut suns = vec![];
         for (set, stack) in gearbox.drawn_sets().iter().zip(&layout.sets) {
             let name = gearbox.name();
             let size = set.basic_ratio(&gearbox).abs();
+            // A disc of 40 teeth in a ring of 41 hardly orbits; the picture says that it is not to scale.
+            if set.kind == SetKind::Simple && 0.5 * (size - 1.0) < size / 32.0 {
+                left_out.push(gearbox.sets()[set.set].id().to_owned());
+                continue;
+            }
             if matches!(set.kind, SetKind::Simple | SetKind::DoublePlanet) {
                 near(stack.ring_mesh / stack.sun_mesh, size, name);
                 compared += 1;
@@ -97,6 +130,7 @@ fn heights_are_as_radii() {
         }
     }
     assert!(compared > 60 && between > 20, "{compared} {between}");
+    assert!(left_out.iter().all(|id| id == "reducer") && left_out.len() == 2, "{left_out:?}");
 }
 
 /// Radii of a stepped set: sun 20 and planet 30 have their axes at 25 modules, the step 18 reaches a ring of (50 + 18)/2.
@@ -113,7 +147,7 @@ fn a_stepped_planet_has_both_its_radii() {
 }
 
 /// Both suns and the ring of a Ravigneaux set stand in the proportion of their teeth, the rings of a Wolfrom drive as the
-/// common pin leaves them: 33 modules, 50 to the first ring, 16 + ... to the second.
+/// common pin leaves them.
 #[test]
 fn gears_of_one_set_keep_their_proportion() {
     let of = |name: &str| all().find(|(gearbox, _)| gearbox.name() == name).unwrap().0;

@@ -180,8 +180,8 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     }
 }
 
-/// The distance `l` of a trough's centre from the axis, beside the trough that is nearest to the left. Of a centre too far away
-/// the line ends before it, without an arrowhead.
+/// The distance `l` of a trough's centre from the axis: of one on the left above the drawing, else of one above to the left of it, else
+/// along its own ray. Of a centre too far away the line ends before it, without an arrowhead.
 fn trough_distance(
     sheet: &mut Sheet,
     layer: LayerId,
@@ -191,24 +191,30 @@ fn trough_distance(
     numbers: &mut Vec<(Point, String)>,
 ) {
     let lobes = motor.numbers().stator_lobes();
-    let theta = PI / f64::from(lobes);
-    // Odd numbers of lobes have a trough at 180°, even ones two beside it: that above.
-    let ray = theta * f64::from(lobes - 1 + lobes % 2);
     let unit = sheet.unit;
-    // Above a ray to the left; as far outside of the drawing as the distance of the crests is.
-    let aside = ray - FRAC_PI_2;
-    let y = outer + FIRST * unit;
+    // Troughs stand at odd multiples of π/N.
+    let (ray, is_beside) = match lobes % 4 {
+        1 | 3 => (PI, true),
+        2 => (FRAC_PI_2, true),
+        _ => (PI - PI / f64::from(lobes), false),
+    };
+    let aside = if lobes % 2 == 1 { FRAC_PI_2 } else { PI };
+    let y = if is_beside { outer + FIRST * unit } else { 0.0 };
     let at = |along: f64, off: f64| Point::polar(Point::polar(Point::default(), along, ray), off, aside);
     let is_near = l <= REACH * outer;
     let end = if is_near { l } else { 1.25 * outer };
-    sheet.line(layer, at(0.0, 0.0), at(0.0, y + 1.2 * unit));
-    if is_near {
+    if is_beside {
+        sheet.line(layer, at(0.0, 0.0), at(0.0, y + 1.2 * unit));
+    }
+    if is_near && is_beside {
         sheet.line(layer, at(l, 0.0), at(l, y + 1.2 * unit));
-        arrow(sheet, layer, at(l, y), ray);
     }
     sheet.line(layer, at(0.0, y), at(end, y));
     arrow(sheet, layer, at(0.0, y), ray + PI);
-    numbers.push((at(0.5 * end, y), format!("l = {}", number(l))));
+    if is_near {
+        arrow(sheet, layer, at(l, y), ray);
+    }
+    numbers.push((at(if is_beside { 0.5 * end } else { end }, y), format!("l = {}", number(l))));
 }
 
 /// A circle of several equal ones with its number outside: at the first that has room for it.

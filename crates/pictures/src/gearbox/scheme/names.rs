@@ -1,6 +1,6 @@
 //! Names: shift elements, members, links.
 
-use super::signs::{BESIDE_MM, MESH_MM, RIM_MM};
+use super::signs::{BESIDE_MM, MESH_MM, PLANET_PIN_MM, RIM_MM};
 use super::{SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use crate::gearbox::place::{Places, beside};
 use epicyclic_drawing::{Bounds, Point, Shape};
@@ -165,6 +165,12 @@ impl Sheet<'_> {
             let name = self.gearbox.link_name(shape.link).to_owned();
             let (mut points, wishes): (Vec<Point>, Vec<Point>) =
                 wishes(shape, &name, |place| self.at(place)).into_iter().unzip();
+            // Of a carrier that lies within its planets' bearings the pins' ends are seen.
+            let carried = self.layout.sets.iter().filter(|stack| stack.members[2] == shape.link);
+            for stack in carried {
+                let pin = self.at(Place { x: stack.x, y: stack.planet });
+                points.extend([-1.0, 1.0].map(|side| Point::new(pin.x + side * PLANET_PIN_MM, pin.y)));
+            }
             points.dedup();
             self.put(places, &name, &points, &wishes);
         }

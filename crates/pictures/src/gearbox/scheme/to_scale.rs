@@ -285,8 +285,10 @@ impl Sizes {
             own.map(over).fold(1.0, f64::max)
         };
         let most = (0..sets).filter_map(|set| Some(roots[set]? * largest(set))).reduce(f64::max);
+        // Sets without radii say nothing of theirs.
+        let has_radii = |place: usize| drawn[place].kind.is_pair() || !all[place].planets.is_empty();
         let places = |is: &dyn Fn(usize) -> bool| -> Vec<usize> {
-            (0..drawn.len()).filter(|&place| is(drawn[place].set)).collect()
+            (0..drawn.len()).filter(|&place| has_radii(place) && is(drawn[place].set)).collect()
         };
         let mut notes = vec![];
         let lent = places(&|set| is_in_mm && known[set].is_none() && roots[set].is_some());
@@ -301,9 +303,8 @@ impl Sizes {
         }
         let unknown = places(&|set| roots[set].is_none());
         if !unknown.is_empty() && sets > 1 {
-            let what = if most.is_some() { "as the largest of the others" } else { "in each" };
-            notes
-                .push(format!("{}: size not given, the largest gear drawn as large {what}", named(&unknown)));
+            let size = if most.is_some() { "as large as that of the others" } else { "equally large" };
+            notes.push(format!("{}: only k given, the largest gear drawn {size}", named(&unknown)));
         }
         if !is_in_mm && most.is_some() && sets - roots.iter().filter(|root| root.is_none()).count() > 1 {
             notes.push("all modules taken as equal".into());
