@@ -20,6 +20,7 @@ const DRAWN: &[(&str, &str)] = &[
     ("i-speeds.svg", "draw I --k1 3 --gear 1 --view speeds"),
     ("ii-3.svg", "draw II-3"),
     ("ii-3-speeds.svg", "draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --view speeds"),
+    ("ii-3-levers.svg", "draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --view levers"),
     ("iii-1.svg", "draw III-1"),
     ("sized-to-scale.svg", "draw examples/sized-gearbox.yaml --to-scale"),
     ("self-crossing-levers.svg", "draw examples/self-crossing.yaml --gear one --view levers"),

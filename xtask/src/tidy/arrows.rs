@@ -5,6 +5,7 @@ use super::{Breach, source::Source};
 /// Crates by folder, and the folders of those that each may depend on.
 pub const ARROWS: &[(&str, &[&str])] = &[
     ("gears", &[]),
+    ("strength", &["gears"]),
     ("train", &["gears"]),
     ("layout", &["train"]),
     ("schemes", &["train", "gears"]),

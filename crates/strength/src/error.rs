@@ -1,0 +1,167 @@
+//! What the crate refuses.
+
+use crate::symbol::Symbol;
+
+epicyclic_gears::words! {
+    /// A quantity that an error refuses; displays as in messages, `face width`.
+    Quantity {
+        Module "module"
+        FaceWidth "face width"
+        Torque "torque of the mesh"
+        Speed "speed"
+        Life "required life"
+        Contacts "contacts of a tooth per revolution"
+        FlankRoughness "roughness Rz of the flank"
+        RootRoughness "roughness Rz of the root"
+        Viscosity "viscosity of the oil at 40 °C"
+        ContactLimit "contact stress limit σ_Hlim"
+        RootLimit "root stress limit σ_Flim"
+        Strength "yield or tensile strength of the material"
+        Hardness "Brinell hardness"
+        YoungsModulus "Young's modulus"
+        PoissonRatio "Poisson's ratio"
+        Density "density"
+        Rim "rim thickness over tooth height"
+        RingRim "rim thickness over module"
+        ContactRatio "contact ratio of the virtual gears ε_αn"
+        TransverseContactRatio "transverse contact ratio ε_α"
+        TotalContactRatio "total contact ratio ε_γ"
+        NotchParameter "notch parameter q_s"
+        ShaperTeeth "teeth of the shaper"
+        ShaperShift "profile shift coefficient of the shaper"
+        StressRatio "stress ratio R"
+        MeanStressSensitivity "mean stress sensitivity M"
+        LongLifeFactor "life factor at 10¹⁰ cycles"
+        BlankFactor "gear blank factor C_R"
+        PitchDeviation "base pitch deviation f_pb"
+        ProfileDeviation "profile form deviation f_fα"
+        TipRelief "tip relief C_a"
+        Bore "inside diameter of a rim"
+        RingOutside "outside diameter of the ring"
+        Planets "number of planets"
+        Share "share of time"
+        RequiredSafety "required safety"
+        LoadRating "basic dynamic load rating"
+        FatigueLoadLimit "fatigue load limit"
+        BearingLoad "load of the bearing"
+        ViscosityRatio "viscosity ratio κ"
+        Contamination "contamination factor e_C"
+        LifeModification "life modification factor a_ISO"
+        MeanDiameter "mean diameter of the bearing"
+        Friction "coefficient of friction"
+        Power "power of the mesh"
+    }
+}
+
+/// An input that describes no gear, no load or no duty, or one outside what the standard holds for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A quantity that must be finite and above 0.
+    #[error("{quantity} is {}; it must be finite and above 0", with_unit(*value, unit))]
+    NotPositive {
+        /// Its name.
+        quantity: Quantity,
+        /// The value given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A quantity that must be finite and not below 0.
+    #[error("{quantity} is {}; it must be finite and not below 0", with_unit(*value, unit))]
+    Negative {
+        /// Its name.
+        quantity: Quantity,
+        /// The value given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A quantity outside its range.
+    #[error("{quantity} is {}; it must lie between {low} and {}", with_unit(*value, unit), with_unit(*high, unit))]
+    OutOfRange {
+        /// Its name.
+        quantity: Quantity,
+        /// The value given.
+        value: f64,
+        /// The least allowed.
+        low: f64,
+        /// The greatest allowed.
+        high: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A quantity that must be above a limit.
+    #[error("{quantity} is {}; it must be above {}", with_unit(*value, unit), with_unit(*low, unit))]
+    NotAbove {
+        /// Its name.
+        quantity: Quantity,
+        /// The value given.
+        value: f64,
+        /// What it must exceed.
+        low: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A factor given that is no factor.
+    #[error("factor {symbol} is given as {value}; it must be finite and above 0")]
+    GivenFactor {
+        /// Its symbol.
+        symbol: Symbol,
+        /// The value given.
+        value: f64,
+    },
+    /// A factor that is neither given nor can be calculated from what is given.
+    #[error("factor {symbol} is not given and cannot be calculated: {because}")]
+    MissingFactor {
+        /// Its symbol.
+        symbol: Symbol,
+        /// What would be needed.
+        because: &'static str,
+    },
+    /// A tool that gives the gear no root of the standard's form.
+    #[error("no root section of {teeth} teeth: {because}")]
+    NoRootSection {
+        /// Teeth of the gear.
+        teeth: u32,
+        /// What is wrong.
+        because: &'static str,
+    },
+    /// Shares of a duty that are not the whole time.
+    #[error("the shares of the duty sum to {sum}; they must sum to 1")]
+    Shares {
+        /// Their sum.
+        sum: f64,
+    },
+    /// A duty without load.
+    #[error("the duty has no step with a torque and a speed; at least one is needed")]
+    IdleDuty,
+    /// A fault of the gears' geometry.
+    #[error(transparent)]
+    Gears(#[from] epicyclic_gears::Error),
+}
+
+impl Error {
+    /// Name of the fault, which does not change with the message: `not-positive`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NotPositive { .. } => "not-positive",
+            Self::Negative { .. } => "negative",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::NotAbove { .. } => "not-above",
+            Self::GivenFactor { .. } => "given-factor",
+            Self::MissingFactor { .. } => "missing-factor",
+            Self::NoRootSection { .. } => "no-root-section",
+            Self::Shares { .. } => "shares",
+            Self::IdleDuty => "idle-duty",
+            Self::Gears(error) => error.name(),
+        }
+    }
+}
+
+/// A value and its unit, if it has one; without the rounding of binary fractions, 50 µm for 49.99999999999999 µm.
+fn with_unit(value: f64, unit: &str) -> String {
+    let shown = format!("{value:.11e}").parse().unwrap_or(value);
+    if unit.is_empty() { shown.to_string() } else { format!("{shown} {unit}") }
+}

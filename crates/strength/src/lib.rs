@@ -1,0 +1,49 @@
+//! Strength of cylindrical gears by ISO 6336, load spectra, modified bearing life, losses of a mesh.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`rating`] | stresses, limits and safeties of a mesh under one load, and against an overload |
+//! | [`mesh`] | a mesh, its load, how to calculate |
+//! | [`planets`] | the loads of both meshes of a simple set |
+//! | [`spectrum`] | damage, safety and life over a duty, by Miner's rule |
+//! | [`factor`] | a factor with its symbol and where its value comes from; factors given |
+//! | [`load`] | `K_γ`, `K_v`, `K_Fβ`, `K_Hα`, `K_Fα` |
+//! | [`contact`] | factors of contact stress and its limit |
+//! | [`root`] | the critical section of a root, factors of root stress and its limit |
+//! | [`life`] | stress limits over the number of cycles |
+//! | [`material`] | classes of materials, a small table |
+//! | [`bearing`] | modified rating life by ISO 281 |
+//! | [`loss`] | loss of a mesh by sliding |
+//!
+//! Method B, external and internal gears, spur and helical. Editions are named in every answer ([`factor::Edition`]); each factor tells the clause or formula
+//! it follows, or that it was given. `K_A`, `K_Hβ` and material limits are given. A factor whose formula was not available is given too, and the crate refuses
+//! to go on without it: nothing is put in its place.
+//!
+//! Geometry comes from [`epicyclic_gears::involute`]. Left out: scuffing, micropitting, flank fracture, contact under load (`K_Hβ` from deformations), bevel gears,
+//! grinding notches, protuberance.
+//!
+//! # Example
+//!
+//! See `examples/spur_pair.rs`.
+
+pub mod bearing;
+pub mod contact;
+pub mod error;
+pub mod factor;
+pub mod life;
+pub mod load;
+pub mod loss;
+pub mod material;
+pub mod mesh;
+pub mod planets;
+mod prepared;
+pub mod rating;
+pub mod root;
+pub mod spectrum;
+mod symbol;
+mod tolerance;
+mod units;
+
+pub use error::{Error, Quantity};

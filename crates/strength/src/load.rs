@@ -1,0 +1,426 @@
+//! Load factors: what raises the tangential force of a tooth above its nominal value.
+//!
+//! `K_A` and `K_Hβ` are given. `K_γ` is given or follows from the number of planets by a named table. `K_v`, `K_Hα` and `K_Fα` are given or
+//! follow by method B from deviations, stiffness and masses; `K_Fβ` is given or follows from `K_Hβ`.
+//!
+//! ```text
+//! K_Fβ = K_Hβ^N_F, N_F = 1/(1 + h/b + (h/b)²)     h the larger tooth height, h/b at most 1/3
+//! q' = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635·x_1 − 0.11654·x_1/z_n1 − 0.00193·x_2 − 0.24188·x_2/z_n2 + 0.00529·x_1² + 0.00182·x_2²
+//! c' = 0.8·C_R·C_B·cos β/q'·E/E_St                 C_B = (1 + 0.5·(1.2 − h_fP))·(1 − 0.02·(20° − α_n)); 1/z_n2 = 0 of an internal gear
+//! c_γα = c'·(0.75·ε_α + 0.25)
+//! m* = π/8·ρ·d_m⁴·(1 − q⁴)/d_b²                    d_m mean of tip and root diameter, q = d_i/d_m
+//! m_red = m*_1·m*_2/(m*_1 + m*_2)                  sun and p planets: m*_s·m*_p/(m*_s + p·m*_p); planet and held ring: m*_p
+//! n_E = 30000/(π·z_1)·√(c_γα/m_red), N = n_1/n_E
+//! B_p = c'·(f_pb − y_p)/w, B_f = c'·(f_fα − y_f)/w, B_k = |1 − c'·C_a/w|        w = F_t·K_A·K_γ/b; B_k = 1 without tip relief
+//! K_v = 1 + N·(C_v1·B_p + C_v2·B_f + C_v3·B_k)     N ≤ 0.85
+//!     = 1 + C_v1·B_p + C_v2·B_f + C_v4·B_k         to N = 1.15
+//!     = C_v5·B_p + C_v6·B_f + C_v7                 from N = 1.5; between, a straight line
+//! K_α = ε_γ/2·(0.9 + 0.4·q), ε_γ ≤ 2;  0.9 + 0.4·√(2·(ε_γ − 1)/ε_γ)·q        q = c_γα·(f_pb − y_α)·b/(F_t·K_A·K_γ·K_v·K_Hβ)
+//! 1 ≤ K_Hα ≤ ε_γ/(ε_α·Z_ε²),  1 ≤ K_Fα ≤ ε_γ/(0.25·ε_α + 0.75)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `w` | line load | N/mm |
+//! | `c'`, `c_γα` | stiffness of one pair of teeth, and of the mesh, per mm of width | N/(mm·µm) |
+//! | `m*`, `m_red` | mass of a gear and of the mesh at the line of action, per mm of width | kg/mm |
+//! | `n_1`, `n_E`, `N` | speed of the first gear relative to the carrier, its resonance, their ratio | rpm |
+//! | `f_pb`, `f_fα` | base pitch deviation, profile form deviation, the larger of both gears | µm |
+//! | `y_p` = `y_α`, `y_f` | running-in allowances | µm |
+//! | `C_a` | tip relief | µm |
+//! | `C_R` | gear blank factor, 1 of solid discs | 1 |
+//!
+//! `K_v` by method B is not offered below 100 N/mm, where the standard reduces the stiffness: there it is given.
+//!
+//! # Source
+//! ISO 6336-1:2006, clauses 6 to 9: formulas (6), (9), (13) to (17), (20) to (22), (73) to (76). `K_γ`: rules of the
+//! American Bureau of Shipping. Tested against the NREL reference wind gearbox: `c'` 12.240/14.053, `m_red` 0.1534/1.4684, `n_E` 5357/993, `K_v` 1.02/1.061,
+//! `K_Fβ` 1.94/1.14.
+
+use crate::factor::{Document, Factor, Reference};
+use crate::material::{Class, Material};
+use crate::units::{kg_m3, mm, mpa, not_negative, positive, radians, um};
+use crate::{Error, Quantity};
+use epicyclic_gears::involute::{InvoluteGear, Pair};
+use std::f64::consts::PI;
+use uom::si::f64::Length;
+
+/// `K_γ` of a number of planets where nothing better is known: to 3 planets 1.0, 4: 1.2, 5: 1.3, 6 and more 1.4.
+///
+/// # Errors
+/// [`Error::NotPositive`] without planets.
+///
+/// # Source
+/// Rules of the American Bureau of Shipping.
+pub fn load_sharing(planets: u32) -> Result<f64, Error> {
+    match planets {
+        0 => Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" }),
+        1..=3 => Ok(1.0),
+        4 => Ok(1.2),
+        5 => Ok(1.3),
+        _ => Ok(1.4),
+    }
+}
+
+/// Which masses swing in a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrangement {
+    /// Two gears.
+    Pair,
+    /// A sun, the first gear, with so many planets.
+    SunAndPlanets(u32),
+    /// A planet, the first gear, in a ring that does not swing.
+    PlanetInRing,
+}
+
+/// What `K_v`, `K_Hα` and `K_Fα` follow from by method B.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dynamics {
+    /// Which masses swing.
+    pub arrangement: Arrangement,
+    /// Base pitch deviations `f_pb` of both gears.
+    pub pitch_deviations: [Length; 2],
+    /// Profile form deviations `f_fα` of both gears.
+    pub profile_deviations: [Length; 2],
+    /// Tip relief `C_a`; none, or of gears coarser than accuracy grade 5, `None`.
+    pub tip_relief: Option<Length>,
+    /// Inside diameters `d_i` of the gears' rims, `None` of solid ones; of a ring its outside diameter.
+    pub rims: [Option<Length>; 2],
+    /// Gear blank factor `C_R`.
+    pub blank_factor: f64,
+}
+
+/// Load factors of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadFactors {
+    /// `K_A`.
+    pub application: Factor,
+    /// `K_γ`.
+    pub sharing: Factor,
+    /// `K_v`.
+    pub dynamic: Factor,
+    /// `K_Hβ`.
+    pub face_contact: Factor,
+    /// `K_Hα`.
+    pub transverse_contact: Factor,
+    /// `K_Fβ`.
+    pub face_root: Factor,
+    /// `K_Fα`.
+    pub transverse_root: Factor,
+}
+
+impl LoadFactors {
+    fn common(&self) -> f64 {
+        self.application.value * self.sharing.value * self.dynamic.value
+    }
+
+    pub(crate) fn contact(&self) -> f64 {
+        (self.common() * self.face_contact.value * self.transverse_contact.value).sqrt()
+    }
+
+    pub(crate) fn root(&self) -> f64 {
+        self.common() * self.face_root.value * self.transverse_root.value
+    }
+}
+
+/// A mesh as its load factors see it.
+pub(crate) struct Swinging<'a> {
+    pub(crate) pair: &'a Pair,
+    pub(crate) module_mm: f64,
+    pub(crate) materials: [&'a Material; 2],
+    pub(crate) transverse: f64,
+    pub(crate) overlap: f64,
+    /// m/s.
+    pub(crate) speed: f64,
+    /// Helix angle at the base cylinder, rad.
+    pub(crate) base_helix: f64,
+}
+
+/// `K_v`, with where its formula stands.
+pub(crate) struct DynamicFactor {
+    pub(crate) value: f64,
+    pub(crate) reference: Reference,
+}
+
+const fn part1(place: &'static str) -> Reference {
+    Reference::new(Document::Iso6336Part1, place)
+}
+
+/// `N_F` of the tooth heights and the face width, mm.
+pub(crate) fn face_exponent(heights: [f64; 2], face_width: f64) -> f64 {
+    let ratio = (heights[0].max(heights[1]) / face_width).min(1.0 / 3.0);
+    1.0 / (1.0 + ratio + ratio * ratio)
+}
+
+/// Running-in allowance of a deviation, µm.
+fn running_in(material: &Material, speed: f64, deviation: f64) -> f64 {
+    let limit = mpa(material.contact_limit);
+    match material.class {
+        Class::Structural | Class::ThroughHardened | Class::NodularPearlitic | Class::Malleable => {
+            let most = most_running_in(speed, 12_800.0 / limit);
+            (160.0 / limit * deviation).min(most)
+        }
+        Class::GreyIron | Class::NodularFerritic => (0.275 * deviation).min(most_running_in(speed, 22.0)),
+        Class::CaseHardened
+        | Class::SurfaceHardened
+        | Class::Nitrided
+        | Class::ThroughHardenedNitrided
+        | Class::Nitrocarburized => (0.075 * deviation).min(3.0),
+    }
+}
+
+fn most_running_in(speed: f64, at_ten: f64) -> f64 {
+    if speed <= 5.0 {
+        f64::INFINITY
+    } else if speed <= 10.0 {
+        at_ten
+    } else {
+        at_ten / 2.0
+    }
+}
+
+impl Swinging<'_> {
+    /// What running-in leaves of a deviation of the mesh, µm.
+    fn left(&self, deviations: [Length; 2], quantity: Quantity) -> Result<f64, Error> {
+        let [first, second] = deviations.map(um);
+        let deviation = not_negative(quantity, first, "µm")?.max(not_negative(quantity, second, "µm")?);
+        let [one, other] = self.materials.map(|material| running_in(material, self.speed, deviation));
+        Ok(deviation - f64::midpoint(one, other))
+    }
+
+    /// `c'`.
+    pub(crate) fn single_stiffness(&self, blank_factor: f64) -> Result<f64, Error> {
+        let blank = positive(Quantity::BlankFactor, blank_factor, "")?;
+        let [first, second] = self.pair.gears();
+        let profile = first.profile();
+        let helix = radians(profile.helix_angle);
+        let narrowing = self.base_helix.cos().powi(2) * helix.cos();
+        let (x1, x2) = (first.shift(), second.shift());
+        let per_z1 = narrowing / first.teeth().as_f64();
+        let per_z2 = if self.pair.is_internal() { 0.0 } else { narrowing / second.teeth().as_f64() };
+        let q = 0.04723 + 0.15551 * per_z1 + 0.25791 * per_z2
+            - 0.00635 * x1
+            - 0.11654 * x1 * per_z1
+            - 0.00193 * x2
+            - 0.24188 * x2 * per_z2
+            + 0.00529 * x1 * x1
+            + 0.00182 * x2 * x2;
+        let rack = |gear: &InvoluteGear| {
+            let rack = &gear.profile().rack;
+            let depth = rack.addendum + rack.clearance;
+            (1.0 + 0.5 * (1.2 - depth)) * (1.0 - 0.02 * (20.0 - radians(rack.pressure_angle).to_degrees()))
+        };
+        let [e1, e2] = self.materials.map(|material| mpa(material.youngs_modulus));
+        let elasticity = 2.0 * e1 * e2 / (e1 + e2) / STEEL;
+        Ok(0.8 * blank * f64::midpoint(rack(first), rack(second)) * helix.cos() / q * elasticity)
+    }
+
+    /// `c_γα`.
+    fn mesh_stiffness(&self, single: f64) -> f64 {
+        single * (0.75 * self.transverse + 0.25)
+    }
+
+    /// `m_red`.
+    fn reduced_mass(&self, dynamics: &Dynamics) -> Result<f64, Error> {
+        let [first, second] = self.pair.gears();
+        let external = |gear: &InvoluteGear, material: &Material, rim: Option<Length>| {
+            let mean = f64::midpoint(gear.tip_diameter(), gear.root_diameter()) * self.module_mm;
+            let bore = rim.map_or(0.0, mm);
+            if !(0.0..mean).contains(&bore) {
+                return Err(Error::OutOfRange {
+                    quantity: Quantity::Bore,
+                    value: bore,
+                    low: 0.0,
+                    high: mean,
+                    unit: "mm",
+                });
+            }
+            let base = gear.base_diameter() * self.module_mm;
+            Ok(PI / 8.0 * kg_m3(material.density) / MM3_IN_M3 * (mean.powi(4) - bore.powi(4)) / (base * base))
+        };
+        let [own, mate] = self.materials;
+        let one = external(first, own, dynamics.rims[0])?;
+        match dynamics.arrangement {
+            Arrangement::PlanetInRing => Ok(one),
+            Arrangement::SunAndPlanets(0) => {
+                Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" })
+            }
+            Arrangement::SunAndPlanets(planets) => {
+                let other = external(second, mate, dynamics.rims[1])?;
+                Ok(one * other / (one + f64::from(planets) * other))
+            }
+            Arrangement::Pair if self.pair.is_internal() => {
+                let mean = f64::midpoint(second.tip_diameter(), second.root_diameter()) * self.module_mm;
+                let outside =
+                    dynamics.rims[1].map(mm).filter(|outside| *outside > mean).ok_or(Error::NotAbove {
+                        quantity: Quantity::RingOutside,
+                        value: dynamics.rims[1].map_or(0.0, mm),
+                        low: mean,
+                        unit: "mm",
+                    })?;
+                let base = second.base_diameter() * self.module_mm;
+                let other = PI / 8.0 * kg_m3(mate.density) / MM3_IN_M3 * (outside.powi(4) - mean.powi(4))
+                    / (base * base);
+                Ok(one * other / (one + other))
+            }
+            Arrangement::Pair => {
+                let other = external(second, mate, dynamics.rims[1])?;
+                Ok(one * other / (one + other))
+            }
+        }
+    }
+
+    /// `N`, of the first gear's speed, rpm, and `c'`.
+    fn resonance_ratio(&self, dynamics: &Dynamics, speed_rpm: f64, single: f64) -> Result<f64, Error> {
+        let stiffness = self.mesh_stiffness(single);
+        let resonance = 30_000.0 / (PI * self.pair.gears()[0].teeth().as_f64())
+            * (stiffness / self.reduced_mass(dynamics)?).sqrt();
+        Ok(speed_rpm / resonance)
+    }
+
+    /// `K_v`, of the first gear's speed, rpm, the line load, N/mm, and `c'`.
+    pub(crate) fn dynamic_factor(
+        &self,
+        dynamics: &Dynamics,
+        speed_rpm: f64,
+        line_load: f64,
+        single: f64,
+    ) -> Result<DynamicFactor, Error> {
+        if line_load.is_nan() || line_load < LEAST_LINE_LOAD {
+            return Err(Error::MissingFactor {
+                symbol: crate::symbol::Symbol::Dynamic,
+                because: "below a line load of 100 N/mm method B is not offered; give it",
+            });
+        }
+        let total = self.transverse + self.overlap;
+        if total <= 1.0 {
+            return Err(Error::NotAbove {
+                quantity: Quantity::TotalContactRatio,
+                value: total,
+                low: 1.0,
+                unit: "",
+            });
+        }
+        let n = self.resonance_ratio(dynamics, speed_rpm, single)?;
+        let b_p = single * self.left(dynamics.pitch_deviations, Quantity::PitchDeviation)? / line_load;
+        let b_f = single * self.left(dynamics.profile_deviations, Quantity::ProfileDeviation)? / line_load;
+        let b_k = match dynamics.tip_relief {
+            Some(relief) => {
+                (1.0 - single * not_negative(Quantity::TipRelief, um(relief), "µm")? / line_load).abs()
+            }
+            None => 1.0,
+        };
+        let c = Constants::of(total);
+        let below = 1.0 + n * (c.v1 * b_p + c.v2 * b_f + c.v3 * b_k);
+        let resonant = 1.0 + c.v1 * b_p + c.v2 * b_f + c.v4 * b_k;
+        let above = c.v5 * b_p + c.v6 * b_f + c.v7;
+        let (value, place) = if n <= 0.85 {
+            (below, "formula (14)")
+        } else if n <= 1.15 {
+            (resonant, "formula (20)")
+        } else if n < 1.5 {
+            (above + (resonant - above) * (1.5 - n) / 0.35, "formula (22)")
+        } else {
+            (above, "formula (21)")
+        };
+        Ok(DynamicFactor { value, reference: part1(place) })
+    }
+
+    /// `K_Hα` and `K_Fα`, of `F_t·K_A·K_γ·K_v·K_Hβ/b`, N/mm, `Z_ε`, and `c'`.
+    pub(crate) fn transverse_factors(
+        &self,
+        dynamics: &Dynamics,
+        load: f64,
+        z_epsilon: f64,
+        single: f64,
+    ) -> Result<[f64; 2], Error> {
+        let stiffness = self.mesh_stiffness(single);
+        let q = stiffness * self.left(dynamics.pitch_deviations, Quantity::PitchDeviation)? / load;
+        let total = self.transverse + self.overlap;
+        let raw = if total <= 2.0 {
+            total / 2.0 * (0.9 + 0.4 * q)
+        } else {
+            0.9 + 0.4 * (2.0 * (total - 1.0) / total).sqrt() * q
+        };
+        let most =
+            [total / (self.transverse * z_epsilon * z_epsilon), total / (0.25 * self.transverse + 0.75)];
+        Ok(most.map(|most| raw.min(most).max(1.0)))
+    }
+}
+
+/// Young's modulus of steel, N/mm².
+const STEEL: f64 = 206_000.0;
+
+const MM3_IN_M3: f64 = 1e9;
+
+/// N/mm.
+const LEAST_LINE_LOAD: f64 = 100.0;
+
+/// `C_v1` to `C_v7`.
+struct Constants {
+    v1: f64,
+    v2: f64,
+    v3: f64,
+    v4: f64,
+    v5: f64,
+    v6: f64,
+    v7: f64,
+}
+
+impl Constants {
+    /// Of a total contact ratio above 1.
+    fn of(total: f64) -> Self {
+        let v7 = if total <= 1.5 {
+            0.75
+        } else if total <= 2.5 {
+            0.125 * (PI * (total - 2.0)).sin() + 0.875
+        } else {
+            1.0
+        };
+        if total <= 2.0 {
+            Self { v1: 0.32, v2: 0.34, v3: 0.23, v4: 0.90, v5: 0.47, v6: 0.47, v7 }
+        } else {
+            Self {
+                v1: 0.32,
+                v2: 0.57 / (total - 0.3),
+                v3: 0.096 / (total - 1.56),
+                v4: (0.57 - 0.05 * total) / (total - 1.44),
+                v5: 0.47,
+                v6: 0.12 / (total - 1.74),
+                v7,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn load_sharing_is_the_table_of_the_rules() {
+        let of = |planets| load_sharing(planets).unwrap();
+        assert_eq!([1, 3, 4, 5, 6, 9].map(of), [1.0, 1.0, 1.2, 1.3, 1.4, 1.4]);
+        assert_eq!(load_sharing(0).unwrap_err().name(), "not-positive");
+    }
+
+    #[test]
+    fn constants_join_where_the_contact_ratio_passes_2() {
+        let [below, above] = [2.0, 2.000_001].map(Constants::of);
+        for (one, other) in
+            [(below.v2, above.v2), (below.v3, above.v3), (below.v4, above.v4), (below.v6, above.v6)]
+        {
+            // The standard's columns are fits: they differ by 5 to 7 hundredths there.
+            assert!((one - other).abs() < 0.07 * one, "{one} {other}");
+        }
+        assert!(
+            (Constants::of(1.500_001).v7 - 0.75).abs() < 1e-5 && (Constants::of(2.5).v7 - 1.0).abs() < 1e-9
+        );
+    }
+
+    #[test]
+    fn wide_faces_hand_the_whole_factor_to_the_root() {
+        assert!((face_exponent([1.0, 0.5], 1e9) - 1.0).abs() < 1e-8);
+        assert_eq!(face_exponent([1.0, 0.5], 1.0), face_exponent([1.0, 0.5], 3.0));
+    }
+}

@@ -1,0 +1,44 @@
+//! Losses of a mesh by sliding of the teeth.
+//!
+//! ```text
+//! P_V = P·H_V·μ_m
+//! H_V = π·|u + 1|/(z_1·|u|·cos β_b)·(1 − ε_α + ε_1² + ε_2²)       u = z_2/z_1, below 0 with an internal gear
+//! ```
+//!
+//! | symbol | argument | meaning | unit |
+//! |---|---|---|---|
+//! | `P` | `power` | rolling power of the mesh: `T·ω` relative to the carrier | W |
+//! | `μ_m` | `friction` | mean coefficient of friction, given: no formula for it could be tested | 1 |
+//! | `ε_1`, `ε_2` | | parts of `ε_α` from the pitch point to the tip of the first and of the second gear; below 0 where the pitch point lies outside the path | 1 |
+//!
+//! # Source
+//! `H_V` after Ohlendorf. Tested against the FZG gear type C (0.1986) and the NREL reference wind gearbox (0.149).
+
+use crate::units::{not_negative, power as in_watts, watts};
+use crate::{Error, Quantity};
+use epicyclic_gears::involute::Pair;
+use std::f64::consts::PI;
+use uom::si::f64::Power;
+
+/// `H_V`.
+#[must_use]
+pub fn loss_factor(pair: &Pair) -> f64 {
+    let [first, second] = pair.gears();
+    let (z1, z2) = (first.teeth().as_f64(), second.teeth().as_f64());
+    let sign = if pair.is_internal() { -1.0 } else { 1.0 };
+    let [from, to] = pair.contact();
+    let pitch_point = pair.working_diameters()[0] / 2.0 * pair.working_angle_rad().sin();
+    let [one, two] = [to - pitch_point, pitch_point - from].map(|part| part / pair.base_pitch());
+    let form = (z2 + sign * z1) / (z1 * z2);
+    let beta_b = first.profile().base_helix_rad();
+    PI * form / beta_b.cos() * (1.0 - (one + two) + one * one + two * two)
+}
+
+/// `P_V`.
+///
+/// # Errors
+/// [`Error::Negative`] for a friction or power below 0 or not finite.
+pub fn power_loss(pair: &Pair, power: Power, friction: f64) -> Result<Power, Error> {
+    let power_w = not_negative(Quantity::Power, watts(power), "W")?;
+    Ok(in_watts(power_w * loss_factor(pair) * not_negative(Quantity::Friction, friction, "")?))
+}

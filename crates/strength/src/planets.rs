@@ -1,0 +1,63 @@
+//! The loads of the two meshes of a simple set.
+//!
+//! ```text
+//! sun–planet   T = T_s/p               n = |n_s − n_H|                contacts p and 1
+//! planet–ring  T = T_s/p·z_p/z_s       n = |n_s − n_H|·z_s/z_p        contacts 1 and p
+//! ```
+//!
+//! | symbol | argument | meaning | unit |
+//! |---|---|---|---|
+//! | `T_s` | `sun_torque` | torque on the sun, without the losses: both meshes then have the same tangential force at the reference circles | N·m |
+//! | `n_s − n_H` | `sun_speed` | speed of the sun relative to the carrier | rpm |
+//! | `p` | `planets` | planets, all alike; what they do not share alike is `K_γ` | 1 |
+//! | `z_s`, `z_p` | `sun`, `planet` | teeth | 1 |
+//!
+//! Each flank of a planet meets once in a revolution: one with the sun, the other with the ring.
+
+use crate::mesh::Load;
+use crate::{Error, Quantity};
+use epicyclic_gears::ToothCount;
+use uom::si::f64::{AngularVelocity, Time, Torque};
+
+/// The loads of the mesh of sun and planet, and of that of planet and ring; torque and speed count without their signs.
+///
+/// # Errors
+/// [`Error::NotPositive`] without planets.
+///
+/// # Example
+/// ```
+/// use epicyclic_gears::ToothCount;
+/// use epicyclic_strength::planets::loads;
+/// use uom::si::angular_velocity::revolution_per_minute;
+/// use uom::si::f64::{AngularVelocity, Time, Torque};
+/// use uom::si::{time::hour, torque::newton_meter};
+///
+/// # fn main() -> Result<(), epicyclic_strength::Error> {
+/// let speed = AngularVelocity::new::<revolution_per_minute>(1200.0);
+/// let [outer, inner] = loads(
+///     Torque::new::<newton_meter>(-300.0), speed, 3, [ToothCount::new(20)?, ToothCount::new(40)?], Time::new::<hour>(1e4),
+/// )?;
+/// assert!((outer.torque.get::<newton_meter>() - 100.0).abs() < 1e-9);
+/// assert!((inner.torque.get::<newton_meter>() - 200.0).abs() < 1e-9);
+/// assert!((inner.speed.get::<revolution_per_minute>() - 600.0).abs() < 1e-9);
+/// # Ok(())
+/// # }
+/// ```
+pub fn loads(
+    sun_torque: Torque,
+    sun_speed: AngularVelocity,
+    planets: u32,
+    [sun, planet]: [ToothCount; 2],
+    life: Time,
+) -> Result<[Load; 2], Error> {
+    if planets == 0 {
+        return Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" });
+    }
+    let each = f64::from(planets);
+    let ratio = planet.as_f64() / sun.as_f64();
+    let (torque, speed) = (sun_torque.abs() / each, sun_speed.abs());
+    Ok([
+        Load { torque, speed, life, contacts: [each, 1.0] },
+        Load { torque: torque * ratio, speed: speed / ratio, life, contacts: [1.0, each] },
+    ])
+}

@@ -1,0 +1,243 @@
+//! Load spectra: damage and safety of a mesh over a duty, by Miner's rule.
+//!
+//! ```text
+//! U = Σ N_i/N_f(σ_i)         N_i = share_i·n_i·L·contacts
+//! S: U(S·σ_i) = 1            life = L/U(σ_i)
+//! ```
+//!
+//! | symbol | argument | meaning | unit |
+//! |---|---|---|---|
+//! | `share_i`, `T_i`, `n_i` | [`Step`] | share of the time, torque of one mesh on the first gear, its speed | 1, N·m, rpm |
+//! | `L` | `life` | required life | h |
+//! | `N_f(σ)` | | cycles after which a stress does its whole damage, from the limit over the cycles | 1 |
+//! | `U` | [`Worn::damage`] | damage; 1 is the end of life | 1 |
+//! | `S` | [`Worn::safety`] | factor of all stresses with which the damage is 1 | 1 |
+//!
+//! Each step has its own load factors and its own `Z_v`; `K_A` is 1 where the duty contains the overloads, and is given as always. A stress above the static limit
+//! ends the life at once; one below the limit at 10¹⁰ cycles does no damage. A step without torque or speed does none.
+//!
+//! # Source
+//! ISO 6336-6:2006: Miner's rule, safety by iteration on the stresses.
+
+use crate::factor::{Edition, Side};
+use crate::life::Line;
+use crate::mesh::{Mesh, Method};
+use crate::prepared::Prepared;
+use crate::units::{hours, n_m, not_negative, positive, rpm, time_from_hours, whole};
+use crate::{Error, Quantity};
+use uom::si::f64::{AngularVelocity, Time, Torque};
+
+/// A step of a duty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Share of the time.
+    pub share: f64,
+    /// Torque of one mesh on the first gear, 0 or more.
+    pub torque: Torque,
+    /// Speed of the first gear relative to the carrier, 0 or more.
+    pub speed: AngularVelocity,
+}
+
+/// What a duty does to a flank or root.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Worn {
+    /// Damage `U` in the required life; ∞ where a stress is above the static limit.
+    pub damage: f64,
+    /// Safety `S`.
+    pub safety: f64,
+    /// Life; `None` where nothing does damage.
+    pub life: Option<Time>,
+}
+
+/// A gear under a duty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GearDuty {
+    /// The flank.
+    pub contact: Worn,
+    /// The root.
+    pub root: Worn,
+}
+
+/// A mesh under a duty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DutyRating {
+    /// Edition of the standard.
+    pub edition: Edition,
+    /// Both gears.
+    pub gears: [GearDuty; 2],
+}
+
+/// A stress, how often it comes, and the limit it is held against.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cycle {
+    stress: f64,
+    cycles: f64,
+    line: Line,
+}
+
+/// Damage, safety and life of both gears over a duty; `contacts` as in [`Load`](crate::mesh::Load). Given `Z_NT` and `Y_NT` are of one number of cycles and not
+/// used here.
+///
+/// # Errors
+/// [`Error::Shares`] where the shares do not sum to 1, [`Error::Negative`] for a share, torque or speed below 0, [`Error::IdleDuty`] without a step that does
+/// anything; those of [`rate`](crate::rating::rate); [`Error::MissingFactor`] for `Y_δrelT,stat` of a class whose formula is not known.
+pub fn rate_duty(
+    mesh: &Mesh,
+    duty: &[Step],
+    life: Time,
+    contacts: [f64; 2],
+    method: &Method,
+) -> Result<DutyRating, Error> {
+    let life_h = positive(Quantity::Life, hours(life), "h")?;
+    let mut sum = 0.0;
+    for step in duty {
+        sum += not_negative(Quantity::Share, step.share, "")?;
+        not_negative(Quantity::Torque, n_m(step.torque), "N·m")?;
+        not_negative(Quantity::Speed, rpm(step.speed), "rpm")?;
+    }
+    whole(sum)?;
+    let prepared = Prepared::new(mesh, method)?;
+    let mut cycles: [[Vec<Cycle>; 2]; 2] = Default::default();
+    for step in duty {
+        let (torque, speed) = (n_m(step.torque), rpm(step.speed));
+        if step.share == 0.0 || torque == 0.0 || speed == 0.0 {
+            continue;
+        }
+        let force = prepared.force(torque);
+        let factors = prepared.load_factors(force, speed, method.given, method.dynamics.as_ref())?;
+        let limits = prepared.limits(prepared.speed(speed))?;
+        for side in Side::BOTH {
+            let index = side as usize;
+            let [contact, root] = prepared.stresses(side, force, &factors);
+            let count = prepared.cycles(side, speed, life_h * step.share, contacts)?;
+            let limit = &limits[index];
+            cycles[index][0].push(Cycle { stress: contact, cycles: count, line: limit.contact_line() });
+            cycles[index][1].push(Cycle { stress: root, cycles: count, line: limit.root_line()? });
+        }
+    }
+    if cycles[0][0].is_empty() {
+        return Err(Error::IdleDuty);
+    }
+    let gears =
+        cycles.map(|[contact, root]| GearDuty { contact: worn(&contact, life_h), root: worn(&root, life_h) });
+    Ok(DutyRating { edition: method.edition, gears })
+}
+
+/// `U` with all stresses times a factor.
+fn damage(cycles: &[Cycle], factor: f64) -> f64 {
+    cycles.iter().map(|cycle| cycle.cycles / cycle.line.cycles(cycle.stress * factor)).sum()
+}
+
+fn worn(cycles: &[Cycle], life_h: f64) -> Worn {
+    let as_it_is = damage(cycles, 1.0);
+    Worn {
+        damage: as_it_is,
+        safety: safety(cycles),
+        life: (as_it_is > 0.0).then(|| time_from_hours(life_h / as_it_is)),
+    }
+}
+
+/// Halvings after which the bracket is as narrow as numbers are.
+const HALVINGS: u32 = 60;
+
+/// The greatest factor with a damage of at most 1. The damage never falls with the factor, so bisection finds it.
+fn safety(cycles: &[Cycle]) -> f64 {
+    // With the factor at which the first stress reaches its static limit, the damage is ∞ just above.
+    let factor_at = |limit: fn(&Line) -> f64| {
+        cycles.iter().map(|cycle| limit(&cycle.line) / cycle.stress).fold(f64::INFINITY, f64::min)
+    };
+    let (mut low, mut high) = (factor_at(Line::last), factor_at(Line::first));
+    if damage(cycles, high) <= 1.0 {
+        return high;
+    }
+    for _ in 0..HALVINGS {
+        let middle = (low * high).sqrt();
+        if damage(cycles, middle) <= 1.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::life::{contact_line, root_line};
+    use crate::material::Class;
+    use proptest::prelude::*;
+
+    fn line() -> Line {
+        root_line(Class::CaseHardened, 0.85).times(900.0, 800.0)
+    }
+
+    /// The second way: time runs in short pieces, each with the stress of its place in a duty that is gone through again and again.
+    fn life_by_running(cycles: &[Cycle], life_h: f64) -> f64 {
+        let total: f64 = cycles.iter().map(|cycle| cycle.cycles).sum();
+        let rounds = 20_000.0;
+        let (mut used, mut hours) = (0.0, 0.0);
+        for cycle in cycles.iter().cycle() {
+            let pieces = 4;
+            for _ in 0..pieces {
+                used += cycle.cycles / rounds / f64::from(pieces) / cycle.line.cycles(cycle.stress);
+                hours += life_h * cycle.cycles / total / rounds / f64::from(pieces);
+                if used >= 1.0 {
+                    return hours;
+                }
+            }
+        }
+        hours
+    }
+
+    #[test]
+    fn the_life_is_the_time_after_which_a_running_duty_has_used_it_up() {
+        let cycles: Vec<Cycle> = [(1500.0, 2e5), (1100.0, 1e6), (760.0, 8e7), (300.0, 1e9)]
+            .map(|(stress, cycles)| Cycle { stress, cycles, line: line() })
+            .to_vec();
+        let life = hours(worn(&cycles, 1000.0).life.unwrap());
+        assert!((life_by_running(&cycles, 1000.0) / life - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn one_step_has_the_safety_of_its_limit() {
+        let cycle = Cycle { stress: 700.0, cycles: 4.2e6, line: line() };
+        let worn = worn(&[cycle], 100.0);
+        assert!((worn.safety - line().at(4.2e6) / 700.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_stress_above_the_static_limit_ends_the_life_and_a_small_one_does_nothing() {
+        let of = |stress| worn(&[Cycle { stress, cycles: 10.0, line: line() }], 100.0);
+        assert_eq!(of(3000.0).damage, f64::INFINITY);
+        assert_eq!(of(3000.0).life.map(hours), Some(0.0));
+        assert_eq!((of(10.0).damage, of(10.0).life), (0.0, None));
+        assert!((of(10.0).safety - 2250.0 / 10.0).abs() < 1e-9);
+    }
+
+    proptest! {
+        /// Where all stresses stand on one straight piece, the power mean of the stresses does the same.
+        #[test]
+        fn on_one_piece_a_power_mean_stands_for_all(
+            stresses in prop::collection::vec(700.0..1200.0_f64, 1..6), each in 1e5..1e6_f64,
+        ) {
+            let line = contact_line(Class::CaseHardened, false, 0.85).times(1400.0, 650.0);
+            let cycles: Vec<Cycle> = stresses.iter().map(|&stress| Cycle { stress, cycles: each, line }).collect();
+            let exponent = (5e7_f64 / 1e5).ln() / (line.at(0.0) / line.at(5e7)).ln();
+            let count = stresses.len() as f64;
+            let mean = (stresses.iter().map(|stress| stress.powf(exponent)).sum::<f64>() / count).powf(1.0 / exponent);
+            let one = Cycle { stress: mean, cycles: each * count, line };
+            prop_assert!((damage(&cycles, 1.0) / damage(&[one], 1.0) - 1.0).abs() < 1e-9);
+        }
+
+        #[test]
+        fn the_safety_is_where_the_damage_is_1(
+            stresses in prop::collection::vec(200.0..1500.0_f64, 1..6), each in 1e4..1e8_f64,
+        ) {
+            let cycles: Vec<Cycle> = stresses.iter().map(|&stress| Cycle { stress, cycles: each, line: line() }).collect();
+            let safety = safety(&cycles);
+            prop_assert!(damage(&cycles, safety * (1.0 - 1e-9)) <= 1.0 + 1e-6);
+            prop_assert!(damage(&cycles, safety * (1.0 + 1e-6)) > 1.0);
+        }
+    }
+}

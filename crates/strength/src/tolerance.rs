@@ -1,0 +1,12 @@
+//! What counts as nothing in this crate.
+//!
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `SAME` | the last step of an iteration, over the value | some units of rounding: Newton's method makes no smaller step |
+//! | `WHOLE` | what the shares of a duty lack of 1 | shares written with nine digits add up to 1 |
+
+/// Newton's method has ended when its step is below this share of the value.
+pub(crate) const SAME: f64 = 1e-13;
+
+/// Shares of time that sum to 1 within this are the whole time.
+pub(crate) const WHOLE: f64 = 1e-9;
