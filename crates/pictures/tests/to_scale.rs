@@ -25,7 +25,7 @@ fn all() -> impl Iterator<Item = (Gearbox, Vec<PlanetBearing>)> {
 
 fn scaled(gearbox: &Gearbox, bearings: &[PlanetBearing]) -> (Layout, Scale) {
     to_scale(gearbox, &layout(gearbox), bearings)
-        .unwrap_or_else(|error| panic!("{}: {error}", gearbox.name()))
+        .unwrap_or_else(|error| unreachable!("{}: {error}", gearbox.name()))
 }
 
 fn words(scene: &Scene) -> Vec<&str> {
