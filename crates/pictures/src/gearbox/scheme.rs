@@ -409,7 +409,7 @@ impl<'a> Sheet<'a> {
         let ends = [0.0, bar.drawn_mm].map(|y| Shape::line([x - 1.0, y], [x + 1.0, y]));
         let upright = Shape::line([x, 0.0], [x, bar.drawn_mm]);
         for line in ends.into_iter().chain([upright]) {
-            self.scene.add_styled(self.layers.axis, style, line);
+            self.scene.add_styled(self.layers.labels, style, line);
         }
         let words = format!("{} mm", bar.length_mm);
         let at = [x + 2.0, 0.5 * bar.drawn_mm];
