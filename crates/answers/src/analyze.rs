@@ -13,6 +13,7 @@
 //! | [`planets`] | the largest speeds of planets and forces on them over all gears |
 //! | [`records`] | records that these answers share |
 //! | [`planet_bearings`] | forces on the planet bearings |
+//! | [`sets`] | the planet sets: teeth, ratios, and whether their planets fit |
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
 //! | [`warnings`] | what the reader should know of a gearbox and of its gears |
 //!
@@ -29,6 +30,7 @@ pub mod planet_bearings;
 pub mod planets;
 pub mod progression;
 pub mod records;
+pub mod sets;
 pub mod shifts;
 pub mod step_torques;
 pub mod warnings;

@@ -75,7 +75,7 @@ fn is_in_order(page: &str) {
     }
 }
 
-/// The size of the letters of each picture on paper, in points: its width there is `1.1·w`, at most a column or the page.
+/// The size of the letters of each picture on paper, in points: its width there is `w`, at most a column or the page.
 fn letters_on_paper(page: &str) -> Vec<f64> {
     let number = |text: &str| text.parse::<f64>().unwrap();
     let after = |text: &str, name: &str| -> String {
@@ -86,7 +86,7 @@ fn letters_on_paper(page: &str) -> Vec<f64> {
         let figure = figure.split_once("</figure>").unwrap().0;
         let width = number(&after(figure, "--w: "));
         let room = if figure.starts_with(" class=\"wide\"") { 186.0 } else { 90.5 };
-        let of_page = (1.1 * width).min(room);
+        let of_page = width.min(room);
         let box_width = number(after(figure, "viewBox=\"").split(' ').nth(2).unwrap());
         let letters =
             figure.split("font-size=\"").skip(1).map(|rest| number(rest.split('"').next().unwrap()));
@@ -216,8 +216,24 @@ fn the_page_of_a_gearbox_has_each_gear() {
     let page = page(&["scheme-ii-3.yaml", "--torque", "500 N·m", "--speed", "1475 rpm"]);
     is_sound(&page);
     let sections = sections(&page);
-    for heading in ["All gears", "Gear slow", "Gear middle", "Gear fast", "Another k", "Sources", "Input"] {
-        assert!(sections.contains(&heading), "{heading}: {sections:?}");
+    assert_eq!(
+        sections,
+        [
+            "Contents",
+            "All gears",
+            "Shifts",
+            "Figures of every gear",
+            "Power flow of the gears",
+            "Speeds of the gears",
+            "Another k",
+            "What is left out",
+            "Sources",
+            "Input"
+        ]
+    );
+    for gear in ["Gear slow: K", "Gear middle: K", "Gear fast: L"] {
+        let captions = page.matches(&format!("<figcaption>{gear}")).count();
+        assert_eq!(captions, 2, "{gear}: the power flow and the speed diagram");
     }
     assert!(page.contains("-1240.9"), "the torque at the output");
     let first = page.split_once("<nav").unwrap().0;
@@ -226,10 +242,56 @@ fn the_page_of_a_gearbox_has_each_gear() {
             && first.contains("-1240.9")
             && first.contains("turns at 2.279 times")
     );
+    assert!(first.contains("Planetary gearbox: 3 ratios, 2 planet sets, 3 shift elements"), "what it is");
+    assert!(first.contains("At the input: 1475 rpm, 500 N·m."), "at which point");
     // The scheme and the levers, the ladder, scheme and speed plan of each gear, and the plots of two rows.
     assert_eq!(page.matches("<svg").count(), 3 + 2 * 3 + 6);
-    // A note once for the tables of all gears together, and once for those of each.
-    assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 2);
+    // A note once for the tables of all gears together.
+    assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 1);
+}
+
+/// A planet that is not said to fit has not been looked at, and the page says why.
+#[test]
+fn the_first_page_has_the_sets_and_whether_their_planets_fit() {
+    let first = |arguments: &[&str]| page(arguments).split_once("<nav").unwrap().0.to_owned();
+    let known = first(&["ravigneaux.yaml"]);
+    assert!(
+        known.contains("sun large_sun 36, sun small_sun 30, ring 72") && known.contains("assemble, clear")
+    );
+    let unknown = first(&["real-transmissions.yaml", "--transmission", "8HP"]);
+    assert!(unknown.contains("sun 48, ring 96, planet 24") && !unknown.contains("assemble, clear"));
+    assert!(unknown.contains("not checked (all sets): the number of planets is not given"));
+    let folder = here();
+    let file = "gearbox: seven of 84\nsets:\n  - { id: P, sun: a, ring: b, carrier: c, teeth: [24, 60], planets: 7 }\n\
+                input: a\noutput: c\nbrakes: [{ id: B, link: b }]\ngears: [{ name: '1', engaged: [B] }]\n";
+    fs::write(folder.path().join("seven.yaml"), file).unwrap();
+    let told = output(folder.path(), &["analyze", "seven.yaml"]);
+    let told = text(&told.stdout);
+    assert!(told.contains("sun 24, ring 60") && told.contains("7  assemble, do not clear"), "{told}");
+    assert!(told.contains("7 planets do not clear each other"), "{told}");
+}
+
+/// A column for each gear, told once; gears without torques have none.
+#[test]
+fn the_figures_of_every_gear_stand_side_by_side() {
+    let page = page(&["real-transmissions.yaml", "--transmission", "8HP", "--efficiency", "97%"]);
+    let figures = page.split_once("Figures of every gear</h2>").unwrap().1.split_once("<h2").unwrap().0;
+    for title in [
+        "Speed of the links over the input",
+        "Torque on the members of the sets",
+        "The part of it that circulates",
+    ] {
+        assert_eq!(figures.matches(title).count(), 1, "{title}");
+    }
+    let table = figures.split_once("Speed of the links").unwrap().1.split_once("</table>").unwrap().0;
+    let gears: Vec<&str> =
+        table.split("<th class=\"number\">").skip(1).filter_map(|rest| rest.split('<').next()).collect();
+    assert_eq!(gears, ["1", "2", "3", "4", "5", "6", "7", "8", "R"]);
+    // 4.7143: the input turns so much faster than the output, which is 0.2121 of it in the first gear.
+    let output = table.split("<td>n_out</td>").nth(1).unwrap();
+    let speeds: Vec<&str> =
+        output.split("<td class=\"number\">").skip(1).filter_map(|rest| rest.split('<').next()).collect();
+    assert_eq!((speeds[0], speeds[8]), ("0.2121", "-0.3035"));
 }
 
 /// A design at the end of the usual range of `k`, or beyond it, is still on its curves.

@@ -42,6 +42,8 @@ pub struct Plot {
     pub marks: Vec<Mark>,
     /// Width and height of the field of the curves in millimetres.
     pub size_mm: [f64; 2],
+    /// Whether what stands around it says the title.
+    pub is_untitled: bool,
 }
 
 /// A curve through points in their order.
@@ -89,6 +91,7 @@ impl Plot {
             curves: vec![],
             marks: vec![],
             size_mm: [130.0, 70.0],
+            is_untitled: false,
         }
     }
 
@@ -110,6 +113,12 @@ impl Plot {
     #[must_use]
     pub fn sized(self, size_mm: [f64; 2]) -> Self {
         Self { size_mm, ..self }
+    }
+
+    /// The same without its title, for a page that says it.
+    #[must_use]
+    pub fn untitled(self) -> Self {
+        Self { is_untitled: true, ..self }
     }
 
     /// The scene. A plot without any point is its empty field.
@@ -223,7 +232,10 @@ impl Field {
             scene.add(grid, Shape::line([0.0, y], [width, y]));
             scene.add(labels, text);
         }
-        scene.add(labels, Text::new([0.5 * width, height + 4.5], 1.2 * LETTERS_MM, plot.title.clone()));
+        if !plot.is_untitled {
+            let title = Text::new([0.5 * width, height + 4.5], 1.2 * LETTERS_MM, plot.title.clone());
+            scene.add(labels, title);
+        }
         scene.add(labels, Text::new([0.5 * width, -8.5], LETTERS_MM, plot.across.clone()));
         let up = Text::new([-widest - 5.0, 0.5 * height], LETTERS_MM, plot.up.clone());
         scene.add(labels, up.turned(std::f64::consts::FRAC_PI_2));

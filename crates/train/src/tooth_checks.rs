@@ -1,4 +1,4 @@
-//! Whether the gears of a set fit: equal centre distances, clearance, assembly, undercut.
+//! Whether the gears of a set fit: equal centre distances, clearance, assembly, undercut, interference.
 //!
 //! Nothing here keeps a gearbox from being analysed, and much of it is met in service on purpose: profile shift, teeth
 //! of other proportions, planets at unequal angles. All is said of gears without profile shift. Lengths are in
@@ -9,6 +9,7 @@
 //! centre distance   2·R/m = z_c ± z_p           + sun, − ring; the same for all central gears of one planet gear
 //! clearance         e > r_a1 + r_a2             e distance of two centres,  r_a = m·(z/2 + h_a*)
 //! undercut          z ≥ 2·h_a*/sin²α            to the nearest whole number, as handbooks have it
+//! interference      planet and ring: the tips miss each other outside the mesh, as in gears::involute::interference
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -50,7 +51,9 @@ use crate::planet_places::{
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::tolerance::{MOST_ALIKE, TOUCH};
 use assembly::slots;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
 use epicyclic_gears::mesh::{Gear, TipCircle};
 use epicyclic_gears::rack::BasicRack;
 use std::f64::consts::{PI, TAU};
@@ -79,6 +82,54 @@ impl Gearbox {
     #[must_use]
     pub fn tooth_checks(&self, rack: &BasicRack) -> Vec<ToothWarning> {
         self.sets.iter().flat_map(|set| Checks::new(set, *rack).all()).collect()
+    }
+}
+
+/// Whether the planets of a set can be put in and clear each other; `None` where their number, teeth or places are not known.
+///
+/// Of gears without profile shift, at equal angles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlanetFit {
+    /// Whether so many planets of each kind can be assembled.
+    pub assembles: Option<bool>,
+    /// Whether tip circles of planets alike, and of those in mesh with each other's neighbours, clear.
+    pub clears: Option<bool>,
+}
+
+impl PlanetSet {
+    /// Teeth of a gear; of the planet of a simple set without planet teeth those that equal centre distances leave it, whole or not.
+    #[must_use]
+    pub fn teeth_or_coaxial(&self, gear: GearOf) -> Option<f64> {
+        teeth_of(self, gear)
+    }
+
+    /// Whether its planets can be put in and clear each other.
+    ///
+    /// ```
+    /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}, tooth_checks::PlanetFit};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let gearbox = Gearbox::builder("five of 96")
+    ///     .links(["sun", "arm"])
+    ///     .set(SetSpec::teeth("P", SetKind::Simple, ["sun", "ground", "arm"], 24, 72)?.planet_count(5))
+    ///     .input("sun")
+    ///     .output("arm")
+    ///     .gear("only", [""; 0])
+    ///     .build()?;
+    /// let fit = gearbox.sets()[0].planet_fit(&Default::default());
+    /// assert_eq!(fit, PlanetFit { assembles: Some(false), clears: Some(true) });
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn planet_fit(&self, rack: &BasicRack) -> PlanetFit {
+        let Some(planets) = self.planet_count().filter(|_| !self.is_pair()) else {
+            return PlanetFit { assembles: None, clears: None };
+        };
+        let checks = Checks::new(self, *rack);
+        PlanetFit {
+            assembles: slots(self).map(|slots| slots.is_multiple_of(u128::from(planets))),
+            clears: checks.do_clear(planets),
+        }
     }
 }
 
@@ -115,6 +166,7 @@ impl<'a> Checks<'a> {
         if !self.set.is_pair() {
             found.extend(self.half_tooth());
             found.extend(self.small_rings());
+            found.extend(self.tips_that_meet());
             found.extend(self.centre_distances());
             found.extend(self.triangles());
             found.extend(self.overlaps());
@@ -152,6 +204,28 @@ impl<'a> Checks<'a> {
                 .then_some(ToothWarning::RingTooSmall { set: self.name(), ring, planet })
         };
         (0..self.set.meshes().len()).filter_map(small).collect()
+    }
+
+    /// Rings with so few teeth more than their planets that the tips meet after they have left the mesh.
+    fn tips_that_meet(&self) -> Vec<ToothWarning> {
+        let meet = |mesh: usize| {
+            if self.set.meshes()[mesh].kind != MeshKind::Internal {
+                return None;
+            }
+            let (central, gear) = central_mesh(self.set, mesh)?;
+            let gears = [self.set.teeth(GearOf::Central(central))?, self.set.teeth(gear)?];
+            let is_free = |ring: ToothCount| trochoidal(ring, gears[1], self.rack).map(|angle| angle >= 0.0);
+            if is_free(gears[0])? {
+                return None;
+            }
+            let more = gears[0].get() + 1..=gears[0].get().saturating_add(MOST_TEETH_MORE);
+            let least = more
+                .filter_map(|teeth| ToothCount::new(teeth).ok())
+                .find(|teeth| is_free(*teeth) == Some(true));
+            let (ring, planet) = (self.named(GearOf::Central(central))?, self.named(gear)?);
+            Some(ToothWarning::TipsMeet { set: self.name(), ring, planet, least: least.map(ToothCount::get) })
+        };
+        (0..self.set.meshes().len()).filter_map(meet).collect()
     }
 
     /// The first central gear of each planet gear against every other.
@@ -254,6 +328,19 @@ impl<'a> Checks<'a> {
     /// Whether this many planets of each kind clear each other, as far as is known.
     fn clears(&self, neighbours: &[Neighbours], planets: u32) -> bool {
         neighbours.iter().all(|one| self.gap(one, planets).is_none_or(|gap| gap > TOUCH))
+    }
+
+    /// The same, `None` where the place or size of any planet is not known.
+    fn do_clear(&self, planets: u32) -> Option<bool> {
+        let all = self.neighbours();
+        if planets > 1 && !self.clears(&all, planets) {
+            return Some(false);
+        }
+        let is_placed =
+            |mesh: usize| planet_mesh(self.set, mesh).is_none() || self.places.pairs[mesh].is_ok();
+        let is_sized = |one: &Neighbours| planets == 1 || self.gap(one, planets).is_some();
+        let is_known = (0..self.set.meshes().len()).all(is_placed) && all.iter().all(is_sized);
+        (is_known && !self.is_bevel()).then_some(true)
     }
 
     fn overlaps(&self) -> Vec<ToothWarning> {
@@ -379,6 +466,20 @@ impl<'a> Checks<'a> {
         // Of two groups half a turn apart, the second group turned back.
         self.gap(&Neighbours { gears: pair.gears, angle_rad: pair.angle_rad - PI, mesh: false }, 2)
     }
+}
+
+/// Teeth more that a ring is tried with until its tips are free.
+const MOST_TEETH_MORE: u32 = 40;
+
+/// Angle of a ring, rad, by which its tips and those of a planet miss each other outside the mesh; `None` of gears that have no involute
+/// there.
+fn trochoidal(ring: ToothCount, planet: ToothCount, rack: BasicRack) -> Option<f64> {
+    // The tips alone decide, so the fillet may be any.
+    let profile = Profile { rack, fillet: 0.0, ..Profile::default() };
+    let planet = InvoluteGear::new(GearKind::External, planet, profile, 0.0).ok()?;
+    let ring = InvoluteGear::new(GearKind::Internal, ring, profile, 0.0).ok()?;
+    let angle = Pair::without_backlash(planet, ring).ok()?.interference()?.trochoidal;
+    (!angle.is_nan()).then_some(angle)
 }
 
 #[cfg(test)]

@@ -4,8 +4,9 @@ mod combinations;
 mod formulas;
 mod gear;
 mod inputs;
-mod overview;
+pub(crate) mod overview;
 mod planet_bearings;
+pub(crate) mod sets;
 mod shared;
 mod shifts;
 

@@ -11,3 +11,6 @@ pub(crate) const CIRCULATES: f64 = 1e-6;
 
 /// A planet that turns slower on its pin, over the input's speed, does not turn.
 pub(crate) const RESTS: f64 = 1e-12;
+
+/// Ratios that differ by less, over their size, are one.
+pub(crate) const SAME_RATIO: f64 = 1e-9;

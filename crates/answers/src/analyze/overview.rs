@@ -4,6 +4,7 @@ use super::elements::{self, InGear};
 use super::planet_bearings::{self, PlanetBearing};
 use super::progression::{self, Deviation, Progression};
 use super::records::{GearFacts, OneWayClutch, one_way_clutches};
+use super::sets::SetFacts;
 use super::shifts::{self, MOST_GEARS, Shift};
 use super::{Input, OperatingPoint, Worked, planets, warnings};
 use crate::gearbox::Subject;
@@ -23,6 +24,8 @@ pub struct Overview {
     pub source: Option<String>,
     /// Whether any of its sets loses power.
     pub has_losses: bool,
+    /// Its planet sets: teeth, ratios, and whether their planets fit.
+    pub sets: Vec<SetFacts>,
     /// Speed and load of the input that were asked for.
     pub operating_point: OperatingPoint,
     /// Its gears. Their `engaged` is the engagement table.
@@ -118,6 +121,7 @@ pub fn answer(
         gearbox: gearbox.name().to_owned(),
         source: subject.source.clone(),
         has_losses: subject.has_losses(),
+        sets: SetFacts::all(subject),
         operating_point: OperatingPoint::of(input),
         progressions,
         shift_elements: elements::OverGears::all(gearbox, &duties),

@@ -77,25 +77,46 @@ impl Places {
         if let Some(middle) = wishes.iter().find(|middle| self.free(label(**middle).bounds())) {
             return self.add(scene, layer, label(*middle));
         }
-        for (steps, may_cross) in [(1..NEAR, false), (1..NEAR, true), (NEAR..FAR, false), (NEAR..FAR, true)] {
-            for step in steps {
+        let size = label(Point::new(0.0, 0.0)).bounds();
+        let directions: [Point; 24] = std::array::from_fn(|turn| {
+            Point::polar(Point::new(0.0, 0.0), 1.0, TAU * (turn as f64 + 0.5) / 24.0)
+        });
+        for steps in [1..NEAR, NEAR..FAR] {
+            // The first place whose leader crosses a line is taken where none without is as near.
+            let mut crossing = None;
+            let mut found = None;
+            'near: for step in steps {
                 let length = 2.0 + 0.5 * f64::from(step);
-                for (turn, at) in (0..24).flat_map(|turn| points.iter().map(move |at| (turn, *at))) {
-                    let angle = TAU * (f64::from(turn) + 0.5) / 24.0;
-                    let middle = Point::polar(at, length, angle);
-                    let bounds = label(middle).bounds();
-                    let end = nearest(bounds, at);
-                    if !self.free(bounds) || !self.leads(at, end, may_cross) {
+                for (direction, at) in directions.iter().flat_map(|to| points.iter().map(move |at| (to, *at)))
+                {
+                    let middle = Point::new(at.x + length * direction.x, at.y + length * direction.y);
+                    let bounds = Bounds {
+                        left: middle.x + size.left,
+                        right: middle.x + size.right,
+                        bottom: middle.y + size.bottom,
+                        top: middle.y + size.top,
+                    };
+                    if !self.free(bounds) {
                         continue;
                     }
-                    let leader = Shape::line(at, end);
-                    // None to a label around its point.
-                    if at != end {
-                        scene.add_styled(layer, LEADER, leader.clone());
-                        self.lines.push((leader.clone(), 0.5 * LEADER.width_mm, leader.bounds()));
+                    let end = nearest(bounds, at);
+                    if self.leads(at, end, false) {
+                        found = Some((middle, at, end));
+                        break 'near;
                     }
-                    return self.add(scene, layer, label(middle));
+                    if crossing.is_none() && self.leads(at, end, true) {
+                        crossing = Some((middle, at, end));
+                    }
                 }
+            }
+            if let Some((middle, at, end)) = found.or(crossing) {
+                // None to a label around its point.
+                if at != end {
+                    let leader = Shape::line(at, end);
+                    scene.add_styled(layer, LEADER, leader.clone());
+                    self.lines.push((leader.clone(), 0.5 * LEADER.width_mm, leader.bounds()));
+                }
+                return self.add(scene, layer, label(middle));
             }
         }
         // Two hundred millimetres of lines without a gap: beside the picture, then.

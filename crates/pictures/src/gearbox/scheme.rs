@@ -86,7 +86,7 @@ pub struct Options {
     pub whole: bool,
     /// Whether the lines of the sets say `k` or teeth.
     pub gearing: bool,
-    /// Without title and sets, for a page that says them itself. What the colours mean stays.
+    /// Without title, sets and what the colours mean, for a page that says them itself.
     pub bare: bool,
     /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without signs stand
     /// closer still.
@@ -160,7 +160,7 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
     Ok(sheet.scene)
 }
 
-/// The same without title and sets, drawn together along the axis to be about so wide, as far as no label then meets anything: for a page.
+/// The same [bare](Options::bare), drawn together along the axis to be about so wide, as far as no label then meets anything: for a page.
 ///
 /// # Errors
 /// Those of [`scene`].
@@ -446,7 +446,12 @@ impl<'a> Sheet<'a> {
                 Shape::Circle { centre: Point::new(bounds.left + 3.5, y), radius: signs::TAKE_OFF_MM };
             self.scene.add_styled(self.layers.links, Style::line(WEB_MM).fill(Color::WHITE), sample);
         }
-        let Some(gear) = self.gear else { return };
+        let is_unknown = self.load.is_some() && self.pieces.iter().any(|piece| piece.power.is_none());
+        const UNKNOWN: &str = "black lines of full width: their power does not follow";
+        if options.bare && is_unknown {
+            write(&mut self.scene, 0.0, UNKNOWN.into());
+        }
+        let Some(gear) = self.gear.filter(|_| !options.bare) else { return };
         let shift_elements =
             gear.gear().engaged().iter().map(|&place| self.gearbox.shift_elements()[place].id());
         let engaged: Vec<&str> = shift_elements.collect();
@@ -473,8 +478,8 @@ impl<'a> Sheet<'a> {
             let y = write(&mut self.scene, 10.0, words);
             line(&mut self.scene, y, Style::line(0.6 * self.entering_mm).color(CIRCULATING));
         }
-        if self.pieces.iter().any(|piece| piece.power.is_none()) {
-            write(&mut self.scene, 0.0, "black lines of full width: their power does not follow".into());
+        if is_unknown {
+            write(&mut self.scene, 0.0, UNKNOWN.into());
         }
     }
 }

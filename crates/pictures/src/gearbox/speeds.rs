@@ -16,6 +16,7 @@ use super::scheme::{known, title};
 use super::words::{self, decimal, width_of, wrapped};
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
 use crate::tolerance::{LEAST_SPEED, ONE_RAY};
+use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Align, Bounds, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 use lines::{Line, SpeedDiagram};
@@ -32,8 +33,12 @@ struct Size {
     rays_mm: [f64; 2],
     /// Length of a label of the speeds, beyond which it goes on in a further line.
     label_mm: f64,
+    /// From the names of the levels to the gears, from there to the axis of velocities at least, and beyond the fastest.
+    gaps_mm: [f64; 3],
     /// From one diagram of a row to the next.
     apart_mm: f64,
+    /// Beside the rays.
+    beside_rays_mm: f64,
     /// Where a row of diagrams ends. The rays stand in the last row, if they have room there.
     row_mm: f64,
     /// Whether the page says what the diagrams are.
@@ -46,20 +51,48 @@ const USUAL: Size = Size {
     fastest_mm: 45.0,
     rays_mm: [75.0, 45.0],
     label_mm: 40.0,
+    gaps_mm: [10.0, 9.0, 5.0],
     apart_mm: 10.0,
+    beside_rays_mm: 6.0,
     row_mm: 310.0,
     is_bare: false,
 };
-/// Part of a page.
-const SMALL: Size = Size {
-    height_mm: 38.0,
-    fastest_mm: 18.0,
-    rays_mm: [22.0, 20.0],
-    label_mm: 34.0,
-    apart_mm: 7.0,
-    row_mm: f64::INFINITY,
-    is_bare: true,
-};
+/// Parts of a page, from the smallest.
+const SMALL: [Size; 3] = [
+    Size {
+        height_mm: 26.0,
+        fastest_mm: 12.0,
+        rays_mm: [20.0, 12.0],
+        label_mm: 34.0,
+        gaps_mm: [7.0, 6.0, 3.0],
+        apart_mm: 3.0,
+        beside_rays_mm: 4.5,
+        row_mm: f64::INFINITY,
+        is_bare: true,
+    },
+    Size {
+        height_mm: 32.0,
+        fastest_mm: 15.0,
+        rays_mm: [20.0, 16.0],
+        label_mm: 34.0,
+        gaps_mm: [8.0, 7.0, 4.0],
+        apart_mm: 4.0,
+        beside_rays_mm: 4.5,
+        row_mm: f64::INFINITY,
+        is_bare: true,
+    },
+    Size {
+        height_mm: 38.0,
+        fastest_mm: 18.0,
+        rays_mm: [22.0, 20.0],
+        label_mm: 34.0,
+        gaps_mm: [10.0, 9.0, 5.0],
+        apart_mm: 7.0,
+        beside_rays_mm: 6.0,
+        row_mm: f64::INFINITY,
+        is_bare: true,
+    },
+];
 /// From the lowest of a row to the top of what stands in the next.
 const ROWS_APART_MM: f64 = 9.0;
 /// The explanations have lines of at least this length.
@@ -83,12 +116,21 @@ pub fn scene(gearbox: &Gearbox, gear: &Analysis, heading: Option<&str>) -> Resul
     Ok(scene)
 }
 
-/// The same smaller, without title and explanations, in rows of about this width: for a page that says them itself.
+/// The same as small as its labels have room, without title and explanations, in rows of about this width: for a page that says them
+/// itself.
 ///
 /// # Errors
 /// Those of [`scene`].
 pub fn narrow(gearbox: &Gearbox, gear: &Analysis, width_mm: f64) -> Result<Scene, Error> {
-    let (scene, _) = drawn(gearbox, gear, None, Size { row_mm: width_mm, ..SMALL })?;
+    let [small, larger, largest] = SMALL.map(|size| Size { row_mm: width_mm, ..size });
+    for size in [small, larger] {
+        let (scene, _) = drawn(gearbox, gear, None, size)?;
+        if overlaps(&scene).is_empty() {
+            scene.check()?;
+            return Ok(scene);
+        }
+    }
+    let (scene, _) = drawn(gearbox, gear, None, largest)?;
     scene.check()?;
     Ok(scene)
 }
@@ -186,10 +228,11 @@ impl Paper<'_> {
         let names: Vec<String> = names.collect();
         let width =
             names.iter().map(|name| Text::new([0.0, 0.0], LETTERS_MM, name).width_mm()).fold(0.0, f64::max);
-        let gears_at = left + width + 10.0;
+        let [names_mm, axis_mm, beyond_mm] = size.gaps_mm;
+        let gears_at = left + width + names_mm;
         let sections = diagram.toothed_gears.iter().map(|gear| gear.0).max().unwrap_or(0);
-        let zero = gears_at + 9.0 + SECTIONS_MM * sections as f64 + back;
-        let far = zero + ahead + 5.0;
+        let zero = gears_at + axis_mm + SECTIONS_MM * sections as f64 + back;
+        let far = zero + ahead + beyond_mm;
 
         scene.add(layers.axes, Shape::line([gears_at - 5.0, base], [far, base]));
         scene.add(layers.axes, Shape::line([zero, base], [zero, base + size.height_mm + 5.0]));
@@ -262,6 +305,7 @@ struct Rays {
     height_mm: f64,
     /// Millimetres to a speed of 1.
     unit_mm: f64,
+    beside_mm: f64,
 }
 
 impl Rays {
@@ -301,7 +345,7 @@ impl Rays {
         let wanted: Vec<f64> = labels.iter().map(|(speed, _)| unit_mm * speeds[*speed].0).collect();
         let places = spread(&wanted, PITCH_MM);
         let speeds = speeds.into_iter().map(|(speed, _, style)| (speed, style)).collect();
-        Self { speeds, labels, longest_mm, places, height_mm, unit_mm }
+        Self { speeds, labels, longest_mm, places, height_mm, unit_mm, beside_mm: size.beside_rays_mm }
     }
 
     /// Ends of the scale, and beyond them of the labels, from the pole.
@@ -316,14 +360,14 @@ impl Rays {
 
     fn width(&self) -> f64 {
         let [_, _, first, last] = self.ends();
-        last - first + 2.0 * 6.0
+        last - first + 2.0 * self.beside_mm
     }
 
     /// Below and to the right of a corner; returns the room that they take.
     fn draw(&self, scene: &mut Scene, layers: &Layers, corner: Point) -> Bounds {
         let scale_y = corner.y - self.longest_mm - 7.0;
         let [least, most, first, _] = self.ends();
-        let pole = Point::new(corner.x + 6.0 - first, scale_y - self.height_mm);
+        let pole = Point::new(corner.x + self.beside_mm - first, scale_y - self.height_mm);
         let ends = [pole.x + least - 4.0, pole.x + most + 4.0];
         scene.add(layers.axes, Shape::line([ends[0], scale_y], [ends[1], scale_y]));
         let mut last = None;

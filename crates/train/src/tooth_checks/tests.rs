@@ -129,6 +129,41 @@ fn every_fault_of_a_simple_set_is_told() {
     );
 }
 
+/// A planet of 40 teeth at 20°: its tips are free in rings of 9 teeth more, not of 8. The condition is tested where it is made.
+#[test]
+fn a_ring_with_few_teeth_more_meets_the_tips_of_its_planet() {
+    let set = |ring| short(SetKind::SteppedRings, 100, ring, &[30, 40]);
+    let words =
+        |set| found(set).into_iter().filter(|word| word.contains("tips of planet")).collect::<Vec<_>>();
+    assert_eq!(
+        words(set(46)),
+        [
+            "set `P`: tips of planet 2 (40 teeth) and ring 2 (46 teeth) meet outside the mesh without profile shift; from 49 teeth of \
+             the ring on they are free"
+        ]
+    );
+    assert_eq!([48, 49].map(|ring| words(set(ring)).len()), [1, 0]);
+}
+
+#[test]
+fn whether_planets_fit_is_said_only_where_it_is_known() {
+    let fit = |set: SetSpec| {
+        let gearbox = start().set(set).build().unwrap();
+        let fit = gearbox.sets()[0].planet_fit(&BasicRack::default());
+        (fit.assembles, fit.clears)
+    };
+    let set = || short(SetKind::Simple, 24, 72, &[]);
+    assert_eq!(fit(set()), (None, None));
+    assert_eq!(fit(set().planet_count(4)), (Some(true), Some(true)));
+    assert_eq!(fit(set().planet_count(7)), (Some(false), Some(false)));
+    assert_eq!(fit(set().planet_count(1)), (Some(true), Some(true)));
+    assert_eq!(fit(SetSpec::simple("P", ["a", "b", "H"], 3.0).planet_count(3)), (None, None));
+    // Planets of which one has no teeth stand nowhere.
+    assert_eq!(fit(short(SetKind::DoublePlanet, 30, 72, &[]).planet_count(3)), (Some(true), None));
+    // Bevel planets have no tip circles round the axis.
+    assert_eq!(fit(short(SetKind::Bevel, 20, 20, &[]).planet_count(2)), (Some(true), None));
+}
+
 #[test]
 fn a_pair_is_only_held_against_undercut() {
     let pair = SetSpec::teeth("F", SetKind::InternalPair, ["a", "b", "ground"], 14, 15).unwrap();

@@ -36,6 +36,17 @@ pub enum ToothWarning {
         /// The planet's gear.
         planet: NamedGear,
     },
+    /// A ring with so few teeth more than the planet in it that their tips meet after they have left the mesh.
+    TipsMeet {
+        /// The set.
+        set: String,
+        /// The ring.
+        ring: NamedGear,
+        /// The planet's gear.
+        planet: NamedGear,
+        /// The fewest teeth of a ring whose tips are free; `None` where none near it are.
+        least: Option<u32>,
+    },
     /// Two central gears that ask one gear of a planet for different radii.
     UnequalCentreDistances {
         /// The set.
@@ -109,6 +120,7 @@ impl ToothWarning {
         match self {
             Self::HalfTooth { set, .. }
             | Self::RingTooSmall { set, .. }
+            | Self::TipsMeet { set, .. }
             | Self::UnequalCentreDistances { set, .. }
             | Self::NoTriangle { set, .. }
             | Self::PlanetsOverlap { set, .. }
@@ -147,6 +159,13 @@ impl fmt::Display for ToothWarning {
             ),
             Self::RingTooSmall { ring, planet, .. } => {
                 write!(f, "{ring} is not larger than the {planet} in it")
+            }
+            Self::TipsMeet { ring, planet, least, .. } => {
+                write!(f, "tips of {planet} and {ring} meet outside the mesh without profile shift")?;
+                match least {
+                    Some(least) => write!(f, "; from {least} teeth of the ring on they are free"),
+                    None => Ok(()),
+                }
             }
             Self::UnequalCentreDistances { planet, centrals: [one, other], distances, .. } => {
                 write!(

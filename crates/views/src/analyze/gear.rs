@@ -3,7 +3,8 @@
 use super::overview::printed;
 use super::planet_bearings;
 use super::shared::{
-    column, engaged, exact, joins, kind, one_way_clutches, quantity, self_locking, state, warnings,
+    column, engaged, exact, joins, kind, kind_in_words, one_way_clutches, quantity, self_locking, state,
+    warnings,
 };
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
@@ -12,7 +13,6 @@ use epicyclic_answers::analyze::gear::{
     Link, Member, Mesh, OneGear, Pattern, Planet, Powers, PowersOfEntering, RollingPower, Set, ShiftElement,
     Terminal, Torques, TorquesAtLoad, TorquesOfInput,
 };
-use epicyclic_answers::analyze::records::Kind;
 use epicyclic_formats::Dimension;
 
 const CASES: &[(&str, &str)] =
@@ -306,21 +306,6 @@ fn runs(direction: RollingPower) -> Figure {
         RollingPower::SecondToFirst => "second to first",
     };
     Figure::choice(direction, words)
-}
-
-fn kind_in_words(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Simple => "simple",
-        Kind::DoublePlanet => "double planet",
-        Kind::SteppedSunRing => "stepped, sun and ring",
-        Kind::SteppedSuns => "stepped, two suns",
-        Kind::SteppedRings => "stepped, two rings",
-        Kind::MeshingSuns => "meshing planets, two suns",
-        Kind::Bevel => "bevel",
-        Kind::ExternalPair => "external pair",
-        Kind::InternalPair => "internal pair",
-        Kind::Compound => "compound",
-    }
 }
 
 /// Torques and powers of every member of every set.

@@ -3,7 +3,7 @@
 use super::shared::{
     column, exact, headed, joins, kind, one_way_clutches, self_locking, state, warnings, yes_no,
 };
-use super::{planet_bearings, shifts};
+use super::{planet_bearings, sets, shifts};
 use crate::AsReport;
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, Report, Text, View};
@@ -11,7 +11,7 @@ use epicyclic_answers::analyze::elements::{self, InGear, SlipAndTorque};
 use epicyclic_answers::analyze::overview::{Gear, Overview};
 use epicyclic_answers::analyze::planets::{self, LargestForce};
 use epicyclic_answers::analyze::progression::Progression;
-use epicyclic_answers::analyze::records::{Published, State};
+use epicyclic_answers::analyze::records::{GearFacts, Published, State};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::trimmed;
@@ -25,12 +25,9 @@ impl AsReport for Overview {
         if !self.shift_elements.is_empty() && !has_marks(self) {
             parts.push(Part::Text(engagement_table(self)));
         }
-        parts.push(Part::Records(gears(self)));
-        let states: Vec<String> =
-            self.gears.iter().filter(|gear| gear.facts.state != State::Driven).map(state_of).collect();
-        if !states.is_empty() {
-            parts.push(Part::Text(Text::list("Gears that are not simply driven", states)));
-        }
+        parts.push(Part::Records(records(self, views(self))));
+        parts.extend(states(self).map(Part::Text));
+        parts.push(Part::Records(sets::records(&self.sets)));
         if !self.shift_elements.is_empty() {
             parts.push(Part::Records(shift_elements(self)));
         }
@@ -56,45 +53,67 @@ fn has_marks(overview: &Overview) -> bool {
     !overview.shift_elements.is_empty() && names.sum::<usize>() <= WIDEST_MARKS
 }
 
-fn gears(overview: &Overview) -> Records {
+/// The tables of the gears.
+fn views(overview: &Overview) -> Vec<View> {
     let mut shown = vec!["gear"];
     shown.extend(has_marks(overview).then_some("mark"));
     // Where all are driven nothing needs saying.
-    if overview.gears.iter().any(|gear| gear.facts.state != State::Driven) {
-        shown.push("state");
-    }
+    shown.extend((!is_driven(overview)).then_some("state"));
     shown.extend(["ratio", "exact_ratio", "step"]);
-    if overview.gears.iter().any(|gear| gear.geometric_deviation.is_some()) {
+    if has_deviations(overview) {
         shown.extend(["geometric_deviation", "progressive_deviation"]);
     }
     let mut views =
         vec![View { note: progression_note(&overview.progressions), ..View::new("Gears", &shown) }];
-    if overview.gears.iter().any(|gear| gear.facts.published.is_some()) {
-        views.push(View::new("Published ratios", &["gear", "published", "computed", "agrees", "remark"]));
-    }
-    views.push(View {
-        note: note(overview),
-        ..View::new(
-            "Losses, and speeds over the input's",
-            &[
-                "gear",
-                "efficiency",
-                "back_driving_efficiency",
-                "self_locking",
-                "circulating_of_entering",
-                "largest_speed_of_input",
-                "largest_planet_speed_of_input",
-            ],
-        )
-    });
+    views.extend(published(overview));
+    let losses = [&["gear", "efficiency"][..], LOSSES].concat();
+    views.push(View { note: note(overview), ..View::new("Losses, and speeds over the input's", &losses) });
     let at = &overview.operating_point;
-    if at.speed_rad_s.is_some() || at.torque_n_m.is_some() || at.power_w.is_some() {
+    if at.speed_rad_s.is_some() || is_loaded(overview) {
         views.push(View::new("Output", &["gear", "output_speed", "output_torque"]));
     }
-    // Of one gear the table of shift elements says all.
+    views.extend(of_elements(overview));
+    views
+}
+
+/// What the gears lose, and the largest speeds in them.
+const LOSSES: &[&str] = &[
+    "back_driving_efficiency",
+    "self_locking",
+    "circulating_of_entering",
+    "largest_speed_of_input",
+    "largest_planet_speed_of_input",
+];
+
+fn is_driven(overview: &Overview) -> bool {
+    overview.gears.iter().all(|gear| gear.facts.state == State::Driven)
+}
+
+fn is_loaded(overview: &Overview) -> bool {
+    let at = &overview.operating_point;
+    at.torque_n_m.is_some() || at.power_w.is_some()
+}
+
+fn has_deviations(overview: &Overview) -> bool {
+    overview.gears.iter().any(|gear| gear.geometric_deviation.is_some())
+}
+
+fn published(overview: &Overview) -> Option<View> {
+    let has_published = overview.gears.iter().any(|gear| gear.facts.published.is_some());
+    has_published
+        .then(|| View::new("Published ratios", &["gear", "published", "computed", "agrees", "remark"]))
+}
+
+/// Of one gear the table of shift elements says all.
+fn of_elements(overview: &Overview) -> Vec<View> {
     if overview.gears.len() > 1 && !overview.shift_elements.is_empty() {
-        views.extend(over_gears(overview));
+        over_gears(overview).into()
+    } else {
+        vec![]
     }
+}
+
+fn records(overview: &Overview, views: Vec<View>) -> Records {
     Records {
         name: "gears",
         columns: columns().into_iter().chain(element_columns(overview)).collect(),
@@ -102,6 +121,78 @@ fn gears(overview: &Overview) -> Records {
         views,
         is_answer: true,
     }
+}
+
+/// Gears that are not simply driven, each with its state.
+fn states(overview: &Overview) -> Option<Text> {
+    let gears = overview.gears.iter().filter(|gear| gear.facts.state != State::Driven);
+    let states: Vec<String> = gears.map(state_of).collect();
+    (!states.is_empty()).then(|| Text::list("Gears that are not simply driven", states))
+}
+
+/// The first table of a page: what each gear engages, its ratio, step and efficiency, and what the output does.
+pub(crate) fn in_short(overview: &Overview) -> Records {
+    let at = &overview.operating_point;
+    let has_output = at.speed_rad_s.is_some() || is_loaded(overview);
+    let gears = || overview.gears.iter().map(|gear| &gear.facts);
+    let ends = |gear: &GearFacts| [gear.input.clone(), gear.output.clone()];
+    let is_shared = gears().all(|gear| gears().next().map(ends) == Some(ends(gear)));
+    let columns = [
+        ("gear", true),
+        ("mark", has_marks(overview)),
+        ("engaged", !overview.shift_elements.is_empty() && !has_marks(overview)),
+        ("input", !is_shared),
+        ("output", !is_shared),
+        ("state", !is_driven(overview)),
+        ("ratio", true),
+        ("exact_ratio", !has_output && is_shared),
+        ("step", gears().len() > 1),
+        ("efficiency", overview.has_losses),
+        ("output_speed", at.speed_rad_s.is_some()),
+        ("output_torque", is_loaded(overview)),
+    ];
+    let shown: Vec<&'static str> =
+        columns.into_iter().filter_map(|(name, is_shown)| is_shown.then_some(name)).collect();
+    let mut note = String::from("i: input speed over output speed.");
+    if has_output {
+        note += " rpm, N·m: of the output.";
+    }
+    records(overview, vec![View { note, ..View::new("Gears", &shown) }])
+}
+
+/// The chapter of all gears on a page: what the page says first is left out, and what the figures of each gear say again; with
+/// `shifts` where no other chapter has them.
+pub(crate) fn chapter(overview: &Overview, shifts: bool) -> Vec<Part> {
+    let is_told = |name: &&str| in_short(overview).views.iter().any(|view| view.columns.contains(name));
+    let mut shown = vec!["gear"];
+    shown.extend(["exact_ratio"].iter().filter(|name| !is_told(name)));
+    if has_deviations(overview) {
+        shown.extend(["geometric_deviation", "progressive_deviation"]);
+    }
+    shown.extend(LOSSES);
+    let notes = [progression_note(&overview.progressions), note(overview)];
+    let notes: Vec<String> = notes.into_iter().filter(|note| !note.is_empty()).collect();
+    let title = "Progression, losses, and speeds over the input's";
+    let mut views = vec![View { note: notes.join(" "), ..View::new(title, &shown) }];
+    views.extend(published(overview));
+    views.extend(of_elements(overview));
+    let mut parts = vec![Part::Records(records(overview, views))];
+    parts.extend(states(overview).map(Part::Text));
+    if !overview.shift_elements.is_empty() {
+        parts.push(Part::Records(shift_elements(overview)));
+    }
+    if shifts && !overview.shifts.is_empty() {
+        parts.push(Part::Records(shifts::records(&overview.shifts, "Shifts between neighbouring gears")));
+    }
+    if !overview.one_way_clutches.is_empty() {
+        parts.push(Part::Records(one_way_clutches(&overview.one_way_clutches, false)));
+    }
+    if overview.planets.iter().any(|one| one.largest_force.is_some()) {
+        parts.extend(planets(overview).map(Part::Records));
+    }
+    let bearings = planet_bearings::records(&overview.planet_bearings, &overview.operating_point, false);
+    parts.extend(bearings.map(Part::Records));
+    parts
 }
 
 /// Torque and slip of the shift elements gear by gear.
@@ -121,7 +212,11 @@ fn over_gears(overview: &Overview) -> [View; 2] {
     };
     let view = |title, what, note: &str| View { note: note.to_owned(), ..View::new(title, &["gear", what]) };
     [
-        view(torques, torque, "With losses, on the first link of those that are engaged."),
+        view(
+            torques,
+            torque,
+            "With losses, on the first link of those that are engaged; of a brake the reaction of the housing on it.",
+        ),
         view(slips, slip, "Of those that are open: speed of the first link less that of the second."),
     ]
 }

@@ -3,7 +3,7 @@
 use crate::figure::Figure;
 use crate::report::{Column, Records, View};
 use epicyclic_answers::Warning;
-use epicyclic_answers::analyze::records::{Duty, OneWayClutch, SelfLocking, ShiftElementKind, State};
+use epicyclic_answers::analyze::records::{Duty, Kind, OneWayClutch, SelfLocking, ShiftElementKind, State};
 use epicyclic_answers::shared::Fraction;
 use epicyclic_formats::Dimension;
 
@@ -70,6 +70,22 @@ pub(crate) fn kind(kind: ShiftElementKind) -> Figure {
         ShiftElementKind::OneWayClutch => "one-way clutch",
     };
     Figure::choice(kind, words)
+}
+
+/// How a set is made, in words.
+pub(super) fn kind_in_words(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Simple => "simple",
+        Kind::DoublePlanet => "double planet",
+        Kind::SteppedSunRing => "stepped, sun and ring",
+        Kind::SteppedSuns => "stepped, two suns",
+        Kind::SteppedRings => "stepped, two rings",
+        Kind::MeshingSuns => "meshing planets, two suns",
+        Kind::Bevel => "bevel",
+        Kind::ExternalPair => "external pair",
+        Kind::InternalPair => "internal pair",
+        Kind::Compound => "compound",
+    }
 }
 
 /// Whether a shift element is engaged.

@@ -1,7 +1,7 @@
 //! The page of a comparison: the figures of the gearboxes side by side, and the scheme of each.
 
 use super::paper::PICTURE_MM;
-use super::sheet::{Block, Section, Sheet};
+use super::sheet::{Arrangement, Block, Section, Sheet};
 use crate::{AsReport as _, Error, Report};
 use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::compare::page::Drawn;
@@ -35,6 +35,7 @@ pub fn sheet(answer: &Comparison, drawn: &[Drawn<'_>], input: String) -> Result<
         title: "Gearboxes side by side".to_owned(),
         about: names.join("; "),
         answer: first,
+        arrangement: Arrangement::Columns,
         objections,
         sections,
         input,

@@ -1,7 +1,7 @@
 //! The page of a planetary drive.
 
 use super::paper::PLOT_MM;
-use super::sheet::{Block, Section, Sheet};
+use super::sheet::{Arrangement, Block, Section, Sheet};
 use crate::figure::Figure;
 use crate::quantities::{optional, quantity};
 use crate::report::{Part, Row, Section as Facts};
@@ -62,6 +62,7 @@ pub fn sheet(report: &DriveReport, file: String) -> Result<Sheet, Error> {
         title: drive.title.clone().unwrap_or_else(|| "Planetary drive".to_owned()),
         about,
         answer: vec![in_short(drive), drawing],
+        arrangement: Arrangement::Columns,
         objections: drive.warnings.iter().map(|warning| warning.message.clone()).collect(),
         sections: vec![
             Section::new(

@@ -1,14 +1,19 @@
 //! The page of a gearbox: all gears, each gear in full, and what another `k` would change.
 
-use super::paper::{PICTURE_MM, PLOT_MM};
-use super::sheet::{Block, Section, Sheet};
+use super::paper::{PICTURE_MM, SMALL_PLOT_MM};
+use super::sheet::{Arrangement, Block, Section, Sheet};
+use super::side_by_side;
+use crate::analyze::{overview, sets};
 use crate::figure::Figure;
-use crate::report::{Part, Records, View};
-use crate::tolerance::{CIRCULATES, LEVEL, RESTS};
+use crate::report::{Part, Records};
+use crate::tolerance::{CIRCULATES, LEVEL, RESTS, SAME_RATIO};
 use crate::{AsReport, Error, Report, drawability};
+use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::overview::Overview;
-use epicyclic_answers::analyze::records::State;
+use epicyclic_answers::analyze::records::{Kind, State};
+use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_answers::report::gearbox::{GearOverK, GearboxReport, OverK, Shown};
+use epicyclic_formats::Dimension;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
@@ -27,35 +32,29 @@ const FURTHER: f64 = 1.25;
 /// [`Error::Picture`] for a gearbox that cannot be drawn.
 pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<Sheet, Error> {
     let overview = &report.overview;
-    let mut all = Report { warnings: None, ..overview.report() };
-    let mut answer: Vec<Block> = gears_in_short(overview).into_iter().collect();
+    let mut answer = vec![Block::Answer(of_records(overview::in_short(overview)))];
     answer.extend(scheme_of(shown)?);
-    // What the page has said in short is not said again.
-    all.title = None;
-    let mut chapter = vec![Block::Answer(all)];
+    answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
+    answer.push(Block::words(operating_point(overview)));
+    let has_shifts = report.shifts.as_ref().is_some_and(|shifts| !shifts.shifts.is_empty());
+    let parts = overview::chapter(overview, !has_shifts);
+    let mut chapter = vec![Block::Answer(Report { parts, ..Report::default() })];
     if overview.gears.iter().any(|gear| gear.facts.ratio.is_some()) {
         let ladder = picture(ladder::bare(shown.gearbox, &shown.gears))?;
         chapter.push(Block::picture(ladder, "Ratios of all gears on a logarithmic scale, with their steps."));
     }
-    chapter.push(Block::picture(
-        picture(levers::bare(shown.gearbox, None))?,
-        "Lever diagram: each set is a lever, the speeds of its links lie on a line across it. The numbers are distances along it; 1 is \
-         from the carrier to the second central gear of its first set.",
-    ));
-    let mut sections = vec![Section::new("All gears", chapter).wide_last()];
-    if let Some(shifts) = report.shifts.as_ref().filter(|shifts| !shifts.shifts.is_empty()) {
-        let shifts = untold(shifts.report(), overview);
-        sections.push(Section::new("Shifts", vec![Block::Answer(shifts)]).wide_last());
+    let mut sections = vec![Section::new("All gears", chapter).arranged(Arrangement::WideLast)];
+    if let Some(shifts) = report.shifts.as_ref().filter(|_| has_shifts) {
+        let shifts = Block::Answer(untold(shifts.report(), overview));
+        sections.push(Section::new("Shifts", vec![shifts]).arranged(Arrangement::Rows));
     }
-    let mut gears: Vec<Report> = report.gears.iter().map(|gear| untold(gear.report(), overview)).collect();
-    sections.push(notes_of(&mut gears));
-    for (place, (gear, answer)) in report.gears.iter().zip(gears).enumerate() {
-        let mut blocks = of_gear(shown, place)?;
-        blocks.insert(blocks.len().min(1), Block::Answer(answer));
-        sections.push(Section::new(format!("Gear {}", gear.gear.gear), blocks).wide_last());
-    }
+    let mut figures = vec![Block::Answer(side_by_side::report(&report.gears))];
+    figures.extend(report.gears.iter().filter_map(patterns));
+    sections.push(Section::new("Figures of every gear", figures).arranged(Arrangement::Rows));
+    sections.extend(drawings(report, shown)?);
     if !report.over_k.is_empty() {
-        sections.push(Section::new("Another k", over_k(&report.over_k)?));
+        let plots = over_k(&report.over_k)?;
+        sections.push(Section::new("Another k", plots).arranged(Arrangement::Rows));
     }
     let left_out = [
         "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes.",
@@ -67,20 +66,95 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
                   its rolling power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
     let sources = overview.source.clone().into_iter().chain([theory.to_owned()]).collect();
     sections.push(Section::new("Sources", vec![Block::List(sources)]));
-    let count = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     Ok(Sheet {
         title: overview.gearbox.clone(),
-        about: format!(
-            "Planetary gearbox with {}, {} and {}",
-            count(report.sets.len(), "set"),
-            count(overview.shift_elements.len(), "shift element"),
-            count(overview.gears.len(), "gear")
-        ),
+        about: about(overview),
         answer,
+        arrangement: Arrangement::Rows,
         objections: objections(report),
         sections,
         input: file,
     })
+}
+
+/// What the machine is: `Planetary gearbox: 4 ratios and 1 reversed, 2 planet sets, 5 shift elements`.
+fn about(overview: &Overview) -> String {
+    let count = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let mut ratios: Vec<f64> = overview.gears.iter().filter_map(|gear| gear.facts.ratio).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.dedup_by(|one, other| (*one - *other).abs() <= SAME_RATIO * other.abs());
+    let reversed = ratios.iter().filter(|ratio| **ratio < 0.0).count();
+    let ratios = match (ratios.len() - reversed, reversed) {
+        (0, 0) => count(overview.gears.len(), "gear"),
+        (0, reversed) => format!("{}, the output against the input", count(reversed, "ratio")),
+        (ahead, 0) => count(ahead, "ratio"),
+        (ahead, reversed) => format!("{} and {reversed} reversed", count(ahead, "ratio")),
+    };
+    let sets = match &overview.sets[..] {
+        [only] if only.kind == Kind::Compound => "one compound planet set".to_owned(),
+        sets => count(sets.len(), "planet set"),
+    };
+    let elements = match overview.shift_elements.len() {
+        0 => "no shift elements".to_owned(),
+        elements => count(elements, "shift element"),
+    };
+    format!("Planetary gearbox: {ratios}, {sets}, {elements}")
+}
+
+/// What is known of the input.
+fn operating_point(overview: &Overview) -> String {
+    let at = &overview.operating_point;
+    let of = |si: Option<f64>, dimension| Some(Figure::Quantity { si: si?, dimension }.table());
+    let known = [
+        of(at.speed_rad_s, Dimension::AngularSpeed),
+        of(at.torque_n_m, Dimension::Torque),
+        of(at.power_w, Dimension::Power),
+    ];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    if known.is_empty() {
+        "No speed or load of the input is given: speeds, torques and powers are over the input's.".to_owned()
+    } else {
+        format!("At the input: {}.", known.join(", "))
+    }
+}
+
+/// A gear in a line: `Gear 2: B2, FWD; i = 1.4667 = 22/15, η = 0.9774`.
+fn in_words(gear: &OneGear) -> String {
+    let facts = &gear.gear;
+    let engaged = match &facts.engaged[..] {
+        [] => String::new(),
+        engaged => format!("{}; ", engaged.join(", ")),
+    };
+    let mut all = vec![];
+    if let Some(ratio) = facts.ratio {
+        let exact = facts.exact_ratio.map_or_else(String::new, |exact| format!(" = {exact}"));
+        all.push(format!("i = {}{exact}", Figure::Multiple(ratio).table()));
+    }
+    if let Some(efficiency) = facts.efficiency.filter(|_| gear.has_losses) {
+        all.push(format!("η = {}", Figure::Multiple(efficiency).table()));
+    }
+    if facts.state != State::Driven {
+        all.push(state_in_words(facts));
+    }
+    format!("Gear {}: {engaged}{}", facts.gear, all.join(", "))
+}
+
+/// The sign patterns of the losses of a gear that has several.
+fn patterns(gear: &OneGear) -> Option<Block> {
+    let parts = gear.report().parts.into_iter();
+    let mut found = parts.filter_map(|part| match part {
+        Part::Records(records) if records.name == "patterns" => Some(records),
+        _ => None,
+    });
+    let mut records = found.next_back()?;
+    for view in &mut records.views {
+        view.title = format!("Gear {}: {}", gear.gear.gear, view.title);
+    }
+    Some(Block::Answer(of_records(records)))
+}
+
+fn of_records(records: Records) -> Report {
+    Report { parts: vec![Part::Records(records)], ..Report::default() }
 }
 
 /// The same without the warnings of a kind that the first page tells for all gears.
@@ -90,36 +164,6 @@ fn untold(mut report: Report, overview: &Overview) -> Report {
         warnings.retain(|(name, _)| !is_told(name));
     }
     report
-}
-
-/// The gears in one table: engaged shift elements, ratios, steps, efficiencies, and what the output does.
-fn gears_in_short(overview: &Overview) -> Option<Block> {
-    let records = overview.report().parts.into_iter().find_map(|part| match part {
-        Part::Records(records) if records.name == "gears" => Some(records),
-        _ => None,
-    })?;
-    let at = &overview.operating_point;
-    let is_loaded = at.torque_n_m.is_some() || at.power_w.is_some();
-    let is_driven = overview.gears.iter().all(|gear| gear.facts.state == State::Driven);
-    let columns = [
-        ("gear", true),
-        ("engaged", true),
-        ("state", !is_driven),
-        ("ratio", true),
-        ("step", true),
-        ("efficiency", overview.has_losses),
-        ("output_speed", at.speed_rad_s.is_some()),
-        ("output_torque", is_loaded),
-    ];
-    let columns: Vec<&'static str> =
-        columns.into_iter().filter_map(|(name, is_shown)| is_shown.then_some(name)).collect();
-    let mut note = String::from("i: input speed over output speed.");
-    if is_loaded || at.speed_rad_s.is_some() {
-        note += " rpm, N·m: of the output.";
-    }
-    let view = View { note, ..View::new("Gears", &columns) };
-    let parts = vec![Part::Records(Records { views: vec![view], ..records })];
-    Some(Block::Answer(Report { parts, ..Report::default() }))
 }
 
 /// What there is to object to: that it cannot be drawn, what the answers warn of, power that circulates.
@@ -151,25 +195,14 @@ fn objections(report: &GearboxReport) -> Vec<String> {
     all
 }
 
-/// What the drawings of a gear show.
-const DRAWINGS: [&str; 2] = [
-    "Drawings: a and b are the first and the second central gear of a set (its sun and ring), g and f its planets, H its carrier, each \
-     with the number of the set.",
-    "Speed diagram (Kutzbach): velocities over the radius, radii over that of the first central gear of the set; from a pole the rays \
-     parallel to these lines, at their ends the speeds over the input's.",
-];
+/// What the schemes of the gears show.
+const SCHEMES: &str = "Red: engaged. Grey: at rest. Blue: power as width of lines, with losses, the input's being that of the input shaft; orange: what \
+                       of it circulates. a and b are the first and the second central gear of a set (its sun and ring), g and f its planets, H its \
+                       carrier, each with the number of the set.";
 
-/// What the drawings show, and the notes below the tables of all gears, each once; the tables keep none.
-fn notes_of(gears: &mut [Report]) -> Section {
-    let mut notes: Vec<String> = DRAWINGS.map(str::to_owned).to_vec();
-    for (title, note) in gears.iter_mut().flat_map(Report::take_notes) {
-        let note = format!("{title}: {note}");
-        if !notes.contains(&note) {
-            notes.push(note);
-        }
-    }
-    Section::new("How to read drawings and tables of a gear", vec![Block::List(notes)])
-}
+/// What the speed diagrams show.
+const DIAGRAMS: &str = "Speed diagrams (Kutzbach): velocities over the radius, radii over that of the first central gear of the set; from a pole the rays \
+                        parallel to these lines, at their ends the speeds over the input's.";
 
 /// The scheme.
 fn scheme_of(shown: &Shown<'_>) -> Result<Option<Block>, Error> {
@@ -178,24 +211,34 @@ fn scheme_of(shown: &Shown<'_>) -> Result<Option<Block>, Error> {
     Ok(Some(Block::picture(picture(scene)?, "Kinematic scheme, the half above the axis.")))
 }
 
-/// Pictures of one gear, so far as its speeds and powers follow.
-fn of_gear(shown: &Shown<'_>, place: usize) -> Result<Vec<Block>, Error> {
-    let Some(gear) = shown.gears.get(place) else { return Ok(vec![]) };
+/// Schemes and speed diagrams of the gears, so far as their speeds and powers follow.
+fn drawings(report: &GearboxReport, shown: &Shown<'_>) -> Result<Vec<Section>, Error> {
     let (gearbox, [column_mm, page_mm]) = (shown.gearbox, PICTURE_MM);
-    let drawn = shown.layout.as_deref().and_then(|layout| {
-        let power = scheme::narrow(gearbox, layout, Show::Power(gear), column_mm);
-        let power =
-            power.map(|scene| (scene, "Power through links and meshes as width of lines, with losses."));
-        let engaged = || {
-            let scene = scheme::narrow(gearbox, layout, Show::Gear(gear), column_mm);
-            scene.map(|scene| (scene, "Shift elements engaged, and links at rest."))
-        };
-        known(power).or_else(|| known(engaged()))
-    });
-    let plan = known(speeds::narrow(gearbox, gear, page_mm));
-    let plan = plan.map(|scene| scene.map(|scene| (scene, "Speed diagram.")));
-    let all = drawn.into_iter().chain(plan);
-    all.map(|drawn| drawn.map(|(scene, caption)| Block::picture(scene, caption))).collect()
+    let (mut schemes, mut diagrams) = (vec![], vec![]);
+    diagrams.push(Block::picture(
+        picture(levers::bare(gearbox, None))?,
+        "Lever diagram: each set is a lever, the speeds of its links lie on a line across it. The numbers are distances along it; 1 is \
+         from the carrier to the second central gear of its first set.",
+    ));
+    for (gear, words) in shown.gears.iter().zip(report.gears.iter().map(in_words)) {
+        let scheme = shown.layout.as_deref().and_then(|layout| {
+            let drawn = |show| known(scheme::narrow(gearbox, layout, show, column_mm));
+            drawn(Show::Power(gear)).or_else(|| drawn(Show::Gear(gear)))
+        });
+        if let Some(scheme) = scheme {
+            schemes.push(Block::picture(scheme?, words.clone()));
+        }
+        if let Some(diagram) = known(speeds::narrow(gearbox, gear, page_mm)) {
+            diagrams.push(Block::picture(diagram?, words));
+        }
+    }
+    let section = |heading, words, mut blocks: Vec<Block>| {
+        blocks.insert(0, Block::words(words));
+        Section::new(heading, blocks).arranged(Arrangement::Rows)
+    };
+    let all = [("Power flow of the gears", SCHEMES, schemes), ("Speeds of the gears", DIAGRAMS, diagrams)];
+    let drawn = all.into_iter().filter(|(_, _, blocks)| !blocks.is_empty());
+    Ok(drawn.map(|(heading, words, blocks)| section(heading, words, blocks)).collect())
 }
 
 /// Nothing where a gear does not say what a picture needs; every other fault is one.
@@ -227,11 +270,11 @@ fn over_k(sets: &[OverK]) -> Result<Vec<Block>, Error> {
         let plots = [
             ("Ratio", "ratio i", ratios),
             ("Efficiency", "efficiency η", if set.has_losses { efficiencies } else { vec![] }),
-            ("Planet", "planet relative to its carrier, × input", planets),
+            ("Planet", "planet, × input", planets),
         ];
         for (title, up, curves) in plots.into_iter().filter(|(_, _, curves)| !curves.is_empty()) {
             let title = format!("{title} over k of set {}", set.set);
-            let plot = Plot::new(&title, &across, up).sized(PLOT_MM);
+            let plot = Plot::new(&title, &across, up).sized(SMALL_PLOT_MM).untitled();
             let plot = curves.into_iter().fold(plot, Plot::with).mark("this gearbox", set.own_k);
             let scene = plot.scene().map_err(epicyclic_pictures::Error::from)?;
             blocks.push(Block::picture(scene, format!("{title}.")));

@@ -1,7 +1,7 @@
 //! The page of a hydromotor.
 
 use super::paper::PLOT_MM;
-use super::sheet::{Block, Section, Sheet};
+use super::sheet::{Arrangement, Block, Section, Sheet};
 use crate::figure::{Figure, text};
 use crate::quantities::quantity;
 use crate::report::{Part, Row, Section as Facts};
@@ -57,6 +57,7 @@ pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result
         title: title.clone().unwrap_or_else(|| about.clone()),
         about,
         answer: vec![in_short(answer), drawing],
+        arrangement: Arrangement::Columns,
         objections: answer.warnings.iter().map(|warning| warning.message.clone()).collect(),
         sections: vec![
             Section::new("Drawings", drawings),

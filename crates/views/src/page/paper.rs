@@ -11,3 +11,6 @@ pub(crate) const PICTURE_MM: [f64; 2] = [103.0, 220.0];
 
 /// Width and height of the field of a plot, two of which stand side by side.
 pub(crate) const PLOT_MM: [f64; 2] = [80.0, 44.0];
+
+/// The same of which three stand side by side.
+pub(crate) const SMALL_PLOT_MM: [f64; 2] = [50.0, 34.0];

@@ -1,7 +1,7 @@
 //! The page of the choice of a gearbox: the best, why it is, the others, those rejected.
 
 use super::paper::PICTURE_MM;
-use super::sheet::{Block, Section, Sheet};
+use super::sheet::{Arrangement, Block, Section, Sheet};
 use crate::report::Part;
 use crate::select::{in_short, unmet};
 use crate::{AsReport as _, Error, Report};
@@ -56,6 +56,7 @@ fn page(
         title,
         about: report.title.unwrap_or_default(),
         answer,
+        arrangement: Arrangement::Columns,
         objections: best.map(unmet).unwrap_or_default(),
         sections: vec![
             Section::new(

@@ -16,6 +16,8 @@ pub struct Sheet {
     pub about: String,
     /// The answer in short, on the first page.
     pub answer: Vec<Block>,
+    /// How that is arranged.
+    pub arrangement: Arrangement,
     /// What there is to object to, below the answer.
     pub objections: Vec<String>,
     /// In their order.
@@ -31,29 +33,31 @@ pub struct Section {
     pub heading: String,
     /// What stands in it.
     pub blocks: Vec<Block>,
-    /// In which order.
-    pub order: Order,
+    /// How that is arranged.
+    pub arrangement: Arrangement,
 }
 
-/// The order of what stands in two columns.
+/// How what stands in a section is arranged where there is room for more than one beside each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Order {
-    /// As given.
-    AsGiven,
-    /// What goes across both columns after the rest, so that it leaves no gaps in them.
+pub enum Arrangement {
+    /// In two columns, as given.
+    Columns,
+    /// In two columns, and what goes across both after the rest, so that it leaves no gaps in them.
     WideLast,
+    /// In rows, as many beside each other as have room.
+    Rows,
 }
 
 impl Section {
-    /// A heading and what stands below it, in the order given.
+    /// A heading and what stands below it, in two columns in the order given.
     pub fn new(heading: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self { heading: heading.into(), blocks, order: Order::AsGiven }
+        Self { heading: heading.into(), blocks, arrangement: Arrangement::Columns }
     }
 
-    /// The same with what goes across both columns after the rest.
+    /// The same arranged otherwise.
     #[must_use]
-    pub fn wide_last(self) -> Self {
-        Self { order: Order::WideLast, ..self }
+    pub fn arranged(self, arrangement: Arrangement) -> Self {
+        Self { arrangement, ..self }
     }
 }
 
@@ -99,8 +103,8 @@ impl Sheet {
     /// # Errors
     /// [`Error::Picture`] for a picture that cannot be written.
     pub fn html(&self, imprint: &Imprint) -> Result<String, Error> {
-        let answer = columns(&self.answer, Order::AsGiven)?;
-        let sections = self.sections.iter().map(|section| columns(&section.blocks, section.order));
+        let answer = arranged(&self.answer, self.arrangement)?;
+        let sections = self.sections.iter().map(|section| arranged(&section.blocks, section.arrangement));
         let sections = sections.collect::<Result<Vec<Markup>, Error>>()?;
         let name = |place: usize| format!("section-{}", place + 1);
         let page = html! {
@@ -165,14 +169,24 @@ impl Sheet {
     }
 }
 
-/// Blocks in two columns where there is room for two; what is too wide for one goes across both.
-fn columns(blocks: &[Block], order: Order) -> Result<Markup, Error> {
-    let blocks = blocks.iter().map(Block::pieces).collect::<Result<Vec<_>, _>>()?;
-    let mut pieces: Vec<Piece> = blocks.into_iter().flatten().collect();
-    if order == Order::WideLast {
+/// Blocks beside each other where there is room; in two columns, what is too wide for one goes across both.
+fn arranged(blocks: &[Block], arrangement: Arrangement) -> Result<Markup, Error> {
+    // Words before rows belong to the heading: between the rows a page may end.
+    let is_lead = |block: &&Block| arrangement == Arrangement::Rows && matches!(block, Block::Words(_));
+    let (lead, blocks) = blocks.split_at(blocks.iter().take_while(is_lead).count());
+    let pieces = |blocks: &[Block]| -> Result<Vec<Piece>, Error> {
+        let pieces = blocks.iter().map(Block::pieces).collect::<Result<Vec<_>, _>>()?;
+        Ok(pieces.into_iter().flatten().collect())
+    };
+    let (lead, mut pieces) = (pieces(lead)?, pieces(blocks)?);
+    if arrangement == Arrangement::WideLast {
         pieces.sort_by_key(|piece| piece.is_wide);
     }
-    Ok(html! { div.columns { @for piece in pieces { (piece.html) } } })
+    let class = if arrangement == Arrangement::Rows { "rows" } else { "columns" };
+    Ok(html! {
+        @for piece in lead { (piece.html) }
+        div class=(class) { @for piece in pieces { (piece.html) } }
+    })
 }
 
 impl Block {
@@ -219,6 +233,7 @@ mod tests {
             title: "A <b>".to_owned(),
             about: "test".to_owned(),
             answer: vec![Block::words("42")],
+            arrangement: Arrangement::Columns,
             objections: vec!["too <fast>".to_owned()],
             sections,
             input: "gearbox: <script>\n".to_owned(),

@@ -1,7 +1,7 @@
 //! The page of a search for gearboxes: what was searched, the solutions, the best of them as schemes.
 
 use super::paper::PICTURE_MM;
-use super::sheet::{Block, Section, Sheet};
+use super::sheet::{Arrangement, Block, Section, Sheet};
 use crate::figure::{Figure, multiple, text};
 use crate::report::{Column, Part, Records, View};
 use crate::synthesize::families::table;
@@ -42,6 +42,7 @@ pub fn sheet(answer: &Synthesis, drawn: &[Drawn], input: String) -> Result<Sheet
         title: "Gearboxes for a list of ratios".to_owned(),
         about: format!("Ratios {}: {}", ratios.join(", "), crate::synthesize::count(answer)),
         answer: first,
+        arrangement: Arrangement::Columns,
         objections,
         sections,
         input,

@@ -1,6 +1,6 @@
 //! An answer as part of a page.
 
-use super::{Grid, Part, Report, Section, Text};
+use super::{Grid, Part, Report, Text};
 use crate::page::paper::{COLUMN_MM, SMALLEST_MM};
 use epicyclic_drawing::Text as Line;
 use maud::{Markup, html};
@@ -36,24 +36,6 @@ impl Report {
             pieces.push(Piece { html, is_wide: false });
         }
         pieces
-    }
-
-    /// The notes below its tables, each with its table's title; none is left.
-    pub fn take_notes(&mut self) -> Vec<(String, String)> {
-        let of_part = |part: &mut Part| -> Vec<(String, String)> {
-            match part {
-                Part::Facts(Section { title, note, .. }) => {
-                    vec![((*title).to_owned(), std::mem::take(note).to_owned())]
-                }
-                Part::Records(records) => {
-                    let views = records.views.iter_mut();
-                    views.map(|view| (view.title.clone(), std::mem::take(&mut view.note))).collect()
-                }
-                Part::Text(_) => vec![],
-            }
-        };
-        let all = self.parts.iter_mut().flat_map(of_part);
-        all.filter(|(_, note)| !note.is_empty()).collect()
     }
 }
 
@@ -207,14 +189,5 @@ mod tests {
         let table = row.map(|row| row.map(str::to_owned).to_vec()).to_vec();
         let table = Text { table, ..Text::default() }.piece().html.into_string();
         assert!(table.contains("<td class=\"words\">speed"), "{table}");
-    }
-
-    #[test]
-    fn notes_can_be_told_once_for_several_answers() {
-        let section =
-            Section { name: "t", title: "Torques", columns: &[], rows: vec![], note: "T: a torque." };
-        let mut report = Report { parts: vec![Part::Facts(section)], ..Report::default() };
-        assert_eq!(report.take_notes(), [("Torques".to_owned(), "T: a torque.".to_owned())]);
-        assert_eq!(report.take_notes(), []);
     }
 }
