@@ -59,7 +59,7 @@ pub struct WrittenSize {
     pub face_width: Length,
 }
 
-/// The same with the sizes of the first sets, to [`DIGITS`] digits.
+/// The same with the sizes of the first sets, to five digits.
 ///
 /// # Errors
 /// As [`written`].
