@@ -86,7 +86,7 @@ pub fn written_with_sizes(
     for (place, set) in gearbox.sets().iter().enumerate() {
         match set.description() {
             Description::Short(spec) => {
-                line(format!("  - {{ {}{} }}", of_set(spec), of_size(sizes.get(place))))
+                line(format!("  - {{ {}{} }}", of_set(spec), of_size(sizes.get(place))));
             }
             Description::Compound(_) => return Err(NotWritable { set: set.id().to_owned() }),
         }
