@@ -26,6 +26,8 @@ pub struct Drawing {
     pub whole: bool,
     /// Whether input and output of a scheme are on the same side.
     pub same_side: bool,
+    /// Whether gears and planet axes of a scheme stand at heights in proportion to their pitch radii.
+    pub to_scale: bool,
     /// The sheet; `null` where the gearbox cannot be drawn.
     pub sheet: Option<Sheet>,
     /// Why the gearbox cannot be drawn in this view; `null` where it is drawn.

@@ -3,6 +3,7 @@
 mod subject;
 
 use crate::analyze::analysis;
+use crate::drawing_file;
 use crate::failure::Failure;
 use crate::input;
 use crate::motor;
@@ -14,7 +15,7 @@ use epicyclic_answers::draw as answers;
 use epicyclic_answers::draw::{Drawing, FileFormat, Sheet};
 use epicyclic_answers::drawability::Conflict;
 use epicyclic_answers::motor::of_file;
-use epicyclic_drawing::{Scene, dxf, pdf, png, svg};
+use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_layout as drawability;
 use epicyclic_layout::Verdict;
@@ -37,6 +38,7 @@ use uom::si::length::millimeter;
 Example:
   epicyclic draw II-3 -o ii-3.svg
   epicyclic draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --power -o flow.svg
+  epicyclic draw II-3 --k1 2.15 --k2 2.35 --to-scale -o radii.pdf
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view speeds -o plan.dxf
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --gear 2 --view levers -o levers.svg
   epicyclic draw II-3 --k1 2.15 --k2 2.35 --view ladder -o ladder.svg")]
@@ -70,6 +72,13 @@ pub(crate) struct Args {
     /// Input and output of the scheme on the left.
     #[arg(long)]
     same_side: bool,
+
+    /// Gears and planet axes of the scheme at heights in proportion to their pitch radii; needs k or teeth.
+    ///
+    /// Sets with module and teeth are in one scale, which the picture names with a scale bar; without modules all are taken as equal.
+    /// Widths along the axis are not to scale, and shafts and drums stand where there is room.
+    #[arg(long)]
+    to_scale: bool,
 
     #[command(flatten)]
     sizes: named::Sizes,
@@ -193,10 +202,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(file) = args.output.as_deref() {
         files.push((file, format_of(file)?));
     }
-    if args.dpi.is_some() && files.iter().all(|(_, format)| *format != FileFormat::Png) {
-        let message = "it is for images of pixels; let --output end in .png".to_owned();
-        return Err(Failure::Option { option: "--dpi", message });
-    }
+    drawing_file::check_dpi(args.dpi, files.iter().map(|(_, format)| *format))?;
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
     files.extend(args.dxf.as_deref().map(|file| (file, FileFormat::Dxf)));
     if files.is_empty() && args.format == Format::Text {
@@ -204,20 +210,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let mut written = vec![];
     for (file, format) in files {
-        let dpi = args.dpi.map_or(DPI, Number::get);
-        let content = match format {
-            FileFormat::Svg => svg::write(&scene).map(String::into_bytes),
-            FileFormat::Dxf => dxf::write(&scene).map(String::into_bytes),
-            FileFormat::Pdf => pdf::write(&scene),
-            FileFormat::Png => png::write(&scene, dpi),
-        };
-        let content = content.map_err(|error| match error {
-            epicyclic_drawing::Error::Pixels { .. } => {
-                Failure::Option { option: "--dpi", message: error.to_string() }
-            }
-            error => placed(error.into()),
-        });
-        written.push((file.to_owned(), content?));
+        let content = drawing_file::content(&scene, format, args.dpi).map_err(placed)?;
+        written.push((file.to_owned(), content));
         drawing.files.push(answers::File { path: file.display().to_string(), format });
     }
     let size = scene.bounds().grown(svg::MARGIN_MM);
@@ -230,22 +224,13 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     say(&told)
 }
 
-/// The resolution of an image where none is given.
-const DPI: f64 = 300.0;
-
 /// What the end of a file's name asks for.
 fn format_of(file: &Path) -> Result<FileFormat, Failure> {
-    let end = file.extension().map(|end| end.to_string_lossy().to_lowercase());
-    match end.as_deref() {
-        None | Some("svg") => Ok(FileFormat::Svg),
-        Some("dxf") => Ok(FileFormat::Dxf),
-        Some("pdf") => Ok(FileFormat::Pdf),
-        Some("png") => Ok(FileFormat::Png),
-        Some(end) => {
-            let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
-            Err(Failure::Option { option: "--output", message })
-        }
-    }
+    let Some(end) = drawing_file::end_of(file) else { return Ok(FileFormat::Svg) };
+    drawing_file::format_of(&end).ok_or_else(|| {
+        let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
+        Failure::Option { option: "--output", message }
+    })
 }
 
 /// The drawing that the options describe, before it is made.
@@ -257,6 +242,7 @@ fn drawing(args: &Args, subject: answers::Subject, view: View, gear: Option<&str
         power: args.power,
         whole: args.whole,
         same_side: args.same_side,
+        to_scale: args.to_scale,
         sheet: None,
         conflict: None,
         files: vec![],
@@ -274,6 +260,7 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
         ("--power", args.power),
         ("--whole", args.whole),
         ("--same-side", args.same_side),
+        ("--to-scale", args.to_scale),
         ("--efficiency", args.efficiency.is_some()),
         ("--title", args.title.is_some()),
     ];
@@ -313,6 +300,7 @@ fn consistent(args: &Args) -> Result<(), Failure> {
         _ if args.power => refuse("--power", schemes_alone),
         _ if args.whole => refuse("--whole", schemes_alone),
         _ if args.same_side => refuse("--same-side", schemes_alone),
+        _ if args.to_scale => refuse("--to-scale", schemes_alone),
         View::Speeds if args.gear.is_none() => refuse("--gear", "a speed diagram shows one gear; name it"),
         View::Teeth if args.gear.is_some() => {
             refuse("--gear", "the teeth stand alike in all gears; leave it out")
@@ -359,6 +347,15 @@ fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {
     Ok(gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect::<Result<_, _>>()?)
 }
 
+fn not_to_scale(error: epicyclic_pictures::Error) -> Failure {
+    match error {
+        epicyclic_pictures::Error::NoRadii { .. } | epicyclic_pictures::Error::NotToScale { .. } => {
+            Failure::Option { option: "--to-scale", message: error.to_string() }
+        }
+        error => error.into(),
+    }
+}
+
 fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<Scene, Failure> {
     let gearbox = &subject.gearbox;
     let how = drawability::Options { same_side: args.same_side, ..drawability::Options::default() };
@@ -376,10 +373,22 @@ fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<
         Some(gear) if args.power => scheme::Show::Power(gear),
         Some(gear) => scheme::Show::Gear(gear),
     };
+    let (layout, scale) = if args.to_scale {
+        if !subject.gearing {
+            let message = "heights are radii, and these follow from k or teeth of every set: give --k1 and --k2, or --ratio1 and --ratio2";
+            return Err(Failure::Option { option: "--to-scale", message: message.to_owned() });
+        }
+        let (layout, scale) =
+            scheme::to_scale(gearbox, &layout, &subject.planet_bearings).map_err(not_to_scale)?;
+        (Box::new(layout), Some(scale))
+    } else {
+        (layout, None)
+    };
     let options = scheme::Options {
         title: args.title.clone(),
         whole: args.whole,
         gearing: subject.gearing,
+        scale,
         ..scheme::Options::default()
     };
     Ok(scheme::scene(gearbox, &layout, shown, &options)?)

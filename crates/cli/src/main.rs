@@ -13,6 +13,7 @@
 //! | [`size`] | how large a synthesis is, and which are refused |
 //! | [`schemes`] | the command `schemes`: the catalogue of two and three speeds |
 //! | [`draw`] | the command `draw`: schemes, speed diagrams, lever diagrams and ratio ladders as SVG and DXF |
+//! | [`drawing_file`] | a drawing as SVG, DXF, PDF or PNG |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
 //! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
@@ -39,6 +40,7 @@ mod atlas;
 mod compare;
 mod completions;
 mod draw;
+mod drawing_file;
 mod drive;
 mod failure;
 mod imprint;

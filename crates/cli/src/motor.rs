@@ -35,6 +35,8 @@ Example:
       --angle '30 deg' --view chambers --svg chambers.svg
   epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
       --view teeth --dxf teeth.dxf --csv centrodes.csv --format json
+  epicyclic motor --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' \\
+      --view dimensions -o dimensions.pdf
   epicyclic motor search --displacement '250 cm3/rev' --module '2 mm' \\
       --stator 5..6 --z3 ..66")]
 pub(crate) struct Args {
@@ -154,34 +156,30 @@ struct Teeth {
 /// Drawings and curves.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Drawings and curves, each file written whole or not at all")]
-#[command(group = clap::ArgGroup::new("drawing").multiple(true))]
-#[command(group = clap::ArgGroup::new("files").multiple(true))]
 struct Files {
-    /// What is drawn; with --svg or --dxf.
-    #[arg(long, value_enum, requires = "drawing", default_value_t = View::Motor)]
-    view: View,
+    /// What is drawn into --svg, --dxf, or an --output that ends in .svg, .dxf, .pdf or .png. Default: the whole motor.
+    #[arg(long, value_enum)]
+    view: Option<View>,
+
+    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300.
+    #[arg(long, value_name = "NUMBER", requires = "output")]
+    dpi: Option<Number>,
 
     /// File for the drawing as an SVG image, one unit a millimetre.
-    #[arg(long, value_name = "FILE", groups = ["drawing", "files"])]
+    #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 
     /// File for the drawing as DXF in millimetres, for CAD.
-    #[arg(long, value_name = "FILE", groups = ["drawing", "files"])]
+    #[arg(long, value_name = "FILE")]
     dxf: Option<PathBuf>,
 
     /// File for points of the centrodes with direction and curvature, in millimetres and degrees.
-    #[arg(long, value_name = "FILE", group = "files")]
+    #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
 
     /// Points of each half-lobe in that file.
     #[arg(long, value_name = "NUMBER", requires = "csv", default_value_t = 100)]
     points: u32,
-}
-
-impl Files {
-    fn are_wanted(&self) -> bool {
-        self.svg.is_some() || self.dxf.is_some() || self.csv.is_some()
-    }
 }
 
 /// What is drawn.
@@ -206,8 +204,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     let Design { files, page: options, output, .. } = &args.design;
     options.only_of_a_page(output.is_page())?;
+    let (wanted, output) = (files::wanted(files, output), output.but_for_drawings());
+    wanted.check(files)?;
     let designed = design::read(&args.design)?;
-    let files = files::content(files, &designed)?;
+    let files = files::content(files, &wanted, &designed)?;
     if output.is_page() {
         let report = report::motor::answer(None, &designed).map_err(design::refuse)?;
         let sheet = page::motor::sheet(&report, &designed, imprint::command());

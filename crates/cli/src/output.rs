@@ -1,9 +1,11 @@
 //! Formats of an answer, and where it goes.
 
+use crate::drawing_file;
 use crate::failure::Failure;
 use crate::writing::{Content, Source, write_files, write_files_and};
 use clap::ArgMatches;
 use epicyclic_answers::answer::write_json;
+use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::refused::Refused;
 use epicyclic_answers::{Answer, finite};
 use epicyclic_formats::visible;
@@ -53,6 +55,18 @@ impl OutputArgs {
     /// The file that the answer goes to.
     pub(crate) fn file(&self) -> Option<&Path> {
         self.target.output.as_deref()
+    }
+
+    /// A file for a drawing, where its name ends like one: for commands that draw.
+    pub(crate) fn drawing(&self) -> Option<(&Path, FileFormat)> {
+        let file = self.file()?;
+        Some((file, drawing_file::format_of(&drawing_file::end_of(file)?)?))
+    }
+
+    /// The same where a drawing does not take the answer's place: that goes to standard output.
+    pub(crate) fn but_for_drawings(&self) -> Self {
+        let output = self.target.output.clone().filter(|_| self.drawing().is_none());
+        Self { format: self.format, target: Target { output } }
     }
 
     /// Whether the answer goes to a file, out of sight.

@@ -428,7 +428,7 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("draw", &["draw", "self-crossing.yaml", "--whole", "--same-side"]),
-    ("draw", &["draw", "ravigneaux.yaml", "--gear", "1", "--power", "-o", "flow.svg"]),
+    ("draw", &["draw", "ravigneaux.yaml", "--gear", "1", "--power", "--to-scale", "-o", "flow.svg"]),
     ("draw", &["draw", "T2.B.T1+D.T1.B", "--k1", "2.5", "--k2", "1.618", "--dxf", "structure.dxf"]),
     ("draw", &["draw", "motor-5x3.yaml", "--view", "teeth"]),
     ("report", &["report", "every-drive-key.yaml"]),

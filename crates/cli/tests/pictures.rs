@@ -22,6 +22,7 @@ const DRAWN: &[(&str, &str)] = &[
     ("ii-3-speeds.svg", "draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --view speeds"),
     ("ii-3-levers.svg", "draw II-3 --ratio1 1.465 --ratio2 2.56 --gear 2 --view levers"),
     ("iii-1.svg", "draw III-1"),
+    ("sized-to-scale.svg", "draw examples/sized-gearbox.yaml --to-scale"),
     ("self-crossing-levers.svg", "draw examples/self-crossing.yaml --gear one --view levers"),
     ("unlisted-gear-2.svg", "draw D.T1.B+T2.B.T1 --ratio1 2.618 --ratio2 1.4623 --gear 2 --power"),
     ("motor-centrodes.svg", "draw examples/motor-5x3.yaml --view centrodes"),

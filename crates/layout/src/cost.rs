@@ -84,3 +84,17 @@ impl Layout {
         Cost { bands: heights.len(), bends, walls, length, backwards }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Cost;
+
+    /// A second band, 3 corners, a wall, 4.5 units of lines and two pairs of sets against the power.
+    #[test]
+    fn the_total_is_the_stated_sum() {
+        let cost = Cost { bands: 2, bends: 3, walls: 1, length: 4.5, backwards: 2 };
+        assert_eq!(cost.total(), 1e4 + 6.0 * 3.0 + 24.0 + 4.5 + 1.5 * 2.0);
+        let one_band = Cost { bands: 1, bends: 99, walls: 9, length: 999.0, backwards: 9 };
+        assert!(one_band.total() < cost.total());
+    }
+}

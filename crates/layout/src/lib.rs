@@ -116,10 +116,12 @@ mod scheme;
 mod search;
 mod stacks;
 mod sweep;
+mod to_scale;
 
 pub use cost::Cost;
 pub use crossings::{Crossing, Line};
 pub use layout::Layout;
+pub use to_scale::{NotToScale, SetRadii};
 
 use epicyclic_train::{Gearbox, LinkId};
 use scheme::Scheme;

@@ -30,6 +30,24 @@ pub enum Error {
         /// How many gears it has.
         gears: usize,
     },
+    /// No set has pitch radii: bevel gears, say.
+    #[error(
+        "no set of {gearbox} has pitch radii in the half-plane: heights to scale need a set of gears on parallel axes"
+    )]
+    NoRadii {
+        /// The gearbox.
+        gearbox: String,
+    },
+    /// One set stands above another that is larger.
+    #[error(
+        "heights cannot be to scale: {upper} stands above {lower} in this scheme, and its gears are smaller"
+    )]
+    NotToScale {
+        /// The lower set.
+        lower: String,
+        /// The upper set.
+        upper: String,
+    },
     /// A drawing that no file can hold: a motor of a hundred metres, say.
     #[error(transparent)]
     Drawing(#[from] epicyclic_drawing::Error),

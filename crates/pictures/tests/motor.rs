@@ -107,9 +107,26 @@ fn the_dimensions_are_those_of_the_motor() {
         texts.count()
     };
     // R₁, R₂, l, a of the source's vector, in five digits; satellites of 10 teeth of 2 mm.
-    for words in ["R32.208", "R25.883", "a = 30.613", "80", "8× Ø20", "55 / 33 / 10", "Tolerance", "40"] {
+    for words in
+        ["R32.208", "R25.883", "a = 30.613", "l = 80", "80", "8× Ø20", "55 / 33 / 10", "Tolerance", "40"]
+    {
         assert!(says(words) >= 1, "{words}");
     }
+    let circle = number_of(2.0 * motor.ports().high[0].centre_radius.get::<millimeter>());
+    assert_eq!(says(&format!("ports on Ø{circle}")), 1, "{circle}");
+    // The line of l is 80 mm long, level, from the axis to the left.
+    let lines: Vec<[Point; 2]> = scene
+        .items()
+        .iter()
+        .filter_map(|item| match item.shape {
+            Shape::Line { from, to } => Some([from, to]),
+            _ => None,
+        })
+        .collect();
+    let is_l = |[from, to]: &[Point; 2]| {
+        (from.y - to.y).abs() < 1e-9 && from.x.abs() < 1e-9 && (to.x + 80.0).abs() < 1e-9
+    };
+    assert_eq!(lines.iter().filter(|line| is_l(line)).count(), 1);
     let arcs = motor.arcs().unwrap();
     let outer = 2.0 * (arcs.crest_distance() + arcs.crest_radius()).get::<millimeter>();
     assert_eq!(says(&format!("Ø{outer:.2}")), 1, "{outer}");
@@ -123,6 +140,11 @@ fn the_dimensions_are_those_of_the_motor() {
     assert!(
         bare.items().iter().any(|item| matches!(&item.shape, Shape::Text(text) if text.content == "none"))
     );
+}
+
+/// Five digits, as drawings write them.
+fn number_of(value: f64) -> String {
+    format!("{value:.3}").trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[test]

@@ -92,7 +92,7 @@ impl Gearbox {
 
 /// Whether the planets of a set can be put in and clear each other; `None` where their number, teeth or places are not known.
 ///
-/// Of gears without profile shift, at equal angles.
+/// At equal angles; of gears without profile shift, or of a simple set with its shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlanetFit {
     /// Whether so many planets of each kind can be assembled.
@@ -130,11 +130,14 @@ impl PlanetSet {
         let Some(planets) = self.planet_count().filter(|_| !self.is_pair()) else {
             return PlanetFit { assembles: None, clears: None };
         };
-        let checks = Checks::new(self, *rack);
-        PlanetFit {
-            assembles: slots(self).map(|slots| slots.is_multiple_of(u128::from(planets))),
-            clears: checks.do_clear(planets),
-        }
+        let clears = match self.short().and_then(|spec| spec.involute_set(rack)) {
+            Some(Ok(set)) => Some(
+                !set.faults(&Limits::default()).iter().any(|fault| matches!(fault, SetFault::Planets { .. })),
+            ),
+            Some(Err(_)) => None,
+            None => Checks::new(self, *rack).do_clear(planets),
+        };
+        PlanetFit { assembles: slots(self).map(|slots| slots.is_multiple_of(u128::from(planets))), clears }
     }
 }
 

@@ -12,6 +12,7 @@ use epicyclic_formats::{self as formats, Document};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::Gearbox;
+use epicyclic_train::planet_bearings::PlanetBearing;
 use std::collections::BTreeMap;
 use std::path::Path;
 use uom::si::f64::Length;
@@ -20,6 +21,8 @@ use uom::si::f64::Length;
 pub(super) struct Subject {
     pub(super) gearbox: Gearbox,
     pub(super) gearing: bool,
+    /// What its file says of the sizes of its planets.
+    pub(super) planet_bearings: Vec<PlanetBearing>,
     /// The basic rack of its teeth, and the modules of its sets where the file has them.
     pub(super) rack: BasicRack,
     pub(super) modules: BTreeMap<String, Length>,
@@ -65,16 +68,16 @@ pub(super) fn read(args: &Args, document: Option<&Document>) -> Result<Subject, 
 /// A gearbox that no file describes.
 fn of_name(gearbox: Gearbox, origin: Origin) -> Subject {
     let (base, rack) = (formats::Path::root(), BasicRack::default());
-    Subject { gearbox, gearing: false, rack, modules: BTreeMap::new(), base, origin }
+    Subject { gearbox, gearing: false, planet_bearings: vec![], rack, modules: BTreeMap::new(), base, origin }
 }
 
 fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, Failure> {
     args.sizes.none_with_a_file()?;
     let choice = Choice::new(file.display().to_string(), args.transmission.clone(), args.efficiency);
-    let epicyclic_answers::gearbox::Subject { gearbox, base, rack, .. } =
-        analyze::subject(&choice, document)?;
+    let read = analyze::subject(&choice, document)?;
+    let epicyclic_answers::gearbox::Subject { gearbox, planet_bearings, base, rack, .. } = read;
     // A list of transmissions has no modules.
     let sets = document.read().map(|file: GearboxFile| file.sets).unwrap_or_default();
     let modules = sets.into_iter().filter_map(|set| Some((set.id, set.module?.0))).collect();
-    Ok(Subject { gearbox, gearing: true, rack, modules, base, origin: Origin::GearboxFile })
+    Ok(Subject { gearbox, gearing: true, planet_bearings, rack, modules, base, origin: Origin::GearboxFile })
 }

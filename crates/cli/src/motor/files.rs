@@ -1,26 +1,63 @@
-//! What goes into the files: drawings as SVG and DXF, centrodes as points.
+//! What goes into the files: drawings as SVG, DXF, PDF and PNG, centrodes as points.
 
 use super::design::refuse;
 use super::{Files, View};
+use crate::drawing_file;
 use crate::failure::Failure;
+use crate::output::OutputArgs;
 use crate::writing::Content;
+use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::motor::{Designed, centrodes};
-use epicyclic_drawing::{Scene, dxf, svg};
+use epicyclic_drawing::Scene;
 use epicyclic_views::motor;
+use std::path::PathBuf;
+
+/// The drawings that are asked for.
+pub(super) struct Wanted(Vec<(PathBuf, FileFormat)>);
+
+/// A drawing in --output goes before those that have options of their own.
+pub(super) fn wanted(files: &Files, output: &OutputArgs) -> Wanted {
+    let own = output.drawing().map(|(file, format)| (file.to_owned(), format));
+    let svg = files.svg.clone().map(|file| (file, FileFormat::Svg));
+    let dxf = files.dxf.clone().map(|file| (file, FileFormat::Dxf));
+    Wanted(own.into_iter().chain(svg).chain(dxf).collect())
+}
+
+impl Wanted {
+    /// Whether there is no drawing.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Refuses options that say something of drawings where there are none.
+    pub(super) fn check(&self, files: &Files) -> Result<(), Failure> {
+        if files.view.is_some() {
+            self.needed_by("--view")?;
+        }
+        drawing_file::check_dpi(files.dpi, self.0.iter().map(|(_, format)| *format))
+    }
+
+    /// Refuses an option where nothing is drawn.
+    pub(super) fn needed_by(&self, option: &'static str) -> Result<(), Failure> {
+        if self.is_empty() {
+            let message = "it is for drawings; give --svg or --dxf, or an --output that ends in .svg, .dxf, .pdf or .png";
+            return Err(Failure::Option { option, message: message.to_owned() });
+        }
+        Ok(())
+    }
+}
 
 /// Every file that is asked for, before any is written.
-pub(super) fn content(files: &Files, designed: &Designed) -> Result<Vec<Content>, Failure> {
+pub(super) fn content(files: &Files, wanted: &Wanted, designed: &Designed) -> Result<Vec<Content>, Failure> {
     let mut written = vec![];
-    if files.svg.is_some() || files.dxf.is_some() {
-        let scene = scene(files.view, designed).map_err(|failure| match failure {
+    if !wanted.is_empty() {
+        let view = files.view.unwrap_or(View::Motor);
+        let scene = scene(view, designed).map_err(|failure| match failure {
             Failure::Picture(epicyclic_pictures::Error::Motor(error)) => refuse(error.into()),
             failure => failure,
         })?;
-        if let Some(file) = &files.svg {
-            written.push((file.clone(), svg::write(&scene)?.into_bytes()));
-        }
-        if let Some(file) = &files.dxf {
-            written.push((file.clone(), dxf::write(&scene)?.into_bytes()));
+        for (file, format) in &wanted.0 {
+            written.push((file.clone(), drawing_file::content(&scene, *format, files.dpi)?));
         }
     }
     if let Some(file) = &files.csv {

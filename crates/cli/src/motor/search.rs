@@ -123,13 +123,13 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     limit: Option<usize>,
 
-    /// Number of the design that is drawn, or whose centrodes are written.
-    #[arg(long, requires = "files", value_name = "N", default_value_t = 1)]
-    design: usize,
+    /// Number of the design that is drawn, or whose centrodes are written. Default: 1.
+    #[arg(long, value_name = "N")]
+    design: Option<usize>,
 
-    /// Angle of the rotor in the drawing.
-    #[arg(long, default_value = "0 deg", requires = "drawing", allow_hyphen_values = true)]
-    angle: Quantity<Angle>,
+    /// Angle of the rotor in the drawing. Default: 0.
+    #[arg(long, allow_hyphen_values = true)]
+    angle: Option<Quantity<Angle>>,
 
     #[command(flatten)]
     files: Files,
@@ -178,7 +178,18 @@ enum Order {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let format = args.output.format();
+    let (drawings, output) = (files::wanted(&args.files, &args.output), args.output.but_for_drawings());
+    drawings.check(&args.files)?;
+    if args.angle.is_some() {
+        drawings.needed_by("--angle")?;
+    }
+    let has_files = !drawings.is_empty() || args.files.csv.is_some();
+    if args.design.is_some() && !has_files {
+        let message = "it is for drawings and centrodes; give --svg, --dxf or --csv, or an --output that ends in .svg, .dxf, .pdf \
+                       or .png";
+        return Err(Failure::Option { option: "--design", message: message.to_owned() });
+    }
+    let format = output.format();
     let wanted = Wanted {
         search: search(args)?,
         with_teeth: args.with_teeth,
@@ -205,13 +216,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     });
     drop(shown);
     let searched = searched.map_err(refuse)?;
-    let files = if args.files.are_wanted() {
-        files::content(&args.files, &searched.motor(args.design, args.angle.0).map_err(refuse)?)?
+    let files = if has_files {
+        let angle = args.angle.map_or_else(Angle::default, |angle| angle.0);
+        let designed = searched.motor(args.design.unwrap_or(1), angle).map_err(refuse)?;
+        files::content(&args.files, &drawings, &designed)?
     } else {
         vec![]
     };
     let answer = searched.answer();
-    args.output.deliver_with(files, &answer)?;
+    output.deliver_with(files, &answer)?;
     if format != Format::Table && answer.hidden > 0 {
         complain(&format!("note: {}", epicyclic_views::motor_search::count(&answer)));
     }

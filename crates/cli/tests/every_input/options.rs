@@ -326,6 +326,9 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --format json
   --csv motor.csv
   --format csv
   --output motor.json
+  --output motor.pdf
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --output motor.png
+  --dpi 60
 motor: --stator 7 --rotor 5 --z3 84 --zs 11 --module '1 mm'
   --cosine
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width '50 mm' --format json
@@ -363,6 +366,9 @@ motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..
   --csv motor.csv
   --format csv
   --output motors.json
+  --output motors.pdf
+motor search: --displacement '250 cm3/rev' --stator 5 --rotor 3 --z3 55 --zs 9..10 --module '2 mm' --places 4 --output motor.png
+  --dpi 60
 motor search: --torque '600 N·m' --pressure '20 MPa' --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --places 4 --format json
   --torque '500 N·m'
   --pressure '15 MPa'
@@ -388,6 +394,8 @@ draw: II-3 --k1 2.15 --k2 2.35
   --k2 2.5
 draw: II-3 --k1 2.15 --k2 2.35 --gear 2
   --power
+draw: sized-gearbox.yaml
+  --to-scale
 draw: II-3
   --whole
   --same-side

@@ -42,6 +42,8 @@ const APART_MM: f64 = 9.0;
 const APART_ON_PAGE_MM: f64 = 6.5;
 /// From a lever to the plate of its first brake, and from brake to brake of one link.
 const BRAKE_MM: f64 = 5.0;
+/// From the middle of a clutch to the mark of a speed.
+const CLUTCH_CLEAR_MM: f64 = 4.0;
 /// From a lever to a clutch beside it.
 const BESIDE_MM: f64 = 8.0;
 /// The legend is at least so wide.
@@ -317,7 +319,14 @@ impl Sheet<'_> {
                 let (dx, dy) = (other.at.x - one.at.x, other.at.y - one.at.y);
                 let length = dx.hypot(dy);
                 let (dx, dy) = (dx / length, dy / length);
-                let middle = Point::new(one.at.x + 0.5 * length * dx, one.at.y + 0.5 * length * dy);
+                // In the middle, unless a speed is marked there.
+                let at = |part: f64| Point::new(one.at.x + part * length * dx, one.at.y + part * length * dy);
+                let speeds = || self.placed.iter().flatten().filter_map(|node| node.speed);
+                let is_clear = |part: &f64| {
+                    let at = at(*part);
+                    speeds().all(|(_, speed)| (speed.x - at.x).hypot(speed.y - at.y) > CLUTCH_CLEAR_MM)
+                };
+                let middle = at([0.5, 0.35, 0.65, 0.25, 0.75].into_iter().find(is_clear).unwrap_or(0.5));
                 for (end, side) in [(one, -0.6), (other, 0.6)] {
                     let gap = Point::new(middle.x + side * dx, middle.y + side * dy);
                     self.scene.add_styled(layer, style, Shape::line(end.at, gap));

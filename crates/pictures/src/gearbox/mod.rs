@@ -13,6 +13,7 @@
 pub mod ladder;
 pub mod levers;
 mod place;
+mod radii;
 pub mod scheme;
 pub mod speeds;
 mod words;

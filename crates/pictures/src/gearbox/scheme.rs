@@ -11,7 +11,7 @@
 //! | dashes and dots | the axis |
 //! | circle at the end of a shaft | a machine or train beside the housing, where power enters or leaves in some gears |
 //!
-//! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii. Planets of a stepped set
+//! Central gears stand where the [layout](epicyclic_layout::Layout) puts them; heights are no radii but in a layout [`to_scale`]. Planets of a stepped set
 //! have two rims side by side, double planets are two on a forked carrier, a pair on fixed axes is drawn about one axis. Two stepped
 //! suns or rings, meshing suns and bevel sets are drawn as sun, planet and ring; the line of their set below the drawing names the kind.
 //! A Ravigneaux set and a Wolfrom drive are drawn as one set where the layout has their two halves side by side: the planet that they
@@ -26,6 +26,7 @@ mod halves;
 mod names;
 mod shared;
 mod signs;
+mod to_scale;
 
 use super::words::{self, decimal};
 use super::{CIRCULATING, ENGAGED, Error, POWER, RESTING, TITLE_MM};
@@ -38,6 +39,7 @@ use epicyclic_layout::layout::Point as Place;
 use epicyclic_train::{Analysis, Gearbox, LinkId, LoadCase};
 use flow::Piece;
 pub(super) use flow::piece_of;
+pub use to_scale::{Scale, to_scale};
 
 /// Millimetres to a unit of the layout along the axis.
 pub const ALONG_MM: f64 = 13.0;
@@ -59,6 +61,10 @@ const ENTERING_MM: f64 = 2.2;
 const WIDEST_MM: f64 = 4.5;
 /// Width of what turns without power.
 const IDLE_MM: f64 = 0.3;
+
+/// The scale bar is at most so long, and stands so far beyond the right end of the axis.
+const LONGEST_BAR_MM: f64 = 30.0;
+const BAR_OFF_MM: f64 = 17.0;
 
 /// What is shown of a gear.
 #[derive(Debug, Clone, Copy)]
@@ -85,11 +91,13 @@ pub struct Options {
     /// Millimetres to a unit of the layout along the axis; where it is less than [`ALONG_MM`], lines without signs stand
     /// closer still.
     pub along_mm: f64,
+    /// The scale of a layout that has one: see [`to_scale`].
+    pub scale: Option<Scale>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { title: None, whole: false, gearing: true, bare: false, along_mm: ALONG_MM }
+        Self { title: None, whole: false, gearing: true, bare: false, along_mm: ALONG_MM, scale: None }
     }
 }
 
@@ -136,7 +144,7 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
         _ => None,
     };
     let title = options.title.clone().unwrap_or_else(|| title(gearbox, gear));
-    let mut sheet = Sheet::new(gearbox, layout, gear, load, &title, options.along_mm)?;
+    let mut sheet = Sheet::new(gearbox, layout, gear, load, &title, options)?;
     sheet.housing();
     sheet.shift_elements();
     sheet.links();
@@ -145,6 +153,7 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
         sheet.mirror();
     }
     sheet.shaft_ends();
+    sheet.scale_bar();
     sheet.names();
     sheet.legend(options);
     sheet.scene.check()?;
@@ -239,6 +248,7 @@ struct Sheet<'a> {
     /// Width of the power that enters.
     entering_mm: f64,
     along: Along,
+    scale: Option<&'a Scale>,
     scene: Scene,
     layers: Layers,
 }
@@ -250,7 +260,7 @@ impl<'a> Sheet<'a> {
         gear: Option<&'a Analysis<'a>>,
         load: Option<&'a LoadCase>,
         title: &str,
-        along_mm: f64,
+        options: &'a Options,
     ) -> Result<Self, Error> {
         let mut scene = Scene::new(title);
         let layers = Layers {
@@ -270,9 +280,10 @@ impl<'a> Sheet<'a> {
         let powers = pieces.iter().filter_map(|piece| piece.power).chain(members).map(f64::abs);
         let largest = powers.fold(1.0, f64::max);
         let entering_mm = ENTERING_MM.min(WIDEST_MM / largest);
-        let along = Along::of(gearbox, layout, along_mm);
+        let along = Along::of(gearbox, layout, options.along_mm);
+        let scale = options.scale.as_ref();
         let pairs = halves::pairs(gearbox, layout);
-        Ok(Self { gearbox, layout, gear, load, pieces, pairs, entering_mm, along, scene, layers })
+        Ok(Self { gearbox, layout, gear, load, pieces, pairs, entering_mm, along, scale, scene, layers })
     }
 
     /// A place of the layout on paper.
@@ -390,6 +401,21 @@ impl<'a> Sheet<'a> {
         }
     }
 
+    /// How long some millimetres of radius are, beside the scheme.
+    fn scale_bar(&mut self) {
+        let Some(bar) = self.scale.and_then(|scale| scale.bar(LONGEST_BAR_MM)) else { return };
+        let x = self.at(self.layout.axis.to).x + BAR_OFF_MM;
+        let style = Style::line(IDLE_MM);
+        let ends = [0.0, bar.drawn_mm].map(|y| Shape::line([x - 1.0, y], [x + 1.0, y]));
+        let upright = Shape::line([x, 0.0], [x, bar.drawn_mm]);
+        for line in ends.into_iter().chain([upright]) {
+            self.scene.add_styled(self.layers.labels, style, line);
+        }
+        let words = format!("{} mm", bar.length_mm);
+        let at = [x + 2.0, 0.5 * bar.drawn_mm];
+        self.scene.add(self.layers.labels, Text::new(at, super::LETTERS_MM, words).align(Align::Left));
+    }
+
     /// The title above, the sets and what the colours mean below.
     fn legend(&mut self, options: &Options) {
         let bounds = self.scene.bounds();
@@ -410,7 +436,8 @@ impl<'a> Sheet<'a> {
             write(&mut self.scene, 0.0, words::set(self.gearbox, place, options.gearing));
         }
         let said = if options.bare { vec![] } else { halves::words(self.gearbox, self.layout) };
-        for words in said {
+        let of_scale = self.scale.filter(|_| !options.bare).map(|scale| scale.notes.clone());
+        for words in said.into_iter().chain(of_scale.unwrap_or_default()) {
             write(&mut self.scene, 0.0, words);
         }
         if !self.layout.take_offs.is_empty() {

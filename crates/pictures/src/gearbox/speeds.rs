@@ -9,7 +9,7 @@
 //! far side. Sizes of planets follow from teeth. Where these are not given, sizes are assumed that fit, which changes the planet's own speed
 //! but none of the links', and the planet's name gets a star. Planets of bevel sets turn about other axes and have no line.
 
-mod radii;
+mod lines;
 
 use super::place::{Places, spread};
 use super::scheme::{known, title};
@@ -19,7 +19,7 @@ use crate::tolerance::{LEAST_SPEED, ONE_RAY};
 use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Align, Bounds, Color, Dash, LayerId, Point, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
-use radii::{Line, SpeedDiagram};
+use lines::{Line, SpeedDiagram};
 use std::f64::consts::FRAC_PI_2;
 
 /// Sizes of the diagrams.

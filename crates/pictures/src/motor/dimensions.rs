@@ -77,14 +77,21 @@ pub fn dimensions(
     sheet.line(axes, Point::new(0.0, -far), Point::new(0.0, far));
 
     // Diameters below, the smallest nearest; one that leaves no room for its number stands in the table alone.
-    let diameters =
+    let curves =
         [envelope.rotor_inner, envelope.rotor_outer, envelope.stator_inner, envelope.stator_outer].map(mm);
-    let written =
-        |diameter: f64| Text::new(centre, sheet.letter(), format!("Ø{}", number(diameter))).width_mm();
+    let mut diameters: Vec<(f64, String)> =
+        curves.into_iter().map(|diameter| (diameter, format!("Ø{}", number(diameter)))).collect();
+    if !round.is_empty() {
+        let circle = ports.high.first().map(|port| 2.0 * mm(port.centre_radius));
+        diameters.extend(circle.map(|diameter| (diameter, format!("ports on Ø{}", number(diameter)))));
+    }
+    diameters.sort_by(|one, other| one.0.total_cmp(&other.0));
     let room = 2.0 * ARROW[0] * sheet.unit;
-    let shown: Vec<f64> =
-        diameters.into_iter().filter(|diameter| written(*diameter) + room < *diameter).collect();
-    for (place, diameter) in shown.into_iter().enumerate() {
+    let fits = |(diameter, words): &(f64, String)| {
+        Text::new(centre, sheet.letter(), words.as_str()).width_mm() + room < *diameter
+    };
+    let shown: Vec<(f64, String)> = diameters.into_iter().filter(fits).collect();
+    for (place, (diameter, words)) in shown.into_iter().enumerate() {
         let y = -outer - (FIRST + NEXT * place as f64) * sheet.unit;
         let radius = 0.5 * diameter;
         sheet.circle(axes, centre, radius);
@@ -94,7 +101,6 @@ pub fn dimensions(
             arrow(&mut sheet, layer, Point::new(x, y), if side > 0.0 { 0.0 } else { PI });
         }
         sheet.line(layer, Point::new(-radius, y), Point::new(radius, y));
-        let words = format!("Ø{}", number(diameter));
         let at = Point::new(0.0, y + 0.9 * sheet.letter());
         sheet.scene.add(layer, Text::new(at, sheet.letter(), words));
     }
@@ -121,7 +127,7 @@ fn arrow(sheet: &mut Sheet, layer: LayerId, tip: Point, direction_rad: f64) {
     sheet.scene.add_styled(layer, Style::filled(Color::BLACK), head);
 }
 
-/// Radii of both arcs with their centres, as far as these are near, and the distance of a crest's centre.
+/// Radii of both arcs with their centres, as far as these are near, and the distances of these centres.
 fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer: f64) {
     let Some(arcs) = motor.arcs() else { return };
     let theta = PI / f64::from(motor.numbers().stator_lobes());
@@ -167,10 +173,48 @@ fn radii(sheet: &mut Sheet, layer: LayerId, axes: LayerId, motor: &Motor, outer:
     arrow(sheet, layer, Point::new(0.0, y), if wide { PI } else { 0.0 });
     arrow(sheet, layer, Point::new(a, y), if wide { 0.0 } else { PI });
     numbers.push((Point::new(high.max(a + unit), y), format!("a = {}", number(a))));
+    trough_distance(sheet, layer, motor, l, outer, &mut numbers);
     // Where there is no room, the table has them.
     for (at, words) in numbers {
         sheet.label(layer, at, &words);
     }
+}
+
+/// The distance `l` of a trough's centre from the axis: of one on the left above the drawing, else of one above to the left of it, else
+/// along its own ray. Of a centre too far away the line ends before it, without an arrowhead.
+fn trough_distance(
+    sheet: &mut Sheet,
+    layer: LayerId,
+    motor: &Motor,
+    l: f64,
+    outer: f64,
+    numbers: &mut Vec<(Point, String)>,
+) {
+    let lobes = motor.numbers().stator_lobes();
+    let unit = sheet.unit;
+    // Troughs stand at odd multiples of π/N.
+    let (ray, is_beside) = match lobes % 4 {
+        1 | 3 => (PI, true),
+        2 => (FRAC_PI_2, true),
+        _ => (PI - PI / f64::from(lobes), false),
+    };
+    let aside = if lobes % 2 == 1 { FRAC_PI_2 } else { PI };
+    let y = if is_beside { outer + FIRST * unit } else { 0.0 };
+    let at = |along: f64, off: f64| Point::polar(Point::polar(Point::default(), along, ray), off, aside);
+    let is_near = l <= REACH * outer;
+    let end = if is_near { l } else { 1.25 * outer };
+    if is_beside {
+        sheet.line(layer, at(0.0, 0.0), at(0.0, y + 1.2 * unit));
+    }
+    if is_near && is_beside {
+        sheet.line(layer, at(l, 0.0), at(l, y + 1.2 * unit));
+    }
+    sheet.line(layer, at(0.0, y), at(end, y));
+    arrow(sheet, layer, at(0.0, y), ray + PI);
+    if is_near {
+        arrow(sheet, layer, at(l, y), ray);
+    }
+    numbers.push((at(if is_beside { 0.5 * end } else { end }, y), format!("l = {}", number(l))));
 }
 
 /// A circle of several equal ones with its number outside: at the first that has room for it.

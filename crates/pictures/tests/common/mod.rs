@@ -13,6 +13,7 @@ use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_layout as drawability;
 use epicyclic_layout::{Layout, Verdict};
 use epicyclic_schemes::catalogue::{ThreeSpeed, TwoSpeed};
+use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
 use epicyclic_train::{Analysis, Gearbox};
@@ -65,6 +66,19 @@ pub(crate) fn examples() -> Vec<Gearbox> {
     }
     assert!(found.len() > 15, "{}", found.len());
     found
+}
+
+/// The gearboxes of the examples whose files say sizes, with their planet bearings.
+pub(crate) fn sized() -> Vec<(Gearbox, Vec<PlanetBearing>)> {
+    let read = |name: &str| {
+        let file = format!("{}/../../examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+        let document = Document::parse_one(name, &std::fs::read(file).unwrap()).unwrap();
+        let described = document.read::<GearboxFile>().unwrap();
+        let gearbox = with_losses(&described.gearbox().unwrap());
+        let bearings = described.planet_bearings(&gearbox).unwrap();
+        (gearbox, bearings)
+    };
+    ["sized-gearbox", "every-gearbox-key"].map(read).into()
 }
 
 /// The gears of a gearbox in which all speeds follow, and the power flow.

@@ -8,6 +8,9 @@
 //!   +  Σ |rise of a tie|, mm  +  5·Σ levers between the ends of a tie
 //! ```
 //!
+//! A clutch between two links of one lever stands to the left of it as an upright tie, which all that passes there or comes from the
+//! left between its ends crosses, and so does the end of another such clutch.
+//!
 //! For one order and given upper ends of all levers, heights and lengths are those that make the sum of the squared rises least, lengths
 //! between 0.8 and 1.3 of the usual one. All orders and senses of up to five levers are tried. Beyond, the order is improved from that of the file by exchanging
 //! two levers or turning one while this costs less; the result then need not be the best.
@@ -65,12 +68,18 @@ pub(super) fn arrange(levers: &[Lever], clutches: &[(usize, [LinkId; 2])]) -> Ve
         }
         is_better
     };
+    // What stands beside a lever does so on the left, so that mirror images differ.
+    let is_beside = |(_, links): &(usize, [LinkId; 2])| {
+        let has = |lever: &Lever, link| lever.nodes.iter().any(|node| node.0 == link);
+        levers.iter().any(|lever| links.iter().all(|&link| has(lever, link)))
+    };
+    let is_one_sided = clutches.iter().any(is_beside);
     if levers.len() <= ALL_TRIED {
         for order in permutations(levers.len()) {
             for senses in 0..1_u32 << levers.len() {
                 let turned: Vec<bool> = (0..levers.len()).map(|lever| senses >> lever & 1 == 1).collect();
-                // Of mirror images one is enough.
-                if order.first() <= order.last() && !turned[0] {
+                // Of mirror images one is enough where they cost the same.
+                if (is_one_sided || order.first() <= order.last()) && !turned[0] {
                     better(&order, &turned);
                 }
             }
@@ -228,6 +237,23 @@ fn cost(columns: &[Column], ties: &[Tie]) -> f64 {
     for (place, tie) in ties.iter().enumerate() {
         let [(first, one), (last, other)] = tie.ends;
         if first == last {
+            let [low, high] = {
+                let [[_, one], [_, other]] = [end(tie, 0), end(tie, 1)];
+                [one.min(other), one.max(other)]
+            };
+            let inside = |y: f64| low < y && y < high;
+            let crossed = ties.iter().enumerate().map(|(next_place, next)| {
+                let [(from, _), (to, _)] = next.ends;
+                match () {
+                    // The outer of two beside one lever; the inner one is counted with it.
+                    () if from == to && from == first && next_place > place => {
+                        [0, 1].into_iter().filter(|&at| inside(end(next, at)[1])).count()
+                    }
+                    () if from < first && first <= to => usize::from(inside(level(next, first as f64))),
+                    () => 0,
+                }
+            });
+            crossings += crossed.sum::<usize>();
             continue;
         }
         rise += (end(tie, 0)[1] - end(tie, 1)[1]).abs();
@@ -296,6 +322,32 @@ mod tests {
             column(2, [(1, 35.0), (4, 70.0)]),
         ];
         assert_eq!(cost(&past, &ties(&past, &[])), 30.0 + 5.0);
+    }
+
+    /// A clutch over a whole lever, to the left of it: a tie that comes from the left to its middle crosses it, and none that leaves to
+    /// the right. So the lever comes first.
+    #[test]
+    fn a_clutch_beside_its_lever_keeps_clear_of_ties() {
+        let clutch = [(0, [link(1), link(3)])];
+        let column = |lever, points: [usize; 3]| Column {
+            lever,
+            points: points.into_iter().zip([0.0, 35.0, 70.0]).map(|(at, y)| (link(at), y)).collect(),
+        };
+        let (own, other) = (column(1, [1, 2, 3]), column(0, [0, 2, 4]));
+        let behind = [other.clone(), own.clone()];
+        assert_eq!(cost(&behind, &ties(&behind, &clutch)), 100.0);
+        let first = [own.clone(), other.clone()];
+        assert_eq!(cost(&first, &ties(&first, &clutch)), 0.0);
+        let levers = [lever(&[(0, 0.0), (2, 1.0), (4, 2.0)]), lever(&[(1, 0.0), (2, 1.0), (3, 2.0)])];
+        assert_eq!(arrange(&levers, &clutch)[0].lever, 1);
+        // Two clutches beside one lever, of which the outer ends between the ends of the inner one.
+        let long = [Column { lever: 0, points: (0..4).map(|at| (link(at), 20.0 * at as f64)).collect() }];
+        let nested = |pairs: [[usize; 2]; 2]| {
+            let pairs: Vec<_> = pairs.into_iter().enumerate().map(|(i, pair)| (i, pair.map(link))).collect();
+            cost(&long, &ties(&long, &pairs))
+        };
+        assert_eq!(nested([[0, 2], [1, 3]]), 100.0);
+        assert_eq!(nested([[1, 2], [0, 3]]), 0.0);
     }
 
     /// Three levers in a chain, the middle one upside down and last in the file: level ties, none over a lever.

@@ -1,6 +1,6 @@
 //! Names: shift elements, members, links.
 
-use super::signs::{MESH_MM, RIM_MM};
+use super::signs::{BESIDE_MM, MESH_MM, PLANET_PIN_MM, RIM_MM};
 use super::{SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use crate::gearbox::place::{Places, beside};
 use epicyclic_drawing::{Bounds, Point, Shape};
@@ -82,9 +82,15 @@ impl Sheet<'_> {
             let web = |from: f64, to: f64| {
                 [0.5, 0.35, 0.65, 0.2, 0.8].map(|part| Point::new(x, up(from) + part * (up(to) - up(from))))
             };
+            // Of planets beside each other the first stands on the left.
+            let planet_x = match self.beside(&stack) {
+                Some(_) if self.pair_of(stack.set).is_none() => x - BESIDE_MM,
+                _ => x,
+            };
             let mut members = vec![("a", web(stack.sun, sun_rim)), ("b", web(stack.ring, ring_rim))];
             if !kind.is_pair() {
-                members.push(("g", web(stack.sun_mesh, stack.planet)));
+                let pin = self.beside(&stack).map_or(stack.planet, |[first, _]| first.pin);
+                members.push(("g", web(stack.sun_mesh, pin).map(|at| Point::new(planet_x, at.y))));
             }
             let hidden = |letter: &str| {
                 let member = usize::from(letter == "b");
@@ -106,6 +112,7 @@ impl Sheet<'_> {
                 let rims = match letter {
                     "a" => vec![up(sun_rim) - MESH_MM],
                     "b" => vec![up(ring_rim) + MESH_MM],
+                    _ if self.beside(&stack).is_some() => vec![],
                     _ => vec![up(stack.sun_mesh) + MESH_MM, up(stack.ring_mesh) - MESH_MM],
                 };
                 let end = RIM_MM + MESH_MM + 0.05;
@@ -158,6 +165,12 @@ impl Sheet<'_> {
             let name = self.gearbox.link_name(shape.link).to_owned();
             let (mut points, wishes): (Vec<Point>, Vec<Point>) =
                 wishes(shape, &name, |place| self.at(place)).into_iter().unzip();
+            // Of a carrier that lies within its planets' bearings the pins' ends are seen.
+            let carried = self.layout.sets.iter().filter(|stack| stack.members[2] == shape.link);
+            for stack in carried {
+                let pin = self.at(Place { x: stack.x, y: stack.planet });
+                points.extend([-1.0, 1.0].map(|side| Point::new(pin.x + side * PLANET_PIN_MM, pin.y)));
+            }
             points.dedup();
             self.put(places, &name, &points, &wishes);
         }

@@ -2,10 +2,14 @@
 //! once.
 
 use super::halves::{Common, Pair};
-use super::signs::{FORK_MM, MESH_MM, PLANET_PIN_MM, RIM_MM, STEP};
+use super::signs::{BEHIND_MM, FORK_MM, HUB_MM, MESH_MM, PLANET_PIN_MM, RIM_MM, STEP};
+use super::to_scale::Wheel;
 use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use epicyclic_drawing::{Point, Shape, Style};
 use epicyclic_layout::layout::Point as Place;
+
+/// From the rims of a short planet to a fork beside it, and on to the long planet.
+const FORK_GAP_MM: f64 = 1.0;
 
 impl Sheet<'_> {
     /// The pair that a drawn set belongs to.
@@ -35,6 +39,9 @@ impl Sheet<'_> {
     fn ravigneaux(&mut self, pair: &Pair) {
         let [double, simple] = pair.stacks;
         let [xd, xs] = [double.x, simple.x].map(|x| self.at(Place { x, y: 0.0 }).x);
+        if let Some(planets) = self.beside(&double) {
+            return self.ravigneaux_to_scale(pair, [xd, xs], planets);
+        }
         let ends = [xd.min(xs) - RIM_MM, xd.max(xs) + RIM_MM];
         let middle = UP_MM * double.planet;
         let (low, high) = (UP_MM * double.sun_mesh, UP_MM * double.ring_mesh);
@@ -109,6 +116,67 @@ impl Sheet<'_> {
         }
     }
 
+    /// The same to scale: the long planet ends before the short one, as the two reach past each other.
+    fn ravigneaux_to_scale(&mut self, pair: &Pair, [xd, xs]: [f64; 2], [short, long]: [Wheel; 2]) {
+        let [double, simple] = pair.stacks;
+        let high = UP_MM * double.ring_mesh + MESH_MM;
+        for (stack, x) in [(&double, xd), (&simple, xs)] {
+            self.central_gear(stack, 0, [x, UP_MM * stack.sun], UP_MM * stack.sun_mesh - MESH_MM, 0.0);
+        }
+        for (place, stack) in pair.stacks.iter().enumerate().filter(|(place, _)| Some(*place) != pair.without)
+        {
+            self.central_gear(stack, 1, [[xd, xs][place], UP_MM * stack.ring], high, 0.0);
+        }
+        let ring =
+            if self.rests(double.members[1]) { super::RESTING } else { epicyclic_drawing::Color::BLACK };
+        self.level([xd.min(xs) - RIM_MM, xd.max(xs) + RIM_MM], high, ring, SHAFT_MM);
+        // From the long planet to the short one.
+        let towards = (xd - xs).signum();
+        let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(&double, 2, SHAFT_MM) };
+        let pins = [short, long].map(|planet| UP_MM * planet.pin);
+        let layer = self.layers.toothed_gears;
+        let reaches =
+            |stack: &epicyclic_layout::layout::SetStack, side: f64| self.carrier_sides(stack).contains(&side);
+        let (at_long, at_short) = (reaches(&simple, -towards), reaches(&double, towards));
+        // The long planet's pin, from a fork beside it to one beyond the short planet, or to one between the two.
+        let start = if at_long { xs - towards * FORK_MM } else { xs - towards * PLANET_PIN_MM };
+        let between = xd - towards * (RIM_MM + FORK_GAP_MM);
+        self.line(layer, look, Point::new(start, pins[1]), Point::new(between, pins[1]));
+        if at_short {
+            let fork = xd + towards * FORK_MM;
+            self.line(layer, look, Point::new(fork, pins[0]), Point::new(fork, pins[1]));
+            let web = UP_MM * short.radius - MESH_MM;
+            let is_behind = (pins[1] - pins[0]).abs() > HUB_MM && (pins[1] - pins[0]).abs() < web;
+            if is_behind {
+                self.line(
+                    layer,
+                    look,
+                    Point::new(between, pins[1]),
+                    Point::new(xd - towards * BEHIND_MM, pins[1]),
+                );
+                self.line(
+                    layer,
+                    look,
+                    Point::new(xd + towards * BEHIND_MM, pins[1]),
+                    Point::new(fork, pins[1]),
+                );
+            } else {
+                self.line(layer, look, Point::new(between, pins[1]), Point::new(fork, pins[1]));
+            }
+            self.line(layer, look, Point::new(fork, pins[0]), Point::new(xd - towards * 1.8, pins[0]));
+        } else {
+            self.line(layer, look, Point::new(between, pins[0]), Point::new(between, pins[1]));
+            self.line(layer, look, Point::new(between, pins[0]), Point::new(xd + towards * 1.8, pins[0]));
+        }
+        let color = self.planet_color(&double);
+        self.wheel(xd, [RIM_MM; 2], pins[0], UP_MM * short.radius - MESH_MM, color);
+        let mut reach = [RIM_MM, (between - towards * FORK_GAP_MM - xs).abs()];
+        if towards < 0.0 {
+            reach.reverse();
+        }
+        self.wheel(xs, reach, pins[1], UP_MM * long.radius - MESH_MM, color);
+    }
+
     /// The sun once, a ring on each step of the planet.
     fn wolfrom(&mut self, pair: &Pair) {
         let [first, second] = pair.stacks;
@@ -121,8 +189,12 @@ impl Sheet<'_> {
             let look = self.member_look(&second, 0, WEB_MM);
             self.line(self.layers.toothed_gears, look, seat, Point::new(xb, low - 2.0 * MESH_MM));
         }
-        // The second ring stands lower on its smaller step.
-        let small = pin + STEP * (high - pin);
+        // The second ring stands lower on its smaller step, or where it does to scale.
+        let small = if self.is_to_scale(&second) {
+            UP_MM * second.ring_mesh - MESH_MM
+        } else {
+            pin + STEP * (high - pin)
+        };
         self.central_gear(&first, 1, [xa, UP_MM * first.ring], high + 2.0 * MESH_MM, 0.0);
         self.central_gear(&second, 1, [xb, UP_MM * second.ring], small + 2.0 * MESH_MM, 0.0);
         self.planet_pin(&first, xa, pin);

@@ -1,5 +1,6 @@
 //! Signs: housing, central gears, planets on their planet pins, brakes and clutches, ends of shafts.
 
+use super::to_scale::Wheel;
 use super::{Look, SHAFT_MM, Sheet, UP_MM, WEB_MM};
 use crate::gearbox::{ENGAGED, RESTING};
 use crate::tolerance::IDLE;
@@ -16,6 +17,13 @@ pub(super) const MESH_MM: f64 = 0.55;
 pub(super) const FORK_MM: f64 = 4.2;
 /// How far a planet pin stands out of its planet.
 pub(super) const PLANET_PIN_MM: f64 = 3.2;
+/// From the middle of a set to planets drawn beside each other, and half the length of their rims.
+pub(super) const BESIDE_MM: f64 = 1.9;
+const SHORT_RIM_MM: f64 = 1.2;
+/// Half the hub of a planet of two.
+pub(super) const HUB_MM: f64 = 0.8;
+/// Room beside a line in front.
+pub(super) const BEHIND_MM: f64 = 0.7;
 /// The smaller step of a planet over the larger.
 pub(super) const STEP: f64 = 0.72;
 /// Radius of the circle where power enters or leaves in some gears only.
@@ -143,8 +151,13 @@ impl Sheet<'_> {
             }
             let kind = self.gearbox.drawn_sets()[stack.set].kind;
             let x = self.at(Place { x: stack.x, y: 0.0 }).x;
-            // Rims of stepped planets' gears stand on two sides.
-            let aside = if kind.is_stepped() { 3.2 } else { 0.0 };
+            // Rims of stepped planets' gears stand on two sides, and those of planets beside each other.
+            let beside = self.beside(&stack);
+            let aside = match beside {
+                Some(_) => BESIDE_MM,
+                None if kind.is_stepped() => 3.2,
+                None => 0.0,
+            };
             let (sun_mesh, ring_mesh) = match kind.is_pair() {
                 true => (UP_MM * stack.planet, UP_MM * stack.planet),
                 false => (UP_MM * stack.sun_mesh, UP_MM * stack.ring_mesh),
@@ -153,7 +166,10 @@ impl Sheet<'_> {
             self.central_gear(&stack, 1, [x, UP_MM * stack.ring], ring_mesh + MESH_MM, aside);
             match kind {
                 _ if kind.is_pair() => {}
-                SetKind::DoublePlanet | SetKind::MeshingSuns => self.double_planet(&stack, x),
+                SetKind::DoublePlanet | SetKind::MeshingSuns => match beside {
+                    Some(planets) => self.planets_beside(&stack, x, planets),
+                    None => self.double_planet(&stack, x),
+                },
                 _ if kind.is_stepped() => self.stepped_planet(&stack, x, aside),
                 _ => {
                     let rims = [sun_mesh + MESH_MM, ring_mesh - MESH_MM];
@@ -241,9 +257,69 @@ impl Sheet<'_> {
         }
     }
 
+    /// Two planets of a set to scale that cannot be drawn one above the other, as they reach past each other.
+    pub(super) fn beside(&self, stack: &SetStack) -> Option<[Wheel; 2]> {
+        let &[one, other] = self.scale?.wheels.get(stack.set)?.as_slice() else { return None };
+        let kind = self.gearbox.drawn_sets()[stack.set].kind;
+        let is_double = matches!(kind, SetKind::DoublePlanet | SetKind::MeshingSuns);
+        (is_double && UP_MM * (one.pin + one.radius - other.pin + other.radius) > MESH_MM)
+            .then_some([one, other])
+    }
+
+    /// The same on the arms of a fork, one on either side; an arm that passes behind the other planet has a gap there.
+    fn planets_beside(&mut self, stack: &SetStack, x: f64, planets: [Wheel; 2]) {
+        let pins = planets.map(|planet| UP_MM * planet.pin);
+        let look = Look { inner_mm: 0.0, width_mm: SHAFT_MM, ..self.member_look(stack, 2, SHAFT_MM) };
+        let level = UP_MM * stack.planet;
+        let sides = self.carrier_sides(stack);
+        for &side in &sides {
+            let fork = x + side * FORK_MM;
+            let ends = [pins[0].min(pins[1]).min(level), pins[0].max(pins[1]).max(level)];
+            self.line(self.layers.toothed_gears, look, Point::new(fork, ends[0]), Point::new(fork, ends[1]));
+            for (place, pin) in pins.into_iter().enumerate() {
+                let own = if place == 0 { -1.0 } else { 1.0 };
+                // From a fork on either side each planet has the arm that is next to it.
+                if sides.len() > 1 && own != side {
+                    continue;
+                }
+                let (near, far) = (x - own * BESIDE_MM, x + own * BESIDE_MM);
+                let end = far - side * SHORT_RIM_MM;
+                let is_behind = own != side && (pins[0] - pins[1]).abs() > HUB_MM;
+                let mut line = |from: f64, to: f64| {
+                    self.line(self.layers.toothed_gears, look, Point::new(from, pin), Point::new(to, pin));
+                };
+                if is_behind {
+                    line(fork, near + side * BEHIND_MM);
+                    line(near - side * BEHIND_MM, end);
+                } else {
+                    line(fork, end);
+                }
+            }
+        }
+        let color = self.planet_color(stack);
+        for ((planet, pin), own) in planets.into_iter().zip(pins).zip([-1.0, 1.0]) {
+            self.wheel(x + own * BESIDE_MM, [SHORT_RIM_MM; 2], pin, UP_MM * planet.radius - MESH_MM, color);
+        }
+    }
+
+    /// A planet in section on a pin of its own: hub, webs and rims; its rims so far to the left and right.
+    pub(super) fn wheel(&mut self, x: f64, [left, right]: [f64; 2], pin: f64, radius: f64, color: Color) {
+        let style = Style::line(WEB_MM).color(color);
+        for side in [-1.0, 1.0] {
+            let (hub, rim) = (pin + side * HUB_MM.min(0.5 * radius), pin + side * radius);
+            self.scene.add_styled(self.layers.toothed_gears, style, Shape::line([x, hub], [x, rim]));
+            let bearing = Shape::line([x - SHORT_RIM_MM, hub], [x + SHORT_RIM_MM, hub]);
+            self.scene.add_styled(self.layers.toothed_gears, style, bearing);
+            self.rim(color, [x - left, x + right], rim);
+        }
+    }
+
     /// Two planets in mesh on the arms of a fork.
     fn double_planet(&mut self, stack: &SetStack, x: f64) {
-        let middle = UP_MM * stack.planet;
+        let middle = match self.scale.and_then(|scale| scale.wheels.get(stack.set)?.first()) {
+            Some(first) => UP_MM * (first.pin + first.radius),
+            None => UP_MM * stack.planet,
+        };
         let rims = [
             [UP_MM * stack.sun_mesh + MESH_MM, middle - MESH_MM],
             [middle + MESH_MM, UP_MM * stack.ring_mesh - MESH_MM],
@@ -280,6 +356,11 @@ impl Sheet<'_> {
         }
     }
 
+    /// Whether a set is drawn to scale.
+    pub(super) fn is_to_scale(&self, stack: &SetStack) -> bool {
+        self.scale.and_then(|scale| scale.wheels.get(stack.set)).is_some_and(|wheels| !wheels.is_empty())
+    }
+
     /// Sides on which a carrier reaches the planet of a set.
     pub(super) fn carrier_sides(&self, stack: &SetStack) -> Vec<f64> {
         let ground = self.layout.links.iter().filter(|shape| shape.link == stack.members[2]);
@@ -306,10 +387,11 @@ impl Sheet<'_> {
         let hub = self.planet_pin_half(stack) + 0.55;
         let reach =
             [UP_MM * stack.sun_mesh + MESH_MM - y, UP_MM * stack.ring_mesh - MESH_MM - y].map(f64::abs);
-        // The step in mesh below is the larger one, so that both are seen.
+        // The step in mesh below is the larger one, so that both are seen; to scale each is as large on both sides.
+        let far = if self.is_to_scale(stack) { 1.0 } else { STEP };
         for (x, size, meshes) in [(x - aside, reach[0], -1.0), (x + aside, reach[1], 1.0)] {
             for side in [-1.0, 1.0] {
-                let rim = y + side * if side == meshes { size } else { STEP * size };
+                let rim = y + side * if side == meshes { size } else { far * size };
                 self.scene.add_styled(
                     self.layers.toothed_gears,
                     style,
