@@ -23,7 +23,7 @@ use epicyclic_strength::mesh::Load;
 use epicyclic_strength::planets::loads;
 use epicyclic_strength::rating::rate;
 use epicyclic_strength::spectrum::{Step, check_shares, rate_duty};
-use epicyclic_train::InputLoad;
+use epicyclic_train::{Gear, InputLoad};
 use place::{Fault, located, refused};
 use prepared::RatedSet;
 use records::{Governing, MeshAtPoint, MeshName, NotRated, OverDuty, Rated, Reason, Required};
@@ -108,7 +108,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error>
         let speed = wanted.input.speed.ok_or(Error::LoadWithoutSpeed)?;
         let names: Vec<&str> = match &wanted.gear {
             Some(name) => vec![name],
-            None => subject.gearbox.gears().iter().map(|gear| gear.name()).collect(),
+            None => subject.gearbox.gears().iter().map(Gear::name).collect(),
         };
         for name in names {
             let worked = Worked::new(&subject.gearbox, name, wanted.input)?;
