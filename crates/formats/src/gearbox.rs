@@ -48,7 +48,6 @@
 
 use crate::{Number, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::life::Rolling;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
@@ -61,11 +60,13 @@ use std::collections::BTreeMap;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
 mod compound;
+mod kind;
 mod place;
 mod strength;
 mod transmissions;
 mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
+pub use kind::{KindEntry, RollingEntry};
 pub use place::{gear_place, located};
 pub use strength::{
     DutyEntry, MaterialClass, MaterialEntry, OilEntry, RequiredEntry, ShaperEntry, StrengthEntry,
@@ -320,67 +321,6 @@ pub struct SetEntry {
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
-}
-
-/// What rolls in a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum RollingEntry {
-    /// Balls.
-    #[default]
-    Balls,
-    /// Rollers or needles.
-    Rollers,
-}
-
-impl From<RollingEntry> for Rolling {
-    fn from(rolling: RollingEntry) -> Self {
-        match rolling {
-            RollingEntry::Balls => Self::Balls,
-            RollingEntry::Rollers => Self::Rollers,
-        }
-    }
-}
-
-/// A kind of set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum KindEntry {
-    /// Sun, ring, one planet in mesh with both.
-    #[default]
-    Simple,
-    /// Sun, ring, two planets in mesh between them.
-    DoublePlanet,
-    /// Stepped planet between a sun and a ring.
-    SteppedSunRing,
-    /// Stepped planet between two suns.
-    SteppedSuns,
-    /// Stepped planet between two rings.
-    SteppedRings,
-    /// Two suns, each with its planet, the planets in mesh.
-    MeshingSuns,
-    /// Bevel set.
-    Bevel,
-    /// Two wheels outside each other on fixed axes.
-    ExternalPair,
-    /// A pinion in a ring on fixed axes.
-    InternalPair,
-}
-
-impl From<KindEntry> for SetKind {
-    fn from(kind: KindEntry) -> Self {
-        match kind {
-            KindEntry::Simple => Self::Simple,
-            KindEntry::DoublePlanet => Self::DoublePlanet,
-            KindEntry::SteppedSunRing => Self::SteppedSunRing,
-            KindEntry::SteppedSuns => Self::SteppedSuns,
-            KindEntry::SteppedRings => Self::SteppedRings,
-            KindEntry::MeshingSuns => Self::MeshingSuns,
-            KindEntry::Bevel => Self::Bevel,
-            KindEntry::ExternalPair => Self::ExternalPair,
-            KindEntry::InternalPair => Self::InternalPair,
-        }
-    }
 }
 
 /// A brake.

@@ -66,7 +66,7 @@ pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
         scene.add_styled(rings, inner, outline(&ring, centre, set.ring_turn_rad())?);
         scene.add(suns, outline(&sun, centre, 0.0)?);
         let [[of_sun, of_planet], [_, of_ring]] =
-            [set.sun_mesh(), set.ring_mesh()].map(|mesh| mesh.working_diameters());
+            [set.sun_mesh(), set.ring_mesh()].map(epicyclic_gears::involute::Pair::working_diameters);
         scene.add(circles, circle(centre, of_sun));
         scene.add(circles, circle(centre, of_ring));
         for placed in set.placed_planets() {

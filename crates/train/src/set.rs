@@ -6,7 +6,6 @@
 //! [`CompoundSpec`](crate::compound::CompoundSpec).
 
 pub use crate::set_kind::SetKind;
-pub use crate::shifted::Shifts;
 
 use crate::Error;
 use crate::tolerance::BASIC_RATIO;
@@ -57,6 +56,16 @@ impl MeshLoss {
             Self::Meshes { first, between, second } => MeshEfficiency::of_meshes(&[first, between, second]),
         }
     }
+}
+
+/// Profile shifts of sun, planets and ring, with the sign of [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring
+/// inwards.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Shifts {
+    /// Profile shift coefficients `x`, modules.
+    pub profile: [f64; 3],
+    /// Tip alterations `k`, below 0 shorter, modules.
+    pub tips: [f64; 3],
 }
 
 /// Description of one set, by name; [`GearboxBuilder`](crate::GearboxBuilder) turns it into a

@@ -1,20 +1,10 @@
 //! Sets with profile shift: the short description of one with the shifts of its gears.
 
-use crate::set::{Gearing, SetKind, SetSpec};
+use crate::set::{Gearing, SetKind, SetSpec, Shifts};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount, mesh};
-
-/// Profile shifts of sun, planets and ring, with the sign of [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring
-/// inwards.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Shifts {
-    /// Profile shift coefficients `x`, modules.
-    pub profile: [f64; 3],
-    /// Tip alterations `k`, below 0 shorter, modules.
-    pub tips: [f64; 3],
-}
 
 impl SetSpec {
     /// The same set with shifts of sun, planets and ring; they are of simple sets known by their teeth, of spur gears.

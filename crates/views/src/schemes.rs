@@ -22,7 +22,7 @@ fn links(set: Option<&SetLinks>) -> Vec<Figure> {
 fn in_a_row(set: Option<&SetLinks>) -> Figure {
     match set {
         None => Figure::None,
-        Some(set) => text(set.links().map(|link| link.name()).join(" ")),
+        Some(set) => text(set.links().map(epicyclic_answers::catalogue::Link::name).join(" ")),
     }
 }
 

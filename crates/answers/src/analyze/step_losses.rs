@@ -73,8 +73,11 @@ impl StepLosses {
     /// Of a gear; `None` where no set loses power, or torques or speeds do not follow.
     pub(super) fn of(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Option<Self> {
         let case = analysis.driving()?;
-        let is_lossy =
-            gearbox.sets().iter().flat_map(|set| set.meshes()).any(|mesh| mesh.efficiency.get() < 1.0);
+        let is_lossy = gearbox
+            .sets()
+            .iter()
+            .flat_map(epicyclic_train::PlanetSet::meshes)
+            .any(|mesh| mesh.efficiency.get() < 1.0);
         if !is_lossy {
             return None;
         }
