@@ -97,17 +97,17 @@ pub fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Er
 }
 
 /// A gear with what the input's speed and load make of it.
-struct Worked<'g> {
-    analysis: Analysis<'g>,
+pub(crate) struct Worked<'g> {
+    pub(crate) analysis: Analysis<'g>,
     input: Input,
     /// `None` where no load is given, or where the gear cannot take it.
-    operation: Option<Operation>,
+    pub(crate) operation: Option<Operation>,
     /// Places of the one-way clutches that let go at the load, which the gear then cannot take.
     released: Vec<usize>,
 }
 
 impl<'g> Worked<'g> {
-    fn new(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Self, Error> {
+    pub(crate) fn new(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Self, Error> {
         let analysis = analysis(gearbox, gear)?;
         // At a torque alone powers depend on a speed that nobody gave: none is told.
         let speed = input.speed.unwrap_or(AngularVelocity::from_si(1.0));

@@ -208,6 +208,23 @@ pub enum Error {
         /// The greatest.
         greatest_mm: f64,
     },
+    /// Strength without a load.
+    #[error("no load: give a torque or power with a speed, or write a `duty` in the file")]
+    NoLoad,
+    /// Strength at a load without a speed: its cycles follow from it.
+    #[error("the load cycles of teeth follow from a speed: give it, too")]
+    LoadWithoutSpeed,
+    /// What is of one operating point, asked over a duty.
+    #[error(
+        "a gear, a speed and factors are of one operating point: give a torque or power, or leave them out for the duty of the file"
+    )]
+    OfOnePoint,
+    /// No set whose strength can be calculated.
+    #[error("no set can be rated: {}", sets.join("; "))]
+    NothingRated {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
     /// A throw of a bucket wheel without an angle of the chute.
     #[error("no angle of the chute: at least one is due")]
     NoChute,
@@ -251,6 +268,10 @@ impl Error {
             Self::Duty(_) => "duty",
             Self::TooManyDesigns { .. } => "too-many-designs",
             Self::ModuleRange { .. } => "module-range",
+            Self::NoLoad => "no-load",
+            Self::LoadWithoutSpeed => "load-without-speed",
+            Self::OfOnePoint => "of-one-point",
+            Self::NothingRated { .. } => "nothing-rated",
             Self::NoChute => "no-chute",
         }
     }

@@ -21,6 +21,7 @@
 //! | [`draw`] | a drawing: what it shows, its size, its files, and why there is none |
 //! | [`drawability`] | parts of a gearbox that cannot be drawn together |
 //! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
+//! | [`strength`] | the strength of teeth: stresses, safeties, damage over a duty |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -65,6 +66,7 @@ mod saved;
 pub mod schemes;
 pub mod select;
 pub mod shared;
+pub mod strength;
 pub mod synthesize;
 pub mod teeth;
 mod tolerance;

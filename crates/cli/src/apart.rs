@@ -102,8 +102,14 @@ mod tests {
         };
         let (mut read, mut options): (Vec<_>, Vec<_>) = found.into_iter().partition(is_read);
         read.sort();
-        let arguments =
-            ["analyze <FILE>", "compare <GEARBOX>...", "draw <GEARBOX>", "drive <FILE>", "report <FILE>"];
+        let arguments = [
+            "analyze <FILE>",
+            "compare <GEARBOX>...",
+            "draw <GEARBOX>",
+            "drive <FILE>",
+            "report <FILE>",
+            "strength <FILE>",
+        ];
         let of_synthesis = ["synthesize --explain <FILE>", "synthesize --merge <PART>..."];
         assert_eq!(read, [&arguments[..], &of_synthesis].concat());
         options.retain(|arg| !arg.ends_with(" --output <FILE>"));

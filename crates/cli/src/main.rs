@@ -16,6 +16,7 @@
 //! | [`drawing_file`] | a drawing as SVG, DXF, PDF or PNG |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
+//! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -62,6 +63,7 @@ mod schemes;
 mod select;
 mod shards;
 mod size;
+mod strength;
 mod synthesize;
 mod teeth;
 mod writing;
@@ -86,6 +88,7 @@ enum Command {
     Teeth(teeth::Args),
     Drive(drive::Args),
     Analyze(analyze::Args),
+    Strength(strength::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -165,6 +168,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Teeth(args) => teeth::run(&args),
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
+        Command::Strength(args) => strength::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

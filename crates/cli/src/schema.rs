@@ -20,6 +20,7 @@ use epicyclic_answers::report::Report;
 use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
+use epicyclic_answers::strength::Strength;
 use epicyclic_answers::synthesize::Synthesis;
 use epicyclic_answers::teeth::Teeth;
 use epicyclic_answers::teeth::double_planet::DoublePlanetTeeth;
@@ -91,6 +92,8 @@ enum Of {
     AnswerSelect,
     /// The answer of `epicyclic select --teeth`.
     AnswerSelectTeeth,
+    /// The answer of `epicyclic strength`.
+    AnswerStrength,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -139,6 +142,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerTeethShifted => schema::<ShiftedTeeth>(),
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
+        Of::AnswerStrength => schema::<Strength>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

@@ -28,6 +28,7 @@ fn help_says_what_there_is() {
             &["teeth", "--help"],
             &["drive", "--help"],
             &["analyze", "--help"],
+            &["strength", "--help"],
             &["compare", "--help"],
             &["select", "--help"],
             &["schemes", "--help"],

@@ -76,6 +76,122 @@ fn shifts_of_many_gears_are_left_out_and_that_is_told() {
     assert_eq!(told["shifts"].as_array().unwrap().len(), 32 * 32);
 }
 
+const WIND: [&str; 6] = ["strength", "wind-stage.yaml", "--torque", "999.650881 kN·m", "--speed", "47.8 rpm"];
+
+#[test]
+fn the_strength_of_a_wind_stage() {
+    let factors = [&WIND[..], &["--factors"]].concat();
+    let csv = [&WIND[..], &["--factors", "--format", "csv"]].concat();
+    insta::assert_snapshot!(sessions(
+        &examples(),
+        &[
+            &WIND[..],
+            &factors,
+            &csv,
+            &["strength", "wind-stage.yaml"],
+            &["strength", "wind-stage.yaml", "--format", "csv"],
+            &["strength", "every-gearbox-key.yaml", "--torque", "4 kN·m", "--speed", "100 rpm"],
+            &["strength", "every-gearbox-key.yaml"],
+        ]
+    ));
+}
+
+/// As printed by the commercial calculation: safeties of sun, planet at the sun, planet at the ring, ring. The ring's root contains a `Y_S` that is compared
+/// only.
+#[test]
+fn the_safeties_of_the_wind_stage_are_those_printed() {
+    let done = output(&examples(), &[&WIND[..], &["--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let rows = told["at_point"].as_array().unwrap();
+    let of = |key: &str| rows.iter().map(|row| row[key].as_f64().unwrap()).collect::<Vec<_>>();
+    for (key, printed) in [
+        ("flank_safety", &[1.21, 1.38, 3.43, 1.81][..]),
+        ("root_safety", &[2.82, 2.04, 4.18]),
+        ("contact_stress_pa", &[1071.17e6, 994.13e6, 404.76e6, 404.76e6]),
+        ("root_stress_pa", &[209.38e6, 210.14e6, 102.77e6]),
+    ] {
+        for (value, printed) in of(key).iter().zip(printed) {
+            assert!((value / printed - 1.0).abs() < 0.01, "{key}: {value}, printed {printed}");
+        }
+    }
+    // 1 N·m of the ring's torque is printed beyond six digits.
+    assert!(of("tangential_force_n").iter().all(|force| (force / 285_900.438 - 1.0).abs() < 1e-6));
+}
+
+/// Stresses depend on the size of the load alone: braked, the safeties are the same.
+#[test]
+fn the_direction_of_power_does_not_change_the_safeties() {
+    let at = |torque: &str| -> serde_json::Value {
+        let line =
+            ["strength", "wind-stage.yaml", "--torque", torque, "--speed", "40 rpm", "--format", "json"];
+        let told: serde_json::Value = serde_json::from_slice(&output(&examples(), &line).stdout).unwrap();
+        told["at_point"].clone()
+    };
+    assert_eq!(at("500 kN·m"), at("-500 kN·m"));
+}
+
+#[test]
+fn strength_that_is_refused() {
+    let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
+    let folder = here();
+    let mut files = vec![];
+    for (place, (from, to)) in [
+        ("share: 50 %", "share: 60 %"),
+        ("share: 50 %", "share: -50 %"),
+        ("gear: only, share: 50 %", "gear: first, share: 50 %"),
+        ("18CrNiMo7-6, 18CrNiMo7-6, 34CrNiMo6]", "18CrNiMo7-6, 18CrNiMo, 34CrNiMo6]"),
+        ("shaper: { teeth: 30, fillet: 0.30 }", "shaper: { fillet: 0.30 }"),
+        ("shaper: { teeth: 30, ", "shaper: { teeth: 0, "),
+        ("shaper: { teeth: 30, fillet: 0.30 }", "shaper: { teeth: 30, fillet: 3 }"),
+        ("      shaper", "      helix: 8 deg\n      shaper"),
+        ("K_v: 1.061", "K_w: 1.061"),
+        ("K_v: 1.061", "K_v: -1"),
+        ("K_v: 1.061, ", ""),
+        ("Y_delta_rel_T_stat: 1", "K_v: 1"),
+        ("flank_roughness: [4.8 µm", "flank_roughness: [0 µm"),
+        ("viscosity: 220 mm²/s", "viscosity: 220"),
+        ("life: 175200 h", ""),
+        ("life: 175200 h", "life: 0 h"),
+        ("flank: 1.2", "flank: 0"),
+        ("    module: 21 mm\n    face_width: 550 mm\n", ""),
+        ("    profile_shifts: [0.3890, 0.5039, 0.1171]", "   "),
+        ("    profile_shifts: [0.3890, 0.5039, 0.1171]", "    profile_shifts: [0.3890, 0.5039, -9]"),
+        ("duty:", "materials: [{ name: iron, class: grey_iron, contact_limit: 300 MPa, root_limit: 80 MPa }]\nduty:"),
+        (
+            "duty:",
+            "materials: [{ name: 34CrNiMo6, class: nitrided, contact_limit: 1 GPa, root_limit: 300 MPa }]\nduty:",
+        ),
+        ("torque: 600 kN·m", "torque: 600 kN"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(wind.contains(from), "{from}");
+        // Alterations of tips are of shifts.
+        let changed = wind.replacen(from, to, 1);
+        let changed = if to.trim().is_empty() && from.contains("profile_shifts") {
+            changed.replace("    tip_alterations: [-0.0833333, -0.0833333, 0] # 1.75 mm shorter\n", "")
+        } else {
+            changed
+        };
+        let name = format!("{place}.yaml");
+        fs::write(folder.path().join(&name), changed).unwrap();
+        files.push(name);
+    }
+    let lines: Vec<[&str; 2]> = files.iter().map(|file| ["strength", file]).collect();
+    let mut lines: Vec<&[&str]> = lines.iter().map(|line| &line[..]).collect();
+    let examples = examples();
+    for name in ["scheme-ii-3.yaml", BOXES, "wind-stage.yaml"] {
+        fs::copy(examples.join(name), folder.path().join(name)).unwrap();
+    }
+    lines.push(&["strength", "scheme-ii-3.yaml"]);
+    lines.push(&["strength", BOXES]);
+    lines.push(&["strength", "wind-stage.yaml", "--torque", "1 kN·m"]);
+    lines.push(&["strength", "wind-stage.yaml", "--factors"]);
+    lines.push(&["strength", "wind-stage.yaml", "--torque", "1 kN·m", "--speed", "1 rpm", "--gear", "two"]);
+    insta::assert_snapshot!(sessions(folder.path(), &lines));
+}
+
 #[test]
 fn gearboxes_side_by_side() {
     insta::assert_snapshot!(sessions(

@@ -83,6 +83,13 @@ const RUNS: &[(&str, &[&str])] = &[
     ),
     ("teeth", &["teeth", "--ratio", "-1.6", "--double-planet", "--limit", "2"]),
     ("teeth", &["teeth", "--ratio", "5.2", "--ring-offset", "1..3", "--limit", "2"]),
+    (
+        "strength",
+        &["strength", "wind-stage.yaml", "--torque", "1000 kN·m", "--speed", "47.8 rpm", "--factors"],
+    ),
+    ("strength", &["strength", "wind-stage.yaml", "--power", "9 MW", "--speed", "47.8 rpm"]),
+    ("strength", &["strength", "worn.yaml"]),
+    ("strength", &["strength", "lacks.yaml", "--torque", "2000 kN·m", "--speed", "47.8 rpm"]),
     ("compare", &["compare", "ravigneaux.yaml", "real-transmissions.yaml", "--transmission", "8HP"]),
     ("compare", &["compare", "II-3", "scheme-ii-3.yaml", "--ratio1", "1.5", "--ratio2", "2.56"]),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
@@ -478,6 +485,24 @@ const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id
 const COSINE: &str = "stator: 7\nrotor: 5\nz3: 84\nzs: 11\nmodule: 1 mm\nlaw: cosine\n";
 const TIPS: &str = "stator: 5\nrotor: 3\nz3: 55\nzs: 10\nmodule: 2 mm\nteeth: { clearance: 0.02 }\n";
 
+/// The wind stage with a duty that wears its roots, too.
+fn worn() -> String {
+    wind_stage().replace("torque: 1000 kN·m", "torque: 2500 kN·m")
+}
+
+/// The wind stage, and one after it without `K_v`.
+fn lacks() -> String {
+    let wind = wind_stage();
+    let (set, _) = wind.split_once("  - id: stage\n").unwrap().1.split_once("oil:").unwrap();
+    let other = set.replace("sun: next", "sun: last").replace("carrier: rotor", "carrier: next");
+    let other = other.replace("K_v: 1.061, ", "");
+    wind.replace("output: next", "output: last").replace("oil:", &format!("  - id: other\n{other}oil:"))
+}
+
+fn wind_stage() -> String {
+    std::fs::read_to_string(examples().join("wind-stage.yaml")).unwrap()
+}
+
 fn folder() -> tempfile::TempDir {
     let folder = common::here();
     for file in std::fs::read_dir(examples()).unwrap() {
@@ -485,6 +510,8 @@ fn folder() -> tempfile::TempDir {
         std::fs::copy(file.path(), folder.path().join(file.file_name())).unwrap();
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
+    std::fs::write(folder.path().join("worn.yaml"), worn()).unwrap();
+    std::fs::write(folder.path().join("lacks.yaml"), lacks()).unwrap();
     std::fs::write(folder.path().join("broken.yaml"), FREE.replace("k: 3", "k: 0.3")).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
     std::fs::write(folder.path().join("one-way.yaml"), ONE_WAY).unwrap();

@@ -57,16 +57,20 @@ use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
 mod compound;
 mod kind;
 mod place;
+mod strength;
 mod transmissions;
 mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use kind::{KindEntry, RollingEntry};
 pub use place::{gear_place, located};
+pub use strength::{
+    DutyEntry, MaterialClass, MaterialEntry, OilEntry, RequiredEntry, ShaperEntry, StrengthEntry,
+};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
 
@@ -229,6 +233,21 @@ pub struct GearboxFile {
     /// Addendum in modules, for the checks of teeth. Default 1.
     #[serde(default)]
     pub addendum: Option<Number>,
+    /// Materials of one's own, for the strength of teeth.
+    #[serde(default)]
+    pub materials: Vec<MaterialEntry>,
+    /// The oil, for the strength of teeth.
+    #[serde(default)]
+    pub oil: Option<OilEntry>,
+    /// Required life, for the strength of teeth.
+    #[serde(default)]
+    pub life: Option<Quantity<Time>>,
+    /// What the gearbox does in its life: shares of the time in gears at loads.
+    #[serde(default)]
+    pub duty: Vec<DutyEntry>,
+    /// Required safeties of teeth. Default 1 of flanks and roots.
+    #[serde(default)]
+    pub required: Option<RequiredEntry>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
@@ -296,6 +315,9 @@ pub struct SetEntry {
     /// What rolls in these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
+    /// Of a simple set, for the strength of its teeth: materials, roughness, tools, given factors.
+    #[serde(default)]
+    pub strength: Option<StrengthEntry>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,

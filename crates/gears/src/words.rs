@@ -23,6 +23,11 @@ macro_rules! words {
             $name,
         )*}
 
+        impl $type {
+            /// Every one, in the order of the enum.
+            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+        }
+
         impl ::std::fmt::Display for $type {
             fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
                 f.pad(match self {

@@ -128,7 +128,7 @@ pub enum Error {
         because: &'static str,
     },
     /// Shares of a duty that are not the whole time.
-    #[error("the shares of the duty sum to {sum}; they must sum to 1")]
+    #[error("the shares of the duty sum to {}; they must sum to 1", with_unit(*sum, ""))]
     Shares {
         /// Their sum.
         sum: f64,

@@ -75,6 +75,18 @@ struct Cycle {
     line: Line,
 }
 
+/// Refuses shares of a duty that are not the whole time.
+///
+/// # Errors
+/// [`Error::Negative`] for a share below 0, [`Error::Shares`] where they do not sum to 1.
+pub fn check_shares(shares: impl IntoIterator<Item = f64>) -> Result<(), Error> {
+    let mut sum = 0.0;
+    for share in shares {
+        sum += not_negative(Quantity::Share, share, "")?;
+    }
+    whole(sum)
+}
+
 /// Damage, safety and life of both gears over a duty; `contacts` as in [`Load`](crate::mesh::Load). Given `Z_NT` and `Y_NT` are of one number of cycles and not
 /// used here.
 ///
@@ -89,13 +101,11 @@ pub fn rate_duty(
     method: &Method,
 ) -> Result<DutyRating, Error> {
     let life_h = positive(Quantity::Life, hours(life), "h")?;
-    let mut sum = 0.0;
+    check_shares(duty.iter().map(|step| step.share))?;
     for step in duty {
-        sum += not_negative(Quantity::Share, step.share, "")?;
         not_negative(Quantity::Torque, n_m(step.torque), "N·m")?;
         not_negative(Quantity::Speed, rpm(step.speed), "rpm")?;
     }
-    whole(sum)?;
     let prepared = Prepared::new(mesh, method)?;
     let mut cycles: [[Vec<Cycle>; 2]; 2] = Default::default();
     for step in duty {

@@ -36,5 +36,43 @@ epicyclic_gears::words! {
     }
 }
 
+impl Symbol {
+    /// The symbol that a text names; Greek letters may be spelled, and signs between letters left out: `K_Hβ`, `K_H_beta`, `KHbeta`.
+    ///
+    /// ```
+    /// use epicyclic_strength::factor::Symbol;
+    ///
+    /// assert_eq!(Symbol::named("K_H_beta"), Some(Symbol::FaceContact));
+    /// assert_eq!(Symbol::named("Z_D"), Some(Symbol::SingleContact));
+    /// assert_eq!(Symbol::named("Y_delta_rel_T_stat"), Some(Symbol::StaticNotchSensitivity));
+    /// assert_eq!(Symbol::named("K_X"), None);
+    /// ```
+    #[must_use]
+    pub fn named(text: &str) -> Option<Self> {
+        let of = |symbol: &&Self| symbol.to_string().split(", ").any(|name| plain(name) == plain(text));
+        Self::ALL.iter().find(of).copied()
+    }
+
+    /// Whether its factor is of a mesh, not of one of its gears.
+    #[must_use]
+    pub const fn is_of_mesh(self) -> bool {
+        (self as usize) < Self::SingleContact as usize
+    }
+}
+
+/// A symbol in letters of the keyboard, without signs between them.
+fn plain(symbol: &str) -> String {
+    let letter = |letter: char| match letter {
+        '_' | ',' | ' ' => String::new(),
+        'α' => "alpha".to_owned(),
+        'β' => "beta".to_owned(),
+        'γ' => "gamma".to_owned(),
+        'δ' => "delta".to_owned(),
+        'ε' => "epsilon".to_owned(),
+        letter => letter.to_string(),
+    };
+    symbol.chars().map(letter).collect()
+}
+
 /// How many there are.
 pub(crate) const SYMBOLS: usize = Symbol::MeanStress as usize + 1;

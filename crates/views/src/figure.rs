@@ -226,6 +226,7 @@ pub const fn suffix(dimension: Dimension) -> &'static str {
         Dimension::Torque => "_n_m",
         Dimension::Power => "_kw",
         Dimension::Pressure => "_mpa",
+        Dimension::Viscosity => "_mm2_s",
         Dimension::Energy => "_j",
         Dimension::Time => "_s",
         _ => "",

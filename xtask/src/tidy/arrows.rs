@@ -28,6 +28,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
             "layout",
             "schemes",
             "train",
+            "strength",
             "gears",
             "hydromotor",
         ],

@@ -22,6 +22,10 @@ const FIRST: &[&str] = &["--gear", "1", "--speed", "2000 rpm", "--torque", "300 
 /// A gear through the rolling disc and the set with two planets.
 const WINCH: &[&str] = &["--gear", "winch", "--speed", "2000 rpm", "--torque", "300 N·m"];
 const CURVE: &[&str] = &["--gear", "curve"];
+/// The strength of the auxiliary set, at a load and over the duty.
+const STRENGTH: &[&str] =
+    &["strength", "--gear", "auxiliary drive", "--torque", "4 kN·m", "--speed", "100 rpm"];
+const OVER_DUTY: &[&str] = &["strength"];
 const WITH_WINCH: &[(&str, &str)] =
     &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
 
@@ -112,6 +116,44 @@ const GEARBOX: &[Key] = &[
         "tip_alterations: [0.3, -0.0833",
         OVERVIEW,
     ),
+    key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
+    key("sets.strength.flank_roughness", "flank_roughness: [4 µm", "flank_roughness: [5 µm", STRENGTH),
+    key("sets.strength.root_roughness", "root_roughness: [16 µm", "root_roughness: [12 µm", STRENGTH),
+    key("sets.strength.shaper.teeth", "shaper: { teeth: 30", "shaper: { teeth: 25", STRENGTH),
+    key("sets.strength.shaper.shift", "teeth: 30, shift: 0,", "teeth: 30, shift: 0.1,", STRENGTH),
+    key("sets.strength.shaper.fillet", "fillet: 0.3 ", "fillet: 0.25 ", STRENGTH),
+    key("sets.strength.planet_rim", "planet_rim: 9 mm", "planet_rim: 8 mm", STRENGTH),
+    key("sets.strength.ring_rim", "ring_rim: 10 mm", "ring_rim: 9 mm", STRENGTH),
+    key("sets.strength.factors", "K_A: 1.25", "K_A: 1.5", STRENGTH),
+    key("sets.strength.sun_mesh_factors", "K_H_beta: 1.3", "K_H_beta: 1.4", STRENGTH),
+    key("sets.strength.ring_mesh_factors", "K_H_beta: 1.15", "K_H_beta: 1.2", STRENGTH),
+    key("sets.strength.ring_factors", "Y_delta_rel_T_stat: 1", "Y_delta_rel_T_stat: 1, Y_S: 2", STRENGTH),
+    key(
+        "materials.name",
+        "ring steel] # of the program's table, or of `materials` below\n\nmaterials: # of one's own, for the strength of teeth\n  - name: ring steel",
+        "other]\n\nmaterials:\n  - name: other",
+        STRENGTH,
+    ),
+    key("materials.class", "class: through_hardened", "class: case_hardened", STRENGTH),
+    key("materials.contact_limit", "contact_limit: 700 MPa", "contact_limit: 710 MPa", STRENGTH),
+    key("materials.root_limit", "root_limit: 290 MPa", "root_limit: 300 MPa", STRENGTH),
+    key("materials.hardness", "hardness: 240", "hardness: 300", STRENGTH),
+    key("materials.strength", "strength: 1000 MPa", "strength: 900 MPa", STRENGTH),
+    key("materials.youngs_modulus", "youngs_modulus: 206 GPa", "youngs_modulus: 200 GPa", STRENGTH),
+    key("oil.viscosity", "viscosity: 220 mm²/s", "viscosity: 320 mm²/s", STRENGTH),
+    key("life", "life: 20000 h", "life: 30000 h", STRENGTH),
+    key("required.flank", "flank: 1.1", "flank: 1.2", STRENGTH),
+    key("required.root", "root: 1.4", "root: 1.5", STRENGTH),
+    key("duty.gear", "gear: \"1\", share", "gear: auxiliary drive, share", OVER_DUTY),
+    Key {
+        path: "duty.share",
+        first: &[("share: 40 %", "share: 0.4")],
+        from: "share: 60 %, torque: 4 kN·m, speed: 100 rpm }\n  - { gear: \"1\", share: 0.4",
+        to: "share: 50 %, torque: 4 kN·m, speed: 100 rpm }\n  - { gear: \"1\", share: 0.5",
+        seen: OVER_DUTY,
+    },
+    key("duty.torque", "torque: 4 kN·m", "torque: 5 kN·m", OVER_DUTY),
+    key("duty.speed", "torque: 4 kN·m, speed: 100 rpm", "torque: 4 kN·m, speed: 200 rpm", OVER_DUTY),
     key("sets.efficiency", "efficiency: 0.985", "efficiency: 0.98", OVERVIEW),
     key("sets.k", "k: 2.5", "k: 2.6", OVERVIEW),
     key("sets.carrier_radius", "carrier_radius: 90 mm", "carrier_radius: 91 mm", OVERVIEW),
@@ -312,7 +354,11 @@ const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
 /// What is seen of a file, or why it is refused.
 fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
     fs::write(folder.join("box.yaml"), file).unwrap();
-    let mut args = vec!["analyze", "box.yaml"];
+    let (command, more) = match more.split_first() {
+        Some((&"strength", more)) => ("strength", more),
+        _ => ("analyze", more),
+    };
+    let mut args = vec![command, "box.yaml"];
     if !more.contains(&"--format") {
         args.extend(["--format", "json"]);
     }

@@ -90,6 +90,18 @@ analyze: every-gearbox-key.yaml --gear 1 --speed '1475 rpm'
   --power '75 kW'
 analyze: every-gearbox-key.yaml --speed '1475 rpm'
   --power '75 kW'
+strength: wind-stage.yaml --torque '1000 kN·m' --speed '47.8 rpm' --format json
+  --torque '500 kN·m'
+  --speed '40 rpm'
+  --factors
+  --format csv
+  --output safeties.json
+strength: wind-stage.yaml --torque '1000 kN·m'
+  --input '40 rpm'
+strength: wind-stage.yaml --speed '47.8 rpm'
+  --power '5 MW'
+strength: every-gearbox-key.yaml --torque '4 kN·m' --speed '100 rpm'
+  --gear 'auxiliary drive'
 compare: real-transmissions.yaml ravigneaux.yaml --transmission 8HP
   --transmission TH400
   --efficiency 97%
@@ -437,6 +449,10 @@ man:
 const REFUSED: &str = "\
 analyze: real-transmissions.yaml --speed '100 rpm' | add --transmission
 analyze: real-transmissions.yaml --efficiency 97% | add --transmission
+strength: wind-stage.yaml --factors | torque or power
+strength: wind-stage.yaml --gear only | torque or power
+strength: wind-stage.yaml --speed '47.8 rpm' | torque or power
+strength: wind-stage.yaml --torque '1000 kN·m' | give it, too
 compare: real-transmissions.yaml ravigneaux.yaml | name one of
 compare: scheme-ii-3.yaml ravigneaux.yaml --transmission 8HP | leave it out
 compare: scheme-ii-3.yaml ravigneaux.yaml --k1 2 | the file says how large
@@ -577,6 +593,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "teeth",
         "drive",
         "analyze",
+        "strength",
         "compare",
         "schemes",
         "draw",

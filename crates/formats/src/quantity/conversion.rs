@@ -2,10 +2,11 @@
 
 use uom::si::{
     angle::radian, angular_acceleration::radian_per_second_squared, angular_velocity::radian_per_second,
-    area::square_meter, energy::joule, f64 as si, force::newton, frequency::hertz, length::meter,
-    mass::kilogram, mass_density::kilogram_per_cubic_meter, moment_of_inertia::kilogram_square_meter,
-    power::watt, pressure::pascal, ratio::ratio, time::second, torque::newton_meter,
-    velocity::meter_per_second, volume::cubic_meter, volume_rate::cubic_meter_per_second,
+    area::square_meter, energy::joule, f64 as si, force::newton, frequency::hertz,
+    kinematic_viscosity::square_meter_per_second, length::meter, mass::kilogram,
+    mass_density::kilogram_per_cubic_meter, moment_of_inertia::kilogram_square_meter, power::watt,
+    pressure::pascal, ratio::ratio, time::second, torque::newton_meter, velocity::meter_per_second,
+    volume::cubic_meter, volume_rate::cubic_meter_per_second,
 };
 
 use super::dimension::Dimension;
@@ -62,6 +63,7 @@ physical! {
     Torque in newton_meter is Torque;
     Power in watt is Power;
     Pressure in pascal is Pressure;
+    KinematicViscosity in square_meter_per_second is Viscosity;
     Energy in joule is Energy;
     Time in second is Time;
 }

@@ -43,6 +43,8 @@ pub enum Dimension {
     Power,
     /// Pressure and stress. SI unit: Pa.
     Pressure,
+    /// Kinematic viscosity of an oil. SI unit: m²/s.
+    Viscosity,
     /// SI unit: J.
     Energy,
     /// SI unit: s.
@@ -51,7 +53,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::Dimensionless,
         Self::Length,
         Self::Area,
@@ -69,6 +71,7 @@ impl Dimension {
         Self::Torque,
         Self::Power,
         Self::Pressure,
+        Self::Viscosity,
         Self::Energy,
         Self::Time,
     ];
@@ -94,6 +97,7 @@ impl Dimension {
             Self::Torque => "torque",
             Self::Power => "power",
             Self::Pressure => "pressure",
+            Self::Viscosity => "kinematic viscosity",
             Self::Energy => "energy",
             Self::Time => "time",
         }
@@ -110,6 +114,7 @@ impl Dimension {
             | Self::Speed
             | Self::Angle
             | Self::VolumeRate
+            | Self::Viscosity
             | Self::Density => 1e6,
             Self::Area
             | Self::Volume

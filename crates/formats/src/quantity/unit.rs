@@ -164,6 +164,11 @@ const PRESSURE: &[Unit] = &[
     unit(Pressure, "kgf/cm²", GRAVITY * 1e4, &["kgf/cm2"]),
 ];
 
+const VISCOSITY: &[Unit] = &[
+    unit(Viscosity, "mm²/s", 1e-6, &["mm2/s", "mm2·s-1", "cSt"]),
+    unit(Viscosity, "m²/s", 1.0, &["m2/s", "m2·s-1"]),
+];
+
 const ENERGY: &[Unit] = &[
     unit(Energy, "J", 1.0, &["J"]),
     unit(Energy, "mJ", 1e-3, &["mJ"]),
@@ -208,6 +213,7 @@ impl Dimension {
             Torque => TORQUE,
             Power => POWER,
             Pressure => PRESSURE,
+            Viscosity => VISCOSITY,
             Energy => ENERGY,
             Time => TIME,
         }

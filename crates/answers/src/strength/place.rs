@@ -1,0 +1,69 @@
+//! Where in a gearbox file a fault of its strength is.
+
+use super::records::{NotRated, Reason};
+use crate::Error;
+use epicyclic_formats::{Document, Path, Problem};
+use epicyclic_strength::{self as strength, Quantity};
+
+/// What keeps a set from being rated.
+pub(super) enum Fault {
+    /// It lacks something; the others are rated.
+    Row(NotRated),
+    /// Something is wrong.
+    Refused(Box<Error>),
+}
+
+impl Fault {
+    /// Of a set at its path.
+    pub(super) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
+        match error {
+            strength::Error::MissingFactor { symbol, because } => Self::Row(NotRated {
+                missing: vec![symbol.to_string()],
+                because: Some((*because).to_owned()),
+                ..NotRated::new(set, Reason::FactorMissing)
+            }),
+            strength::Error::IdleDuty => Self::Row(NotRated::new(set, Reason::NoTorque)),
+            error => Self::Refused(Box::new(located(document, path, error))),
+        }
+    }
+}
+
+/// A refusal at the longest part of a path that the file has.
+pub(super) fn refused(document: &Document, path: &Path, keys: &[&str], message: &str) -> Error {
+    let deeper = |path: Path, key: &&str| {
+        let inner = path.clone().key(*key);
+        if document.value_at(&inner).is_some() { inner } else { path }
+    };
+    let place = keys.iter().fold(path.clone(), deeper);
+    document.error(&place, Problem::Refused { message: message.to_owned() }).into()
+}
+
+/// What the strength of a set refuses, at the key that it is about.
+pub(super) fn located(document: &Document, set: &Path, error: &strength::Error) -> Error {
+    use strength::Error as E;
+    let root = Path::root();
+    let (path, keys): (&Path, &[&str]) = match error {
+        E::NotPositive { quantity, .. }
+        | E::Negative { quantity, .. }
+        | E::OutOfRange { quantity, .. }
+        | E::NotAbove { quantity, .. } => match quantity {
+            Quantity::Life => (&root, &["life"]),
+            Quantity::Viscosity => (&root, &["oil", "viscosity"]),
+            Quantity::RequiredSafety => (&root, &["required"]),
+            Quantity::Module => (set, &["module"]),
+            Quantity::FaceWidth => (set, &["face_width"]),
+            Quantity::Planets => (set, &["planets"]),
+            Quantity::FlankRoughness => (set, &["strength", "flank_roughness"]),
+            Quantity::RootRoughness => (set, &["strength", "root_roughness"]),
+            Quantity::ContactRatio | Quantity::TransverseContactRatio => (set, &["profile_shifts"]),
+            Quantity::ShaperTeeth => (set, &["strength", "shaper", "teeth"]),
+            Quantity::ShaperShift => (set, &["strength", "shaper", "shift"]),
+            Quantity::Rim => (set, &["strength", "planet_rim"]),
+            Quantity::RingRim => (set, &["strength", "ring_rim"]),
+            _ => (set, &["strength"]),
+        },
+        E::NoRootSection { .. } => (set, &["strength", "shaper"]),
+        _ => (set, &["strength"]),
+    };
+    refused(document, path, keys, &error.to_string())
+}

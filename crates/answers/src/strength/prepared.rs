@@ -1,0 +1,278 @@
+//! The meshes of a file's sets, as far as the file says what their strength asks for.
+
+use super::place::refused;
+use super::records::{NotRated, Reason};
+use crate::Error;
+use crate::gearbox::Subject;
+use epicyclic_formats::gearbox::{GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry};
+use epicyclic_formats::{Document, Number, Path};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
+use epicyclic_strength::factor::{Given, Side, Symbol};
+use epicyclic_strength::material::{self, Class, Material};
+use epicyclic_strength::mesh::{Gear, Mesh, Method};
+use epicyclic_strength::root::factors::Bending;
+use epicyclic_strength::root::section::Shaper;
+use epicyclic_train::set::{SetKind, SetSpec};
+use std::collections::BTreeMap;
+use uom::si::f64::{KinematicViscosity, Length};
+
+/// A simple set with all that its strength asks for.
+pub(super) struct RatedSet<'g> {
+    /// Its place in the gearbox.
+    pub(super) place: usize,
+    /// Its name.
+    pub(super) id: &'g str,
+    /// Where it stands in the file.
+    pub(super) path: Path,
+    /// Materials of sun, planets and ring by name.
+    pub(super) materials: &'g [String; 3],
+    /// Teeth of sun and planets.
+    pub(super) teeth: [ToothCount; 2],
+    pub(super) planets: u32,
+    /// Of sun and planets, of planets and ring.
+    pub(super) meshes: [Mesh; 2],
+    pub(super) methods: [Method; 2],
+}
+
+/// The sets that can be rated, and why others cannot.
+pub(super) fn sets<'g>(
+    subject: &'g Subject<'_>,
+    file: &'g GearboxFile,
+) -> Result<(Vec<RatedSet<'g>>, Vec<NotRated>), Error> {
+    check_materials(subject.document, file)?;
+    let (mut rated, mut not_rated) = (vec![], vec![]);
+    for (place, set) in subject.gearbox.sets().iter().enumerate() {
+        let entry = file.sets.iter().position(|entry| entry.id == set.id());
+        let simple = set.short().filter(|spec| spec.kind == SetKind::Simple);
+        let (Some(index), Some(spec)) = (entry, simple) else {
+            not_rated.push(NotRated::new(set.id(), Reason::NotSimple));
+            continue;
+        };
+        let path = Path::root().key("sets").index(index);
+        let of = Of { subject, file, entry: &file.sets[index], spec, path };
+        match of.known()? {
+            Ok(known) => rated.push(of.set(place, set.id(), &known)?),
+            Err(missing) => not_rated.push(NotRated {
+                missing: missing.into_iter().map(str::to_owned).collect(),
+                ..NotRated::new(set.id(), Reason::KeysMissing)
+            }),
+        }
+    }
+    Ok((rated, not_rated))
+}
+
+/// A set of the file.
+struct Of<'a> {
+    subject: &'a Subject<'a>,
+    file: &'a GearboxFile,
+    entry: &'a SetEntry,
+    spec: &'a SetSpec,
+    path: Path,
+}
+
+/// What must be known of it.
+struct Known<'a> {
+    gears: PlanetSet,
+    planets: u32,
+    module: Length,
+    face_width: Length,
+    strength: &'a StrengthEntry,
+    shaper: Shaper,
+    viscosity: KinematicViscosity,
+}
+
+impl<'a> Of<'a> {
+    /// What is known, or the keys that are missing.
+    fn known(&self) -> Result<Result<Known<'a>, Vec<&'static str>>, Error> {
+        let entry = self.entry;
+        let gears = self.spec.toothed_set(&self.subject.rack).transpose();
+        let gears = gears.map_err(|error| self.refused(&["profile_shifts"], &error.to_string()))?;
+        let strength = entry.strength.as_ref();
+        let shaper = strength.and_then(|strength| strength.shaper.as_ref());
+        let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
+        if let (
+            Some(gears),
+            Some(planets),
+            Some(module),
+            Some(face_width),
+            Some(strength),
+            Some(shaper),
+            Some(viscosity),
+        ) = (gears, entry.planets, entry.module, entry.face_width, strength, shaper, viscosity)
+        {
+            let ring = gears.gears()[2];
+            let fillet = shaper.fillet.map_or(ring.profile().fillet, Number::get);
+            let shaper = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
+            let gears = with_ring_fillet(&gears, fillet)
+                .map_err(|error| self.refused(&["strength", "shaper", "fillet"], &error.to_string()))?;
+            let (module, face_width) = (module.0, face_width.0);
+            return Ok(Ok(Known { gears, planets, module, face_width, strength, shaper, viscosity }));
+        }
+        let teeth = if entry.teeth.is_none() {
+            "teeth"
+        } else if entry.planet_teeth.is_none() {
+            "planet_teeth"
+        } else {
+            "profile_shifts"
+        };
+        let known = [
+            (teeth, gears.is_some()),
+            ("planets", entry.planets.is_some()),
+            ("module", entry.module.is_some()),
+            ("face_width", entry.face_width.is_some()),
+            ("strength", strength.is_some()),
+            ("strength.shaper", strength.is_none() || shaper.is_some()),
+            ("oil", viscosity.is_some()),
+        ];
+        Ok(Err(known.into_iter().filter(|(_, is_known)| !is_known).map(|(key, _)| key).collect()))
+    }
+
+    fn set(&self, place: usize, id: &'a str, known: &Known<'a>) -> Result<RatedSet<'a>, Error> {
+        let Known { strength, module, face_width, viscosity, .. } = *known;
+        let material = |of| self.material(of, &strength.materials[of]);
+        let materials = [material(0)?, material(1)?, material(2)?];
+        let gear = |of: usize, bending, rim: Option<Length>, shaper| Gear {
+            material: materials[of],
+            flank_roughness: strength.flank_roughness[of].0,
+            root_roughness: strength.root_roughness[of].0,
+            rim,
+            shaper,
+            bending,
+        };
+        let sun = gear(0, Bending::OneWay, None, None);
+        let planet = gear(1, Bending::Reversed, strength.planet_rim.map(|rim| rim.0), None);
+        let ring = gear(2, Bending::OneWay, strength.ring_rim.map(|rim| rim.0), Some(known.shaper));
+        let mesh = |pair, gears| Mesh { pair, module, face_width, gears, viscosity };
+        let method = |of_mesh, ring: Option<&BTreeMap<String, Number>>| -> Result<Method, Error> {
+            let given = self.given(&strength.factors, of_mesh, ring)?;
+            Ok(Method { given, planets: Some(known.planets), ..Method::default() })
+        };
+        let [sun_teeth, planet_teeth, _] = known.gears.gears().map(InvoluteGear::teeth);
+        Ok(RatedSet {
+            place,
+            id,
+            path: self.path.clone(),
+            materials: &strength.materials,
+            teeth: [sun_teeth, planet_teeth],
+            planets: known.planets,
+            meshes: [
+                mesh(*known.gears.sun_mesh(), [sun, planet]),
+                mesh(*known.gears.ring_mesh(), [planet, ring]),
+            ],
+            methods: [
+                method(("sun_mesh_factors", &strength.sun_mesh_factors), None)?,
+                method(("ring_mesh_factors", &strength.ring_mesh_factors), Some(&strength.ring_factors))?,
+            ],
+        })
+    }
+
+    /// The factors given for a mesh: those of both meshes, its own, those of the ring.
+    fn given(
+        &self,
+        common: &BTreeMap<String, Number>,
+        (key, own): (&str, &BTreeMap<String, Number>),
+        ring: Option<&BTreeMap<String, Number>>,
+    ) -> Result<Given, Error> {
+        let mut given = Given::default();
+        for (key, factors) in [("factors", common), (key, own)] {
+            for (name, value) in factors {
+                given = given.with(self.symbol(key, name)?, value.get());
+            }
+        }
+        for (name, value) in ring.into_iter().flatten() {
+            let symbol = self.symbol("ring_factors", name)?;
+            if symbol.is_of_mesh() {
+                let message = format!("{symbol} is of a mesh: it stands in `factors` or `ring_mesh_factors`");
+                return Err(self.refused(&["strength", "ring_factors", name], &message));
+            }
+            given = given.with_of(Side::Second, symbol, value.get());
+        }
+        Ok(given)
+    }
+
+    fn symbol(&self, key: &str, name: &str) -> Result<Symbol, Error> {
+        Symbol::named(name).ok_or_else(|| {
+            let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
+            let message = format!("no factor is called `{name}`; there are {}", all.join(", "));
+            self.refused(&["strength", key, name], &message)
+        })
+    }
+
+    fn material(&self, of: usize, name: &str) -> Result<Material, Error> {
+        if let Some(own) = self.file.materials.iter().find(|own| own.name == name) {
+            return Ok(of_entry(own));
+        }
+        material::listed(name).map(|listed| listed.material).ok_or_else(|| {
+            let listed = material::all().into_iter().map(|listed| listed.designation);
+            let all: Vec<&str> = self.file.materials.iter().map(|own| own.name.as_str()).chain(listed).collect();
+            let message = format!(
+                "no material is called `{name}`; there are {}, and those that `materials` of the gearbox states",
+                all.join(", ")
+            );
+            let place = self.path.clone().key("strength").key("materials").index(of);
+            refused(self.subject.document, &place, &[], &message)
+        })
+    }
+
+    fn refused(&self, keys: &[&str], message: &str) -> Error {
+        refused(self.subject.document, &self.path, keys, message)
+    }
+}
+
+/// The same set with the fillet of the rack that stands for the ring's shaper.
+fn with_ring_fillet(set: &PlanetSet, fillet: f64) -> Result<PlanetSet, epicyclic_gears::Error> {
+    let [sun, planet, ring] = set.gears();
+    let profile = Profile { fillet, ..*ring.profile() };
+    let ring = InvoluteGear::new(ring.kind(), ring.teeth(), profile, ring.shift())?
+        .with_tip_alteration(ring.tip_alteration())?;
+    PlanetSet::new([*sun, *planet, ring], set.planets(), set.centre_distance())
+}
+
+/// Refuses materials of one name, and cast iron without its modulus.
+fn check_materials(document: &Document, file: &GearboxFile) -> Result<(), Error> {
+    for (place, own) in file.materials.iter().enumerate() {
+        let path = Path::root().key("materials").index(place);
+        let is_iron = matches!(
+            own.class,
+            MaterialClass::GreyIron
+                | MaterialClass::NodularPearlitic
+                | MaterialClass::NodularFerritic
+                | MaterialClass::Malleable
+        );
+        let is_known = material::listed(&own.name).is_some();
+        if is_known || file.materials[..place].iter().any(|other| other.name == own.name) {
+            let message = format!("there is a material `{}`; this one needs another name", own.name);
+            return Err(refused(document, &path, &["name"], &message));
+        }
+        if is_iron && own.youngs_modulus.is_none() {
+            let message = format!("material `{}`: cast iron needs its `youngs_modulus`", own.name);
+            return Err(refused(document, &path, &["class"], &message));
+        }
+        of_entry(own).check().map_err(|error| refused(document, &path, &[], &error.to_string()))?;
+    }
+    Ok(())
+}
+
+fn of_entry(own: &MaterialEntry) -> Material {
+    let class = match own.class {
+        MaterialClass::Structural => Class::Structural,
+        MaterialClass::ThroughHardened => Class::ThroughHardened,
+        MaterialClass::GreyIron => Class::GreyIron,
+        MaterialClass::NodularPearlitic => Class::NodularPearlitic,
+        MaterialClass::NodularFerritic => Class::NodularFerritic,
+        MaterialClass::Malleable => Class::Malleable,
+        MaterialClass::CaseHardened => Class::CaseHardened,
+        MaterialClass::SurfaceHardened => Class::SurfaceHardened,
+        MaterialClass::Nitrided => Class::Nitrided,
+        MaterialClass::ThroughHardenedNitrided => Class::ThroughHardenedNitrided,
+        MaterialClass::Nitrocarburized => Class::Nitrocarburized,
+    };
+    let steel = Material::steel(class, own.contact_limit.0, own.root_limit.0);
+    Material {
+        hardness: own.hardness.map(Number::get),
+        strength: own.strength.map(|strength| strength.0),
+        youngs_modulus: own.youngs_modulus.map_or(steel.youngs_modulus, |modulus| modulus.0),
+        ..steel
+    }
+}

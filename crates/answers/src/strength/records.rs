@@ -1,0 +1,433 @@
+//! Records of the strength of teeth: meshes, gears, what governs, what is not rated.
+
+use crate::Warning;
+use epicyclic_formats::Physical;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_strength::factor::{Origin, Side};
+use epicyclic_strength::mesh::Load;
+use epicyclic_strength::rating::MeshRating;
+use epicyclic_strength::spectrum::{DutyRating, Worn};
+use epicyclic_strength::{self as strength, factor, rating};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt;
+
+/// A mesh of a simple set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MeshName {
+    /// Of sun and planets.
+    SunPlanet,
+    /// Of planets and ring.
+    PlanetRing,
+}
+
+impl MeshName {
+    /// Both.
+    pub const BOTH: [Self; 2] = [Self::SunPlanet, Self::PlanetRing];
+
+    /// Its gears, in the order of the calculation.
+    #[must_use]
+    pub const fn gears(self) -> [ToothedGear; 2] {
+        match self {
+            Self::SunPlanet => [ToothedGear::Sun, ToothedGear::Planet],
+            Self::PlanetRing => [ToothedGear::Planet, ToothedGear::Ring],
+        }
+    }
+}
+
+impl fmt::Display for MeshName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [first, second] = self.gears();
+        write!(f, "{first}-{second}")
+    }
+}
+
+/// A gear of a simple set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ToothedGear {
+    /// The sun.
+    Sun,
+    /// A planet.
+    Planet,
+    /// The ring.
+    Ring,
+}
+
+impl fmt::Display for ToothedGear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Sun => "sun",
+            Self::Planet => "planet",
+            Self::Ring => "ring",
+        })
+    }
+}
+
+/// Where a tooth fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// The flank, by pitting.
+    Flank,
+    /// The root, by bending.
+    Root,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Flank => "flank",
+            Self::Root => "root",
+        })
+    }
+}
+
+/// Required safeties.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Required {
+    /// Of the flanks.
+    pub flank: f64,
+    /// Of the roots.
+    pub root: f64,
+}
+
+impl Required {
+    /// As the file has them, 1 without.
+    pub(super) fn of(file: &GearboxFile) -> Self {
+        let of = |required: &epicyclic_formats::gearbox::RequiredEntry| Self {
+            flank: required.flank.get(),
+            root: required.root.get(),
+        };
+        file.required.as_ref().map_or(Self { flank: 1.0, root: 1.0 }, of)
+    }
+
+    pub(super) fn check(self) -> Result<(), strength::Error> {
+        let quantity = strength::Quantity::RequiredSafety;
+        let wrong = [self.flank, self.root].into_iter().find(|value| !(value.is_finite() && *value > 0.0));
+        wrong.map_or(Ok(()), |value| Err(strength::Error::NotPositive { quantity, value, unit: "" }))
+    }
+
+    const fn at(self, place: Place) -> f64 {
+        match place {
+            Place::Flank => self.flank,
+            Place::Root => self.root,
+        }
+    }
+}
+
+/// A factor of the calculation.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Factor {
+    /// Its symbol as ISO 6336 writes it.
+    pub symbol: String,
+    /// Its value; of `Z_E` in √(N/mm²), else without unit.
+    pub value: f64,
+    /// The document and clause of its formula; `null` where it is given.
+    pub formula: Option<String>,
+}
+
+impl Factor {
+    fn of(factor: factor::Factor) -> Self {
+        let formula = match factor.origin {
+            Origin::Formula(reference) => Some(reference.to_string()),
+            Origin::Given => None,
+        };
+        Self { symbol: factor.symbol.to_string(), value: factor.value, formula }
+    }
+}
+
+/// A gear of a mesh at an operating point.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Rated {
+    /// The selected gear.
+    pub gear: String,
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Its material.
+    pub material: String,
+    /// Torque of one mesh on the mesh's first gear, without sign.
+    pub mesh_torque_n_m: f64,
+    /// Speed of the mesh's first gear relative to the carrier, without sign.
+    pub mesh_speed_rad_s: f64,
+    /// Tangential force of one mesh at the reference circle, `F_t`.
+    pub tangential_force_n: f64,
+    /// Load cycles in the required life, `N_L`.
+    pub cycles: f64,
+    /// Contact stress `σ_H`.
+    pub contact_stress_pa: f64,
+    /// Its limit `σ_HG`.
+    pub contact_limit_pa: f64,
+    /// Safety of the flank, `S_H`.
+    pub flank_safety: f64,
+    /// Root stress `σ_F`.
+    pub root_stress_pa: f64,
+    /// Its limit `σ_FG`.
+    pub root_limit_pa: f64,
+    /// Safety of the root, `S_F`.
+    pub root_safety: f64,
+    /// All factors in the order of the calculation, if they are wanted.
+    pub factors: Vec<Factor>,
+}
+
+/// A mesh at an operating point.
+pub(super) struct MeshAtPoint {
+    pub(super) name: MeshName,
+    /// Materials of its gears.
+    pub(super) materials: [String; 2],
+    pub(super) load: Load,
+    pub(super) rating: Box<MeshRating>,
+}
+
+impl MeshAtPoint {
+    /// Both of its gears, in a selected gear.
+    pub(super) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
+        let of = |side: Side| {
+            let own: &rating::GearRating = &self.rating.gears[side as usize];
+            let factors =
+                if with_factors { self.rating.chain(side).map(Factor::of).collect() } else { vec![] };
+            Rated {
+                gear: gear.to_owned(),
+                set: set.to_owned(),
+                mesh: self.name,
+                toothed_gear: self.name.gears()[side as usize],
+                material: self.materials[side as usize].clone(),
+                mesh_torque_n_m: self.load.torque.si(),
+                mesh_speed_rad_s: self.load.speed.si(),
+                tangential_force_n: self.rating.tangential_force.si(),
+                cycles: own.cycles,
+                contact_stress_pa: own.contact.stress.si(),
+                contact_limit_pa: own.contact.limit.si(),
+                flank_safety: own.contact.safety,
+                root_stress_pa: own.root.stress.si(),
+                root_limit_pa: own.root.limit.si(),
+                root_safety: own.root.safety,
+                factors,
+            }
+        };
+        Side::BOTH.map(of)
+    }
+}
+
+/// What a duty does to a flank or root.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Wear {
+    /// Damage in the required life, 1 at its end; `null` where a stress is above the static limit.
+    pub damage: Option<f64>,
+    /// Factor of all stresses with which the damage is 1.
+    pub safety: f64,
+    /// Life; `null` where nothing does damage.
+    pub life_s: Option<f64>,
+}
+
+impl Wear {
+    fn of(worn: Worn) -> Self {
+        let damage = Some(worn.damage).filter(|damage| damage.is_finite());
+        Self { damage, safety: worn.safety, life_s: worn.life.map(Physical::si) }
+    }
+}
+
+/// A gear of a mesh over the duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OverDuty {
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Its flank.
+    pub flank: Wear,
+    /// Its root.
+    pub root: Wear,
+}
+
+impl OverDuty {
+    /// Both gears of a mesh.
+    pub(super) fn both(set: &str, mesh: MeshName, rating: &DutyRating) -> [Self; 2] {
+        Side::BOTH.map(|side| {
+            let own = rating.gears[side as usize];
+            Self {
+                set: set.to_owned(),
+                mesh,
+                toothed_gear: mesh.gears()[side as usize],
+                flank: Wear::of(own.contact),
+                root: Wear::of(own.root),
+            }
+        })
+    }
+}
+
+/// A safety, and what is required of it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Governing {
+    /// The selected gear; `null` over a duty.
+    pub gear: Option<String>,
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Flank or root.
+    pub place: Place,
+    /// The safety.
+    pub safety: f64,
+    /// What is required.
+    pub required: f64,
+}
+
+impl Governing {
+    /// All safeties.
+    fn all<'r>(
+        at_point: &'r [Rated],
+        over_duty: &'r [OverDuty],
+        required: Required,
+    ) -> impl Iterator<Item = Self> + 'r {
+        let points = at_point.iter().flat_map(move |one| {
+            [(Place::Flank, one.flank_safety), (Place::Root, one.root_safety)].map(|(place, safety)| Self {
+                gear: Some(one.gear.clone()),
+                set: one.set.clone(),
+                mesh: one.mesh,
+                toothed_gear: one.toothed_gear,
+                place,
+                safety,
+                required: required.at(place),
+            })
+        });
+        let duties = over_duty.iter().flat_map(move |one| {
+            [(Place::Flank, one.flank.safety), (Place::Root, one.root.safety)].map(|(place, safety)| Self {
+                gear: None,
+                set: one.set.clone(),
+                mesh: one.mesh,
+                toothed_gear: one.toothed_gear,
+                place,
+                safety,
+                required: required.at(place),
+            })
+        });
+        points.chain(duties)
+    }
+
+    /// The safety that is least over what is required of it; of equal ones the first.
+    pub(super) fn of(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Option<Self> {
+        let over = |one: &Self| one.safety / one.required;
+        Self::all(at_point, over_duty, required)
+            .reduce(|least, one| if over(&one) < over(&least) { one } else { least })
+    }
+}
+
+impl fmt::Display for Governing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let symbol = match self.place {
+            Place::Flank => "S_H",
+            Place::Root => "S_F",
+        };
+        let Self { set, mesh, toothed_gear, place, safety, .. } = self;
+        write!(f, "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {mesh}")?;
+        match &self.gear {
+            Some(gear) => write!(f, ", gear {gear})"),
+            None => f.write_str(", over the duty)"),
+        }
+    }
+}
+
+/// What is below its required safety.
+pub(super) fn below(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Vec<Warning> {
+    Governing::all(at_point, over_duty, required)
+        .filter(|one| one.safety < one.required)
+        .map(|one| Warning {
+            name: "low-safety",
+            message: format!("{one} is below the {} required", one.required),
+        })
+        .collect()
+}
+
+/// Why a set is not rated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reason {
+    /// It is no simple set: no sun, planet and ring.
+    NotSimple,
+    /// Its entry in the file lacks keys.
+    KeysMissing,
+    /// A factor is neither given nor can be calculated.
+    FactorMissing,
+    /// No torques follow in the gear, or it cannot take the load.
+    NoTorquesFollow,
+    /// It carries no torque.
+    NoTorque,
+    /// It does not roll: it turns as a block or rests.
+    NoRolling,
+}
+
+/// A set that is not rated.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct NotRated {
+    /// The set.
+    pub set: String,
+    /// In which selected gears; empty in all.
+    pub gears: Vec<String>,
+    /// Why.
+    pub reason: Reason,
+    /// The keys, or the factor, that are missing.
+    pub missing: Vec<String>,
+    /// What the factor would follow from.
+    pub because: Option<String>,
+}
+
+impl NotRated {
+    pub(super) fn new(set: &str, reason: Reason) -> Self {
+        Self { set: set.to_owned(), gears: vec![], reason, missing: vec![], because: None }
+    }
+
+    /// The same in one gear.
+    pub(super) fn of_gear(self, gear: &str) -> Self {
+        Self { gears: vec![gear.to_owned()], ..self }
+    }
+
+    /// Adds it to others, gears of one set and reason together.
+    pub(super) fn join(mut self, all: &mut Vec<Self>) {
+        let alike = |one: &&mut Self| {
+            (&one.set, one.reason, &one.missing) == (&self.set, self.reason, &self.missing)
+                && !one.gears.is_empty()
+        };
+        match all.iter_mut().find(alike) {
+            Some(one) => one.gears.append(&mut self.gears),
+            None => all.push(self),
+        }
+    }
+
+    /// In words: `set 1: module missing`.
+    pub(super) fn told(&self) -> String {
+        format!("set {}: {}", self.set, self.why())
+    }
+
+    /// Why, in words.
+    #[must_use]
+    pub fn why(&self) -> String {
+        let missing = self.missing.join(", ");
+        match (self.reason, &self.because) {
+            (Reason::NotSimple, _) => "no simple set".to_owned(),
+            (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),
+            (Reason::KeysMissing | Reason::FactorMissing, Some(because)) => {
+                format!("{missing} missing: {because}")
+            }
+            (Reason::NoTorquesFollow, _) => "no torques follow".to_owned(),
+            (Reason::NoTorque, _) => "carries no torque".to_owned(),
+            (Reason::NoRolling, _) => "does not roll".to_owned(),
+        }
+    }
+}

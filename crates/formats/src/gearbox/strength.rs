@@ -1,0 +1,137 @@
+//! What a gearbox file says for the strength of its teeth: of sets, of the gearbox, and its duty.
+
+use crate::{Number, Quantity};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Pressure, Ratio, Torque};
+
+/// What the strength of a simple set asks for beyond its teeth, module and face width.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StrengthEntry {
+    /// Materials of sun, planets and ring: a designation of the table, or a name of `materials`.
+    pub materials: [String; 3],
+    /// Roughness `R_z` of the flanks of sun, planets and ring.
+    pub flank_roughness: [Quantity<Length>; 3],
+    /// Roughness `R_z` of the roots of sun, planets and ring.
+    pub root_roughness: [Quantity<Length>; 3],
+    /// The shaper that cuts the ring.
+    #[serde(default)]
+    pub shaper: Option<ShaperEntry>,
+    /// Thickness of the rim under the planets' teeth. Default: solid planets.
+    #[serde(default)]
+    pub planet_rim: Option<Quantity<Length>>,
+    /// Thickness of the rim outside the ring's teeth. Default: thick.
+    #[serde(default)]
+    pub ring_rim: Option<Quantity<Length>>,
+    /// Factors given for both meshes by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`, `K_v`, `K_H_beta`.
+    #[serde(default)]
+    pub factors: BTreeMap<String, Number>,
+    /// Factors given for the mesh of sun and planets; they go before `factors`.
+    #[serde(default)]
+    pub sun_mesh_factors: BTreeMap<String, Number>,
+    /// Factors given for the mesh of planets and ring; they go before `factors`.
+    #[serde(default)]
+    pub ring_mesh_factors: BTreeMap<String, Number>,
+    /// Factors given for the ring alone, such as `Y_delta_rel_T_stat`; they go before all others.
+    #[serde(default)]
+    pub ring_factors: BTreeMap<String, Number>,
+}
+
+/// A shaper.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShaperEntry {
+    /// Its teeth.
+    pub teeth: u32,
+    /// Its profile shift coefficient. Default 0.
+    #[serde(default)]
+    pub shift: Option<Number>,
+    /// Radius of the fillet that the standard's rack has in its place, in modules. Default 0.38.
+    #[serde(default)]
+    pub fillet: Option<Number>,
+}
+
+/// A material of one's own.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MaterialEntry {
+    /// The name by which sets know it.
+    pub name: String,
+    /// Its class.
+    pub class: MaterialClass,
+    /// Contact stress limit `σ_Hlim`.
+    pub contact_limit: Quantity<Pressure>,
+    /// Root stress limit `σ_Flim` of the test gear, for one direction of load.
+    pub root_limit: Quantity<Pressure>,
+    /// Brinell hardness of the flank, for `Z_W` of a soft gear in mesh with a hard one.
+    #[serde(default)]
+    pub hardness: Option<Number>,
+    /// Yield strength, proof stress or tensile strength, as the notch factor of the class asks for it.
+    #[serde(default)]
+    pub strength: Option<Quantity<Pressure>>,
+    /// Young's modulus. Default 206 GPa of steels; cast iron states its own. Poisson's ratio is 0.3.
+    #[serde(default)]
+    pub youngs_modulus: Option<Quantity<Pressure>>,
+}
+
+/// Class of a material.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MaterialClass {
+    /// Structural steel (St).
+    Structural,
+    /// Through-hardened steel (V).
+    ThroughHardened,
+    /// Grey cast iron (GG).
+    GreyIron,
+    /// Nodular cast iron, pearlitic or bainitic (GGG).
+    NodularPearlitic,
+    /// Nodular cast iron, ferritic (GGG).
+    NodularFerritic,
+    /// Black malleable cast iron (GTS).
+    Malleable,
+    /// Case-hardened steel (Eh).
+    CaseHardened,
+    /// Induction- or flame-hardened steel (IF).
+    SurfaceHardened,
+    /// Nitriding steel, nitrided (NT).
+    Nitrided,
+    /// Through-hardened steel, nitrided (NV, nitr.).
+    ThroughHardenedNitrided,
+    /// Steel, nitrocarburized (NV, nitrocar.).
+    Nitrocarburized,
+}
+
+/// The oil.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OilEntry {
+    /// Kinematic viscosity at 40 °C.
+    pub viscosity: Quantity<KinematicViscosity>,
+}
+
+/// A part of the time in one gear at one load.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DutyEntry {
+    /// The gear.
+    pub gear: String,
+    /// Share of the time; those of all steps sum to 1.
+    pub share: Quantity<Ratio>,
+    /// Torque on the input.
+    pub torque: Quantity<Torque>,
+    /// Speed of the input.
+    pub speed: Quantity<AngularVelocity>,
+}
+
+/// Required safeties.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RequiredEntry {
+    /// Of the flanks, `S_H`.
+    pub flank: Number,
+    /// Of the roots, `S_F`.
+    pub root: Number,
+}

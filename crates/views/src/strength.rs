@@ -1,0 +1,285 @@
+//! The strength of teeth as tables.
+
+use crate::AsReport;
+use crate::figure::{Figure, text};
+use crate::quantities::{optional, quantity};
+use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::units::hours;
+use epicyclic_answers::strength::Strength;
+use epicyclic_answers::strength::records::{NotRated, OverDuty, Rated, Wear};
+use epicyclic_formats::Dimension;
+
+/// Load cycles are shown in millions.
+const MILLION: f64 = 1e6;
+
+impl AsReport for Strength {
+    fn report(&self) -> Report {
+        let mut parts = vec![Part::Facts(self.facts())];
+        if !self.at_point.is_empty() {
+            parts.push(Part::Records(at_point(&self.at_point)));
+        }
+        parts.extend(self.at_point.chunks(2).filter_map(factors).map(Part::Records));
+        if !self.over_duty.is_empty() {
+            parts.push(Part::Records(over_duty(&self.over_duty)));
+        }
+        if !self.not_rated.is_empty() {
+            parts.push(Part::Records(not_rated(&self.not_rated)));
+        }
+        let title = format!("{}: {} governs.", self.gearbox, self.governing);
+        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect();
+        Report { title: Some(title), parts, warnings: Some(warnings) }
+    }
+}
+
+/// The facts of an answer that all its tables share.
+trait Facts {
+    fn facts(&self) -> Section;
+}
+
+impl Facts for Strength {
+    fn facts(&self) -> Section {
+        let mut rows = vec![Row::new("edition", "edition, method B", "", [text(&self.edition)])];
+        if let Some(at) = &self.operating_point {
+            rows.push(Row::new(
+                "torque",
+                "torque on the input",
+                "T",
+                [optional(Dimension::Torque, at.torque_n_m)],
+            ));
+            rows.push(Row::new(
+                "power",
+                "power into the input",
+                "P",
+                [optional(Dimension::Power, at.power_w)],
+            ));
+            rows.push(Row::new(
+                "speed",
+                "speed of the input",
+                "n",
+                [optional(Dimension::AngularSpeed, at.speed_rad_s)],
+            ));
+            // Of torque and power one is given.
+            rows.retain(|row| !matches!(row.cells[..], [Figure::Without(_)]));
+        }
+        rows.push(Row::new("life", "required life", "L", [quantity(Dimension::Time, self.life_s)]));
+        rows.push(Row::new(
+            "oil_viscosity",
+            "viscosity of the oil",
+            "ν_40",
+            [quantity(Dimension::Viscosity, self.oil_viscosity_m2_s)],
+        ));
+        rows.push(Row::new(
+            "required_flank",
+            "required safety, flank",
+            "",
+            [Figure::Number(self.required.flank)],
+        ));
+        rows.push(Row::new(
+            "required_root",
+            "required safety, root",
+            "",
+            [Figure::Number(self.required.root)],
+        ));
+        Section { name: "load", title: "Load and requirements", columns: &[], rows, note: "" }
+    }
+}
+
+/// A column of quantities headed by a symbol.
+fn with_symbol(name: &'static str, heading: &str, dimension: Dimension) -> Column {
+    Column { heading: heading.to_owned(), ..Column::quantity(name, dimension) }
+}
+
+fn column(si: f64, dimension: Dimension) -> Figure {
+    Figure::Column { si, dimension }
+}
+
+fn safety(value: f64) -> Figure {
+    Figure::Printed(value, 3)
+}
+
+fn at_point(all: &[Rated]) -> Records {
+    let row = |one: &Rated| {
+        vec![
+            text(&one.gear),
+            text(&one.set),
+            text(one.mesh.to_string()),
+            text(one.toothed_gear.to_string()),
+            text(&one.material),
+            safety(one.flank_safety),
+            safety(one.root_safety),
+            column(one.contact_stress_pa, Dimension::Pressure),
+            column(one.contact_limit_pa, Dimension::Pressure),
+            column(one.root_stress_pa, Dimension::Pressure),
+            column(one.root_limit_pa, Dimension::Pressure),
+            column(one.tangential_force_n, Dimension::Force),
+            column(one.mesh_torque_n_m, Dimension::Torque),
+            column(one.mesh_speed_rad_s, Dimension::AngularSpeed),
+            Figure::Number(one.cycles),
+            Figure::Number(one.cycles / MILLION),
+        ]
+    };
+    Records {
+        name: "at_point",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("toothed_gear", "of"),
+            Column::words("material", "material"),
+            Column::number("flank_safety", "S_H"),
+            Column::number("root_safety", "S_F"),
+            with_symbol("contact_stress", "σ_H", Dimension::Pressure),
+            with_symbol("contact_limit", "σ_HG", Dimension::Pressure),
+            with_symbol("root_stress", "σ_F", Dimension::Pressure),
+            with_symbol("root_limit", "σ_FG", Dimension::Pressure),
+            with_symbol("tangential_force", "F_t, N", Dimension::Force),
+            with_symbol("mesh_torque", "T, N·m", Dimension::Torque),
+            with_symbol("mesh_speed", "n, rpm", Dimension::AngularSpeed),
+            Column::number("cycles", "N_L"),
+            Column::number("million_cycles", "N_L, 10⁶").for_people(),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![
+            View::new(
+                "Safeties of flanks and roots, stresses and limits in MPa",
+                &[
+                    "gear",
+                    "set",
+                    "mesh",
+                    "toothed_gear",
+                    "flank_safety",
+                    "root_safety",
+                    "contact_stress",
+                    "contact_limit",
+                    "root_stress",
+                    "root_limit",
+                ],
+            ),
+            View {
+                note: "F_t: of one mesh, without losses. n: of its first gear relative to the carrier."
+                    .to_owned(),
+                ..View::new(
+                    "Materials and loads",
+                    &[
+                        "gear",
+                        "set",
+                        "mesh",
+                        "toothed_gear",
+                        "material",
+                        "tangential_force",
+                        "mesh_speed",
+                        "million_cycles",
+                    ],
+                )
+            },
+        ],
+        is_answer: false,
+    }
+}
+
+/// The factors of a mesh, those of its gears side by side; none where none are told.
+fn factors(both: &[Rated]) -> Option<Records> {
+    let [first, second] = both else { return None };
+    if first.factors.is_empty() {
+        return None;
+    }
+    let mut rows = vec![];
+    for (one, other) in first.factors.iter().zip(&second.factors) {
+        let of = |values: [Figure; 2], formula: &Option<String>| {
+            let names = [&first.gear, &first.set].map(text);
+            let mesh = [text(first.mesh.to_string()), text(&one.symbol)];
+            let from = formula.as_deref().map_or(Figure::answer("given", "given"), text);
+            names.into_iter().chain(mesh).chain(values).chain([from]).collect::<Vec<_>>()
+        };
+        let [a, b] = [one.value, other.value].map(|value| Figure::Printed(value, 4));
+        if one.formula == other.formula {
+            rows.push(of([a, b], &one.formula));
+        } else {
+            rows.push(of([a, Figure::None], &one.formula));
+            rows.push(of([Figure::None, b], &other.formula));
+        }
+    }
+    let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
+    let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
+    Some(Records {
+        name: "factors",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("symbol", "factor"),
+            Column::number("first", one),
+            Column::number("second", other),
+            Column::words("formula", "from"),
+        ],
+        rows,
+        views: vec![View::new(title, &["symbol", "first", "second", "formula"])],
+        is_answer: false,
+    })
+}
+
+fn over_duty(all: &[OverDuty]) -> Records {
+    let wear = |wear: &Wear| {
+        let damage = wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
+        let shown = wear.life_s.map_or(Figure::None, |life| Figure::Number(hours(life)));
+        [safety(wear.safety), damage, optional(Dimension::Time, wear.life_s), shown]
+    };
+    let row = |one: &OverDuty| {
+        let names = [text(&one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
+        names.into_iter().chain(wear(&one.flank)).chain(wear(&one.root)).collect::<Vec<_>>()
+    };
+    Records {
+        name: "over_duty",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("toothed_gear", "of"),
+            Column::number("flank_safety", "S_H"),
+            Column::number("flank_damage", "damage"),
+            Column::quantity("flank_life", Dimension::Time),
+            Column::number("flank_hours", "hours").for_people(),
+            Column::number("root_safety", "S_F"),
+            Column::number("root_damage", "damage"),
+            Column::quantity("root_life", Dimension::Time),
+            Column::number("root_hours", "hours").for_people(),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "Damage in the required life by Miner's rule, 1 at its end; hours until then, none where nothing does damage."
+                .to_owned(),
+            ..View::new(
+                "Over the duty: flanks, then roots",
+                &[
+                    "set",
+                    "mesh",
+                    "toothed_gear",
+                    "flank_safety",
+                    "flank_damage",
+                    "flank_hours",
+                    "root_safety",
+                    "root_damage",
+                    "root_hours",
+                ],
+            )
+        }],
+        is_answer: false,
+    }
+}
+
+fn not_rated(all: &[NotRated]) -> Records {
+    let row = |one: &NotRated| {
+        let gears = if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) };
+        vec![text(&one.set), gears, text(one.why())]
+    };
+    Records {
+        name: "not_rated",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("gears", "gears"),
+            Column::words("reason", "why"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View::new("Not rated", &["set", "gears", "reason"])],
+        is_answer: false,
+    }
+}
