@@ -320,6 +320,12 @@ impl InvoluteGear {
         self.sign() * diameter * (half + self.inv_alpha_t - (tan - tan.atan()))
     }
 
+    /// Normal tooth thickness at the reference circle: `s_n = π/2 + 2·x·tan α_n`.
+    #[must_use]
+    pub fn normal_thickness(&self) -> f64 {
+        FRAC_PI_2 + 2.0 * self.shift * self.tan_alpha_n
+    }
+
     /// Normal tooth thickness at the tip `s_an`: the transverse one times `cos β_a`.
     #[must_use]
     pub fn tip_thickness(&self) -> f64 {
@@ -397,6 +403,22 @@ impl InvoluteGear {
         teeth.clamp(1.0, self.z.abs() / 2.0 + 1.0) as u32
     }
 
+    /// Diameter of the balls that touch the flanks at the circle `d + 2·x`, or at the base circle where that is larger.
+    ///
+    /// ```text
+    /// α_Kt = tan α_yt − inv α_t − (2·x·tan α_n − π/2)/z        cos α_yt = d_b/(d + 2·x)
+    /// D_M  = d_b·cos β_b·|tan α_Kt − tan α_yt|
+    /// ```
+    ///
+    /// `d`, `z` negative of an internal gear, `d_b` not. The normal at the point of contact is tangent to the base circle and leads through the centre of the ball.
+    #[must_use]
+    pub fn ball_diameter(&self) -> f64 {
+        let middle = (self.signed_reference() + 2.0 * self.shift).abs().max(self.base_diameter());
+        let at = 2.0 * self.curvature_radius(middle) / self.base_diameter();
+        let centre = at - self.inv_alpha_t - (2.0 * self.shift * self.tan_alpha_n - FRAC_PI_2) / self.z;
+        self.base_diameter() * self.profile.base_helix_rad().cos() * (centre.tan() - at).abs()
+    }
+
     /// Measure over two balls, of an internal gear between them, of a diameter: `M_dK`.
     ///
     /// ```text
@@ -416,5 +438,48 @@ impl InvoluteGear {
         let across =
             if self.teeth.get().is_multiple_of(2) { centres } else { centres * (FRAC_PI_2 / self.z).cos() };
         Some(across + self.sign() * ball_diameter)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::angle_from_degrees;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Along the normal from the base circle the centre of the ball is its radius beyond the flank at `d + 2·x`, and its measure says how far the
+        /// centre is from the axis.
+        #[test]
+        fn balls_touch_the_flanks_at_the_middle_circle(
+            teeth in 17..120_u32, shift in -0.3..0.6_f64, helix in 0.0..30.0_f64, is_ring: bool,
+        ) {
+            prop_assume!(!is_ring || teeth > 40);
+            let kind = if is_ring { GearKind::Internal } else { GearKind::External };
+            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let gear = InvoluteGear::new(kind, ToothCount::new(2 * teeth).unwrap(), profile, shift);
+            prop_assume!(gear.is_ok());
+            let gear = gear.unwrap();
+            let middle = (gear.signed_reference() + 2.0 * shift).abs();
+            prop_assume!(middle > gear.base_diameter());
+            let ball = gear.ball_diameter();
+            let centres = gear.over_balls(ball).unwrap() - gear.sign() * ball;
+            let along = |diameter: f64| (diameter * diameter - gear.base_diameter().powi(2)).sqrt() / 2.0;
+            let transverse = ball / 2.0 / profile.base_helix_rad().cos();
+            prop_assert!((along(centres) - along(middle) - gear.sign() * transverse).abs() < 1e-8);
+        }
+
+        /// The thickness at the reference circle in the transverse plane, times `cos β`.
+        #[test]
+        fn normal_thickness_is_that_of_the_reference_circle(
+            teeth in 17..120_u32, shift in -0.3..0.6_f64, helix in 0.0..30.0_f64,
+        ) {
+            let profile = Profile { helix_angle: angle_from_degrees(helix), ..Profile::default() };
+            let gear = InvoluteGear::new(GearKind::External, ToothCount::new(teeth).unwrap(), profile, shift);
+            prop_assume!(gear.is_ok());
+            let gear = gear.unwrap();
+            let arc = gear.thickness_at(gear.reference_diameter()) * gear.cos_beta;
+            prop_assert!((gear.normal_thickness() - arc).abs() < 1e-12);
+        }
     }
 }
