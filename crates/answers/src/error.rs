@@ -216,13 +216,27 @@ pub enum Error {
     LoadWithoutSpeed,
     /// What is of one operating point, asked over a duty.
     #[error(
-        "a gear, a speed and factors are of one operating point: give a torque or power, or leave them out for the duty of the file"
+        "a gear and a speed are of one operating point: give a torque or power, or leave them out for the duty of the file"
     )]
     OfOnePoint,
     /// No set whose strength can be calculated.
     #[error("no set can be rated: {}", sets.join("; "))]
     NothingRated {
         /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// A data sheet of no set.
+    #[error("no set has a data sheet: {}", sets.join("; "))]
+    NothingDescribed {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// A set that does not exist.
+    #[error("no set `{name}`: there are {}", sets.join(", "))]
+    NoSet {
+        /// The name.
+        name: String,
+        /// The sets.
         sets: Vec<String>,
     },
     /// A throw of a bucket wheel without an angle of the chute.
@@ -272,6 +286,8 @@ impl Error {
             Self::LoadWithoutSpeed => "load-without-speed",
             Self::OfOnePoint => "of-one-point",
             Self::NothingRated { .. } => "nothing-rated",
+            Self::NothingDescribed { .. } => "nothing-described",
+            Self::NoSet { .. } => "no-set",
             Self::NoChute => "no-chute",
         }
     }

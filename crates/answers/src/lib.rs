@@ -22,6 +22,7 @@
 //! | [`drawability`] | parts of a gearbox that cannot be drawn together |
 //! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
 //! | [`strength`] | the strength of teeth: stresses, safeties, damage over a duty |
+//! | [`sheet`] | data sheets of gears: circles, thickness, measures, meshes |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -66,10 +67,12 @@ mod saved;
 pub mod schemes;
 pub mod select;
 pub mod shared;
+pub mod sheet;
 pub mod strength;
 pub mod synthesize;
 pub mod teeth;
 mod tolerance;
+mod toothed;
 pub mod transmissions;
 mod units;
 

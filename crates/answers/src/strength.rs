@@ -1,32 +1,38 @@
-//! The strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of its file.
+//! The strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of its file, and against its overloads.
 //!
 //! | module | is |
 //! |---|---|
 //! | [`records`] | meshes, gears and what is not rated |
 //! | `prepared` | the meshes of a file's sets |
+//! | `load` | the load of a set in a gear |
+//! | `duty` | the steps of a duty, and a set over them |
+//! | `overload` | a set against an overload |
 //! | `place` | where in the file a fault is |
 //!
 //! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
 
+mod duty;
+mod load;
+mod overload;
 mod place;
 mod prepared;
 pub mod records;
 
 use crate::analyze::{Input, OperatingPoint, Worked};
 use crate::gearbox::{Choice, Subject, one};
-use crate::tolerance::ROUNDED;
 use crate::{Answer, Error, Warning};
-use epicyclic_formats::gearbox::{DutyEntry, GearboxFile};
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_strength::factor::Edition;
-use epicyclic_strength::mesh::Load;
-use epicyclic_strength::planets::loads;
 use epicyclic_strength::rating::rate;
-use epicyclic_strength::spectrum::{Step, check_shares, rate_duty};
-use epicyclic_train::{Gear, InputLoad};
+use epicyclic_train::Gear;
+use load::{both_loads, set_load};
 use place::{Fault, located, refused};
 use prepared::RatedSet;
-use records::{Governing, MeshAtPoint, MeshName, NotRated, OverDuty, Rated, Reason, Required};
+use records::{
+    Against, DutyStep, Governing, MeshAtPoint, MeshName, NotRated, OverDuty, Overloaded, Rated, Required,
+    Safeties,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Time, Torque};
@@ -58,12 +64,16 @@ pub struct Strength {
     pub oil_viscosity_m2_s: f64,
     /// Required safeties.
     pub required: Required,
-    /// The safety that is least over what is required of it.
-    pub governing: Governing,
+    /// The steps of the duty; empty at an operating point.
+    pub duty: Vec<DutyStep>,
+    /// The safety that is least over what is required of it; `null` where nothing is rated, which only a report tells so.
+    pub governing: Option<Governing>,
     /// Each gear of each mesh at the operating point; empty over a duty.
     pub at_point: Vec<Rated>,
     /// Each gear of each mesh over the duty; empty at an operating point.
     pub over_duty: Vec<OverDuty>,
+    /// Each gear of each mesh against the overloads of the file; at an operating point in one gear those of this gear.
+    pub overload: Vec<Overloaded>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
     /// What the reader should know.
@@ -90,71 +100,107 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// The strength of a gearbox from a file.
 ///
 /// # Errors
-/// - [`Error::NoLoad`] without a load and without a duty, [`Error::LoadWithoutSpeed`], [`Error::OfOnePoint`] for a gear or factors of a duty.
+/// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`], [`Error::OfOnePoint`] for a gear or speed of a duty.
 /// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where no set can be rated.
 /// - [`Error::NoGear`], [`Error::Load`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
+    let strength = rated(subject, wanted, true)?;
+    if strength.governing.is_none() {
+        return Err(Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() });
+    }
+    Ok(strength)
+}
+
+/// What a report says of the strength of a gearbox, with the factors: at an operating point with load and speed, then over the duty of
+/// the file; nothing where the file does not state oil, life and the `strength` of a set.
+///
+/// # Errors
+/// Those of [`answer`] but [`Error::NothingRated`].
+pub fn chapters(subject: &Subject<'_>, input: Input) -> Result<Vec<Strength>, Error> {
+    if subject.document.value().get("transmissions").is_some() {
+        return Ok(vec![]);
+    }
     let file: GearboxFile = subject.document.read()?;
-    let (prepared, mut not_rated) = prepared::sets(subject, &file)?;
+    let is_stated = file.oil.is_some() && file.life.is_some();
+    if !is_stated || file.sets.iter().all(|set| set.strength.is_none()) {
+        return Ok(vec![]);
+    }
+    let at_point = Some(input).filter(|input| input.load.is_some() && input.speed.is_some());
+    let is_due = !file.duty.is_empty() || at_point.is_none() && !file.overload.is_empty();
+    let in_life = Some(Input::default()).filter(|_| is_due);
+    let chapter = |(place, input)| {
+        // The overloads stand in the first.
+        rated(subject, &Wanted { gear: None, input, with_factors: true }, place == 0)
+    };
+    at_point.into_iter().chain(in_life).enumerate().map(chapter).collect()
+}
+
+/// What a calculation of a file has found.
+#[derive(Default)]
+struct Found {
+    safeties: Safeties,
+    not_rated: Vec<NotRated>,
+}
+
+impl Found {
+    /// Takes what a set gave, or why it gave nothing.
+    fn take<T>(
+        &mut self,
+        rated: Result<Vec<T>, Fault>,
+        to: fn(&mut Safeties) -> &mut Vec<T>,
+        row: impl FnOnce(NotRated) -> NotRated,
+    ) -> Result<(), Error> {
+        match rated {
+            Ok(rated) => to(&mut self.safeties).extend(rated),
+            Err(Fault::Row(missing)) => row(missing).join(&mut self.not_rated),
+            Err(Fault::Refused(error)) => return Err(*error),
+        }
+        Ok(())
+    }
+}
+
+fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result<Strength, Error> {
+    let file: GearboxFile = subject.document.read()?;
+    let (sets, not_rated) = prepared::sets(subject, &file)?;
     let missing = |key: &str, why: &str| {
         refused(subject.document, &Path::root(), &[], &format!("`{key}` is missing: {why}"))
     };
     let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
     let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
-    let required = Required::of(&file);
+    let required = Required::of(file.required.as_ref());
     required.check().map_err(|error| located(subject.document, &Path::root(), &error))?;
-    let (mut at_point, mut over_duty) = (vec![], vec![]);
-    if wanted.input.load.is_some() {
-        let speed = wanted.input.speed.ok_or(Error::LoadWithoutSpeed)?;
-        let names: Vec<&str> = match &wanted.gear {
-            Some(name) => vec![name],
-            None => subject.gearbox.gears().iter().map(Gear::name).collect(),
-        };
-        for name in names {
-            let worked = Worked::new(&subject.gearbox, name, wanted.input)?;
-            for set in &prepared {
-                match set_load(set, &worked, speed) {
-                    Ok((torque, speed)) => match at_load(subject, set, torque, speed, life) {
-                        Ok(meshes) => {
-                            let both =
-                                meshes.iter().flat_map(|mesh| mesh.both(name, set.id, wanted.with_factors));
-                            at_point.extend(both);
-                        }
-                        Err(Fault::Row(row)) => row.of_gear(name).join(&mut not_rated),
-                        Err(Fault::Refused(error)) => return Err(*error),
-                    },
-                    Err(reason) => NotRated::new(set.id, reason).of_gear(name).join(&mut not_rated),
-                }
-            }
-        }
+    let mut found = Found { not_rated, ..Found::default() };
+    let is_at_point = wanted.input.load.is_some();
+    if is_at_point {
+        at_point(subject, &sets, wanted, life, &mut found)?;
     } else {
-        if file.duty.is_empty() {
+        if file.duty.is_empty() && file.overload.is_empty() {
             return Err(Error::NoLoad);
         }
-        if wanted.gear.is_some() || wanted.with_factors || wanted.input.speed.is_some() {
+        if wanted.gear.is_some() || wanted.input.speed.is_some() {
             return Err(Error::OfOnePoint);
         }
-        let root = Path::root();
-        check_shares(file.duty.iter().map(|step| step.share.0.si()))
-            .map_err(|error| refused(subject.document, &root, &["duty"], &error.to_string()))?;
-        let worked: Vec<Option<Worked<'_>>> = file
-            .duty
-            .iter()
-            .enumerate()
-            .map(|(place, step)| duty_step(subject, step, &root.clone().key("duty").index(place)))
-            .collect::<Result<_, _>>()?;
-        for set in &prepared {
-            match duty_of(subject, set, &file.duty, &worked, life) {
-                Ok(rated) => over_duty.extend(rated),
-                Err(Fault::Row(row)) => row.join(&mut not_rated),
-                Err(Fault::Refused(error)) => return Err(*error),
+        if !file.duty.is_empty() {
+            let steps = duty::steps(subject, &file.duty)?;
+            for set in &sets {
+                let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
+                found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
             }
         }
     }
-    let governing = Governing::of(&at_point, &over_duty, required);
-    let governing = governing
-        .ok_or_else(|| Error::NothingRated { sets: not_rated.iter().map(NotRated::told).collect() })?;
-    let warnings = records::below(&at_point, &over_duty, required);
+    if with_overloads {
+        for peak in overload::peaks(subject, &file.overload, wanted.gear.as_deref())? {
+            for set in &sets {
+                let rated = overload::rated(subject, set, &peak, life);
+                let row = |row: NotRated| row.against(Against::Overload).of_gear(peak.gear());
+                found.take(rated, |all| &mut all.overload, row)?;
+            }
+        }
+    }
+    let Found { safeties, not_rated } = found;
+    let (governing, warnings) = (safeties.governing(required), safeties.below(required));
+    let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
+    let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {
         gearbox: subject.gearbox.name().to_owned(),
         edition: Edition::default().to_string(),
@@ -162,42 +208,43 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error>
         life_s: life.si(),
         oil_viscosity_m2_s: oil.viscosity.0.si(),
         required,
+        duty,
         governing,
         at_point,
         over_duty,
+        overload,
         not_rated,
         warnings,
     })
 }
 
-/// Torque on the sun without losses and its speed relative to the carrier.
-fn set_load(
-    set: &RatedSet<'_>,
-    worked: &Worked<'_>,
-    speed: AngularVelocity,
-) -> Result<(Torque, AngularVelocity), Reason> {
-    let analysis = &worked.analysis;
-    let (operation, case) = worked.operation.as_ref().zip(analysis.ideal()).ok_or(Reason::NoTorquesFollow)?;
-    let members = case.members[set.place].as_ref().ok_or(Reason::NoTorquesFollow)?;
-    let torque = members[0] / case.input;
-    let turning = analysis.sets()[set.place].relative.ok_or(Reason::NoTorquesFollow)?;
-    // Balances and differences of speeds leave their rounding.
-    if torque.abs() < ROUNDED {
-        Err(Reason::NoTorque)
-    } else if turning.abs() < ROUNDED {
-        Err(Reason::NoRolling)
-    } else {
-        Ok((operation.input * torque, speed * turning))
-    }
-}
-
-fn both_loads(
-    set: &RatedSet<'_>,
-    torque: Torque,
-    speed: AngularVelocity,
+/// All sets in the gears that are asked.
+fn at_point(
+    subject: &Subject<'_>,
+    sets: &[RatedSet<'_>],
+    wanted: &Wanted,
     life: Time,
-) -> Result<[Load; 2], epicyclic_strength::Error> {
-    loads(torque, speed, set.planets, set.teeth, life)
+    found: &mut Found,
+) -> Result<(), Error> {
+    let speed = wanted.input.speed.ok_or(Error::LoadWithoutSpeed)?;
+    let names: Vec<&str> = match &wanted.gear {
+        Some(name) => vec![name],
+        None => subject.gearbox.gears().iter().map(Gear::name).collect(),
+    };
+    for name in names {
+        let worked = Worked::new(&subject.gearbox, name, wanted.input)?;
+        for set in sets {
+            let load =
+                set_load(set, &worked, speed).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
+            let meshes = load.and_then(|(torque, speed)| at_load(subject, set, torque, speed, life));
+            let rated = meshes.map(|meshes| {
+                meshes.iter().flat_map(|mesh| mesh.both(name, set.id, wanted.with_factors)).collect()
+            });
+            let row = |row: NotRated| row.against(Against::OperatingPoint).of_gear(name);
+            found.take(rated, |all| &mut all.at_point, row)?;
+        }
+    }
+    Ok(())
 }
 
 /// Both meshes of a set at a load.
@@ -216,67 +263,4 @@ fn at_load(
         Ok(MeshAtPoint { name, materials, load: loads[place], rating: Box::new(rating) })
     };
     MeshName::BOTH.into_iter().enumerate().map(|(place, name)| mesh((place, name))).collect()
-}
-
-/// A step of the duty; `None` where it does nothing.
-fn duty_step<'g>(
-    subject: &'g Subject<'_>,
-    step: &DutyEntry,
-    path: &Path,
-) -> Result<Option<Worked<'g>>, Error> {
-    let input = Input { speed: Some(step.speed.0), load: Some(InputLoad::Torque(step.torque.0)) };
-    let idle = step.share.0.si() == 0.0 || step.torque.0.si() == 0.0 || step.speed.0.si() == 0.0;
-    // A gear that does not exist is refused however little it does.
-    let input = if idle { Input::default() } else { input };
-    let worked = Worked::new(&subject.gearbox, &step.gear, input).map_err(|error| {
-        let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
-        refused(subject.document, path, &[key], &error.to_string())
-    })?;
-    if idle {
-        return Ok(None);
-    }
-    if worked.operation.is_none() {
-        let message = format!("gear `{}` carries no such load from its input to its output", step.gear);
-        return Err(refused(subject.document, path, &["gear"], &message));
-    }
-    Ok(Some(worked))
-}
-
-/// Both meshes of a set over the duty.
-fn duty_of(
-    subject: &Subject<'_>,
-    set: &RatedSet<'_>,
-    duty: &[DutyEntry],
-    worked: &[Option<Worked<'_>>],
-    life: Time,
-) -> Result<Vec<OverDuty>, Fault> {
-    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
-    let mut steps: [Vec<Step>; 2] = [vec![], vec![]];
-    for (entry, worked) in duty.iter().zip(worked) {
-        let idle = (Torque::from_si(0.0), AngularVelocity::from_si(0.0));
-        let (torque, speed) = match worked {
-            None => idle,
-            Some(worked) => match set_load(set, worked, entry.speed.0) {
-                Err(Reason::NoTorquesFollow) => {
-                    return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow)));
-                }
-                Err(_) => idle,
-                Ok(load) => load,
-            },
-        };
-        let loads = both_loads(set, torque, speed, life).map_err(fault)?;
-        for (steps, load) in steps.iter_mut().zip(loads) {
-            steps.push(Step { share: entry.share.0.si(), torque: load.torque, speed: load.speed });
-        }
-    }
-    let contacts =
-        both_loads(set, Torque::from_si(0.0), AngularVelocity::from_si(0.0), life).map_err(fault)?;
-    let mut all = vec![];
-    for (place, name) in MeshName::BOTH.into_iter().enumerate() {
-        let rating =
-            rate_duty(&set.meshes[place], &steps[place], life, contacts[place].contacts, &set.methods[place])
-                .map_err(fault)?;
-        all.extend(OverDuty::both(set.id, name, &rating));
-    }
-    Ok(all)
 }

@@ -108,6 +108,7 @@ mod tests {
             "draw <GEARBOX>",
             "drive <FILE>",
             "report <FILE>",
+            "sheet <FILE>",
             "strength <FILE>",
         ];
         let of_synthesis = ["synthesize --explain <FILE>", "synthesize --merge <PART>..."];

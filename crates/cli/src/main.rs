@@ -17,6 +17,7 @@
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
 //! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
+//! | [`sheet`] | the command `sheet`: data sheets of gears |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -62,6 +63,7 @@ mod schema;
 mod schemes;
 mod select;
 mod shards;
+mod sheet;
 mod size;
 mod strength;
 mod synthesize;
@@ -89,6 +91,7 @@ enum Command {
     Drive(drive::Args),
     Analyze(analyze::Args),
     Strength(strength::Args),
+    Sheet(sheet::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -169,6 +172,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
         Command::Strength(args) => strength::run(&args),
+        Command::Sheet(args) => sheet::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

@@ -20,6 +20,7 @@ use epicyclic_answers::report::Report;
 use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
+use epicyclic_answers::sheet::DataSheets;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::synthesize::Synthesis;
 use epicyclic_answers::teeth::Teeth;
@@ -94,6 +95,8 @@ enum Of {
     AnswerSelectTeeth,
     /// The answer of `epicyclic strength`.
     AnswerStrength,
+    /// The answer of `epicyclic sheet`.
+    AnswerSheet,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -143,6 +146,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
         Of::AnswerStrength => schema::<Strength>(),
+        Of::AnswerSheet => schema::<DataSheets>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

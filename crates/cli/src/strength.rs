@@ -51,7 +51,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "NAME")]
     gear: Option<String>,
 
-    /// The factors of each mesh at the load, with where each comes from.
+    /// The factors of each mesh, with where each comes from; over a duty the least and greatest of its steps.
     #[arg(long)]
     factors: bool,
 
@@ -76,7 +76,6 @@ fn refuse_of(error: Error, args: &Args) -> Failure {
         Error::NoLoad => "--torque",
         Error::LoadWithoutSpeed => "--speed",
         Error::OfOnePoint if args.gear.is_some() => "--gear",
-        Error::OfOnePoint if args.factors => "--factors",
         Error::OfOnePoint => "--speed",
         _ => return refuse(error),
     };

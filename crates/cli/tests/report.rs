@@ -98,13 +98,14 @@ fn letters_on_paper(page: &str) -> Vec<f64> {
 
 #[test]
 fn letters_in_pictures_are_not_smaller_than_8_points_on_paper() {
-    let pages: [&[&str]; 10] = [
+    let pages: [&[&str]; 11] = [
         &["scheme-ii-3.yaml"],
         &["ravigneaux.yaml"],
         &["wolfrom.yaml"],
         &["power-split.yaml"],
         &["sized-gearbox.yaml"],
         &["every-gearbox-key.yaml"],
+        &["wind-stage.yaml"],
         &["xe215cll-drive.yaml"],
         &["motor-5x3.yaml"],
         &["real-transmissions.yaml", "--transmission", "8HP"],
@@ -248,6 +249,48 @@ fn the_page_of_a_gearbox_has_each_gear() {
     assert_eq!(page.matches("<svg").count(), 3 + 2 * 3 + 6);
     // A note once for the tables of all gears together.
     assert_eq!(page.matches("Slip: speed of the first link less that of the second").count(), 1);
+}
+
+/// At the operating point and over the duty: what governs on the first page, then the safeties and one table of factors for the set.
+#[test]
+fn the_page_of_a_gearbox_with_data_for_it_has_the_strength_of_its_teeth() {
+    let page = page(&["wind-stage.yaml", "--torque", "999.650881 kN·m", "--speed", "47.8 rpm"]);
+    is_sound(&page);
+    is_in_order(&page);
+    let (first, chapters) = page.split_once("<nav").unwrap();
+    assert!(first.contains("Strength of teeth: S_H = 1.209 of the sun's flank"), "what is enough");
+    let objection = "S_F = 1.310 of the planet's root (set stage, mesh sun-planet, over the duty) is below the 1.5 required; one more";
+    assert!(first.contains(objection), "what is not");
+    let chapter = |heading: &str| {
+        let of = chapters.split_once(&format!("{heading}</h2>")).unwrap().1.split_once("<h2").unwrap().0;
+        for table in ["Load and requirements", "sun-planet", "Factors of set stage", "planet at ring"] {
+            assert!(of.contains(table), "{heading}: {table}");
+        }
+        of
+    };
+    let at_point = chapter("Strength of teeth at the operating point");
+    assert!(at_point.contains("2.817") && at_point.contains("Y_NT"), "the root of the sun");
+    let over_duty = chapter("Strength of teeth over the duty");
+    assert!(over_duty.contains("29.8 %") && over_duty.contains("0.9577 to 0.9607"));
+    assert!(!over_duty.contains("Y_NT</td>"), "Miner's rule has no one life factor");
+    assert!(chapters.contains("scuffing") && !chapters.contains("Profile shift and strength of teeth"));
+}
+
+#[test]
+fn a_set_without_data_for_its_strength_is_named_on_the_page() {
+    let folder = here();
+    let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
+    fs::write(folder.path().join("narrow.yaml"), wind.replace("    face_width: 550 mm\n", "")).unwrap();
+    let done = output(folder.path(), &["report", "narrow.yaml", "-o", "page.html"]);
+    assert!(done.status.success(), "{done:?}");
+    let page = fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert!(page.split_once("<nav").unwrap().0.contains("the strength of no set can be rated"));
+    assert!(page.contains("<td>face_width missing</td>") && page.contains("No set can be rated."));
+    let wrong = wind.replace("share: 50 %", "share: 60 %");
+    fs::write(folder.path().join("wrong.yaml"), wrong).unwrap();
+    let refused = output(folder.path(), &["report", "wrong.yaml", "-o", "wrong.html"]);
+    assert!(!refused.status.success() && !folder.path().join("wrong.html").exists());
+    assert!(text(&refused.stderr).contains("the shares of the duty sum to 1.1"), "{refused:?}");
 }
 
 /// A planet that is not said to fit has not been looked at, and the page says why.

@@ -60,16 +60,19 @@ use std::collections::BTreeMap;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
 mod compound;
+mod data_sheet;
 mod kind;
 mod place;
 mod strength;
 mod transmissions;
 mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
+pub use data_sheet::DataSheetEntry;
 pub use kind::{KindEntry, RollingEntry};
 pub use place::{gear_place, located};
 pub use strength::{
-    DutyEntry, MaterialClass, MaterialEntry, OilEntry, RequiredEntry, ShaperEntry, StrengthEntry,
+    DutyEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry, ShaperEntry,
+    StrengthEntry,
 };
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
@@ -245,6 +248,9 @@ pub struct GearboxFile {
     /// What the gearbox does in its life: shares of the time in gears at loads.
     #[serde(default)]
     pub duty: Vec<DutyEntry>,
+    /// The greatest torques in its life, for the static strength of teeth.
+    #[serde(default)]
+    pub overload: Vec<OverloadEntry>,
     /// Required safeties of teeth. Default 1 of flanks and roots.
     #[serde(default)]
     pub required: Option<RequiredEntry>,
@@ -318,6 +324,9 @@ pub struct SetEntry {
     /// Of a simple set, for the strength of its teeth: materials, roughness, tools, given factors.
     #[serde(default)]
     pub strength: Option<StrengthEntry>,
+    /// Of a simple set, for its data sheet: measuring balls, allowances.
+    #[serde(default)]
+    pub data_sheet: Option<DataSheetEntry>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,

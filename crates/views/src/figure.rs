@@ -48,6 +48,15 @@ pub enum Figure {
         /// What it measures.
         dimension: Dimension,
     },
+    /// A quantity to so many decimals of its usual unit, which its table names elsewhere.
+    Measured {
+        /// Its size in SI units.
+        si: f64,
+        /// What it measures.
+        dimension: Dimension,
+        /// Its decimals.
+        decimals: usize,
+    },
     /// Several quantities of one kind.
     List {
         /// Their sizes in SI units.
@@ -133,6 +142,7 @@ impl Figure {
             Self::Share(value) => format!("{} %", trimmed(100.0 * value, 3)),
             Self::Quantity { si, dimension } => in_unit(*si, sensible_unit(*dimension, *si), DIGITS),
             Self::Column { si, dimension } => trimmed(in_usual(*si, *dimension), DIGITS),
+            Self::Measured { si, dimension, decimals } => printed(in_usual(*si, *dimension), *decimals),
             Self::List { si, dimension } => {
                 let values: Vec<String> =
                     si.iter().map(|si| trimmed(in_usual(*si, *dimension), DIGITS)).collect();
@@ -154,12 +164,7 @@ impl Figure {
     #[must_use]
     pub fn in_column(&self, decimals: usize) -> String {
         match self {
-            Self::Column { si, dimension } => {
-                let value = in_usual(*si, *dimension);
-                // No −0.0 where rounding leaves nothing.
-                let value = if value.abs() < 0.5 * 0.1_f64.powi(decimals as i32) { 0.0 } else { value };
-                format!("{value:.decimals$}")
-            }
+            Self::Column { si, dimension } => printed(in_usual(*si, *dimension), decimals),
             other => other.table(),
         }
     }
@@ -176,7 +181,9 @@ impl Figure {
             Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) | Self::Share(value) => {
                 plain(exact(*value))
             }
-            Self::Quantity { si, dimension } | Self::Column { si, dimension } => {
+            Self::Quantity { si, dimension }
+            | Self::Column { si, dimension }
+            | Self::Measured { si, dimension, .. } => {
                 (exact(in_usual(*si, *dimension)), dimension.usual_unit().symbol.to_owned())
             }
             Self::List { si, dimension } => {
@@ -198,9 +205,9 @@ impl Figure {
             // As tables show it, a share is a hundred times as large.
             Self::Share(value) => (100.0 * value).is_finite(),
             Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) => value.is_finite(),
-            Self::Quantity { si, dimension } | Self::Column { si, dimension } => {
-                si.is_finite() && in_usual(*si, *dimension).is_finite()
-            }
+            Self::Quantity { si, dimension }
+            | Self::Column { si, dimension }
+            | Self::Measured { si, dimension, .. } => si.is_finite() && in_usual(*si, *dimension).is_finite(),
             Self::List { si, dimension } => si.iter().all(|si| in_usual(*si, *dimension).is_finite()),
             Self::Numbers(values) => values.iter().all(|value| value.is_finite()),
             _ => true,
@@ -245,6 +252,12 @@ pub fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
     }
     let before_the_point = largest.log10().floor() as i32;
     usize::try_from(DIGITS as i32 - 1 - before_the_point).unwrap_or(0).min(DECIMALS)
+}
+
+/// So many decimals, without −0.0 where rounding leaves nothing.
+fn printed(value: f64, decimals: usize) -> String {
+    let value = if value.abs() < 0.5 * 0.1_f64.powi(decimals as i32) { 0.0 } else { value };
+    format!("{value:.decimals$}")
 }
 
 fn in_usual(si: f64, dimension: Dimension) -> f64 {

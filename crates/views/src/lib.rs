@@ -8,7 +8,7 @@
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`drawability`] | why a gearbox cannot be drawn, in words |
-//! | [`analyze`], [`compare`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
+//! | [`analyze`], [`compare`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
@@ -26,6 +26,7 @@ pub mod quantities;
 pub mod report;
 pub mod schemes;
 pub mod select;
+pub mod sheet;
 pub mod strength;
 pub mod synthesize;
 pub mod teeth;

@@ -1,12 +1,16 @@
 //! The strength of teeth as tables.
 
+mod compact;
+
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{optional, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use crate::units::hours;
 use epicyclic_answers::strength::Strength;
-use epicyclic_answers::strength::records::{NotRated, OverDuty, Rated, Wear};
+use epicyclic_answers::strength::records::{
+    DutyStep, FactorOverDuty, NotRated, OverDuty, Overloaded, Rated, Wear,
+};
 use epicyclic_formats::Dimension;
 
 /// Load cycles are shown in millions.
@@ -15,20 +19,47 @@ const MILLION: f64 = 1e6;
 impl AsReport for Strength {
     fn report(&self) -> Report {
         let mut parts = vec![Part::Facts(self.facts())];
-        if !self.at_point.is_empty() {
-            parts.push(Part::Records(at_point(&self.at_point)));
-        }
-        parts.extend(self.at_point.chunks(2).filter_map(factors).map(Part::Records));
-        if !self.over_duty.is_empty() {
-            parts.push(Part::Records(over_duty(&self.over_duty)));
-        }
+        parts.extend(tables(self));
+        parts.extend(self.at_point.chunks(2).filter_map(at_point_factors).map(Part::Records));
+        parts.extend(self.over_duty.chunks(2).filter_map(over_duty_factors).map(Part::Records));
         if !self.not_rated.is_empty() {
             parts.push(Part::Records(not_rated(&self.not_rated)));
         }
-        let title = format!("{}: {} governs.", self.gearbox, self.governing);
+        let title =
+            self.governing.as_ref().map(|governing| format!("{}: {governing} governs.", self.gearbox));
         let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect();
-        Report { title: Some(title), parts, warnings: Some(warnings) }
+        Report { title, parts, warnings: Some(warnings) }
     }
+}
+
+/// The duty and the safeties.
+fn tables(strength: &Strength) -> Vec<Part> {
+    let mut parts = vec![];
+    if !strength.duty.is_empty() {
+        parts.push(Part::Records(duty(&strength.duty)));
+    }
+    if !strength.at_point.is_empty() {
+        parts.push(Part::Records(at_point(&strength.at_point)));
+    }
+    if !strength.over_duty.is_empty() {
+        parts.push(Part::Records(over_duty(&strength.over_duty)));
+    }
+    if !strength.overload.is_empty() {
+        parts.push(Part::Records(overload(&strength.overload)));
+    }
+    parts
+}
+
+/// The same as parts of a page: with all factors of a set in one table, at an operating point those of the gear in which a safety of it is least over what is
+/// required.
+pub(crate) fn for_page(strength: &Strength) -> Report {
+    let mut parts = vec![Part::Facts(strength.facts())];
+    parts.extend(tables(strength));
+    if !strength.not_rated.is_empty() {
+        parts.push(Part::Records(not_rated(&strength.not_rated)));
+    }
+    parts.extend(compact::factors(strength).into_iter().map(Part::Records));
+    Report { title: None, parts, warnings: None }
 }
 
 /// The facts of an answer that all its tables share.
@@ -95,6 +126,32 @@ fn column(si: f64, dimension: Dimension) -> Figure {
 
 fn safety(value: f64) -> Figure {
     Figure::Printed(value, 3)
+}
+
+fn duty(all: &[DutyStep]) -> Records {
+    let row = |one: &DutyStep| {
+        vec![
+            text(&one.gear),
+            Figure::Share(one.share),
+            column(one.torque_n_m, Dimension::Torque),
+            column(one.speed_rad_s, Dimension::AngularSpeed),
+        ]
+    };
+    Records {
+        name: "duty",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::number("share", "share of time"),
+            with_symbol("torque", "T, N·m", Dimension::Torque),
+            with_symbol("speed", "n, rpm", Dimension::AngularSpeed),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View::new(
+            "Duty: torque on the input and its speed",
+            &["gear", "share", "torque", "speed"],
+        )],
+        is_answer: false,
+    }
 }
 
 fn at_point(all: &[Rated]) -> Records {
@@ -177,8 +234,72 @@ fn at_point(all: &[Rated]) -> Records {
     }
 }
 
+/// The factors of a mesh over the duty, those of its gears side by side; none where none are told.
+fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
+    let [first, second] = both else { return None };
+    if first.factors.is_empty() {
+        return None;
+    }
+    let mut rows = vec![];
+    for (one, other) in first.factors.iter().zip(&second.factors) {
+        let of = |values: [Option<&FactorOverDuty>; 2], formula: &Option<String>| {
+            let names = [text(&first.set), text(first.mesh.to_string()), text(&one.symbol)];
+            let shown = values.map(|value| value.map_or(Figure::None, |value| text(extent(value))));
+            let least = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.least)));
+            let most = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.greatest)));
+            let from = [from(formula.as_deref())];
+            names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
+        };
+        if one.formula == other.formula {
+            rows.push(of([Some(one), Some(other)], &one.formula));
+        } else {
+            rows.push(of([Some(one), None], &one.formula));
+            rows.push(of([None, Some(other)], &other.formula));
+        }
+    }
+    let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
+    Some(Records {
+        name: "factors",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("mesh", "mesh"),
+            Column::words("symbol", "factor"),
+            Column::number("first", one).for_people(),
+            Column::number("second", other).for_people(),
+            Column::number("first_least", "least"),
+            Column::number("second_least", "least"),
+            Column::number("first_greatest", "greatest"),
+            Column::number("second_greatest", "greatest"),
+            Column::words("formula", "from"),
+        ],
+        rows,
+        views: vec![View {
+            note: OF_STEPS.to_owned(),
+            ..View::new(
+                format!("Factors over the duty: set {}, mesh {}", first.set, first.mesh),
+                &["symbol", "first", "second", "formula"],
+            )
+        }],
+        is_answer: false,
+    })
+}
+
+/// What factors over a duty are.
+const OF_STEPS: &str = "Least to greatest of the loaded steps; Z_NT and Y_NT are part of Miner's rule.";
+
+/// Four decimals, of a factor that the steps change those of its least and greatest value.
+fn extent(factor: &FactorOverDuty) -> String {
+    let [least, greatest] = [factor.least, factor.greatest].map(|value| format!("{value:.4}"));
+    if least == greatest { least } else { format!("{least} to {greatest}") }
+}
+
+/// The formula of a factor, or that it is given.
+fn from(formula: Option<&str>) -> Figure {
+    formula.map_or(Figure::answer("given", "given"), text)
+}
+
 /// The factors of a mesh, those of its gears side by side; none where none are told.
-fn factors(both: &[Rated]) -> Option<Records> {
+fn at_point_factors(both: &[Rated]) -> Option<Records> {
     let [first, second] = both else { return None };
     if first.factors.is_empty() {
         return None;
@@ -188,8 +309,7 @@ fn factors(both: &[Rated]) -> Option<Records> {
         let of = |values: [Figure; 2], formula: &Option<String>| {
             let names = [&first.gear, &first.set].map(text);
             let mesh = [text(first.mesh.to_string()), text(&one.symbol)];
-            let from = formula.as_deref().map_or(Figure::answer("given", "given"), text);
-            names.into_iter().chain(mesh).chain(values).chain([from]).collect::<Vec<_>>()
+            names.into_iter().chain(mesh).chain(values).chain([from(formula.as_deref())]).collect::<Vec<_>>()
         };
         let [a, b] = [one.value, other.value].map(|value| Figure::Printed(value, 4));
         if one.formula == other.formula {
@@ -226,7 +346,8 @@ fn over_duty(all: &[OverDuty]) -> Records {
     };
     let row = |one: &OverDuty| {
         let names = [text(&one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
-        names.into_iter().chain(wear(&one.flank)).chain(wear(&one.root)).collect::<Vec<_>>()
+        let wear = wear(&one.flank).into_iter().chain(wear(&one.root));
+        names.into_iter().chain(wear).chain([text(&one.material)]).collect::<Vec<_>>()
     };
     Records {
         name: "over_duty",
@@ -242,6 +363,7 @@ fn over_duty(all: &[OverDuty]) -> Records {
             Column::number("root_damage", "damage"),
             Column::quantity("root_life", Dimension::Time),
             Column::number("root_hours", "hours").for_people(),
+            Column::words("material", "material"),
         ],
         rows: all.iter().map(row).collect(),
         views: vec![View {
@@ -261,6 +383,44 @@ fn over_duty(all: &[OverDuty]) -> Records {
                     "root_hours",
                 ],
             )
+        }, View::new("Materials", &["set", "mesh", "toothed_gear", "material"])],
+        is_answer: false,
+    }
+}
+
+fn overload(all: &[Overloaded]) -> Records {
+    let row = |one: &Overloaded| {
+        vec![
+            text(&one.gear),
+            column(one.torque_n_m, Dimension::Torque),
+            text(&one.set),
+            text(one.mesh.to_string()),
+            text(one.toothed_gear.to_string()),
+            safety(one.flank_safety),
+            Figure::Number(one.required.flank),
+            safety(one.root_safety),
+            Figure::Number(one.required.root),
+        ]
+    };
+    let columns = vec![
+        Column::words("gear", "gear"),
+        with_symbol("torque", "T, N·m", Dimension::Torque),
+        Column::words("set", "set"),
+        Column::words("mesh", "mesh"),
+        Column::words("toothed_gear", "of"),
+        Column::number("flank_safety", "S_H"),
+        Column::number("required_flank", "required"),
+        Column::number("root_safety", "S_F"),
+        Column::number("required_root", "required"),
+    ];
+    let shown: Vec<&'static str> = columns.iter().map(|column| column.name).collect();
+    Records {
+        name: "overload",
+        columns,
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "Static safeties, K_A and K_v being 1. T: on the input.".to_owned(),
+            ..View::new("Against the overload", &shown)
         }],
         is_answer: false,
     }

@@ -8,6 +8,8 @@ use crate::analyze::{Input, analysis, gear, moving, overview};
 use crate::drawability::Conflict;
 use crate::gearbox::Subject;
 use crate::number::plain;
+use crate::sheet::{self, DataSheets};
+use crate::strength::{self, Strength};
 use epicyclic_layout::{self as layout, Layout, Verdict};
 use epicyclic_train::set::{Gearing, SetKind, SetSpec};
 use epicyclic_train::{Analysis, Gearbox, PlanetSet};
@@ -37,6 +39,11 @@ pub struct GearboxReport {
     pub gears: Vec<OneGear>,
     /// All shifts; `null` of a gearbox with more gears than they are told of.
     pub shifts: Option<Shifts>,
+    /// The strength of its teeth at the operating point with load and speed, then over the duty of its file; empty where the file does not
+    /// state oil, life and the `strength` of a set.
+    pub strength: Vec<Strength>,
+    /// Data sheets of its gears; `null` where the file says enough of no set.
+    pub sheets: Option<DataSheets>,
     /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
     pub conflict: Option<Conflict>,
     /// What changes with the `k` of one set while the others stay as they are. Sets with more than two central gears, which have no one
@@ -88,7 +95,7 @@ pub struct Shown<'g> {
 /// The chapters of a gearbox with the input as asked, and the results that their pictures show.
 ///
 /// # Errors
-/// Those of [`overview::answer`] and [`gear::answer`].
+/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`] and [`sheet::chapter`].
 pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxReport, Shown<'g>), Error> {
     let gearbox = &subject.gearbox;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
@@ -104,6 +111,8 @@ pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxRepo
             Err(Error::ManyGears { .. }) => None,
             shifts => Some(shifts?),
         },
+        strength: strength::chapters(subject, input)?,
+        sheets: sheet::chapter(subject)?,
         conflict,
         over_k: over_k(gearbox),
     };

@@ -4,10 +4,11 @@ use super::place::refused;
 use super::records::{NotRated, Reason};
 use crate::Error;
 use crate::gearbox::Subject;
+use crate::toothed;
 use epicyclic_formats::gearbox::{GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry};
 use epicyclic_formats::{Document, Number, Path};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
+use epicyclic_gears::involute::{InvoluteGear, PlanetSet};
 use epicyclic_strength::factor::{Given, Side, Symbol};
 use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
@@ -86,8 +87,12 @@ impl<'a> Of<'a> {
     /// What is known, or the keys that are missing.
     fn known(&self) -> Result<Result<Known<'a>, Vec<&'static str>>, Error> {
         let entry = self.entry;
-        let gears = self.spec.toothed_set(&self.subject.rack).transpose();
-        let gears = gears.map_err(|error| self.refused(&["profile_shifts"], &error.to_string()))?;
+        let gears = toothed::gears(self.spec, entry, &self.subject.rack).map_err(|fault| match fault {
+            toothed::Fault::Teeth(error) => self.refused(&["profile_shifts"], &error.to_string()),
+            toothed::Fault::Fillet(error) => {
+                self.refused(&["strength", "shaper", "fillet"], &error.to_string())
+            }
+        })?;
         let strength = entry.strength.as_ref();
         let shaper = strength.and_then(|strength| strength.shaper.as_ref());
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
@@ -101,23 +106,12 @@ impl<'a> Of<'a> {
             Some(viscosity),
         ) = (gears, entry.planets, entry.module, entry.face_width, strength, shaper, viscosity)
         {
-            let ring = gears.gears()[2];
-            let fillet = shaper.fillet.map_or(ring.profile().fillet, Number::get);
             let shaper = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
-            let gears = with_ring_fillet(&gears, fillet)
-                .map_err(|error| self.refused(&["strength", "shaper", "fillet"], &error.to_string()))?;
             let (module, face_width) = (module.0, face_width.0);
             return Ok(Ok(Known { gears, planets, module, face_width, strength, shaper, viscosity }));
         }
-        let teeth = if entry.teeth.is_none() {
-            "teeth"
-        } else if entry.planet_teeth.is_none() {
-            "planet_teeth"
-        } else {
-            "profile_shifts"
-        };
         let known = [
-            (teeth, gears.is_some()),
+            (toothed::missing_teeth(entry), gears.is_some()),
             ("planets", entry.planets.is_some()),
             ("module", entry.module.is_some()),
             ("face_width", entry.face_width.is_some()),
@@ -218,15 +212,6 @@ impl<'a> Of<'a> {
     fn refused(&self, keys: &[&str], message: &str) -> Error {
         refused(self.subject.document, &self.path, keys, message)
     }
-}
-
-/// The same set with the fillet of the rack that stands for the ring's shaper.
-fn with_ring_fillet(set: &PlanetSet, fillet: f64) -> Result<PlanetSet, epicyclic_gears::Error> {
-    let [sun, planet, ring] = set.gears();
-    let profile = Profile { fillet, ..*ring.profile() };
-    let ring = InvoluteGear::new(ring.kind(), ring.teeth(), profile, ring.shift())?
-        .with_tip_alteration(ring.tip_alteration())?;
-    PlanetSet::new([*sun, *planet, ring], set.planets(), set.centre_distance())
 }
 
 /// Refuses materials of one name, and cast iron without its modulus.

@@ -2,7 +2,7 @@
 
 use crate::Warning;
 use epicyclic_formats::Physical;
-use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
 use epicyclic_strength::factor::{Origin, Side};
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::rating::MeshRating;
@@ -95,13 +95,10 @@ pub struct Required {
 }
 
 impl Required {
-    /// As the file has them, 1 without.
-    pub(super) fn of(file: &GearboxFile) -> Self {
-        let of = |required: &epicyclic_formats::gearbox::RequiredEntry| Self {
-            flank: required.flank.get(),
-            root: required.root.get(),
-        };
-        file.required.as_ref().map_or(Self { flank: 1.0, root: 1.0 }, of)
+    /// As a file has them, 1 without.
+    pub(super) fn of(entry: Option<&RequiredEntry>) -> Self {
+        let of = |required: &RequiredEntry| Self { flank: required.flank.get(), root: required.root.get() };
+        entry.map_or(Self { flank: 1.0, root: 1.0 }, of)
     }
 
     pub(super) fn check(self) -> Result<(), strength::Error> {
@@ -217,6 +214,74 @@ impl MeshAtPoint {
     }
 }
 
+/// A step of the duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct DutyStep {
+    /// The selected gear.
+    pub gear: String,
+    /// Share of the time.
+    pub share: f64,
+    /// Torque on the input.
+    pub torque_n_m: f64,
+    /// Speed of the input.
+    pub speed_rad_s: f64,
+}
+
+impl DutyStep {
+    pub(super) fn of(entry: &DutyEntry) -> Self {
+        Self {
+            gear: entry.gear.clone(),
+            share: entry.share.0.si(),
+            torque_n_m: entry.torque.0.si(),
+            speed_rad_s: entry.speed.0.si(),
+        }
+    }
+}
+
+/// A factor of the calculation over the steps of a duty.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct FactorOverDuty {
+    /// Its symbol as ISO 6336 writes it.
+    pub symbol: String,
+    /// Its least value; of `Z_E` in √(N/mm²), else without unit.
+    pub least: f64,
+    /// Its greatest value.
+    pub greatest: f64,
+    /// The document and clause of its formula; `null` where it is given.
+    pub formula: Option<String>,
+}
+
+/// Factors that are of one number of cycles.
+const fn is_of_life(symbol: factor::Symbol) -> bool {
+    matches!(symbol, factor::Symbol::LifeContact | factor::Symbol::LifeRoot)
+}
+
+impl FactorOverDuty {
+    /// The chains of all steps as one.
+    fn of(steps: &[MeshRating], side: Side) -> Vec<Self> {
+        let mut all: Vec<Self> = vec![];
+        for (place, step) in steps.iter().enumerate() {
+            let chain = step.chain(side).filter(|factor| !is_of_life(factor.symbol)).map(Factor::of);
+            if place == 0 {
+                all.extend(chain.map(|Factor { symbol, value, formula }| Self {
+                    symbol,
+                    least: value,
+                    greatest: value,
+                    formula,
+                }));
+            } else {
+                for (one, Factor { value, .. }) in all.iter_mut().zip(chain) {
+                    one.least = one.least.min(value);
+                    one.greatest = one.greatest.max(value);
+                }
+            }
+        }
+        all
+    }
+}
+
 /// What a duty does to a flank or root.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -246,32 +311,88 @@ pub struct OverDuty {
     pub mesh: MeshName,
     /// Which of its gears.
     pub toothed_gear: ToothedGear,
+    /// Its material.
+    pub material: String,
     /// Its flank.
     pub flank: Wear,
     /// Its root.
     pub root: Wear,
+    /// All factors in the order of the calculation but `Z_NT` and `Y_NT`, which Miner's rule has no one value of, if they are wanted.
+    pub factors: Vec<FactorOverDuty>,
 }
 
 impl OverDuty {
-    /// Both gears of a mesh.
-    pub(super) fn both(set: &str, mesh: MeshName, rating: &DutyRating) -> [Self; 2] {
+    /// Both gears of a mesh with their materials, and the ratings of the steps whose factors are wanted.
+    pub(super) fn both(
+        set: &str,
+        mesh: MeshName,
+        materials: &[String],
+        rating: &DutyRating,
+        steps: &[MeshRating],
+    ) -> [Self; 2] {
         Side::BOTH.map(|side| {
             let own = rating.gears[side as usize];
             Self {
                 set: set.to_owned(),
                 mesh,
                 toothed_gear: mesh.gears()[side as usize],
+                material: materials[side as usize].clone(),
                 flank: Wear::of(own.contact),
                 root: Wear::of(own.root),
+                factors: FactorOverDuty::of(steps, side),
             }
         })
     }
+}
+
+/// A gear of a mesh against an overload: statically, with `K_A` and `K_v` of 1.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Overloaded {
+    /// The selected gear.
+    pub gear: String,
+    /// Torque on the input.
+    pub torque_n_m: f64,
+    /// The set.
+    pub set: String,
+    /// The mesh.
+    pub mesh: MeshName,
+    /// Which of its gears.
+    pub toothed_gear: ToothedGear,
+    /// Static safety of the flank, `S_H`.
+    pub flank_safety: f64,
+    /// Static safety of the root, `S_F`.
+    pub root_safety: f64,
+    /// What is required against this overload.
+    pub required: Required,
+}
+
+/// What a safety is against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Against {
+    /// The load of the operating point for the required life.
+    OperatingPoint,
+    /// The duty.
+    Duty,
+    /// An overload of the file.
+    Overload,
+}
+
+/// All safeties.
+#[derive(Debug, Default)]
+pub(super) struct Safeties {
+    pub(super) at_point: Vec<Rated>,
+    pub(super) over_duty: Vec<OverDuty>,
+    pub(super) overload: Vec<Overloaded>,
 }
 
 /// A safety, and what is required of it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Governing {
+    /// What it is against.
+    pub against: Against,
     /// The selected gear; `null` over a duty.
     pub gear: Option<String>,
     /// The set.
@@ -288,43 +409,69 @@ pub struct Governing {
     pub required: f64,
 }
 
-impl Governing {
-    /// All safeties.
-    fn all<'r>(
-        at_point: &'r [Rated],
-        over_duty: &'r [OverDuty],
-        required: Required,
-    ) -> impl Iterator<Item = Self> + 'r {
-        let points = at_point.iter().flat_map(move |one| {
-            [(Place::Flank, one.flank_safety), (Place::Root, one.root_safety)].map(|(place, safety)| Self {
-                gear: Some(one.gear.clone()),
-                set: one.set.clone(),
-                mesh: one.mesh,
-                toothed_gear: one.toothed_gear,
-                place,
-                safety,
-                required: required.at(place),
+impl Safeties {
+    /// Flank and root of each gear.
+    fn all(&self, required: Required) -> impl Iterator<Item = Governing> {
+        let points = self.at_point.iter().flat_map(move |one| {
+            [(Place::Flank, one.flank_safety), (Place::Root, one.root_safety)].map(|(place, safety)| {
+                Governing {
+                    against: Against::OperatingPoint,
+                    gear: Some(one.gear.clone()),
+                    set: one.set.clone(),
+                    mesh: one.mesh,
+                    toothed_gear: one.toothed_gear,
+                    place,
+                    safety,
+                    required: required.at(place),
+                }
             })
         });
-        let duties = over_duty.iter().flat_map(move |one| {
-            [(Place::Flank, one.flank.safety), (Place::Root, one.root.safety)].map(|(place, safety)| Self {
-                gear: None,
-                set: one.set.clone(),
-                mesh: one.mesh,
-                toothed_gear: one.toothed_gear,
-                place,
-                safety,
-                required: required.at(place),
+        let duties = self.over_duty.iter().flat_map(move |one| {
+            [(Place::Flank, one.flank.safety), (Place::Root, one.root.safety)].map(|(place, safety)| {
+                Governing {
+                    against: Against::Duty,
+                    gear: None,
+                    set: one.set.clone(),
+                    mesh: one.mesh,
+                    toothed_gear: one.toothed_gear,
+                    place,
+                    safety,
+                    required: required.at(place),
+                }
             })
         });
-        points.chain(duties)
+        let overloads = self.overload.iter().flat_map(|one| {
+            [(Place::Flank, one.flank_safety), (Place::Root, one.root_safety)].map(|(place, safety)| {
+                Governing {
+                    against: Against::Overload,
+                    gear: Some(one.gear.clone()),
+                    set: one.set.clone(),
+                    mesh: one.mesh,
+                    toothed_gear: one.toothed_gear,
+                    place,
+                    safety,
+                    required: one.required.at(place),
+                }
+            })
+        });
+        points.chain(duties).chain(overloads)
     }
 
     /// The safety that is least over what is required of it; of equal ones the first.
-    pub(super) fn of(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Option<Self> {
-        let over = |one: &Self| one.safety / one.required;
-        Self::all(at_point, over_duty, required)
-            .reduce(|least, one| if over(&one) < over(&least) { one } else { least })
+    pub(super) fn governing(&self, required: Required) -> Option<Governing> {
+        let over = |one: &Governing| one.safety / one.required;
+        self.all(required).reduce(|least, one| if over(&one) < over(&least) { one } else { least })
+    }
+
+    /// What is below its required safety.
+    pub(super) fn below(&self, required: Required) -> Vec<Warning> {
+        self.all(required)
+            .filter(|one| one.safety < one.required)
+            .map(|one| Warning {
+                name: "low-safety",
+                message: format!("{one} is below the {} required", one.required),
+            })
+            .collect()
     }
 }
 
@@ -336,22 +483,12 @@ impl fmt::Display for Governing {
         };
         let Self { set, mesh, toothed_gear, place, safety, .. } = self;
         write!(f, "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {mesh}")?;
-        match &self.gear {
-            Some(gear) => write!(f, ", gear {gear})"),
-            None => f.write_str(", over the duty)"),
+        match (self.against, &self.gear) {
+            (Against::Overload, Some(gear)) => write!(f, ", gear {gear}, against the overload)"),
+            (_, Some(gear)) => write!(f, ", gear {gear})"),
+            (_, None) => f.write_str(", over the duty)"),
         }
     }
-}
-
-/// What is below its required safety.
-pub(super) fn below(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Vec<Warning> {
-    Governing::all(at_point, over_duty, required)
-        .filter(|one| one.safety < one.required)
-        .map(|one| Warning {
-            name: "low-safety",
-            message: format!("{one} is below the {} required", one.required),
-        })
-        .collect()
 }
 
 /// Why a set is not rated.
@@ -378,6 +515,8 @@ pub enum Reason {
 pub struct NotRated {
     /// The set.
     pub set: String,
+    /// Against what not; `null` against all.
+    pub against: Option<Against>,
     /// In which selected gears; empty in all.
     pub gears: Vec<String>,
     /// Why.
@@ -390,7 +529,7 @@ pub struct NotRated {
 
 impl NotRated {
     pub(super) fn new(set: &str, reason: Reason) -> Self {
-        Self { set: set.to_owned(), gears: vec![], reason, missing: vec![], because: None }
+        Self { set: set.to_owned(), against: None, gears: vec![], reason, missing: vec![], because: None }
     }
 
     /// The same in one gear.
@@ -398,10 +537,16 @@ impl NotRated {
         Self { gears: vec![gear.to_owned()], ..self }
     }
 
+    /// The same against one thing alone.
+    pub(super) fn against(self, against: Against) -> Self {
+        Self { against: Some(against), ..self }
+    }
+
     /// Adds it to others, gears of one set and reason together.
     pub(super) fn join(mut self, all: &mut Vec<Self>) {
         let alike = |one: &&mut Self| {
-            (&one.set, one.reason, &one.missing) == (&self.set, self.reason, &self.missing)
+            (&one.set, one.against, one.reason, &one.missing)
+                == (&self.set, self.against, self.reason, &self.missing)
                 && !one.gears.is_empty()
         };
         match all.iter_mut().find(alike) {
@@ -418,8 +563,9 @@ impl NotRated {
     /// Why, in words.
     #[must_use]
     pub fn why(&self) -> String {
+        let against = if self.against == Some(Against::Overload) { "against the overload: " } else { "" };
         let missing = self.missing.join(", ");
-        match (self.reason, &self.because) {
+        let why = match (self.reason, &self.because) {
             (Reason::NotSimple, _) => "no simple set".to_owned(),
             (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),
             (Reason::KeysMissing | Reason::FactorMissing, Some(because)) => {
@@ -428,6 +574,7 @@ impl NotRated {
             (Reason::NoTorquesFollow, _) => "no torques follow".to_owned(),
             (Reason::NoTorque, _) => "carries no torque".to_owned(),
             (Reason::NoRolling, _) => "does not roll".to_owned(),
-        }
+        };
+        format!("{against}{why}")
     }
 }

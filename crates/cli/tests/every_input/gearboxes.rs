@@ -26,6 +26,7 @@ const CURVE: &[&str] = &["--gear", "curve"];
 const STRENGTH: &[&str] =
     &["strength", "--gear", "auxiliary drive", "--torque", "4 kN·m", "--speed", "100 rpm"];
 const OVER_DUTY: &[&str] = &["strength"];
+const SHEET: &[&str] = &["sheet"];
 const WITH_WINCH: &[(&str, &str)] =
     &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
 
@@ -116,6 +117,9 @@ const GEARBOX: &[Key] = &[
         "tip_alterations: [0.3, -0.0833",
         OVERVIEW,
     ),
+    key("sets.data_sheet.ball_diameters", "ball_diameters: [8 mm", "ball_diameters: [9 mm", SHEET),
+    key("sets.data_sheet.thickness_allowances", "allowances: [[-90 µm", "allowances: [[-100 µm", SHEET),
+    key("sets.data_sheet.centre_distance_deviations", "[-0.02 mm, 0.02 mm]", "[-0.02 mm, 0.03 mm]", SHEET),
     key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
     key("sets.strength.flank_roughness", "flank_roughness: [4 µm", "flank_roughness: [5 µm", STRENGTH),
     key("sets.strength.root_roughness", "root_roughness: [16 µm", "root_roughness: [12 µm", STRENGTH),
@@ -152,6 +156,10 @@ const GEARBOX: &[Key] = &[
         to: "share: 50 %, torque: 4 kN·m, speed: 100 rpm }\n  - { gear: \"1\", share: 0.5",
         seen: OVER_DUTY,
     },
+    key("overload.gear", "gear: auxiliary drive, torque: 9", "gear: \"1\", torque: 9", OVER_DUTY),
+    key("overload.torque", "torque: 9 kN·m", "torque: 10 kN·m", OVER_DUTY),
+    key("overload.required.flank", "flank: 1, root: 1.3", "flank: 1.1, root: 1.3", OVER_DUTY),
+    key("overload.required.root", "flank: 1, root: 1.3", "flank: 1, root: 1.2", OVER_DUTY),
     key("duty.torque", "torque: 4 kN·m", "torque: 5 kN·m", OVER_DUTY),
     key("duty.speed", "torque: 4 kN·m, speed: 100 rpm", "torque: 4 kN·m, speed: 200 rpm", OVER_DUTY),
     key("sets.efficiency", "efficiency: 0.985", "efficiency: 0.98", OVERVIEW),
@@ -355,7 +363,7 @@ const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
 fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
     fs::write(folder.join("box.yaml"), file).unwrap();
     let (command, more) = match more.split_first() {
-        Some((&"strength", more)) => ("strength", more),
+        Some((&command, more)) if ["strength", "sheet"].contains(&command) => (command, more),
         _ => ("analyze", more),
     };
     let mut args = vec![command, "box.yaml"];

@@ -96,12 +96,18 @@ strength: wind-stage.yaml --torque '1000 kN·m' --speed '47.8 rpm' --format json
   --factors
   --format csv
   --output safeties.json
+strength: wind-stage.yaml
+  --factors
 strength: wind-stage.yaml --torque '1000 kN·m'
   --input '40 rpm'
 strength: wind-stage.yaml --speed '47.8 rpm'
   --power '5 MW'
 strength: every-gearbox-key.yaml --torque '4 kN·m' --speed '100 rpm'
   --gear 'auxiliary drive'
+sheet: every-gearbox-key.yaml --format json
+  --set auxiliary
+  --format csv
+  --output sheets.json
 compare: real-transmissions.yaml ravigneaux.yaml --transmission 8HP
   --transmission TH400
   --efficiency 97%
@@ -449,7 +455,6 @@ man:
 const REFUSED: &str = "\
 analyze: real-transmissions.yaml --speed '100 rpm' | add --transmission
 analyze: real-transmissions.yaml --efficiency 97% | add --transmission
-strength: wind-stage.yaml --factors | torque or power
 strength: wind-stage.yaml --gear only | torque or power
 strength: wind-stage.yaml --speed '47.8 rpm' | torque or power
 strength: wind-stage.yaml --torque '1000 kN·m' | give it, too
@@ -594,6 +599,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "drive",
         "analyze",
         "strength",
+        "sheet",
         "compare",
         "schemes",
         "draw",

@@ -126,6 +126,19 @@ pub struct DutyEntry {
     pub speed: Quantity<AngularVelocity>,
 }
 
+/// A greatest torque in the life.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OverloadEntry {
+    /// The gear.
+    pub gear: String,
+    /// Torque on the input, dynamic forces among it.
+    pub torque: Quantity<Torque>,
+    /// Required safeties against it. Default 1 of flanks and roots.
+    #[serde(default)]
+    pub required: Option<RequiredEntry>,
+}
+
 /// Required safeties.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -2,12 +2,12 @@
 
 use super::paper::{PICTURE_MM, SMALL_PLOT_MM};
 use super::sheet::{Arrangement, Block, Section, Sheet};
-use super::side_by_side;
+use super::{side_by_side, strength};
 use crate::analyze::{overview, sets};
 use crate::figure::Figure;
 use crate::report::{Part, Records};
 use crate::tolerance::{CIRCULATES, LEVEL, RESTS, SAME_RATIO};
-use crate::{AsReport, Error, Report, drawability};
+use crate::{AsReport, Error, Report, drawability, sheet};
 use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::records::{Kind, State};
@@ -36,6 +36,7 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
     answer.extend(scheme_of(shown)?);
     answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
     answer.push(Block::words(operating_point(overview)));
+    answer.extend(strength::enough(&report.strength).map(Block::Words));
     let has_shifts = report.shifts.as_ref().is_some_and(|shifts| !shifts.shifts.is_empty());
     let parts = overview::chapter(overview, !has_shifts);
     let mut chapter = vec![Block::Answer(Report { parts, ..Report::default() })];
@@ -51,20 +52,32 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
     let mut figures = vec![Block::Answer(side_by_side::report(&report.gears))];
     figures.extend(report.gears.iter().filter_map(patterns));
     sections.push(Section::new("Figures of every gear", figures).arranged(Arrangement::Rows));
+    sections.extend(strength::sections(&report.strength));
+    if let Some(sheets) = &report.sheets {
+        let blocks = sheet::for_page(sheets).into_iter().map(Block::Answer).collect();
+        sections.push(Section::new("Data sheets of the gears", blocks).arranged(Arrangement::Rows));
+    }
     sections.extend(drawings(report, shown)?);
     if !report.over_k.is_empty() {
         let plots = over_k(&report.over_k)?;
         sections.push(Section::new("Another k", plots).arranged(Arrangement::Rows));
     }
+    let is_rated = report.strength.iter().any(|one| one.governing.is_some());
     let left_out = [
         "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes.",
-        "Profile shift and strength of teeth; uneven load of the planets.",
+        if is_rated {
+            strength::LEFT_OUT
+        } else {
+            "Profile shift and strength of teeth; uneven load of the planets."
+        },
         "What happens while it shifts.",
     ];
     sections.push(Section::new("What is left out", vec![Block::List(left_out.map(str::to_owned).to_vec())]));
     let theory = "Speeds by Willis' equation of each set, torques by their balance with the loss of each mesh on the side that \
                   its rolling power flows to; as in the document multispeed-gearboxes, chapters 1 and 2.";
-    let sources = overview.source.clone().into_iter().chain([theory.to_owned()]).collect();
+    let strength =
+        report.strength.first().map(|one| format!("Strength of teeth: {}, method B.", one.edition));
+    let sources = overview.source.clone().into_iter().chain([theory.to_owned()]).chain(strength).collect();
     sections.push(Section::new("Sources", vec![Block::List(sources)]));
     Ok(Sheet {
         title: overview.gearbox.clone(),
@@ -181,6 +194,7 @@ fn objections(report: &GearboxReport) -> Vec<String> {
         let others = gear.warnings.iter().filter(|warning| !is_told(warning.name));
         all.extend(others.map(|warning| format!("gear {}: {}", gear.gear.gear, warning.message)));
     }
+    all.extend(strength::objections(&report.strength));
     let circulating = overview.gears.iter().filter_map(|gear| {
         // Where no planet turns on its pin the gearbox turns as a block, and no mesh passes the power on.
         let turns = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > RESTS);

@@ -9,6 +9,7 @@
 //! | [`synthesis`] | a search for gearboxes |
 //! | [`compare`] | gearboxes side by side |
 //! | [`sheet`] | any of them: the answer, chapters of answers, pictures and words, the input |
+//! | `strength` | the strength of teeth on the page of a gearbox |
 //! | `side_by_side` | the figures of all gears of a gearbox, a column for each |
 //! | [`imprint`] | what a page says of itself |
 
@@ -21,6 +22,7 @@ pub(crate) mod paper;
 pub mod selection;
 pub mod sheet;
 mod side_by_side;
+mod strength;
 pub mod synthesis;
 
 pub use imprint::{Imprint, Paper};

@@ -1,0 +1,210 @@
+//! Data sheets of the gears of simple sets: circles, tooth thickness, measures, meshes.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`records`] | gears, meshes, sets |
+//!
+//! Names and signs are those of ISO 21771; all figures come from [`epicyclic_gears::involute`]. Diameters and centre distances of internal gears are positive. Root and form
+//! circles are those that a rack leaves.
+
+pub mod records;
+
+use crate::gearbox::{Choice, Subject, one};
+use crate::toothed::{Fault, gears, missing_teeth};
+use crate::{Answer, Error, Warning};
+use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
+use epicyclic_formats::{Document, Path, Physical, Problem};
+use epicyclic_gears::involute::PlanetSet as ToothedSet;
+use epicyclic_gears::involute::play::Deviation;
+use epicyclic_train::PlanetSet;
+use epicyclic_train::set::SetKind;
+use records::{Allowed, LeftOut, Limits, SetSheet};
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::Length;
+
+/// Data sheets of the gears of a gearbox.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct DataSheets {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// The sets, each with its gears and meshes.
+    pub sets: Vec<SetSheet>,
+    /// Sets without data sheets.
+    pub left_out: Vec<LeftOut>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl Answer for DataSheets {
+    const NAME: &'static str = "sheet";
+}
+
+/// The gearbox of a file whose data sheets are asked.
+///
+/// # Errors
+/// Those of [`one`], and [`Error::Document`] for a list of transmissions.
+pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+    if document.value().get("transmissions").is_some() {
+        let message = "sheet reads one gearbox; a list of transmissions states no modules".to_owned();
+        let place = Path::root().key("transmissions");
+        return Err(document.error(&place, Problem::Refused { message }).into());
+    }
+    one(document, &Choice::default())
+}
+
+/// Data sheets of all sets, or of one.
+///
+/// # Errors
+/// - [`Error::NoSet`], [`Error::NothingDescribed`] where no set says enough.
+/// - [`Error::Document`] for what the file says wrong, with its place.
+pub fn answer(subject: &Subject<'_>, set: Option<&str>) -> Result<DataSheets, Error> {
+    let sheets = described(subject, set)?;
+    if sheets.sets.is_empty() {
+        let why = |one: &LeftOut| format!("set {}: {}", one.set, one.why());
+        return Err(Error::NothingDescribed { sets: sheets.left_out.iter().map(why).collect() });
+    }
+    Ok(sheets)
+}
+
+/// What a report says of the gears of a gearbox; nothing where the file says enough of no set.
+///
+/// # Errors
+/// [`Error::Document`] for what the file says wrong, with its place.
+pub fn chapter(subject: &Subject<'_>) -> Result<Option<DataSheets>, Error> {
+    if subject.document.value().get("transmissions").is_some() {
+        return Ok(None);
+    }
+    Ok(Some(described(subject, None)?).filter(|sheets| !sheets.sets.is_empty()))
+}
+
+fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, Error> {
+    let file: GearboxFile = subject.document.read()?;
+    let ids = || subject.gearbox.sets().iter().map(PlanetSet::id);
+    if let Some(name) = wanted.filter(|name| ids().all(|id| id != *name)) {
+        let sets = ids().map(str::to_owned).collect();
+        return Err(Error::NoSet { name: name.to_owned(), sets });
+    }
+    let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
+    let (mut sets, mut left_out) = (vec![], vec![]);
+    for set in subject.gearbox.sets().iter().filter(|set| is_wanted(set.id())) {
+        let entry = file.sets.iter().position(|entry| entry.id == set.id());
+        let simple = set.short().filter(|spec| spec.kind == SetKind::Simple);
+        let (Some(index), Some(spec)) = (entry, simple) else {
+            left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] });
+            continue;
+        };
+        let entry = &file.sets[index];
+        let place = Place { document: subject.document, path: Path::root().key("sets").index(index) };
+        let toothed = gears(spec, entry, &subject.rack).map_err(|fault| match fault {
+            Fault::Teeth(error) => place.refused(&["profile_shifts"], &error),
+            Fault::Fillet(error) => place.refused(&["strength", "shaper", "fillet"], &error),
+        })?;
+        match (toothed, entry.module) {
+            (Some(toothed), Some(module)) => sets.push(sheet(&place, entry, &toothed, module.0)?),
+            (toothed, module) => {
+                let missing = [(missing_teeth(entry), toothed.is_some()), ("module", module.is_some())];
+                let missing = missing.into_iter().filter(|(_, is_known)| !is_known);
+                let missing = missing.map(|(key, _)| key.to_owned()).collect();
+                left_out.push(LeftOut { set: set.id().to_owned(), missing });
+            }
+        }
+    }
+    let of_set = |warning: &epicyclic_train::tooth_checks::ToothWarning| {
+        sets.iter().any(|set: &SetSheet| set.set == warning.set())
+    };
+    let checks = subject.gearbox.tooth_checks(&subject.rack).into_iter();
+    let warnings = checks.filter(|warning| !warning.is_note() && of_set(warning));
+    let warnings = warnings.map(|warning| Warning { name: "teeth", message: warning.to_string() }).collect();
+    Ok(DataSheets { gearbox: subject.gearbox.name().to_owned(), sets, left_out, warnings })
+}
+
+/// A set in a file.
+struct Place<'a> {
+    document: &'a Document,
+    path: Path,
+}
+
+impl Place<'_> {
+    /// A refusal at the longest part of a path that the file has.
+    fn refused(&self, keys: &[&str], error: &dyn std::fmt::Display) -> Error {
+        let deeper = |path: Path, key: &&str| {
+            let inner = path.clone().key(*key);
+            if self.document.value_at(&inner).is_some() { inner } else { path }
+        };
+        let place = keys.iter().fold(self.path.clone(), deeper);
+        self.document.error(&place, Problem::Refused { message: error.to_string() }).into()
+    }
+}
+
+fn sheet(place: &Place<'_>, entry: &SetEntry, set: &ToothedSet, module: Length) -> Result<SetSheet, Error> {
+    let module_m = module.si();
+    if !(module_m.is_finite() && module_m > 0.0) {
+        return Err(place.refused(&["module"], &"the module must be above 0"));
+    }
+    let of = entry.data_sheet.as_ref();
+    let balls = balls(place, of, set, module_m)?;
+    let deviation = |[lower, upper]: [f64; 2]| Deviation { lower: lower / module_m, upper: upper / module_m };
+    let allowances = of.and_then(|of| of.thickness_allowances);
+    let allowances = allowances.map(|all| all.map(|limits| limits.map(|limit| limit.0.si())));
+    let centre = of.and_then(|of| of.centre_distance_deviations).map(|all| all.map(|limit| limit.0.si()));
+    let allowed = match (allowances, centre) {
+        (None, None) => None,
+        _ => Some(Allowed {
+            thickness: allowances.unwrap_or_default().map(deviation),
+            centre_distance: centre.map(deviation).unwrap_or_default(),
+        }),
+    };
+    let fault = |error: epicyclic_gears::Error| {
+        let key = if allowances.is_some() { "thickness_allowances" } else { "centre_distance_deviations" };
+        let quantity = epicyclic_gears::Quantity::CentreDistanceDeviation;
+        let is_centre =
+            matches!(error, epicyclic_gears::Error::Deviation { quantity: of, .. } if of == quantity);
+        let key = if is_centre { "centre_distance_deviations" } else { key };
+        place.refused(&["data_sheet", key], &error)
+    };
+    let sheet = SetSheet::of(entry, set, module_m, balls, allowed.as_ref()).map_err(fault)?;
+    Ok(SetSheet {
+        thickness_allowances_m: allowances.map(|all| all.map(Limits::of).to_vec()),
+        centre_distance_deviations_m: centre.map(Limits::of),
+        ..sheet
+    })
+}
+
+/// Diameters of balls, in metres.
+fn balls(
+    place: &Place<'_>,
+    of: Option<&DataSheetEntry>,
+    set: &ToothedSet,
+    module_m: f64,
+) -> Result<[f64; 3], Error> {
+    let Some(given) = of.and_then(|of| of.ball_diameters) else {
+        return Ok(set.gears().map(|gear| rounded_up(gear.ball_diameter() * module_m)));
+    };
+    let given = given.map(|diameter| diameter.0.si());
+    if given.iter().all(|diameter| diameter.is_finite() && *diameter > 0.0) {
+        return Ok(given);
+    }
+    Err(place.refused(&["data_sheet", "ball_diameters"], &"diameters of balls must be above 0"))
+}
+
+/// The next size of two digits.
+fn rounded_up(size: f64) -> f64 {
+    let unit = 10_f64.powf(size.log10().floor() - 1.0);
+    // A size of two digits that division leaves a little above stays what it is.
+    (size / unit - crate::tolerance::SAME).ceil() * unit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded_up;
+
+    #[test]
+    fn sizes_are_rounded_up_to_two_digits() {
+        for (size, rounded) in [(0.0411, 0.042), (0.042, 0.042), (0.00201, 0.0021), (0.0999, 0.1), (0.5, 0.5)]
+        {
+            assert!((rounded_up(size) - rounded).abs() < 1e-15, "{size}: {}", rounded_up(size));
+        }
+    }
+}

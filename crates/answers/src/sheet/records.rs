@@ -1,0 +1,327 @@
+//! Records of data sheets: gears, meshes, sets.
+
+use crate::strength::records::{MeshName, ToothedGear};
+use epicyclic_formats::Physical;
+use epicyclic_formats::gearbox::SetEntry;
+use epicyclic_gears::Error;
+use epicyclic_gears::involute::play::Deviation;
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A lower and an upper limit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Limits {
+    /// The lower.
+    pub lower: f64,
+    /// The upper.
+    pub upper: f64,
+}
+
+impl Limits {
+    pub(super) const fn of([lower, upper]: [f64; 2]) -> Self {
+        Self { lower, upper }
+    }
+}
+
+/// Allowances and deviations, in modules.
+pub(super) struct Allowed {
+    pub(super) thickness: [Deviation; 3],
+    pub(super) centre_distance: Deviation,
+}
+
+/// A set with its gears and meshes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SetSheet {
+    /// The set.
+    pub set: String,
+    /// Normal module `m_n`.
+    pub module_m: f64,
+    /// Normal pressure angle `α_n`.
+    pub pressure_angle_rad: f64,
+    /// Helix angle `β`.
+    pub helix_angle_rad: f64,
+    /// Addendum of the basic rack `h_aP*`, in modules.
+    pub addendum: f64,
+    /// Its clearance `c_P*`, in modules.
+    pub clearance: f64,
+    /// Number of planets.
+    pub planets: Option<u32>,
+    /// Face width.
+    pub face_width_m: Option<f64>,
+    /// Centre distance `a`.
+    pub centre_distance_m: f64,
+    /// Its lower and upper deviation; `null` where the file states none.
+    pub centre_distance_deviations_m: Option<Limits>,
+    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`; `null` where the file states none.
+    pub thickness_allowances_m: Option<Vec<Limits>>,
+    /// Sun, planet and ring.
+    pub gears: Vec<GearSheet>,
+    /// Sun and planet, planet and ring.
+    pub meshes: Vec<MeshSheet>,
+}
+
+/// A tool that cuts teeth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Tool {
+    /// A hob, or another rack.
+    Rack,
+    /// A shaper.
+    Shaper,
+}
+
+/// A gear.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearSheet {
+    /// Which.
+    pub toothed_gear: ToothedGear,
+    /// Teeth `z`.
+    pub teeth: u32,
+    /// Profile shift coefficient `x`; above 0 it moves the tip circle outwards, of a ring inwards.
+    pub profile_shift: f64,
+    /// Tip alteration `k·m_n`; below 0 the teeth are shorter.
+    pub tip_alteration_m: f64,
+    /// Reference diameter `d`.
+    pub reference_diameter_m: f64,
+    /// Base diameter `d_b`.
+    pub base_diameter_m: f64,
+    /// Tip diameter `d_a`.
+    pub tip_diameter_m: f64,
+    /// Root diameter `d_f`, as a rack leaves it.
+    pub root_diameter_m: f64,
+    /// Root form diameter `d_Ff`, where the involute ends at the root, as a rack leaves it.
+    pub form_diameter_m: f64,
+    /// Normal tooth thickness at the reference circle `s_n`, without allowances.
+    pub thickness_m: f64,
+    /// Normal tooth thickness at the tip circle `s_an`, without allowances.
+    pub tip_thickness_m: f64,
+    /// Fillet radius of the rack that cuts it, or that stands for its shaper, `ρ_fP*`, in modules.
+    pub fillet: f64,
+    /// Least profile shift that a rack cuts without undercut; `null` of a ring.
+    pub least_shift: Option<f64>,
+    /// Teeth, of a ring spaces, in the span `k`.
+    pub spanned_teeth: u32,
+    /// Span `W_k`, without allowances.
+    pub span_m: f64,
+    /// The same with the allowances; `null` without.
+    pub span_limits_m: Option<Limits>,
+    /// Diameter of the measuring balls or pins `D_M`.
+    pub ball_diameter_m: f64,
+    /// Measure over two balls, of a ring between them, `M_dK`, without allowances; `null` where they fall through the spaces.
+    pub over_balls_m: Option<f64>,
+    /// The same with the allowances; `null` without.
+    pub over_balls_limits_m: Option<Limits>,
+    /// Material; `null` where the file states none.
+    pub material: Option<String>,
+    /// What cuts it; `null` of a ring whose file does not say.
+    pub tool: Option<Tool>,
+    /// Teeth of the shaper; `null` of a rack.
+    pub shaper_teeth: Option<u32>,
+    /// Profile shift coefficient of the shaper; `null` of a rack.
+    pub shaper_shift: Option<f64>,
+}
+
+/// A gear in a mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearInMesh {
+    /// Which.
+    pub toothed_gear: ToothedGear,
+    /// Working diameter `d_w`.
+    pub working_diameter_m: f64,
+    /// Active root diameter `d_Nf`, where contact with the mate ends at the root.
+    pub active_root_diameter_m: f64,
+    /// Tip clearance `c`: from its tip to the root circle of its mate.
+    pub tip_clearance_m: f64,
+    /// Specific sliding `ζ` at the end of contact at its tip.
+    pub sliding_at_tip: f64,
+    /// The same at its root; `null` where contact begins at the base circle and it is without end.
+    pub sliding_at_root: Option<f64>,
+}
+
+/// A mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MeshSheet {
+    /// Which.
+    pub mesh: MeshName,
+    /// Working transverse pressure angle `α_wt`.
+    pub working_angle_rad: f64,
+    /// Transverse contact ratio `ε_α`.
+    pub contact_ratio: f64,
+    /// Circumferential backlash at the working circles `j_wt`, without allowances: what rounded shifts leave.
+    pub backlash_m: f64,
+    /// The same with the allowances; `null` without.
+    pub backlash_limits_m: Option<Limits>,
+    /// Normal backlash `j_bn` with the allowances; `null` without.
+    pub normal_backlash_limits_m: Option<Limits>,
+    /// Both gears.
+    pub gears: Vec<GearInMesh>,
+}
+
+impl SetSheet {
+    pub(super) fn of(
+        entry: &SetEntry,
+        set: &PlanetSet,
+        module_m: f64,
+        balls: [f64; 3],
+        allowed: Option<&Allowed>,
+    ) -> Result<Self, Error> {
+        let profile = set.gears()[0].profile();
+        let named = [ToothedGear::Sun, ToothedGear::Planet, ToothedGear::Ring];
+        let thickness = allowed.map(|allowed| allowed.thickness);
+        let gears = named.into_iter().enumerate().map(|(place, name)| {
+            let allowance = thickness.map(|all| all[place]);
+            GearSheet::of(name, set.gears()[place], module_m, balls[place], allowance)
+                .map(|sheet| sheet.with_entry(entry, place))
+        });
+        let meshes = [set.sun_mesh(), set.ring_mesh()].into_iter().enumerate().map(|(place, pair)| {
+            MeshSheet::of(
+                MeshName::BOTH[place],
+                pair,
+                module_m,
+                allowed.map(|allowed| {
+                    let [one, other] = [allowed.thickness[place], allowed.thickness[place + 1]];
+                    ([one, other], allowed.centre_distance)
+                }),
+            )
+        });
+        Ok(Self {
+            set: entry.id.clone(),
+            module_m,
+            pressure_angle_rad: profile.rack.pressure_angle.si(),
+            helix_angle_rad: profile.helix_angle.si(),
+            addendum: profile.rack.addendum,
+            clearance: profile.rack.clearance,
+            planets: entry.planets,
+            face_width_m: entry.face_width.map(|width| width.0.si()),
+            centre_distance_m: module_m * set.centre_distance(),
+            centre_distance_deviations_m: None,
+            thickness_allowances_m: None,
+            gears: gears.collect::<Result<_, _>>()?,
+            meshes: meshes.collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+impl GearSheet {
+    fn of(
+        toothed_gear: ToothedGear,
+        gear: &InvoluteGear,
+        module_m: f64,
+        ball_m: f64,
+        allowance: Option<Deviation>,
+    ) -> Result<Self, Error> {
+        let spanned = gear.spanned_teeth();
+        let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
+        let both = match allowance {
+            Some(Deviation { lower, upper }) => Some([thinner(lower)?, thinner(upper)?]),
+            None => None,
+        };
+        let over = |gear: &InvoluteGear| gear.over_balls(ball_m / module_m).map(|measure| measure * module_m);
+        let over_limits = both.and_then(|[lower, upper]| Some([over(&lower)?, over(&upper)?]));
+        Ok(Self {
+            toothed_gear,
+            teeth: gear.teeth().get(),
+            profile_shift: gear.shift(),
+            tip_alteration_m: module_m * gear.tip_alteration(),
+            reference_diameter_m: module_m * gear.reference_diameter(),
+            base_diameter_m: module_m * gear.base_diameter(),
+            tip_diameter_m: module_m * gear.tip_diameter(),
+            root_diameter_m: module_m * gear.root_diameter(),
+            form_diameter_m: module_m * gear.form_diameter(),
+            thickness_m: module_m * gear.normal_thickness(),
+            tip_thickness_m: module_m * gear.tip_thickness(),
+            fillet: gear.profile().fillet,
+            least_shift: gear.least_shift_without_undercut(),
+            spanned_teeth: spanned,
+            span_m: module_m * gear.span(spanned),
+            span_limits_m: both.map(|both| sorted(both.map(|gear| module_m * gear.span(spanned)))),
+            ball_diameter_m: ball_m,
+            over_balls_m: over(gear),
+            over_balls_limits_m: over_limits.map(sorted),
+            material: None,
+            tool: None,
+            shaper_teeth: None,
+            shaper_shift: None,
+        })
+    }
+
+    /// With what the file says of its material and tool.
+    fn with_entry(self, entry: &SetEntry, place: usize) -> Self {
+        let strength = entry.strength.as_ref();
+        let is_ring = self.toothed_gear == ToothedGear::Ring;
+        let shaper = strength.and_then(|strength| strength.shaper.as_ref()).filter(|_| is_ring);
+        Self {
+            material: strength.map(|strength| strength.materials[place].clone()),
+            tool: if is_ring { shaper.map(|_| Tool::Shaper) } else { Some(Tool::Rack) },
+            shaper_teeth: shaper.map(|shaper| shaper.teeth),
+            shaper_shift: shaper.map(|shaper| shaper.shift.map_or(0.0, epicyclic_formats::Number::get)),
+            ..self
+        }
+    }
+}
+
+/// Thinner teeth of a ring have the larger measures.
+fn sorted([one, other]: [f64; 2]) -> Limits {
+    Limits { lower: one.min(other), upper: one.max(other) }
+}
+
+impl MeshSheet {
+    fn of(
+        mesh: MeshName,
+        pair: &Pair,
+        module_m: f64,
+        allowed: Option<([Deviation; 2], Deviation)>,
+    ) -> Result<Self, Error> {
+        let plays = allowed.map(|(thickness, centre)| pair.plays(thickness, centre)).transpose()?;
+        let limits = |of: fn(&epicyclic_gears::involute::play::Play) -> f64| {
+            plays.map(|plays| sorted(plays.map(|play| module_m * of(&play))))
+        };
+        let (working, roots) = (pair.working_diameters(), pair.active_root_diameters());
+        let (clearances, sliding) = (pair.tip_clearances(), pair.specific_sliding());
+        let gears = mesh.gears().into_iter().enumerate().map(|(place, toothed_gear)| GearInMesh {
+            toothed_gear,
+            working_diameter_m: module_m * working[place],
+            active_root_diameter_m: module_m * roots[place],
+            tip_clearance_m: module_m * clearances[place],
+            sliding_at_tip: sliding[place][0],
+            sliding_at_root: Some(sliding[place][1]).filter(|sliding| sliding.is_finite()),
+        });
+        Ok(Self {
+            mesh,
+            working_angle_rad: pair.working_angle_rad(),
+            contact_ratio: pair.transverse_contact_ratio(),
+            backlash_m: module_m * pair.backlash(),
+            backlash_limits_m: limits(|play| play.circumferential),
+            normal_backlash_limits_m: limits(|play| play.normal),
+            gears: gears.collect(),
+        })
+    }
+}
+
+/// A set without data sheet.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeftOut {
+    /// The set.
+    pub set: String,
+    /// The keys that its entry lacks; empty of a set that is not simple.
+    pub missing: Vec<String>,
+}
+
+impl LeftOut {
+    /// Why, in words.
+    #[must_use]
+    pub fn why(&self) -> String {
+        if self.missing.is_empty() {
+            "no simple set".to_owned()
+        } else {
+            format!("{} missing", self.missing.join(", "))
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! The load of a set in a gear.
+
+use super::prepared::RatedSet;
+use super::records::Reason;
+use crate::analyze::Worked;
+use crate::tolerance::ROUNDED;
+use epicyclic_strength::mesh::Load;
+use epicyclic_strength::planets::loads;
+use uom::si::f64::{AngularVelocity, Time, Torque};
+
+/// Torque on the sun without losses.
+pub(super) fn sun_torque(set: &RatedSet<'_>, worked: &Worked<'_>) -> Result<Torque, Reason> {
+    let ideal = worked.analysis.ideal();
+    let (operation, case) = worked.operation.as_ref().zip(ideal).ok_or(Reason::NoTorquesFollow)?;
+    let members = case.members[set.place].as_ref().ok_or(Reason::NoTorquesFollow)?;
+    let torque = members[0] / case.input;
+    // Balances leave their rounding.
+    if torque.abs() < ROUNDED { Err(Reason::NoTorque) } else { Ok(operation.input * torque) }
+}
+
+/// Torque on the sun without losses and its speed relative to the carrier.
+pub(super) fn set_load(
+    set: &RatedSet<'_>,
+    worked: &Worked<'_>,
+    speed: AngularVelocity,
+) -> Result<(Torque, AngularVelocity), Reason> {
+    let torque = sun_torque(set, worked)?;
+    let turning = worked.analysis.sets()[set.place].relative.ok_or(Reason::NoTorquesFollow)?;
+    // Differences of speeds leave their rounding.
+    if turning.abs() < ROUNDED { Err(Reason::NoRolling) } else { Ok((torque, speed * turning)) }
+}
+
+/// Loads of both meshes of a set.
+pub(super) fn both_loads(
+    set: &RatedSet<'_>,
+    torque: Torque,
+    speed: AngularVelocity,
+    life: Time,
+) -> Result<[Load; 2], epicyclic_strength::Error> {
+    loads(torque, speed, set.planets, set.teeth, life)
+}
