@@ -27,6 +27,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("error", &["analyze", "broken.yaml"]),
     ("select", &["select", "--speeds", WHEEL, "--same-direction"]),
     ("sheet", &["sheet", "every-gearbox-key.yaml"]),
+    ("sheet", &["sheet", "bites.yaml"]),
     ("compare", &["compare", "ravigneaux.yaml", "simpson.yaml", "--power", "75 kW", "--speed", "1475 rpm"]),
     ("compare", &["compare", "ravigneaux.yaml", "simpson.yaml", "--torque", "500 N·m"]),
     ("drive", &["drive", "xe215cll-drive.yaml"]),
@@ -444,6 +445,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("report", &["report", "wind-stage.yaml", "--power", "9 MW", "--speed", "47.8 rpm"]),
     ("report", &["report", "worn.yaml"]),
     ("report", &["report", "every-gearbox-key.yaml"]),
+    ("report", &["report", "bites.yaml"]),
     ("report", &["report", "lacks.yaml", "--torque", "2000 kN·m", "--speed", "47.8 rpm"]),
     ("report", &["report", "redundant.yaml"]),
     ("report", &["report", "one-way.yaml"]),
@@ -495,6 +497,11 @@ fn worn() -> String {
     wind_stage().replace("torque: 1000 kN·m", "torque: 2500 kN·m")
 }
 
+/// The wind stage with tips of its sun that bite into its planets.
+fn bites() -> String {
+    wind_stage().replace("tip_alterations: [-0.0833333", "tip_alterations: [0.3")
+}
+
 /// The wind stage, and one after it without `K_v`.
 fn lacks() -> String {
     let wind = wind_stage();
@@ -516,6 +523,7 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("worn.yaml"), worn()).unwrap();
+    std::fs::write(folder.path().join("bites.yaml"), bites()).unwrap();
     std::fs::write(folder.path().join("lacks.yaml"), lacks()).unwrap();
     std::fs::write(folder.path().join("broken.yaml"), FREE.replace("k: 3", "k: 0.3")).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
