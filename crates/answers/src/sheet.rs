@@ -16,6 +16,7 @@ use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
 use epicyclic_formats::{Document, Path, Physical, Problem};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::Deviation;
+use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::set::SetKind;
 use records::{Allowed, LeftOut, Limits, SetSheet};
@@ -156,12 +157,14 @@ fn sheet(place: &Place<'_>, entry: &SetEntry, set: &ToothedSet, module: Length) 
             centre_distance: centre.map(deviation).unwrap_or_default(),
         }),
     };
-    let fault = |error: epicyclic_gears::Error| {
-        let key = if allowances.is_some() { "thickness_allowances" } else { "centre_distance_deviations" };
-        let quantity = epicyclic_gears::Quantity::CentreDistanceDeviation;
-        let is_centre =
-            matches!(error, epicyclic_gears::Error::Deviation { quantity: of, .. } if of == quantity);
-        let key = if is_centre { "centre_distance_deviations" } else { key };
+    let fault = |error: GearError| {
+        let key = match error {
+            GearError::NotAbove { .. }
+            | GearError::Deviation { quantity: Quantity::CentreDistanceDeviation, .. } => {
+                "centre_distance_deviations"
+            }
+            _ => "thickness_allowances",
+        };
         place.refused(&["data_sheet", key], &error)
     };
     let sheet = SetSheet::of(entry, set, module_m, balls, allowed.as_ref()).map_err(fault)?;

@@ -80,6 +80,17 @@ pub struct Strength {
     pub warnings: Vec<Warning>,
 }
 
+impl Strength {
+    /// Whether any set is rated at the operating point, or over the duty; where neither is asked against an overload.
+    #[must_use]
+    pub const fn is_rated(&self) -> bool {
+        if self.operating_point.is_some() || !self.duty.is_empty() {
+            return !self.at_point.is_empty() || !self.over_duty.is_empty();
+        }
+        !self.overload.is_empty()
+    }
+}
+
 impl Answer for Strength {
     const NAME: &'static str = "strength";
 }
@@ -105,7 +116,7 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// - [`Error::NoGear`], [`Error::Load`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
     let strength = rated(subject, wanted, true)?;
-    if strength.governing.is_none() {
+    if !strength.is_rated() {
         return Err(Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() });
     }
     Ok(strength)

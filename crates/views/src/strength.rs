@@ -27,8 +27,7 @@ impl AsReport for Strength {
         }
         let title =
             self.governing.as_ref().map(|governing| format!("{}: {governing} governs.", self.gearbox));
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect();
-        Report { title, parts, warnings: Some(warnings) }
+        Report { title, parts, warnings: Some(warnings(self)) }
     }
 }
 
@@ -59,7 +58,11 @@ pub(crate) fn for_page(strength: &Strength) -> Report {
         parts.push(Part::Records(not_rated(&strength.not_rated)));
     }
     parts.extend(compact::factors(strength).into_iter().map(Part::Records));
-    Report { title: None, parts, warnings: None }
+    Report { title: None, parts, warnings: Some(warnings(strength)) }
+}
+
+fn warnings(strength: &Strength) -> Vec<(&'static str, String)> {
+    strength.warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect()
 }
 
 /// The facts of an answer that all its tables share.

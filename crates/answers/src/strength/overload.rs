@@ -1,7 +1,7 @@
 //! A set against the overloads of a file.
 
 use super::load::{both_loads, sun_torque};
-use super::place::{Fault, located, refused};
+use super::place::{Fault, refused};
 use super::prepared::RatedSet;
 use super::records::{MeshName, NotRated, Overloaded, Required};
 use crate::Error;
@@ -41,7 +41,7 @@ pub(super) fn peaks<'g>(
         let path = Path::root().key("overload").index(place);
         let no = |key: &str, message: &str| refused(subject.document, &path, &[key], message);
         let required = Required::of(entry.required.as_ref());
-        required.check().map_err(|error| located(subject.document, &path, &error))?;
+        required.check().map_err(|error| no("required", &error.to_string()))?;
         if entry.torque.0.si() == 0.0 {
             return Err(no("torque", "an overload needs a torque other than 0"));
         }

@@ -37,17 +37,16 @@ pub(super) fn enough(all: &[Strength]) -> Option<String> {
 pub(super) fn objections(all: &[Strength]) -> Vec<String> {
     let mut told = vec![];
     for one in all {
-        match &one.governing {
-            Some(governing) if is_short(one) => {
-                let others = match one.warnings.len().saturating_sub(1) {
-                    0 => String::new(),
-                    1 => "; one more safety is too small".to_owned(),
-                    others => format!("; {others} more safeties are too small"),
-                };
-                told.push(format!("{governing} is below the {} required{others}", governing.required));
-            }
-            Some(_) => {}
-            None => told.push("the strength of no set can be rated: see its chapter".to_owned()),
+        if !one.is_rated() {
+            told.push("the strength of no set can be rated: see its chapter".to_owned());
+        }
+        if let Some(governing) = one.governing.as_ref().filter(|_| is_short(one)) {
+            let others = match one.warnings.len().saturating_sub(1) {
+                0 => String::new(),
+                1 => "; one more safety is too small".to_owned(),
+                others => format!("; {others} more safeties are too small"),
+            };
+            told.push(format!("{governing} is below the {} required{others}", governing.required));
         }
     }
     told
