@@ -1,6 +1,7 @@
 //! The strength of teeth as tables.
 
 mod compact;
+mod words;
 
 use crate::AsReport;
 use crate::figure::{Figure, text};
@@ -12,6 +13,7 @@ use epicyclic_answers::strength::records::{
     DutyStep, FactorOverDuty, NotRated, OverDuty, Overloaded, Rated, Wear,
 };
 use epicyclic_formats::Dimension;
+use words::{OF_STEPS, extent, from};
 
 /// Load cycles are shown in millions.
 const MILLION: f64 = 1e6;
@@ -285,20 +287,6 @@ fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
         }],
         is_answer: false,
     })
-}
-
-/// What factors over a duty are.
-const OF_STEPS: &str = "Least to greatest of the loaded steps; Z_NT and Y_NT are part of Miner's rule.";
-
-/// Four decimals, of a factor that the steps change those of its least and greatest value.
-fn extent(factor: &FactorOverDuty) -> String {
-    let [least, greatest] = [factor.least, factor.greatest].map(|value| format!("{value:.4}"));
-    if least == greatest { least } else { format!("{least} to {greatest}") }
-}
-
-/// The formula of a factor, or that it is given.
-fn from(formula: Option<&str>) -> Figure {
-    formula.map_or(Figure::answer("given", "given"), text)
 }
 
 /// The factors of a mesh, those of its gears side by side; none where none are told.

@@ -1,5 +1,6 @@
 //! All factors of a set in one table: a column for each gear in each of its meshes.
 
+use super::words::{OF_STEPS, extent, from};
 use crate::figure::{Figure, text};
 use crate::report::{Column, Records, View};
 use epicyclic_answers::strength::Strength;
@@ -22,7 +23,7 @@ struct InMesh {
 pub(super) fn factors(strength: &Strength) -> Vec<Records> {
     let of_point = at_point(strength).into_iter().map(|(title, all)| table(title, "", &all));
     let of_duty = over_duty(&strength.over_duty).into_iter();
-    of_point.chain(of_duty.map(|(title, all)| table(title, super::OF_STEPS, &all))).collect()
+    of_point.chain(of_duty.map(|(title, all)| table(title, OF_STEPS, &all))).collect()
 }
 
 /// Of each set the gear in which a safety of it is least over what is required.
@@ -63,7 +64,7 @@ fn over_duty(all: &[OverDuty]) -> Vec<(String, Vec<InMesh>)> {
             .iter()
             .map(|factor| Told {
                 symbol: factor.symbol.clone(),
-                value: super::extent(factor),
+                value: extent(factor),
                 formula: factor.formula.clone(),
             })
             .collect(),
@@ -103,7 +104,7 @@ fn table(title: String, note: &str, all: &[InMesh]) -> Records {
             };
             let mut row = vec![text(&factor.symbol)];
             row.extend(told.iter().map(value));
-            row.push(super::from(formula));
+            row.push(from(formula));
             rows.push(row);
         }
     }
