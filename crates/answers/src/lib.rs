@@ -22,6 +22,7 @@
 //! | [`drawability`] | parts of a gearbox that cannot be drawn together |
 //! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
 //! | [`strength`] | the strength of teeth: stresses, safeties, damage over a duty |
+//! | [`size`] | modules, face widths, planets, centre distances and bearings of simple sets that hold over a duty |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -66,6 +67,7 @@ mod saved;
 pub mod schemes;
 pub mod select;
 pub mod shared;
+pub mod size;
 pub mod strength;
 pub mod synthesize;
 pub mod teeth;

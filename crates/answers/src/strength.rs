@@ -8,8 +8,8 @@
 //!
 //! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
 
-mod place;
-mod prepared;
+pub(crate) mod place;
+pub(crate) mod prepared;
 pub mod records;
 
 use crate::analyze::{Input, OperatingPoint, Worked};
@@ -170,24 +170,35 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error>
     })
 }
 
+/// Torque on the sun without losses, its speed relative to the carrier, and the carrier's speed; 0 where only their rounding is left.
+pub(crate) fn felt(
+    place: usize,
+    worked: &Worked<'_>,
+    speed: AngularVelocity,
+) -> Option<(Torque, [AngularVelocity; 2])> {
+    let analysis = &worked.analysis;
+    let (operation, case) = worked.operation.as_ref().zip(analysis.ideal())?;
+    let members = case.members[place].as_ref()?;
+    let motion = &analysis.sets()[place];
+    // Balances and differences of speeds leave their rounding.
+    let [torque, turning] = [members[0] / case.input, motion.relative?]
+        .map(|share| if share.abs() < ROUNDED { 0.0 } else { share });
+    Some((operation.input * torque, [speed * turning, speed * motion.carrier().unwrap_or(0.0)]))
+}
+
 /// Torque on the sun without losses and its speed relative to the carrier.
 fn set_load(
     set: &RatedSet<'_>,
     worked: &Worked<'_>,
     speed: AngularVelocity,
 ) -> Result<(Torque, AngularVelocity), Reason> {
-    let analysis = &worked.analysis;
-    let (operation, case) = worked.operation.as_ref().zip(analysis.ideal()).ok_or(Reason::NoTorquesFollow)?;
-    let members = case.members[set.place].as_ref().ok_or(Reason::NoTorquesFollow)?;
-    let torque = members[0] / case.input;
-    let turning = analysis.sets()[set.place].relative.ok_or(Reason::NoTorquesFollow)?;
-    // Balances and differences of speeds leave their rounding.
-    if torque.abs() < ROUNDED {
+    let (torque, [turning, _]) = felt(set.place, worked, speed).ok_or(Reason::NoTorquesFollow)?;
+    if torque.si() == 0.0 {
         Err(Reason::NoTorque)
-    } else if turning.abs() < ROUNDED {
+    } else if turning.si() == 0.0 {
         Err(Reason::NoRolling)
     } else {
-        Ok((operation.input * torque, speed * turning))
+        Ok((torque, turning))
     }
 }
 
@@ -219,7 +230,7 @@ fn at_load(
 }
 
 /// A step of the duty; `None` where it does nothing.
-fn duty_step<'g>(
+pub(crate) fn duty_step<'g>(
     subject: &'g Subject<'_>,
     step: &DutyEntry,
     path: &Path,

@@ -96,7 +96,7 @@ pub struct Required {
 
 impl Required {
     /// As the file has them, 1 without.
-    pub(super) fn of(file: &GearboxFile) -> Self {
+    pub(crate) fn of(file: &GearboxFile) -> Self {
         let of = |required: &epicyclic_formats::gearbox::RequiredEntry| Self {
             flank: required.flank.get(),
             root: required.root.get(),
@@ -104,7 +104,7 @@ impl Required {
         file.required.as_ref().map_or(Self { flank: 1.0, root: 1.0 }, of)
     }
 
-    pub(super) fn check(self) -> Result<(), strength::Error> {
+    pub(crate) fn check(self) -> Result<(), strength::Error> {
         let quantity = strength::Quantity::RequiredSafety;
         let wrong = [self.flank, self.root].into_iter().find(|value| !(value.is_finite() && *value > 0.0));
         wrong.map_or(Ok(()), |value| Err(strength::Error::NotPositive { quantity, value, unit: "" }))
@@ -179,17 +179,17 @@ pub struct Rated {
 }
 
 /// A mesh at an operating point.
-pub(super) struct MeshAtPoint {
-    pub(super) name: MeshName,
+pub(crate) struct MeshAtPoint {
+    pub(crate) name: MeshName,
     /// Materials of its gears.
-    pub(super) materials: [String; 2],
-    pub(super) load: Load,
-    pub(super) rating: Box<MeshRating>,
+    pub(crate) materials: [String; 2],
+    pub(crate) load: Load,
+    pub(crate) rating: Box<MeshRating>,
 }
 
 impl MeshAtPoint {
     /// Both of its gears, in a selected gear.
-    pub(super) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
+    pub(crate) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
         let of = |side: Side| {
             let own: &rating::GearRating = &self.rating.gears[side as usize];
             let factors =
@@ -254,7 +254,7 @@ pub struct OverDuty {
 
 impl OverDuty {
     /// Both gears of a mesh.
-    pub(super) fn both(set: &str, mesh: MeshName, rating: &DutyRating) -> [Self; 2] {
+    pub(crate) fn both(set: &str, mesh: MeshName, rating: &DutyRating) -> [Self; 2] {
         Side::BOTH.map(|side| {
             let own = rating.gears[side as usize];
             Self {
@@ -321,7 +321,7 @@ impl Governing {
     }
 
     /// The safety that is least over what is required of it; of equal ones the first.
-    pub(super) fn of(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Option<Self> {
+    pub(crate) fn of(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Option<Self> {
         let over = |one: &Self| one.safety / one.required;
         Self::all(at_point, over_duty, required)
             .reduce(|least, one| if over(&one) < over(&least) { one } else { least })
@@ -344,7 +344,7 @@ impl fmt::Display for Governing {
 }
 
 /// What is below its required safety.
-pub(super) fn below(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Vec<Warning> {
+pub(crate) fn below(at_point: &[Rated], over_duty: &[OverDuty], required: Required) -> Vec<Warning> {
     Governing::all(at_point, over_duty, required)
         .filter(|one| one.safety < one.required)
         .map(|one| Warning {
@@ -389,17 +389,17 @@ pub struct NotRated {
 }
 
 impl NotRated {
-    pub(super) fn new(set: &str, reason: Reason) -> Self {
+    pub(crate) fn new(set: &str, reason: Reason) -> Self {
         Self { set: set.to_owned(), gears: vec![], reason, missing: vec![], because: None }
     }
 
     /// The same in one gear.
-    pub(super) fn of_gear(self, gear: &str) -> Self {
+    pub(crate) fn of_gear(self, gear: &str) -> Self {
         Self { gears: vec![gear.to_owned()], ..self }
     }
 
     /// Adds it to others, gears of one set and reason together.
-    pub(super) fn join(mut self, all: &mut Vec<Self>) {
+    pub(crate) fn join(mut self, all: &mut Vec<Self>) {
         let alike = |one: &&mut Self| {
             (&one.set, one.reason, &one.missing) == (&self.set, self.reason, &self.missing)
                 && !one.gears.is_empty()
@@ -411,7 +411,7 @@ impl NotRated {
     }
 
     /// In words: `set 1: module missing`.
-    pub(super) fn told(&self) -> String {
+    pub(crate) fn told(&self) -> String {
         format!("set {}: {}", self.set, self.why())
     }
 

@@ -2,7 +2,7 @@
 
 use super::bearing::Bearing;
 use super::geometry::{Geometry, geometries};
-use super::{Design, Found, Governing, LeftOut, Objective, Requirement, Sizing};
+use super::{Design, Found, Governing, LeftOut, Objective, Requirement, Sizing, Space};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
@@ -15,7 +15,7 @@ use crate::{Error, Quantity};
 use epicyclic_gears::quantity::SimpleGear;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
-use uom::si::f64::Time;
+use uom::si::f64::{Length, Time};
 
 /// Below this rim over tooth height a rim weakens the root ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
@@ -27,9 +27,9 @@ const THICK_RIM: f64 = 1.2;
 /// [`Error::Negative`] and [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard holds
 /// for, which are left out and counted; those of [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
 pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
-    let modules_mm = sorted(Quantity::Module, &task.space.modules)?;
-    let widths_mm = sorted(Quantity::FaceWidth, &task.space.face_widths)?;
     check(task)?;
+    let modules_mm = sorted(&task.space.modules);
+    let widths_mm = sorted(&task.space.face_widths);
     let choices: Vec<Option<&Bearing>> = match &task.space.bearings[..] {
         [] => vec![None],
         bearings => bearings.iter().map(Some).collect(),
@@ -92,25 +92,44 @@ pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
 }
 
 /// Lengths in mm, ascending and each once.
-fn sorted(quantity: Quantity, lengths: &[uom::si::f64::Length]) -> Result<Vec<f64>, Error> {
-    let mut all: Vec<f64> =
-        lengths.iter().map(|length| positive(quantity, mm(*length), "mm")).collect::<Result<_, _>>()?;
+fn sorted(lengths: &[Length]) -> Vec<f64> {
+    let mut all: Vec<f64> = lengths.iter().map(|length| mm(*length)).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
-    if all.is_empty() { Err(Error::NothingToSearch { quantity }) } else { Ok(all) }
+    all
+}
+
+impl Space {
+    /// Refuses a space of nothing.
+    ///
+    /// # Errors
+    /// [`Error::NothingToSearch`] without modules, face widths or planets; [`Error::NotPositive`] and [`Error::Negative`] for a quantity.
+    pub fn check(&self) -> Result<(), Error> {
+        for (quantity, lengths) in
+            [(Quantity::Module, &self.modules), (Quantity::FaceWidth, &self.face_widths)]
+        {
+            if lengths.is_empty() {
+                return Err(Error::NothingToSearch { quantity });
+            }
+            for length in lengths {
+                positive(quantity, mm(*length), "mm")?;
+            }
+        }
+        if self.planets.is_empty() {
+            return Err(Error::NothingToSearch { quantity: Quantity::Planets });
+        }
+        positive(Quantity::CentreDistanceStep, mm(self.centre_distance_step), "mm")?;
+        not_negative(Quantity::CentreDistanceReach, self.reach, "modules")?;
+        if let Some(ratio) = self.width_ratio {
+            positive(Quantity::WidthRatio, ratio, "")?;
+        }
+        Ok(())
+    }
 }
 
 /// Refuses what is no space, no duty or no requirement.
 fn check(task: &Sizing) -> Result<(), Error> {
-    let space = &task.space;
-    if space.planets.is_empty() {
-        return Err(Error::NothingToSearch { quantity: Quantity::Planets });
-    }
-    positive(Quantity::CentreDistanceStep, mm(space.centre_distance_step), "mm")?;
-    not_negative(Quantity::CentreDistanceReach, space.reach, "modules")?;
-    if let Some(ratio) = space.width_ratio {
-        positive(Quantity::WidthRatio, ratio, "")?;
-    }
+    task.space.check()?;
     positive(Quantity::Life, hours(task.life), "h")?;
     positive(Quantity::RequiredSafety, task.required_contact, "")?;
     positive(Quantity::RequiredSafety, task.required_root, "")?;
