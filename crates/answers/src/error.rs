@@ -239,6 +239,21 @@ pub enum Error {
         /// The sets.
         sets: Vec<String>,
     },
+    /// What a search for a size refuses of its space.
+    #[error(transparent)]
+    Sizing(#[from] epicyclic_strength::Error),
+    /// No set whose size can be sought.
+    #[error("no set can be sized: {}", sets.join("; "))]
+    NothingToSize {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// A file of sizes where some set has none.
+    #[error("set {set} has no size that meets the requirements")]
+    NoSize {
+        /// The set.
+        set: String,
+    },
     /// A throw of a bucket wheel without an angle of the chute.
     #[error("no angle of the chute: at least one is due")]
     NoChute,
@@ -288,6 +303,9 @@ impl Error {
             Self::NothingRated { .. } => "nothing-rated",
             Self::NothingDescribed { .. } => "nothing-described",
             Self::NoSet { .. } => "no-set",
+            Self::Sizing(error) => error.name(),
+            Self::NothingToSize { .. } => "nothing-to-size",
+            Self::NoSize { .. } => "no-size",
             Self::NoChute => "no-chute",
         }
     }
@@ -300,6 +318,7 @@ impl Error {
             Self::Placed { why, .. } => why.is_nothing_found(),
             Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
             | Self::NoMotor(_)
+            | Self::NoSize { .. }
             | Self::NoTeethHold { .. } => true,
             Self::Drive(why) => {
                 matches!(**why, epicyclic_dynamics::Error::Gear(Gear::NoToothNumbers { .. }))

@@ -23,6 +23,7 @@
 //! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
 //! | [`strength`] | the strength of teeth: stresses, safeties, damage over a duty |
 //! | [`sheet`] | data sheets of gears: circles, thickness, measures, meshes |
+//! | [`size`] | modules, face widths, planets, centre distances and bearings of simple sets that hold over a duty |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
 //! | [`answer`] | what all answers have in common: version, JSON, JSON Schema |
@@ -68,6 +69,7 @@ pub mod schemes;
 pub mod select;
 pub mod shared;
 pub mod sheet;
+pub mod size;
 pub mod strength;
 pub mod synthesize;
 pub mod teeth;

@@ -11,11 +11,11 @@
 //!
 //! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
 
-mod duty;
-mod load;
+pub(crate) mod duty;
+pub(crate) mod load;
 mod overload;
-mod place;
-mod prepared;
+pub(crate) mod place;
+pub(crate) mod prepared;
 pub mod records;
 
 use crate::analyze::{Input, OperatingPoint, Worked};

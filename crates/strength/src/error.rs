@@ -50,6 +50,13 @@ epicyclic_gears::words! {
         MeanDiameter "mean diameter of the bearing"
         Friction "coefficient of friction"
         Power "power of the mesh"
+        CentreDistance "centre distance"
+        CentreDistanceStep "step of the centre distances"
+        CentreDistanceReach "reach of the centre distances"
+        WidthRatio "face width over the sun's diameter"
+        LeastRim "least rim of the planets"
+        RingRimInModules "rim of the ring"
+        PlanetBore "bore of the planets"
     }
 }
 
@@ -136,6 +143,39 @@ pub enum Error {
     /// A duty without load.
     #[error("the duty has no step with a torque and a speed; at least one is needed")]
     IdleDuty,
+    /// A search for a size over nothing.
+    #[error("no {quantity} to search; at least one is needed")]
+    NothingToSearch {
+        /// What is missing.
+        quantity: Quantity,
+    },
+    /// A column of a table of bearings that is missing, unknown or named twice.
+    #[error(
+        "bearings, line {line}, column {column}: missing, unknown or named twice; the columns are {allowed}"
+    )]
+    BearingColumn {
+        /// The line, from 1.
+        line: usize,
+        /// The column.
+        column: String,
+        /// All columns.
+        allowed: String,
+    },
+    /// A cell of a table of bearings.
+    #[error("bearings, line {line}, column {column}: `{value}`; {allowed} is needed")]
+    BearingCell {
+        /// The line, from 1.
+        line: usize,
+        /// The column.
+        column: &'static str,
+        /// What stands there.
+        value: String,
+        /// What is needed.
+        allowed: &'static str,
+    },
+    /// A table of bearings without bearings.
+    #[error("the table of bearings has no lines; at least one bearing is needed")]
+    NoBearings,
     /// A fault of the gears' geometry.
     #[error(transparent)]
     Gears(#[from] epicyclic_gears::Error),
@@ -155,6 +195,10 @@ impl Error {
             Self::NoRootSection { .. } => "no-root-section",
             Self::Shares { .. } => "shares",
             Self::IdleDuty => "idle-duty",
+            Self::NothingToSearch { .. } => "nothing-to-search",
+            Self::BearingColumn { .. } => "bearing-column",
+            Self::BearingCell { .. } => "bearing-cell",
+            Self::NoBearings => "no-bearings",
             Self::Gears(error) => error.name(),
         }
     }

@@ -16,6 +16,7 @@
 //! | [`material`] | classes of materials, a small table |
 //! | [`bearing`] | modified rating life by ISO 281 |
 //! | [`loss`] | loss of a mesh by sliding |
+//! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
 //!
 //! Method B, external and internal gears, spur and helical. Editions are named in every answer ([`factor::Edition`]); each factor tells the clause or formula
 //! it follows, or that it was given. `K_A`, `K_Hβ` and material limits are given. A factor whose formula was not available is given too, and the crate refuses
@@ -41,6 +42,7 @@ pub mod planets;
 mod prepared;
 pub mod rating;
 pub mod root;
+pub mod sizing;
 pub mod spectrum;
 mod symbol;
 mod tolerance;

@@ -3,6 +3,7 @@
 //! | constant | of | why this size |
 //! |---|---|---|
 //! | `SAME` | the last step of an iteration, over the value | some units of rounding: Newton's method makes no smaller step |
+//! | `EDGE` | a centre distance beyond the reach of a search, over the step | the rounding of the natural centre distance and of its multiples |
 //! | `WHOLE` | what the shares of a duty lack of 1 | shares written with nine digits add up to 1 |
 
 /// Newton's method has ended when its step is below this share of the value.
@@ -10,3 +11,6 @@ pub(crate) const SAME: f64 = 1e-13;
 
 /// Shares of time that sum to 1 within this are the whole time.
 pub(crate) const WHOLE: f64 = 1e-9;
+
+/// A centre distance within this share of a step beyond the reach of a search is within it.
+pub(crate) const EDGE: f64 = 1e-6;

@@ -4,14 +4,15 @@
 
 use crate::{Error, Quantity, tolerance};
 use uom::si::angle::radian;
-use uom::si::angular_velocity::revolution_per_minute;
+use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::f64::{
-    Angle, AngularVelocity, Force, KinematicViscosity, Length, MassDensity, Power, Pressure, Time, Torque,
-    Velocity,
+    Angle, AngularVelocity, Force, KinematicViscosity, Length, Mass, MassDensity, Power, Pressure, Time,
+    Torque, Velocity,
 };
 use uom::si::force::newton;
 use uom::si::kinematic_viscosity::square_millimeter_per_second;
 use uom::si::length::{micrometer, millimeter};
+use uom::si::mass::kilogram;
 use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::power::watt;
 use uom::si::pressure::megapascal;
@@ -21,6 +22,10 @@ use uom::si::velocity::meter_per_second;
 
 pub(crate) fn mm(value: Length) -> f64 {
     value.get::<millimeter>()
+}
+
+pub(crate) fn length_mm(value_mm: f64) -> Length {
+    Length::new::<millimeter>(value_mm)
 }
 
 pub(crate) fn um(value: Length) -> f64 {
@@ -49,6 +54,14 @@ pub(crate) fn newtons(value: Force) -> f64 {
 
 pub(crate) fn rpm(value: AngularVelocity) -> f64 {
     value.get::<revolution_per_minute>()
+}
+
+pub(crate) fn rad_s(value: AngularVelocity) -> f64 {
+    value.get::<radian_per_second>()
+}
+
+pub(crate) fn mass(value_kg: f64) -> Mass {
+    Mass::new::<kilogram>(value_kg)
 }
 
 pub(crate) fn velocity(value_m_s: f64) -> Velocity {

@@ -16,13 +16,13 @@ use epicyclic_train::InputLoad;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A step of the duty as the file has it, and its gear at that load; `None` where it does nothing.
-pub(super) struct WorkedStep<'g>(&'g DutyEntry, Option<Worked<'g>>);
+pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Worked<'g>>);
 
 /// The steps of a duty.
 ///
 /// # Errors
 /// [`Error::Document`] for shares that are not the whole time, and gears that do not exist or carry no such load.
-pub(super) fn steps<'g>(
+pub(crate) fn steps<'g>(
     subject: &'g Subject<'_>,
     duty: &'g [DutyEntry],
 ) -> Result<Vec<WorkedStep<'g>>, Error> {

@@ -6,7 +6,7 @@ use epicyclic_formats::{Document, Path, Problem};
 use epicyclic_strength::{self as strength, Quantity};
 
 /// What keeps a set from being rated.
-pub(super) enum Fault {
+pub(crate) enum Fault {
     /// It lacks something; the others are rated.
     Row(NotRated),
     /// Something is wrong.
@@ -15,7 +15,7 @@ pub(super) enum Fault {
 
 impl Fault {
     /// Of a set at its path.
-    pub(super) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
+    pub(crate) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
         match error {
             strength::Error::MissingFactor { symbol, because } => Self::Row(NotRated {
                 missing: vec![symbol.to_string()],
@@ -29,7 +29,7 @@ impl Fault {
 }
 
 /// A refusal at the longest part of a path that the file has.
-pub(super) fn refused(document: &Document, path: &Path, keys: &[&str], message: &str) -> Error {
+pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], message: &str) -> Error {
     let deeper = |path: Path, key: &&str| {
         let inner = path.clone().key(*key);
         if document.value_at(&inner).is_some() { inner } else { path }
@@ -39,7 +39,7 @@ pub(super) fn refused(document: &Document, path: &Path, keys: &[&str], message: 
 }
 
 /// What the strength of a set refuses, at the key that it is about.
-pub(super) fn located(document: &Document, set: &Path, error: &strength::Error) -> Error {
+pub(crate) fn located(document: &Document, set: &Path, error: &strength::Error) -> Error {
     use strength::Error as E;
     let root = Path::root();
     let (path, keys): (&Path, &[&str]) = match error {

@@ -8,41 +8,88 @@ use crate::toothed;
 use epicyclic_formats::gearbox::{GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry};
 use epicyclic_formats::{Document, Number, Path};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::involute::{InvoluteGear, PlanetSet};
+use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
+use epicyclic_gears::mesh::coaxial_planet;
 use epicyclic_strength::factor::{Given, Side, Symbol};
 use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
-use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::set::{Gearing, SetKind, SetSpec, Shifts};
 use std::collections::BTreeMap;
 use uom::si::f64::{KinematicViscosity, Length};
 
 /// A simple set with all that its strength asks for.
-pub(super) struct RatedSet<'g> {
+pub(crate) struct RatedSet<'g> {
     /// Its place in the gearbox.
-    pub(super) place: usize,
+    pub(crate) place: usize,
     /// Its name.
-    pub(super) id: &'g str,
+    pub(crate) id: &'g str,
     /// Where it stands in the file.
-    pub(super) path: Path,
+    pub(crate) path: Path,
     /// Materials of sun, planets and ring by name.
-    pub(super) materials: &'g [String; 3],
+    pub(crate) materials: &'g [String; 3],
     /// Teeth of sun and planets.
-    pub(super) teeth: [ToothCount; 2],
-    pub(super) planets: u32,
+    pub(crate) teeth: [ToothCount; 2],
+    pub(crate) planets: u32,
     /// Of sun and planets, of planets and ring.
-    pub(super) meshes: [Mesh; 2],
-    pub(super) methods: [Method; 2],
+    pub(crate) meshes: [Mesh; 2],
+    pub(crate) methods: [Method; 2],
+}
+
+/// A simple set with all that its strength asks for but its size.
+pub(crate) struct SetToSize<'g> {
+    /// Its place in the gearbox.
+    pub(crate) place: usize,
+    /// Its name.
+    pub(crate) id: &'g str,
+    /// Where it stands in the file.
+    pub(crate) path: Path,
+    /// What the file says of it.
+    pub(crate) entry: &'g SetEntry,
+    /// Materials of sun, planets and ring by name.
+    pub(crate) materials: &'g [String; 3],
+    /// Teeth of sun, planets and ring.
+    pub(crate) teeth: [ToothCount; 3],
+    /// Shifts that the file gives.
+    pub(crate) shifts: Option<Shifts>,
+    pub(crate) profile: Profile,
+    pub(crate) ring_fillet: f64,
+    pub(crate) gears: [Gear; 3],
+    pub(crate) methods: [Method; 2],
+    pub(crate) viscosity: KinematicViscosity,
 }
 
 /// The sets that can be rated, and why others cannot.
-pub(super) fn sets<'g>(
+pub(crate) fn sets<'g>(
     subject: &'g Subject<'_>,
     file: &'g GearboxFile,
 ) -> Result<(Vec<RatedSet<'g>>, Vec<NotRated>), Error> {
+    each(subject, file, |of, place, id| match of.known()? {
+        Ok(known) => Ok(Ok(of.set(place, id, &known)?)),
+        Err(missing) => Ok(Err(missing)),
+    })
+}
+
+/// The sets that can be sized, and why others cannot.
+pub(crate) fn sets_to_size<'g>(
+    subject: &'g Subject<'_>,
+    file: &'g GearboxFile,
+) -> Result<(Vec<SetToSize<'g>>, Vec<NotRated>), Error> {
+    each(subject, file, Of::to_size)
+}
+
+/// What a set becomes, or the keys that it lacks.
+type Made<T> = Result<Result<T, Vec<&'static str>>, Error>;
+
+/// Each simple set of the file as something, and why others are not.
+fn each<'g, T>(
+    subject: &'g Subject<'_>,
+    file: &'g GearboxFile,
+    made: impl Fn(&Of<'g>, usize, &'g str) -> Made<T>,
+) -> Result<(Vec<T>, Vec<NotRated>), Error> {
     check_materials(subject.document, file)?;
-    let (mut rated, mut not_rated) = (vec![], vec![]);
+    let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, set) in subject.gearbox.sets().iter().enumerate() {
         let entry = file.sets.iter().position(|entry| entry.id == set.id());
         let simple = set.short().filter(|spec| spec.kind == SetKind::Simple);
@@ -52,15 +99,15 @@ pub(super) fn sets<'g>(
         };
         let path = Path::root().key("sets").index(index);
         let of = Of { subject, file, entry: &file.sets[index], spec, path };
-        match of.known()? {
-            Ok(known) => rated.push(of.set(place, set.id(), &known)?),
+        match made(&of, place, set.id())? {
+            Ok(one) => all.push(one),
             Err(missing) => not_rated.push(NotRated {
                 missing: missing.into_iter().map(str::to_owned).collect(),
                 ..NotRated::new(set.id(), Reason::KeysMissing)
             }),
         }
     }
-    Ok((rated, not_rated))
+    Ok((all, not_rated))
 }
 
 /// A set of the file.
@@ -124,24 +171,9 @@ impl<'a> Of<'a> {
 
     fn set(&self, place: usize, id: &'a str, known: &Known<'a>) -> Result<RatedSet<'a>, Error> {
         let Known { strength, module, face_width, viscosity, .. } = *known;
-        let material = |of| self.material(of, &strength.materials[of]);
-        let materials = [material(0)?, material(1)?, material(2)?];
-        let gear = |of: usize, bending, rim: Option<Length>, shaper| Gear {
-            material: materials[of],
-            flank_roughness: strength.flank_roughness[of].0,
-            root_roughness: strength.root_roughness[of].0,
-            rim,
-            shaper,
-            bending,
-        };
-        let sun = gear(0, Bending::OneWay, None, None);
-        let planet = gear(1, Bending::Reversed, strength.planet_rim.map(|rim| rim.0), None);
-        let ring = gear(2, Bending::OneWay, strength.ring_rim.map(|rim| rim.0), Some(known.shaper));
+        let [sun, planet, ring] = self.gears(strength, known.shaper)?;
         let mesh = |pair, gears| Mesh { pair, module, face_width, gears, viscosity };
-        let method = |of_mesh, ring: Option<&BTreeMap<String, Number>>| -> Result<Method, Error> {
-            let given = self.given(&strength.factors, of_mesh, ring)?;
-            Ok(Method { given, planets: Some(known.planets), ..Method::default() })
-        };
+        let methods = self.methods(strength)?;
         let [sun_teeth, planet_teeth, _] = known.gears.gears().map(InvoluteGear::teeth);
         Ok(RatedSet {
             place,
@@ -154,11 +186,82 @@ impl<'a> Of<'a> {
                 mesh(*known.gears.sun_mesh(), [sun, planet]),
                 mesh(*known.gears.ring_mesh(), [planet, ring]),
             ],
-            methods: [
-                method(("sun_mesh_factors", &strength.sun_mesh_factors), None)?,
-                method(("ring_mesh_factors", &strength.ring_mesh_factors), Some(&strength.ring_factors))?,
-            ],
+            methods: methods.map(|method| Method { planets: Some(known.planets), ..method }),
         })
+    }
+
+    /// Sun, planets and ring beyond their geometry.
+    fn gears(&self, strength: &StrengthEntry, shaper: Shaper) -> Result<[Gear; 3], Error> {
+        let material = |of| self.material(of, &strength.materials[of]);
+        let materials = [material(0)?, material(1)?, material(2)?];
+        let gear = |of: usize, bending, rim: Option<Length>, shaper| Gear {
+            material: materials[of],
+            flank_roughness: strength.flank_roughness[of].0,
+            root_roughness: strength.root_roughness[of].0,
+            rim,
+            shaper,
+            bending,
+        };
+        Ok([
+            gear(0, Bending::OneWay, None, None),
+            gear(1, Bending::Reversed, strength.planet_rim.map(|rim| rim.0), None),
+            gear(2, Bending::OneWay, strength.ring_rim.map(|rim| rim.0), Some(shaper)),
+        ])
+    }
+
+    /// How both meshes are calculated, without the number of planets.
+    fn methods(&self, strength: &StrengthEntry) -> Result<[Method; 2], Error> {
+        let method = |of_mesh, ring: Option<&BTreeMap<String, Number>>| -> Result<Method, Error> {
+            let given = self.given(&strength.factors, of_mesh, ring)?;
+            Ok(Method { given, ..Method::default() })
+        };
+        Ok([
+            method(("sun_mesh_factors", &strength.sun_mesh_factors), None)?,
+            method(("ring_mesh_factors", &strength.ring_mesh_factors), Some(&strength.ring_factors))?,
+        ])
+    }
+
+    /// The set without its size.
+    fn to_size(&self, place: usize, id: &'a str) -> Made<SetToSize<'a>> {
+        let strength = self.entry.strength.as_ref();
+        let shaper = strength.and_then(|strength| strength.shaper.as_ref());
+        let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
+        let planet = self.spec.planet.or_else(|| self.coaxial_planet());
+        if let (Gearing::Teeth(sun, ring), Some(planet), Some(strength), Some(shaper), Some(viscosity)) =
+            (self.spec.gearing, planet, strength, shaper, viscosity)
+        {
+            let profile = Profile::of_rack(self.subject.rack);
+            let tool = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
+            return Ok(Ok(SetToSize {
+                place,
+                id,
+                path: self.path.clone(),
+                entry: self.entry,
+                teeth: [sun, planet, ring],
+                shifts: self.spec.shifts,
+                profile,
+                ring_fillet: shaper.fillet.map_or(profile.fillet, Number::get),
+                materials: &strength.materials,
+                gears: self.gears(strength, tool)?,
+                methods: self.methods(strength)?,
+                viscosity,
+            }));
+        }
+        let known = [
+            ("teeth", matches!(self.spec.gearing, Gearing::Teeth(..))),
+            ("planet_teeth", planet.is_some()),
+            ("strength", strength.is_some()),
+            ("strength.shaper", strength.is_none() || shaper.is_some()),
+            ("oil", viscosity.is_some()),
+        ];
+        Ok(Err(known.into_iter().filter(|(_, is_known)| !is_known).map(|(key, _)| key).collect()))
+    }
+
+    /// The planet that equal centre distances without profile shift ask for, if it is one.
+    fn coaxial_planet(&self) -> Option<ToothCount> {
+        let Gearing::Teeth(sun, ring) = self.spec.gearing else { return None };
+        let planet = coaxial_planet(sun, ring);
+        (planet >= 1.0 && planet.fract() == 0.0).then(|| ToothCount::new(planet as u32).ok())?
     }
 
     /// The factors given for a mesh: those of both meshes, its own, those of the ring.

@@ -96,12 +96,12 @@ pub struct Required {
 
 impl Required {
     /// As a file has them, 1 without.
-    pub(super) fn of(entry: Option<&RequiredEntry>) -> Self {
+    pub(crate) fn of(entry: Option<&RequiredEntry>) -> Self {
         let of = |required: &RequiredEntry| Self { flank: required.flank.get(), root: required.root.get() };
         entry.map_or(Self { flank: 1.0, root: 1.0 }, of)
     }
 
-    pub(super) fn check(self) -> Result<(), strength::Error> {
+    pub(crate) fn check(self) -> Result<(), strength::Error> {
         let quantity = strength::Quantity::RequiredSafety;
         let wrong = [self.flank, self.root].into_iter().find(|value| !(value.is_finite() && *value > 0.0));
         wrong.map_or(Ok(()), |value| Err(strength::Error::NotPositive { quantity, value, unit: "" }))
@@ -176,17 +176,17 @@ pub struct Rated {
 }
 
 /// A mesh at an operating point.
-pub(super) struct MeshAtPoint {
-    pub(super) name: MeshName,
+pub(crate) struct MeshAtPoint {
+    pub(crate) name: MeshName,
     /// Materials of its gears.
-    pub(super) materials: [String; 2],
-    pub(super) load: Load,
-    pub(super) rating: Box<MeshRating>,
+    pub(crate) materials: [String; 2],
+    pub(crate) load: Load,
+    pub(crate) rating: Box<MeshRating>,
 }
 
 impl MeshAtPoint {
     /// Both of its gears, in a selected gear.
-    pub(super) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
+    pub(crate) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
         let of = |side: Side| {
             let own: &rating::GearRating = &self.rating.gears[side as usize];
             let factors =
@@ -323,7 +323,7 @@ pub struct OverDuty {
 
 impl OverDuty {
     /// Both gears of a mesh with their materials, and the ratings of the steps whose factors are wanted.
-    pub(super) fn both(
+    pub(crate) fn both(
         set: &str,
         mesh: MeshName,
         materials: &[String],
@@ -458,13 +458,13 @@ impl Safeties {
     }
 
     /// The safety that is least over what is required of it; of equal ones the first.
-    pub(super) fn governing(&self, required: Required) -> Option<Governing> {
+    pub(crate) fn governing(&self, required: Required) -> Option<Governing> {
         let over = |one: &Governing| one.safety / one.required;
         self.all(required).reduce(|least, one| if over(&one) < over(&least) { one } else { least })
     }
 
     /// What is below its required safety.
-    pub(super) fn below(&self, required: Required) -> Vec<Warning> {
+    pub(crate) fn below(&self, required: Required) -> Vec<Warning> {
         self.all(required)
             .filter(|one| one.safety < one.required)
             .map(|one| Warning {
@@ -528,12 +528,12 @@ pub struct NotRated {
 }
 
 impl NotRated {
-    pub(super) fn new(set: &str, reason: Reason) -> Self {
+    pub(crate) fn new(set: &str, reason: Reason) -> Self {
         Self { set: set.to_owned(), against: None, gears: vec![], reason, missing: vec![], because: None }
     }
 
     /// The same in one gear.
-    pub(super) fn of_gear(self, gear: &str) -> Self {
+    pub(crate) fn of_gear(self, gear: &str) -> Self {
         Self { gears: vec![gear.to_owned()], ..self }
     }
 
@@ -543,7 +543,7 @@ impl NotRated {
     }
 
     /// Adds it to others, gears of one set and reason together.
-    pub(super) fn join(mut self, all: &mut Vec<Self>) {
+    pub(crate) fn join(mut self, all: &mut Vec<Self>) {
         let alike = |one: &&mut Self| {
             (&one.set, one.against, one.reason, &one.missing)
                 == (&self.set, self.against, self.reason, &self.missing)
@@ -556,7 +556,7 @@ impl NotRated {
     }
 
     /// In words: `set 1: module missing`.
-    pub(super) fn told(&self) -> String {
+    pub(crate) fn told(&self) -> String {
         format!("set {}: {}", self.set, self.why())
     }
 

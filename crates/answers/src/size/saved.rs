@@ -1,0 +1,68 @@
+//! The gearbox file with the sizes found in it.
+
+use super::Size;
+use super::records::{SizedBearing, SizedDesign};
+use crate::Error;
+use epicyclic_formats::Document;
+use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::yaml::{Mapping, Value, to_string, to_value};
+
+/// Millimetres in a metre.
+const MM: f64 = 1e3;
+
+/// Digits that a length keeps: those of its rounding in binary fractions are left out.
+const DIGITS: usize = 14;
+
+/// The file as it was, without its remarks, with the best design of each set.
+///
+/// # Errors
+/// [`Error::NoSize`] for a set without one; [`Error::Json`] for a file that cannot be written.
+pub fn saved(document: &Document, size: &Size) -> Result<String, Error> {
+    let mut file = document.value().clone();
+    let mut comment =
+        format!("# {}: the best sizes of {} designs.\n", size.gearbox.escape_default(), size.designs);
+    for set in &size.sets {
+        let best = set.found.first().ok_or_else(|| Error::NoSize { set: set.set.clone() })?;
+        if let Some(name) = best.bearing.as_ref().and_then(|bearing| bearing.designation.as_ref()) {
+            comment += &format!("# Set {}: bearing {}.\n", set.set.escape_default(), name.escape_default());
+        }
+        let entries = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+        let own = |entry: &&mut Value| entry.get("id").and_then(Value::as_str) == Some(set.set.as_str());
+        if let Some(entry) = entries.into_iter().find(own).and_then(Value::as_mapping_mut) {
+            write(entry, set.teeth[1], best)?;
+        }
+    }
+    let text = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
+    Ok(comment + &text)
+}
+
+fn millimetres(metres: f64) -> Value {
+    Value::from(format!("{} mm", trimmed(metres * MM, DIGITS)))
+}
+
+fn write(entry: &mut Mapping, planet_teeth: u32, design: &SizedDesign) -> Result<(), Error> {
+    let list = |values: [f64; 3]| to_value(values).map_err(|error| Error::Json(error.to_string()));
+    let mut keys = vec![
+        ("planet_teeth", Value::from(vec![Value::from(planet_teeth)])),
+        ("planets", Value::from(design.planets)),
+        ("profile_shifts", list(design.profile_shifts)?),
+        ("tip_alterations", list(design.tip_alterations)?),
+        ("module", millimetres(design.module_m)),
+        ("face_width", millimetres(design.face_width_m)),
+    ];
+    if let Some(SizedBearing { rollers, outside_diameter_m, load_rating_n, .. }) = &design.bearing {
+        keys.extend(outside_diameter_m.map(|bore| ("planet_bore", millimetres(bore))));
+        keys.push(("load_rating", Value::from(format!("{} N", trimmed(*load_rating_n, DIGITS)))));
+        keys.push(("bearing_rolling", Value::from(if *rollers { "rollers" } else { "balls" })));
+    }
+    for (key, value) in keys {
+        entry.insert(Value::from(key), value);
+    }
+    if let Some(strength) = entry.get_mut("strength").and_then(Value::as_mapping_mut) {
+        if let Some(rim) = design.planet_rim_m {
+            strength.insert(Value::from("planet_rim"), millimetres(rim));
+        }
+        strength.insert(Value::from("ring_rim"), millimetres(design.ring_rim_m));
+    }
+    Ok(())
+}

@@ -1,0 +1,103 @@
+//! The size of a three-speed gearbox of two sets, whose loads do not depend on it.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::Profile;
+use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_strength::factor::{Given, Symbol};
+use epicyclic_strength::material;
+use epicyclic_strength::mesh::{Gear, Method};
+use epicyclic_strength::root::{factors::Bending, section::Shaper};
+use epicyclic_strength::sizing::bearing::listed;
+use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, SetStep, Sizing, Space, size};
+use std::hint::black_box;
+use uom::si::angular_velocity::revolution_per_minute;
+use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Time, Torque};
+use uom::si::kinematic_viscosity::square_millimeter_per_second;
+use uom::si::length::{micrometer, millimeter};
+use uom::si::{time::hour, torque::newton_meter};
+
+fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
+    let gear = |designation, bending, shaper| Gear {
+        material: material::listed(designation).expect("listed").material,
+        flank_roughness: Length::new::<micrometer>(4.0),
+        root_roughness: Length::new::<micrometer>(16.0),
+        rim: None,
+        shaper,
+        bending,
+    };
+    let rpm = AngularVelocity::new::<revolution_per_minute>;
+    let given = Given::load_factors([1.25, 1.0, 1.05, 1.2, 1.0]);
+    let methods = [given, given.with(Symbol::StaticNotchSensitivity, 1.0)];
+    let mm = |value: f64| Length::new::<millimeter>(value);
+    Sizing {
+        teeth: teeth.map(|count| ToothCount::new(count).expect("teeth")),
+        profile: Profile::default(),
+        ring_fillet: 0.3,
+        aim: Aim::BalancedSliding,
+        held_shifts: None,
+        limits: Limits::default(),
+        gears: [
+            gear("18CrNiMo7-6", Bending::OneWay, None),
+            gear("18CrNiMo7-6", Bending::Reversed, None),
+            gear("34CrNiMo6", Bending::OneWay, Some(Shaper { teeth: 30, shift: 0.0 })),
+        ],
+        methods: methods.map(|given| Method { given, ..Method::default() }),
+        viscosity: KinematicViscosity::new::<square_millimeter_per_second>(220.0),
+        duty: steps
+            .map(|[share, torque, relative, carrier]| SetStep {
+                share,
+                sun_torque: Torque::new::<newton_meter>(torque),
+                sun_speed: rpm(relative),
+                carrier_speed: rpm(carrier),
+            })
+            .to_vec(),
+        life: Time::new::<hour>(10_000.0),
+        required_contact: 1.1,
+        required_root: 1.4,
+        planet_rim: 3.0,
+        least_planet_rim: None,
+        ring_rim: 3.5,
+        held_ring_rim: None,
+        planet_bore: None,
+        objective: Objective::Mass,
+        space: Space {
+            modules: STANDARD_MODULES_MM[..11].iter().map(|module| mm(*module)).collect(),
+            face_widths: (2..=16).map(|width| mm(5.0 * f64::from(width))).collect(),
+            planets: vec![3, 4, 5, 6],
+            centre_distance_step: mm(0.5),
+            reach: 1.0,
+            width_ratio: Some(1.2),
+            bearings: listed().to_vec(),
+        },
+    }
+}
+
+fn sizing(c: &mut Criterion) {
+    // Two sets, 24/30/84 and 30/24/78; in the third gear both turn as a block.
+    let sets = [
+        set([24, 30, 84], [[0.3, 500.0, 1200.0, 330.0], [0.4, 320.0, 600.0, 900.0], [0.3, 0.0, 0.0, 1500.0]]),
+        set([30, 24, 78], [[0.3, 0.0, 0.0, 330.0], [0.4, 900.0, 800.0, 400.0], [0.3, 0.0, 0.0, 1500.0]]),
+    ];
+    let mut group = c.benchmark_group("sizing");
+    group.sample_size(10);
+    for set in &sets {
+        let found = size(set, 5).expect("a search");
+        assert_eq!(found.found.len(), 5);
+        println!(
+            "{} designs of {} centre distances, {} rated, {} left out",
+            found.space,
+            found.geometries,
+            found.rated,
+            found.left_out.total()
+        );
+    }
+    group.bench_function("three_speeds", |b| {
+        b.iter(|| sets.each_ref().map(|set| size(black_box(set), 5)));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, sizing);
+criterion_main!(benches);

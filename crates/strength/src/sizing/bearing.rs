@@ -1,0 +1,186 @@
+//! The bearings that planets may turn on: a small table, and tables of one's own.
+//!
+//! A table is a text of lines `designation,rolling,d_mm,D_mm,B_mm,C_kN,C0_kN` below a header that names these columns, in any order;
+//! `C0_kN` may be missing or empty. Lines that begin with `#` are remarks. Cells are parted by commas and have no quotes.
+//!
+//! # Source
+//! The table is of a maker's catalogue, named in its header. Only ball bearings are in it: no catalogue of cylindrical or
+//! needle roller bearings was available to read.
+
+use crate::Error;
+use crate::units::{force, length_mm};
+use epicyclic_gears::life::Rolling;
+use std::sync::LazyLock;
+use uom::si::f64::{Force, Length};
+
+/// A bearing of a planet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bearing {
+    /// Designation, `6309`.
+    pub designation: String,
+    /// What rolls in it.
+    pub rolling: Rolling,
+    /// Bore `d`: diameter of the pin.
+    pub bore: Length,
+    /// Outside diameter `D`: bore of the planet.
+    pub outside_diameter: Length,
+    /// Width `B`.
+    pub width: Length,
+    /// Basic dynamic load rating `C`.
+    pub load_rating: Force,
+    /// Basic static load rating `C_0`, if known.
+    pub static_load_rating: Option<Force>,
+}
+
+static TABLE: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
+    parse(include_str!("../../data/planet_bearings.csv"))
+        .expect("the embedded table is checked by the tests of this file")
+});
+
+/// The bearings of the table, by bore and outside diameter.
+///
+/// ```
+/// use epicyclic_strength::sizing::bearing;
+/// use uom::si::force::kilonewton;
+///
+/// let bearing = bearing::listed().iter().find(|bearing| bearing.designation == "6309").unwrap();
+/// assert!((bearing.load_rating.get::<kilonewton>() - 54.2).abs() < 1e-9);
+/// ```
+#[must_use]
+pub fn listed() -> &'static [Bearing] {
+    &TABLE
+}
+
+/// Columns of a table; the last may be missing.
+const COLUMNS: [&str; 7] = ["designation", "rolling", "d_mm", "D_mm", "B_mm", "C_kN", "C0_kN"];
+
+/// The bearings of a table in the form of the [module](self).
+///
+/// # Errors
+/// [`Error::BearingColumn`] for a column that is missing, unknown or named twice, [`Error::BearingCell`], with line and column, for a
+/// cell that is missing or wrong, [`Error::NoBearings`] for a table without lines.
+pub fn parse(text: &str) -> Result<Vec<Bearing>, Error> {
+    let mut lines = text
+        .trim_start_matches('\u{feff}')
+        .lines()
+        .enumerate()
+        .map(|(place, line)| (place + 1, line.trim()))
+        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let (line, header) = lines.next().ok_or(Error::NoBearings)?;
+    let places = columns(line, header)?;
+    let bearings: Vec<Bearing> =
+        lines.map(|(line, row)| bearing(line, row, places)).collect::<Result<_, _>>()?;
+    if bearings.is_empty() { Err(Error::NoBearings) } else { Ok(bearings) }
+}
+
+/// Where each column stands.
+fn columns(line: usize, header: &str) -> Result<[Option<usize>; COLUMNS.len()], Error> {
+    let mut places = [None; COLUMNS.len()];
+    for (place, name) in header.split(',').map(str::trim).enumerate() {
+        let wrong = || Error::BearingColumn { line, column: name.to_owned(), allowed: COLUMNS.join(", ") };
+        let column = COLUMNS.iter().position(|column| *column == name).ok_or_else(wrong)?;
+        if places[column].replace(place).is_some() {
+            return Err(wrong());
+        }
+    }
+    let missing = COLUMNS[..COLUMNS.len() - 1].iter().zip(places).find(|(_, place)| place.is_none());
+    match missing {
+        Some((column, _)) => {
+            Err(Error::BearingColumn { line, column: (*column).to_owned(), allowed: COLUMNS.join(", ") })
+        }
+        None => Ok(places),
+    }
+}
+
+fn bearing(line: usize, row: &str, places: [Option<usize>; COLUMNS.len()]) -> Result<Bearing, Error> {
+    let cells: Vec<&str> = row.split(',').map(str::trim).collect();
+    let cell = |column: usize| places[column].and_then(|place| cells.get(place)).copied().unwrap_or("");
+    let wrong = |column: usize, allowed| Error::BearingCell {
+        line,
+        column: COLUMNS[column],
+        value: cell(column).to_owned(),
+        allowed,
+    };
+    let number = |column: usize| {
+        let value = cell(column).parse::<f64>().ok().filter(|value| value.is_finite() && *value > 0.0);
+        value.ok_or_else(|| wrong(column, "a number above 0"))
+    };
+    if cell(0).is_empty() {
+        return Err(wrong(0, "a designation"));
+    }
+    let rolling = match cell(1) {
+        "balls" => Rolling::Balls,
+        "rollers" => Rolling::Rollers,
+        _ => return Err(wrong(1, "balls or rollers")),
+    };
+    let bore = number(2)?;
+    let outside = number(3)?;
+    if outside <= bore {
+        return Err(wrong(3, "a number above that of d_mm"));
+    }
+    let kilonewtons = |value: f64| force(value * 1e3);
+    Ok(Bearing {
+        designation: cell(0).to_owned(),
+        rolling,
+        bore: length_mm(bore),
+        outside_diameter: length_mm(outside),
+        width: length_mm(number(4)?),
+        load_rating: kilonewtons(number(5)?),
+        static_load_rating: if cell(6).is_empty() { None } else { Some(kilonewtons(number(6)?)) },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::mm;
+
+    #[test]
+    fn the_table_is_whole_and_in_order() {
+        let all = listed();
+        assert_eq!(all.len(), 63);
+        let key = |bearing: &Bearing| (mm(bearing.bore), mm(bearing.outside_diameter));
+        assert!(all.windows(2).all(|two| key(&two[0]) < key(&two[1])));
+        // Series 62 and 63 have the envelope of the other table of the workspace.
+        for bearing in all.iter().filter(|bearing| mm(bearing.bore) >= 20.0) {
+            if let Ok(other) = epicyclic_gears::bearing::by_designation(&bearing.designation) {
+                assert_eq!(
+                    mm(other.outside_diameter),
+                    mm(bearing.outside_diameter),
+                    "{}",
+                    bearing.designation
+                );
+                assert_eq!(mm(other.width), mm(bearing.width), "{}", bearing.designation);
+            }
+        }
+    }
+
+    #[test]
+    fn columns_may_stand_in_any_order() {
+        let table = "# mine\nC_kN,designation,B_mm,rolling,d_mm,D_mm\n12.5,NJ 202, 11,rollers,15,35\n";
+        let [bearing] = &parse(table).unwrap()[..] else { panic!() };
+        assert_eq!((bearing.designation.as_str(), bearing.rolling), ("NJ 202", Rolling::Rollers));
+        assert_eq!(bearing.static_load_rating, None);
+        assert!((mm(bearing.outside_diameter) - 35.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn faults_name_line_and_column() {
+        let of = |text: &str| parse(text).unwrap_err().to_string();
+        let head = "designation,rolling,d_mm,D_mm,B_mm,C_kN,C0_kN\n";
+        assert_eq!(
+            of(&format!("{head}a,balls,10,30,9,x,1\n")),
+            "bearings, line 2, column C_kN: `x`; a number above 0 is needed"
+        );
+        assert_eq!(
+            of(&format!("{head}a,balls,30,10,9,5,1\n")),
+            "bearings, line 2, column D_mm: `10`; a number above that of d_mm is needed"
+        );
+        assert!(of(&format!("{head}a,needles,10,30,9,5,1\n")).ends_with("balls or rollers is needed"));
+        assert!(of(&format!("{head},balls,10,30,9,5,1\n")).contains("column designation"));
+        assert!(of("designation,D_mm\n").contains("column rolling"));
+        assert!(of("designation,colour\n").contains("column colour"));
+        assert_eq!(of(head), "the table of bearings has no lines; at least one bearing is needed");
+        assert_eq!(of("# nothing\n"), "the table of bearings has no lines; at least one bearing is needed");
+    }
+}

@@ -1,0 +1,188 @@
+//! The gears of a set at every centre distance of the space, and their masses.
+
+use super::{LeftOut, Sizing};
+use crate::tolerance::EDGE;
+use crate::units::{kg_m3, mm};
+use crate::{Error, Quantity};
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::family::{Family, natural_centre_distance};
+use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use epicyclic_gears::spacing::PlanetSpacing;
+use std::f64::consts::FRAC_PI_4;
+
+/// A module, a number of planets, a centre distance, and the gears there; lengths in mm.
+#[derive(Debug, Clone)]
+pub(super) struct Geometry {
+    /// Place of the module in the space.
+    pub(super) module: usize,
+    pub(super) module_mm: f64,
+    pub(super) planets: u32,
+    pub(super) centre_mm: f64,
+    pub(super) set: PlanetSet,
+    pub(super) limited_by: Option<SetFault>,
+    /// Of sun and planets, of planets and ring as its tool leaves it.
+    pub(super) pairs: [Pair; 2],
+    pub(super) planet_root_mm: f64,
+    pub(super) planet_height_mm: f64,
+    pub(super) ring_rim_mm: f64,
+    pub(super) ring_mm: f64,
+    /// Mass over face width of all gears, planets solid, and of one solid planet, kg/mm.
+    pub(super) solid: f64,
+    pub(super) planet: f64,
+    /// Density of the planets, kg/mm³.
+    pub(super) planet_density: f64,
+}
+
+/// Cubic millimetres in a cubic metre.
+const MM3: f64 = 1e9;
+
+impl Geometry {
+    fn new(
+        task: &Sizing,
+        [module, planets]: [usize; 2],
+        module_mm: f64,
+        set: PlanetSet,
+        limited_by: Option<SetFault>,
+    ) -> Result<Self, Error> {
+        let [sun, planet, ring] = set.gears();
+        let profile = epicyclic_gears::involute::Profile { fillet: task.ring_fillet, ..*ring.profile() };
+        let as_cut = InvoluteGear::new(GearKind::Internal, ring.teeth(), profile, ring.shift())?
+            .with_tip_alteration(ring.tip_alteration())?;
+        let ring_mesh = Pair::at_centre_distance(*planet, as_cut, set.centre_distance())?;
+        let ring_rim_mm = task.held_ring_rim.map_or(task.ring_rim * module_mm, mm);
+        let ring_mm = ring.root_diameter() * module_mm + 2.0 * ring_rim_mm;
+        let [sun_rho, planet_rho, ring_rho] = task.gears.map(|gear| kg_m3(gear.material.density) / MM3);
+        // A circle with the mean area of those of tips and roots.
+        let filled = |gear: &InvoluteGear| {
+            let square = |diameter: f64| (diameter * module_mm).powi(2);
+            FRAC_PI_4 * f64::midpoint(square(gear.tip_diameter()), square(gear.root_diameter()))
+        };
+        let one_planet = planet_rho * filled(planet);
+        let count = planets as f64;
+        let ring_mass = ring_rho * (FRAC_PI_4 * ring_mm.powi(2) - filled(ring));
+        Ok(Self {
+            module,
+            module_mm,
+            planets: planets as u32,
+            centre_mm: set.centre_distance() * module_mm,
+            limited_by,
+            pairs: [*set.sun_mesh(), ring_mesh],
+            planet_root_mm: planet.root_diameter() * module_mm,
+            planet_height_mm: (planet.tip_diameter() - planet.root_diameter()) / 2.0 * module_mm,
+            ring_rim_mm,
+            ring_mm,
+            solid: sun_rho * filled(sun) + count * one_planet + ring_mass,
+            planet: one_planet,
+            planet_density: planet_rho,
+            set,
+        })
+    }
+
+    /// Mass of the bore of one planet over face width, kg/mm.
+    fn bore(&self, bore_mm: f64) -> f64 {
+        self.planet_density * FRAC_PI_4 * bore_mm.powi(2)
+    }
+
+    /// Mass of all gears, kg.
+    pub(super) fn mass(&self, bore_mm: f64, face_mm: f64) -> f64 {
+        face_mm * (self.solid - f64::from(self.planets) * self.bore(bore_mm))
+    }
+
+    /// Mass of a planet, kg.
+    pub(super) fn planet_mass(&self, bore_mm: f64, face_mm: f64) -> f64 {
+        face_mm * (self.planet - self.bore(bore_mm))
+    }
+}
+
+/// The centre distances of a module, in modules.
+fn centres(task: &Sizing, natural: f64, module_mm: f64) -> Vec<f64> {
+    let step = mm(task.space.centre_distance_step) / module_mm;
+    let first = ((natural - task.space.reach) / step - EDGE).ceil() as i64;
+    let last = ((natural + task.space.reach) / step + EDGE).floor() as i64;
+    (first..=last).map(|count| count as f64 * step).collect()
+}
+
+/// The set with shifts that are held; `None` where they leave no gears or have a fault.
+fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, SetFault>> {
+    let shifts = task.held_shifts?;
+    let [sun, planet, ring] = task.teeth;
+    let gear = |kind, teeth, place: usize| {
+        InvoluteGear::new(kind, teeth, task.profile, shifts.profile[place])?
+            .with_tip_alteration(shifts.tips[place])
+    };
+    let set = || {
+        let sun = gear(GearKind::External, sun, 0)?;
+        let planet = gear(GearKind::External, planet, 1)?;
+        let ring = gear(GearKind::Internal, ring, 2)?;
+        let centre = Pair::without_backlash(sun, planet)?.centre_distance();
+        PlanetSet::new([sun, planet, ring], planets, centre)
+    };
+    let set = set().ok()?;
+    Some(match set.faults(&task.limits).first() {
+        Some(fault) => Err(*fault),
+        None => Ok(set),
+    })
+}
+
+/// The gears at every centre distance of the space; `others` is how many designs each of them has.
+///
+/// The second figure counts the centre distances that were calculated, with those left out.
+pub(super) fn geometries(
+    task: &Sizing,
+    modules_mm: &[f64],
+    others: u64,
+    left_out: &mut LeftOut,
+) -> Result<(Vec<Geometry>, u64, u64), Error> {
+    let natural = natural_centre_distance(task.teeth, task.profile)?;
+    let [sun, _, ring] = task.teeth;
+    let (mut all, mut space, mut calculated) = (vec![], 0, 0);
+    for &planets in &task.space.planets {
+        if planets == 0 {
+            return Err(Error::NotPositive { quantity: Quantity::Planets, value: 0.0, unit: "planets" });
+        }
+        let is_equal = PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
+        for (module, &module_mm) in modules_mm.iter().enumerate() {
+            let wanted: Vec<Option<f64>> = match task.held_shifts {
+                Some(_) => vec![None],
+                None => centres(task, natural, module_mm).into_iter().map(Some).collect(),
+            };
+            space += wanted.len() as u64 * others;
+            if !is_equal {
+                left_out.spacing += wanted.len() as u64 * others;
+                continue;
+            }
+            for centre in wanted {
+                calculated += 1;
+                let found = match centre {
+                    None => match held(task, planets) {
+                        Some(Ok(set)) => Ok((set, None)),
+                        Some(Err(fault)) => Err(Some(fault)),
+                        None => Err(None),
+                    },
+                    Some(centre) => Family::new(task.teeth, planets, task.profile, centre)
+                        .and_then(|family| family.choose(task.aim, &task.limits))
+                        .map(|choice| (choice.set, choice.limited_by))
+                        .map_err(|error| match error {
+                            epicyclic_gears::Error::NoShifts { fault, .. } => Some(fault),
+                            _ => None,
+                        }),
+                };
+                match found {
+                    Ok((set, limited_by)) => {
+                        all.push(Geometry::new(
+                            task,
+                            [module, planets as usize],
+                            module_mm,
+                            set,
+                            limited_by,
+                        )?);
+                    }
+                    Err(Some(SetFault::Planets { .. })) => left_out.planets_touch += others,
+                    Err(_) => left_out.geometry += others,
+                }
+            }
+        }
+    }
+    Ok((all, space, calculated))
+}

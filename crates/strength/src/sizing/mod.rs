@@ -1,0 +1,317 @@
+//! The size of a simple set of given teeth: the best of a stated discrete space that holds over a duty.
+//!
+//! # Space
+//! Every combination of
+//!
+//! | of | symbol | field |
+//! |---|---|---|
+//! | modules | `m` | [`Space::modules`] |
+//! | face widths | `b` | [`Space::face_widths`] |
+//! | numbers of planets | `p` | [`Space::planets`] |
+//! | centre distances: whole multiples of a step, from `a_0 − r·m` to `a_0 + r·m` | `a` | [`Space::centre_distance_step`], [`Space::reach`] |
+//! | planet bearings, or none | `D`, `B`, `C` | [`Space::bearings`] |
+//!
+//! `a_0` is the [natural centre distance](epicyclic_gears::involute::family::natural_centre_distance). The shifts are no choice of their own:
+//! at a centre distance they are the ones that the aim picks among those without faults ([`Family::choose`]). Given shifts are held; then each module has
+//! the one centre distance at which they have no backlash.
+//!
+//! # What a design must keep
+//!
+//! | requirement | condition |
+//! |---|---|
+//! | spacing | the planets stand at equal angles: `(z_s + z_r)/p` is whole |
+//! | geometry | some shifts at this centre distance have no fault by [`Limits`]: undercut, thin tips, interference, planets that touch … |
+//! | face width | `b ≤ (b/d_s)_max·m·z_s`, where [`Space::width_ratio`] bounds it |
+//! | bearing fits | `(d_fp − D)/2 ≥` the least rim of the planets, `B ≤ b` |
+//! | flanks, roots | `S_H`, `S_F` of both gears of both meshes over the duty ([`rate_duty`]) |
+//! | bearing life | `L_10` over the duty, of 90 % ([`life_over_duty`]) |
+//!
+//! # Objective
+//! The mass of the gears or the ring's outside diameter `D_r`:
+//!
+//! ```text
+//! M   = b·π/4·(ρ_s·Ø_s² + p·ρ_p·(Ø_p² − D²) + ρ_r·(D_r² − Ø_r²))      Ø² = (d_a² + d_f²)/2,   D_r = d_fr + 2·s_r
+//! ```
+//!
+//! Teeth fill half of the annulus between tip and root circle. The sun is solid, the planets are bored to the bearing's outside diameter `D`, the ring has the rim
+//! `s_r`. Of designs with equal objective the other one decides, then fewer planets, smaller module, face width and centre distance, and the bearing that stands
+//! first in the table.
+//!
+//! # Why nothing better is lost
+//! The geometry of every centre distance is calculated; with it the objective of every design is known before its strength is. Designs are
+//! taken in ascending order of the objective, each held against all requirements, and the search ends at the first that keeps them: every design of a
+//! smaller objective was taken and failed. [`LeftOut`] counts what each requirement left out; these, the designs found and those not reached add up to the
+//! space.
+//!
+//! Sets of a gearbox are sized one by one: speeds and torques without losses follow from the tooth numbers and the links alone (Willis's equation, and the
+//! balance `T_s/z_s = T_r/z_r` of a planet), so neither module, width, planets nor centre distance of one set change what another carries. Mass is a sum over the sets;
+//! the largest ring is the largest of the smallest ones.
+//!
+//! # Bearings
+//! The force on a planet's bearing follows from both meshes and the planet's mass `M_p`:
+//!
+//! ```text
+//! F_1 = |T_s|·(z_s + z_p)/(p·a·z_s)         F_2 = |T_s|·(z_r − z_p)/(p·a·z_s)
+//! F = √((K_γ·(F_1 + F_2))² + (K_γ·(F_1·tan α_w1 − F_2·tan α_w2) + M_p·a·ω_H²)²)        n = |n_s − n_H|·z_s/z_p
+//! ```
+//!
+//! Left out: the mass of the bearing, weight, modified life (its factor would need dirt and viscosity at work), plain bearings, several bearings side by side unless a
+//! table has them as one.
+
+pub mod bearing;
+mod geometry;
+mod search;
+
+use crate::mesh::{Gear, Method};
+use crate::rating::Place;
+use crate::spectrum::DutyRating;
+#[cfg(doc)]
+use crate::{bearing::life_over_duty, spectrum::rate_duty};
+use bearing::Bearing;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::family::Aim;
+#[cfg(doc)]
+use epicyclic_gears::involute::family::Family;
+use epicyclic_gears::involute::fault::SetFault;
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::{PlanetSet, Profile};
+use epicyclic_gears::quantity::SimpleGear;
+pub use search::size;
+use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Mass, Time, Torque};
+
+/// The discrete space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Space {
+    /// Modules.
+    pub modules: Vec<Length>,
+    /// Face widths.
+    pub face_widths: Vec<Length>,
+    /// Numbers of planets.
+    pub planets: Vec<u32>,
+    /// Step of the centre distances.
+    pub centre_distance_step: Length,
+    /// How far centre distances may be from the natural one, in modules.
+    pub reach: f64,
+    /// The greatest face width over the sun's reference diameter; `None` without bound.
+    pub width_ratio: Option<f64>,
+    /// Bearings of the planets; none at all where planets have no bearing of a table.
+    pub bearings: Vec<Bearing>,
+}
+
+/// Modules of series I of ISO 54 from 1 to 50 mm, in mm.
+pub const STANDARD_MODULES_MM: [f64; 18] =
+    [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0];
+
+/// What is minimised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Objective {
+    /// The mass of all gears of the set.
+    #[default]
+    Mass,
+    /// The outside diameter of the ring.
+    Ring,
+}
+
+/// A step of the duty as the set feels it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SetStep {
+    /// Share of the time.
+    pub share: f64,
+    /// Torque on the sun, without losses; its sign does not matter.
+    pub sun_torque: Torque,
+    /// Speed of the sun relative to the carrier; its sign does not matter.
+    pub sun_speed: AngularVelocity,
+    /// Speed of the carrier.
+    pub carrier_speed: AngularVelocity,
+}
+
+/// Shifts and tip alterations of sun, planets and ring that are held, in modules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeldShifts {
+    /// Profile shift coefficients.
+    pub profile: [f64; 3],
+    /// Tip alterations.
+    pub tips: [f64; 3],
+}
+
+/// A set to size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizing {
+    /// Teeth of sun, planets and ring.
+    pub teeth: [ToothCount; 3],
+    /// What the teeth have in common.
+    pub profile: Profile,
+    /// Radius of the root fillet of the rack that stands for the ring's shaper, in modules; for its strength alone.
+    pub ring_fillet: f64,
+    /// What picks the shifts.
+    pub aim: Aim,
+    /// Shifts that are held in place of an aim.
+    pub held_shifts: Option<HeldShifts>,
+    /// What the geometry must keep.
+    pub limits: Limits,
+    /// Sun, planets and ring. Rims of planets and ring are those of the design.
+    pub gears: [Gear; 3],
+    /// How both meshes are calculated; `K_γ` by the number of planets where it is not given.
+    pub methods: [Method; 2],
+    /// Viscosity of the oil at 40 °C.
+    pub viscosity: KinematicViscosity,
+    /// The duty.
+    pub duty: Vec<SetStep>,
+    /// Required life of teeth and bearings.
+    pub life: Time,
+    /// Required safety of the flanks.
+    pub required_contact: f64,
+    /// Required safety of the roots.
+    pub required_root: f64,
+    /// Least rim of the planets between root circle and bore, in modules.
+    pub planet_rim: f64,
+    /// Least rim of the planets that is given besides.
+    pub least_planet_rim: Option<Length>,
+    /// Rim of the ring outside its root circle, in modules.
+    pub ring_rim: f64,
+    /// Rim of the ring that is given in its place.
+    pub held_ring_rim: Option<Length>,
+    /// Bore of the planets where no bearing is sought.
+    pub planet_bore: Option<Length>,
+    /// What is minimised.
+    pub objective: Objective,
+    /// The space.
+    pub space: Space,
+}
+
+/// A requirement that is a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Requirement {
+    /// Safety of a flank.
+    Flank,
+    /// Safety of a root.
+    Root,
+    /// Life of the planet bearings.
+    BearingLife,
+}
+
+/// The requirement that is met least.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Governing {
+    /// Which.
+    pub requirement: Requirement,
+    /// Of the teeth: 0 the mesh of sun and planets, 1 that of planets and ring.
+    pub mesh: usize,
+    /// The gear.
+    pub gear: SimpleGear,
+    /// Safety, or the load that the bearing carries for the required life over its load.
+    pub value: f64,
+    /// What is required: the safety, or 1.
+    pub required: f64,
+}
+
+impl Governing {
+    /// How far it is met: 1 and more is enough.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.value / self.required
+    }
+
+    const fn of_teeth(place: Place, mesh: usize, side: usize, value: f64, required: f64) -> Self {
+        let requirement = match place {
+            Place::Flank => Requirement::Flank,
+            Place::Root => Requirement::Root,
+        };
+        let gear = [SimpleGear::Sun, SimpleGear::Planet, SimpleGear::Ring][mesh + side];
+        Self { requirement, mesh, gear, value, required }
+    }
+}
+
+/// A design of the space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    /// Module.
+    pub module: Length,
+    /// Face width.
+    pub face_width: Length,
+    /// Centre distance.
+    pub centre_distance: Length,
+    /// Gears with their shifts, in modules.
+    pub set: PlanetSet,
+    /// What keeps the aim from being met in full; `None` where it is met or shifts are held.
+    pub limited_by: Option<SetFault>,
+    /// Bearing of the planets.
+    pub bearing: Option<Bearing>,
+    /// Bore of the planets; `None` of solid ones.
+    pub planet_bore: Option<Length>,
+    /// Rim between the root circle of the planets and their bore; `None` of solid ones.
+    pub planet_rim: Option<Length>,
+    /// Rim of the ring outside its root circle.
+    pub ring_rim: Length,
+    /// Outside diameter of the ring.
+    pub ring_diameter: Length,
+    /// Mass of all gears.
+    pub mass: Mass,
+    /// Both meshes over the duty.
+    pub meshes: [DutyRating; 2],
+    /// `L_10` of the planet bearings over the duty; `None` without a bearing, and where it never turns under load.
+    pub bearing_life: Option<Time>,
+    /// The requirement that is met least.
+    pub governing: Governing,
+}
+
+/// How many designs each requirement left out. A design that fails several of the last three counts with the one it meets least.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LeftOut {
+    /// Planets that do not stand at equal angles.
+    pub spacing: u64,
+    /// Planets that touch whatever the shifts.
+    pub planets_touch: u64,
+    /// Centre distances without shifts that have no fault.
+    pub geometry: u64,
+    /// Face widths above the bound.
+    pub width_ratio: u64,
+    /// Bearings that leave less than the least rim.
+    pub rim: u64,
+    /// Bearings wider than the planet.
+    pub bearing_width: u64,
+    /// Teeth outside what the standard holds for.
+    pub not_calculable: u64,
+    /// Flanks below the required safety.
+    pub flank: u64,
+    /// Roots below the required safety.
+    pub root: u64,
+    /// Bearings below the required life.
+    pub bearing_life: u64,
+}
+
+impl LeftOut {
+    /// All together.
+    #[must_use]
+    pub const fn total(&self) -> u64 {
+        self.spacing
+            + self.planets_touch
+            + self.geometry
+            + self.width_ratio
+            + self.rim
+            + self.bearing_width
+            + self.not_calculable
+            + self.flank
+            + self.root
+            + self.bearing_life
+    }
+}
+
+/// What a search for a size found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// Designs of the space.
+    pub space: u64,
+    /// Centre distances of all modules and numbers of planets, whose geometry was calculated.
+    pub geometries: u64,
+    /// Designs whose teeth were held against the requirements.
+    pub rated: u64,
+    /// What each requirement left out.
+    pub left_out: LeftOut,
+    /// Designs whose objective is not below that of the last found.
+    pub not_reached: u64,
+    /// The best, in order.
+    pub found: Vec<Design>,
+    /// Where none is found: of those whose teeth were rated the one that misses the requirements least.
+    pub nearest_miss: Option<Design>,
+}

@@ -1,0 +1,385 @@
+//! The search for a size against the trial of every design, with formulas written once more.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
+use epicyclic_gears::life::basic_rating_life;
+use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_strength::factor::{Given, Symbol};
+use epicyclic_strength::material;
+use epicyclic_strength::mesh::{Gear, Mesh, Method};
+use epicyclic_strength::root::{factors::Bending, section::Shaper};
+use epicyclic_strength::sizing::bearing::{Bearing, listed};
+use epicyclic_strength::sizing::{Design, HeldShifts, Objective, Requirement, SetStep, Sizing, Space, size};
+use epicyclic_strength::spectrum::{Step, rate_duty};
+use proptest::prelude::*;
+use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
+use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
+use uom::si::force::newton;
+use uom::si::kinematic_viscosity::square_millimeter_per_second;
+use uom::si::length::{micrometer, millimeter};
+use uom::si::mass::kilogram;
+use uom::si::mass_density::kilogram_per_cubic_meter;
+use uom::si::{time::hour, torque::newton_meter};
+
+fn mm(value: f64) -> Length {
+    Length::new::<millimeter>(value)
+}
+
+fn in_mm(value: Length) -> f64 {
+    value.get::<millimeter>()
+}
+
+fn rpm(value: f64) -> AngularVelocity {
+    AngularVelocity::new::<revolution_per_minute>(value)
+}
+
+fn step(share: f64, sun_torque: f64, sun_rpm: f64, carrier_rpm: f64) -> SetStep {
+    SetStep {
+        share,
+        sun_torque: Torque::new::<newton_meter>(sun_torque),
+        sun_speed: rpm(sun_rpm),
+        carrier_speed: rpm(carrier_rpm),
+    }
+}
+
+/// A set of 24, 30 and 84 teeth with a small space.
+fn hoist() -> Sizing {
+    let gear = |designation, bending, shaper| Gear {
+        material: material::listed(designation).unwrap().material,
+        flank_roughness: Length::new::<micrometer>(4.0),
+        root_roughness: Length::new::<micrometer>(16.0),
+        rim: None,
+        shaper,
+        bending,
+    };
+    let given = Given::load_factors([1.25, 1.1, 1.05, 1.2, 1.0]);
+    let ring = given.with(Symbol::StaticNotchSensitivity, 1.0);
+    Sizing {
+        teeth: [24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap()),
+        profile: Profile::default(),
+        ring_fillet: 0.3,
+        aim: Aim::BalancedSliding,
+        held_shifts: None,
+        limits: Limits::default(),
+        gears: [
+            gear("18CrNiMo7-6", Bending::OneWay, None),
+            gear("18CrNiMo7-6", Bending::Reversed, None),
+            gear("34CrNiMo6", Bending::OneWay, Some(Shaper { teeth: 30, shift: 0.0 })),
+        ],
+        methods: [given, ring].map(|given| Method { given, ..Method::default() }),
+        viscosity: KinematicViscosity::new::<square_millimeter_per_second>(220.0),
+        duty: vec![
+            step(0.3, 400.0, 900.0, 100.0),
+            step(0.6, -250.0, 900.0, 200.0),
+            step(0.1, 0.0, 0.0, 300.0),
+        ],
+        life: Time::new::<hour>(2000.0),
+        required_contact: 1.1,
+        required_root: 1.4,
+        planet_rim: 2.0,
+        least_planet_rim: None,
+        ring_rim: 3.5,
+        held_ring_rim: None,
+        planet_bore: None,
+        objective: Objective::Mass,
+        space: Space {
+            modules: [2.0, 2.5, 3.0].map(mm).to_vec(),
+            face_widths: [20.0, 30.0, 40.0, 50.0].map(mm).to_vec(),
+            planets: vec![3, 4, 5],
+            centre_distance_step: mm(1.0),
+            reach: 1.0,
+            width_ratio: None,
+            bearings: listed().iter().filter(|bearing| in_mm(bearing.bore) >= 25.0).cloned().collect(),
+        },
+    }
+}
+
+/// A design as the trial sees it: objectives and the order of equals, and whether it holds.
+struct Tried {
+    key: ([f64; 2], (u32, usize, usize, i64, usize)),
+    holds: bool,
+}
+
+/// Every design whose gears have no fault and whose bearing fits.
+fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
+    let (mut count, mut all) = (0, vec![]);
+    let none = [None];
+    let bearings: Vec<Option<&Bearing>> = match task.space.bearings.len() {
+        0 => none.to_vec(),
+        _ => task.space.bearings.iter().map(Some).collect(),
+    };
+    let natural = natural_centre_distance(task.teeth, task.profile).unwrap();
+    for &planets in &task.space.planets {
+        for (module_place, &module) in task.space.modules.iter().enumerate() {
+            let module = in_mm(module);
+            let step = in_mm(task.space.centre_distance_step);
+            for place in 0..10_000_i64 {
+                let centre = place as f64 * step;
+                if (centre / module - natural).abs() > task.space.reach + 1e-6 * step / module {
+                    continue;
+                }
+                count += (task.space.face_widths.len() * bearings.len()) as u64;
+                let equal = PlanetSpacing::least_unequal(task.teeth[0], task.teeth[2], planets).is_equal();
+                let family = Family::new(task.teeth, planets, task.profile, centre / module);
+                let Ok(choice) = family.and_then(|family| family.choose(task.aim, &task.limits)) else {
+                    continue;
+                };
+                if !equal {
+                    continue;
+                }
+                for (width_place, &width) in task.space.face_widths.iter().enumerate() {
+                    for (bearing_place, bearing) in bearings.iter().enumerate() {
+                        let sizes = [module, in_mm(width)];
+                        if let Some((objectives, holds)) = tried(task, &choice.set, planets, sizes, *bearing)
+                        {
+                            let ties = (planets, module_place, width_place, place, bearing_place);
+                            all.push(Tried { key: (objectives, ties), holds });
+                        }
+                    }
+                }
+            }
+        }
+    }
+    (count, all)
+}
+
+fn tried(
+    task: &Sizing,
+    set: &PlanetSet,
+    planets: u32,
+    [module, width]: [f64; 2],
+    bearing: Option<&Bearing>,
+) -> Option<([f64; 2], bool)> {
+    let [sun, planet, ring] = set.gears();
+    let bore = bearing.map_or(0.0, |bearing| in_mm(bearing.outside_diameter));
+    let rim = (planet.root_diameter() * module - bore) / 2.0;
+    if task.space.width_ratio.is_some_and(|most| width > most * module * sun.reference_diameter()) {
+        return None;
+    }
+    if let Some(bearing) = bearing
+        && (rim < task.planet_rim * module || in_mm(bearing.width) > width)
+    {
+        return None;
+    }
+    // Masses as half of tip and half of root cylinders.
+    let rho = |place: usize| task.gears[place].material.density.get::<kilogram_per_cubic_meter>() / 1e9;
+    let disc = |diameter: f64| std::f64::consts::PI / 4.0 * diameter * diameter;
+    let filled = |gear: &InvoluteGear| {
+        (disc(gear.tip_diameter() * module) + disc(gear.root_diameter() * module)) / 2.0
+    };
+    let outside = (ring.root_diameter() + 2.0 * task.ring_rim) * module;
+    let planet_kg = width * rho(1) * (filled(planet) - disc(bore));
+    let mass = width * rho(0) * filled(sun)
+        + f64::from(planets) * planet_kg
+        + width * rho(2) * (disc(outside) - filled(ring));
+    let objectives = match task.objective {
+        Objective::Mass => [mass, outside],
+        Objective::Ring => [outside, mass],
+    };
+    let own = Gear { rim: bearing.map(|_| mm(rim)), ..task.gears[1] };
+    let ring_gear = Gear { rim: Some(mm(task.ring_rim * module)), ..task.gears[2] };
+    let cut = Profile { fillet: task.ring_fillet, ..*ring.profile() };
+    let cut = InvoluteGear::new(GearKind::Internal, ring.teeth(), cut, ring.shift()).unwrap();
+    let cut = cut.with_tip_alteration(ring.tip_alteration()).unwrap();
+    let inner = Pair::at_centre_distance(*planet, cut, set.centre_distance()).unwrap();
+    let [zs, zp, zr] = task.teeth.map(ToothCount::as_f64);
+    let p = f64::from(planets);
+    let mesh = |pair, gears| Mesh {
+        pair,
+        module: mm(module),
+        face_width: mm(width),
+        gears,
+        viscosity: task.viscosity,
+    };
+    let duty = |torque: f64, speed: f64| -> Vec<Step> {
+        let of = |step: &SetStep| Step {
+            share: step.share,
+            torque: step.sun_torque.abs() * torque / p,
+            speed: step.sun_speed * speed,
+        };
+        task.duty.iter().map(of).collect()
+    };
+    let method = |place: usize| Method { planets: Some(planets), ..task.methods[place] };
+    let outer_duty = duty(1.0, 1.0);
+    let inner_duty = duty(zp / zs, zs / zp);
+    let outer = mesh(*set.sun_mesh(), [task.gears[0], own]);
+    let outer = rate_duty(&outer, &outer_duty, task.life, [p, 1.0], &method(0)).ok()?;
+    let inner_rated =
+        rate_duty(&mesh(inner, [own, ring_gear]), &inner_duty, task.life, [1.0, p], &method(1)).ok()?;
+    let teeth_hold = [outer, inner_rated]
+        .iter()
+        .flat_map(|mesh| mesh.gears)
+        .all(|gear| gear.contact.safety >= task.required_contact && gear.root.safety >= task.required_root);
+    let bearing_holds = bearing.is_none_or(|bearing| {
+        // Moments about the main axis and about the planet's own.
+        let centre = module * set.centre_distance() / 1e3;
+        let wear: f64 = task
+            .duty
+            .iter()
+            .map(|step| {
+                let sun = step.sun_torque.get::<newton_meter>().abs() * 1.1;
+                let carrier = sun * (1.0 + zr / zs);
+                let tangential = carrier / (p * centre);
+                let on_sun = sun / (p * centre * zs / (zs + zp));
+                let [a1, a2] = [set.sun_mesh(), set.ring_mesh()].map(|pair| pair.working_angle_rad().tan());
+                let radial = on_sun * a1 - (tangential - on_sun) * a2
+                    + planet_kg * centre * step.carrier_speed.get::<radian_per_second>().powi(2);
+                let load = Force::new::<newton>(tangential.hypot(radial));
+                let speed = step.sun_speed * (zs / zp);
+                let life = basic_rating_life(bearing.rolling, bearing.load_rating, load, speed).unwrap();
+                life.map_or(0.0, |life| step.share / life.get::<hour>())
+            })
+            .sum();
+        wear * task.life.get::<hour>() <= 1.0
+    });
+    Some((objectives, teeth_hold && bearing_holds))
+}
+
+fn is_near(one: f64, other: f64) -> bool {
+    (one - other).abs() <= 1e-12 * one.abs().max(1.0)
+}
+
+/// The found designs are those of the trial that hold, in its order.
+fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
+    let (space, tried) = every_design(task);
+    let mut held: Vec<&Tried> = tried.iter().filter(|one| one.holds).collect();
+    held.sort_by(|one, other| {
+        let [a, b] = [one, other].map(|tried| tried.key.0);
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(one.key.1.cmp(&other.key.1))
+    });
+    let all = size(task, usize::MAX).unwrap();
+    prop_assert_eq!(all.space, space);
+    prop_assert_eq!(all.found.len(), held.len());
+    prop_assert_eq!(all.not_reached, 0);
+    prop_assert_eq!(all.left_out.total() + held.len() as u64, space);
+    for (design, tried) in all.found.iter().zip(&held) {
+        let objectives = [design.mass.get::<kilogram>(), in_mm(design.ring_diameter)];
+        let [mass, ring] = match task.objective {
+            Objective::Mass => tried.key.0,
+            Objective::Ring => [tried.key.0[1], tried.key.0[0]],
+        };
+        prop_assert!(is_near(objectives[0], mass) && is_near(objectives[1], ring), "{:?}", objectives);
+    }
+    // The first alone is the first of all, and what is not reached completes the space.
+    let first = size(task, 1).unwrap();
+    prop_assert_eq!(first.found.first(), all.found.first());
+    prop_assert_eq!(first.left_out.total() + first.not_reached + first.found.len() as u64, space);
+    prop_assert_eq!(first.nearest_miss.is_some(), held.is_empty() && !tried.is_empty());
+    Ok(held.len())
+}
+
+#[test]
+fn the_best_is_that_of_every_trial() {
+    let held = agrees(&hoist()).unwrap();
+    assert!(held > 10, "{held}");
+    assert!(agrees(&Sizing { objective: Objective::Ring, ..hoist() }).unwrap() > 10);
+}
+
+#[test]
+fn shifts_that_are_held_fix_the_centre_distance() {
+    let mut task = hoist();
+    let natural = natural_centre_distance(task.teeth, task.profile).unwrap();
+    let family = Family::new(task.teeth, 3, task.profile, natural + 0.1).unwrap();
+    let set = family.choose(task.aim, &task.limits).unwrap().set;
+    task.held_shifts = Some(HeldShifts {
+        profile: set.gears().map(InvoluteGear::shift),
+        tips: set.gears().map(InvoluteGear::tip_alteration),
+    });
+    let found = size(&task, 1).unwrap();
+    let best = &found.found[0];
+    assert_eq!(best.set.gears().map(InvoluteGear::shift), set.gears().map(InvoluteGear::shift));
+    assert!(is_near(in_mm(best.centre_distance), in_mm(best.module) * (natural + 0.1)));
+    // 108 places for the planets: 3 and 4 stand at equal angles, 5 do not.
+    assert_eq!((found.space, found.geometries), (9 * 4 * 48, 6));
+}
+
+#[test]
+fn what_is_out_of_reach_has_a_nearest_miss() {
+    let mut task = hoist();
+    task.required_root = 9.0;
+    let found = size(&task, 1).unwrap();
+    let miss = found.nearest_miss.unwrap();
+    assert!(found.found.is_empty() && found.not_reached == 0);
+    assert_eq!(miss.governing.requirement, Requirement::Root);
+    assert!(miss.governing.ratio() < 1.0);
+    assert!(found.left_out.root > 0);
+}
+
+#[test]
+fn no_space_no_duty_and_no_numbers_are_refused() {
+    let of = |change: &dyn Fn(&mut Sizing)| {
+        let mut task = hoist();
+        change(&mut task);
+        size(&task, 1).unwrap_err().to_string()
+    };
+    assert_eq!(of(&|task| task.space.modules.clear()), "no module to search; at least one is needed");
+    assert_eq!(
+        of(&|task| task.space.planets.clear()),
+        "no number of planets to search; at least one is needed"
+    );
+    assert_eq!(
+        of(&|task| task.space.modules = vec![mm(-2.0)]),
+        "module is -2 mm; it must be finite and above 0"
+    );
+    assert_eq!(
+        of(&|task| task.space.face_widths[1] = mm(0.0)),
+        "face width is 0 mm; it must be finite and above 0"
+    );
+    assert!(
+        of(&|task| task.space.centre_distance_step = mm(0.0))
+            .starts_with("step of the centre distances is 0 mm")
+    );
+    let of_none = |task: &mut Sizing| {
+        (task.space.centre_distance_step, task.space.reach) = (mm(7.7), 0.0);
+    };
+    assert_eq!(of(&of_none), "no centre distance to search; at least one is needed");
+    assert_eq!(of(&|task| task.duty.truncate(1)), "the shares of the duty sum to 0.3; they must sum to 1");
+    assert!(of(&|task| task.duty = vec![step(1.0, 0.0, 0.0, 0.0)]).starts_with("the duty has no step"));
+    assert!(of(&|task| task.required_root = f64::NAN).starts_with("required safety is NaN"));
+    assert!(of(&|task| task.space.planets = vec![0]).starts_with("number of planets is 0"));
+}
+
+/// The design of the first space in plain figures.
+#[test]
+fn a_design_names_its_figures() {
+    let found = size(&hoist(), 3).unwrap();
+    let Design { bearing, planet_bore, planet_rim, governing, .. } = &found.found[0];
+    let [outside, bore] = [bearing.as_ref().unwrap().outside_diameter, planet_bore.unwrap()].map(in_mm);
+    assert!(is_near(outside, bore));
+    assert!(planet_rim.is_some() && governing.ratio() >= 1.0);
+    let mass = |place: usize| found.found[place].mass;
+    assert!(mass(0) <= mass(1) && mass(1) <= mass(2));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+    #[test]
+    fn any_small_space_agrees_with_every_trial(
+        sun in 17..30_u32, planet in 18..40_u32, offset in -1..=2_i32, torque in 30.0..400.0_f64,
+        module in 0..3_usize, step_mm in 0.7..2.0_f64, ring in any::<bool>(), rolls in any::<bool>(),
+        ratio in prop::option::of(0.4..1.2_f64), life in 100.0..10_000.0_f64, rim in 0.6..3.0_f64,
+    ) {
+        let ring_teeth = (sun + 2 * planet).checked_add_signed(offset).unwrap();
+        let mut task = hoist();
+        task.teeth = [sun, planet, ring_teeth].map(|teeth| ToothCount::new(teeth).unwrap());
+        task.duty = vec![step(0.5, torque, 700.0, 150.0), step(0.5, torque * 0.6, 300.0, 50.0)];
+        task.life = Time::new::<hour>(life);
+        task.planet_rim = rim;
+        task.space.modules = [1.5, 2.0, 3.0, 4.0][module..module + 2].iter().map(|module| mm(*module)).collect();
+        task.space.face_widths = [15.0, 25.0, 45.0].map(mm).to_vec();
+        task.space.centre_distance_step = mm(step_mm);
+        task.space.width_ratio = ratio;
+        task.objective = if ring { Objective::Ring } else { Objective::Mass };
+        task.space.bearings = if rolls {
+            listed().iter().filter(|bearing| in_mm(bearing.bore) % 10.0 < 0.5).cloned().collect()
+        } else {
+            vec![]
+        };
+        agrees(&task)?;
+    }
+}
