@@ -211,6 +211,14 @@ pub enum Error {
     /// Strength without a load.
     #[error("no load: give a torque or power with a speed, or write a `duty` in the file")]
     NoLoad,
+    /// Shares of the time that are not one of each gear.
+    #[error("{given} shares of the time for {} gears: {}", .gears.len(), .gears.join(", "))]
+    Shares {
+        /// How many were given.
+        given: usize,
+        /// The gears in their order.
+        gears: Vec<String>,
+    },
     /// Strength at a load without a speed: its cycles follow from it.
     #[error("the load cycles of teeth follow from a speed: give it, too")]
     LoadWithoutSpeed,
@@ -298,6 +306,7 @@ impl Error {
             Self::TooManyDesigns { .. } => "too-many-designs",
             Self::ModuleRange { .. } => "module-range",
             Self::NoLoad => "no-load",
+            Self::Shares { .. } => "shares",
             Self::LoadWithoutSpeed => "load-without-speed",
             Self::OfOnePoint => "of-one-point",
             Self::NothingRated { .. } => "nothing-rated",

@@ -15,6 +15,7 @@
 //! | [`motor_search`] | hydromotors for a displacement or torque |
 //! | [`teeth`] | tooth numbers of a simple set for a ratio |
 //! | [`select`] | gearboxes for two or three speeds, of the catalogue or with all tooth numbers |
+//! | [`design`] | a gearbox from speeds and power to sizes that hold |
 //! | [`schemes`] | the catalogue of two- and three-speed schemes, or one scheme with its numbers |
 //! | [`catalogue`] | links, gears and shift elements of the catalogue's gearboxes |
 //! | [`machine`] | speeds of mining machines: in service, needed, and the ratios that give them |
@@ -51,6 +52,7 @@ pub mod analyze;
 pub mod answer;
 pub mod catalogue;
 pub mod compare;
+pub mod design;
 pub mod draw;
 pub mod drawability;
 pub mod drive;

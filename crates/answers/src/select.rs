@@ -23,7 +23,7 @@ use candidate::{Candidate, Criterion, Ranked};
 use duty::Duty;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_selection::drawing::drawable_direct_clutches;
-use epicyclic_selection::{self as selection, Order, Requirements, Selection, Space, select_with};
+use epicyclic_selection::{self as selection, Mechanism, Order, Requirements, Selection, Space, select_with};
 use required::{Objective, Required};
 use saved::Saved;
 use schemars::JsonSchema;
@@ -139,6 +139,21 @@ pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
 /// # Errors
 /// As [`answer`].
 pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Saved>), Error> {
+    solved(wanted, saved).map(|(answer, saved, _)| (answer, saved))
+}
+
+/// The same with the mechanism of the first candidate, if one is accepted.
+///
+/// # Errors
+/// As [`answer`].
+pub fn with_mechanism(wanted: &Wanted) -> Result<(Select, Option<Mechanism>), Error> {
+    solved(wanted, None).map(|(answer, _, mechanism)| (answer, mechanism))
+}
+
+fn solved(
+    wanted: &Wanted,
+    saved: Option<usize>,
+) -> Result<(Select, Option<Saved>, Option<Mechanism>), Error> {
     let Wanted { requirements, order, space, most, duty } = wanted;
     duty.torque()?;
     let found = select_with(requirements, space, *order, Some(&drawable_direct_clutches))?;
@@ -179,7 +194,7 @@ pub fn solve(wanted: &Wanted, saved: Option<usize>) -> Result<(Select, Option<Sa
         accepted_of_all_structures: if accepted == 0 { of_all_structures(wanted)? } else { None },
         relaxations: if accepted == 0 { relaxations(&ranked, requirements) } else { vec![] },
     };
-    Ok((answer, saved))
+    Ok((answer, saved, first.map(|first| first.mechanism)))
 }
 
 /// How many of all structures are accepted; nothing where those are searched anyway.

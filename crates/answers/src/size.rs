@@ -58,6 +58,8 @@ pub struct Wanted {
     pub ring_rim: f64,
     /// Bearings of the planets; none where they are no matter.
     pub bearings: Vec<Bearing>,
+    /// Bearings side by side in a planet, at most: 1 or 2.
+    pub bearing_rows: u32,
     /// What is minimised.
     pub minimise: Minimise,
     /// How many designs of each set are told.
@@ -66,7 +68,7 @@ pub struct Wanted {
 
 impl Default for Wanted {
     /// Modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3 to 6 planets, centre distances in steps of 0.5 mm, the
-    /// bearings of the table, the least mass.
+    /// bearings of the table, single and in pairs, the least mass.
     fn default() -> Self {
         let mm = crate::units::of_millimetres;
         Self {
@@ -80,6 +82,7 @@ impl Default for Wanted {
             planet_rim: 3.0,
             ring_rim: 3.5,
             bearings: listed().to_vec(),
+            bearing_rows: 2,
             minimise: Minimise::Mass,
             most: 3,
         }
@@ -95,7 +98,10 @@ impl Wanted {
             centre_distance_step: self.centre_distance_step,
             reach: REACH,
             width_ratio: self.width_ratio,
-            bearings: self.bearings.clone(),
+            bearings: {
+                let pairs = self.bearings.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair);
+                self.bearings.iter().cloned().chain(pairs).collect()
+            },
         }
     }
 

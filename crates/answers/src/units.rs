@@ -1,10 +1,15 @@
 //! Conversions to units other than the SI's, which [`Physical`](epicyclic_formats::Physical) has.
 
-use uom::si::f64::Length;
+use uom::si::angular_velocity::revolution_per_minute;
+use uom::si::f64::{AngularVelocity, Length};
 use uom::si::length::millimeter;
 
 pub(crate) fn millimetres(length: Length) -> f64 {
     length.get::<millimeter>()
+}
+
+pub(crate) fn rpm(speed: AngularVelocity) -> f64 {
+    speed.get::<revolution_per_minute>()
 }
 
 pub(crate) fn of_millimetres(millimetres: f64) -> Length {

@@ -28,8 +28,23 @@ pub(crate) fn document(file: &Path) -> Result<Document, Failure> {
     Ok(with_bytes(file)?.0)
 }
 
+/// The text of a file that is no YAML.
+pub(crate) fn text(file: &Path) -> Result<String, Failure> {
+    let (name, bytes) = named(file)?;
+    String::from_utf8(bytes).map_err(|error| Failure::Read {
+        file: name.into(),
+        source: io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()),
+    })
+}
+
 /// The same, and the file as it stands.
 pub(crate) fn with_bytes(file: &Path) -> Result<(Document, Vec<u8>), Failure> {
+    let (name, bytes) = named(file)?;
+    Ok((Document::parse_one(&name, &bytes)?, bytes))
+}
+
+/// What stands in a file, and its name in messages.
+fn named(file: &Path) -> Result<(String, Vec<u8>), Failure> {
     let (name, bytes) = if is_standard_input(file) {
         // The tests of whole command lines within the program give it none.
         (ITS_NAME.to_owned(), if cfg!(test) { limited(io::empty()) } else { limited(io::stdin().lock()) })
@@ -41,7 +56,7 @@ pub(crate) fn with_bytes(file: &Path) -> Result<(Document, Vec<u8>), Failure> {
         Ok(Content::TooLarge { size }) => return Err(too_large(&name, size).into()),
         Err(source) => return Err(Failure::Read { file: name.into(), source }),
     };
-    Ok((Document::parse_one(&name, &bytes)?, bytes))
+    Ok((name, bytes))
 }
 
 /// What is read of a file.

@@ -16,8 +16,10 @@
 //! | [`drawing_file`] | a drawing as SVG, DXF, PDF or PNG |
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
+//! | [`design`] | the command `design`: from speeds and power to a gearbox whose sizes hold |
 //! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
 //! | [`sheet`] | the command `sheet`: data sheets of gears |
+//! | [`sizing`] | the command `size`: sizes of sets that hold over a duty |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -40,6 +42,7 @@ mod apart;
 mod atlas;
 mod compare;
 mod completions;
+mod design;
 mod draw;
 mod drawing_file;
 mod drive;
@@ -65,6 +68,7 @@ mod select;
 mod shards;
 mod sheet;
 mod size;
+mod sizing;
 mod strength;
 mod synthesize;
 mod teeth;
@@ -92,6 +96,8 @@ enum Command {
     Analyze(analyze::Args),
     Strength(strength::Args),
     Sheet(sheet::Args),
+    Size(Box<sizing::Args>),
+    Design(Box<design::Args>),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -173,6 +179,8 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Analyze(args) => analyze::run(&args),
         Command::Strength(args) => strength::run(&args),
         Command::Sheet(args) => sheet::run(&args),
+        Command::Size(args) => sizing::run(&args),
+        Command::Design(args) => design::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

@@ -10,6 +10,7 @@ use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::shifts::Shifts;
 use epicyclic_answers::answer::{schema, schema_of_file};
 use epicyclic_answers::compare::Comparison;
+use epicyclic_answers::design::Design;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
@@ -21,6 +22,7 @@ use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::sheet::DataSheets;
+use epicyclic_answers::size::Size;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::synthesize::Synthesis;
 use epicyclic_answers::teeth::Teeth;
@@ -97,6 +99,10 @@ enum Of {
     AnswerStrength,
     /// The answer of `epicyclic sheet`.
     AnswerSheet,
+    /// The answer of `epicyclic size`.
+    AnswerSize,
+    /// The answer of `epicyclic design`.
+    AnswerDesign,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -147,6 +153,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
         Of::AnswerStrength => schema::<Strength>(),
         Of::AnswerSheet => schema::<DataSheets>(),
+        Of::AnswerSize => schema::<Size>(),
+        Of::AnswerDesign => schema::<Design>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

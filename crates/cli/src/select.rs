@@ -28,6 +28,7 @@ use epicyclic_views::page;
 use epicyclic_views::select::teeth::csv;
 use epicyclic_views::select::ways_out;
 use nothing::{nothing_found, with_teeth_more};
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
 
@@ -57,17 +58,8 @@ link, or of a planet relative to its carrier), k (distance of ln k from --prefer
 error (of a ratio), size (of the largest ring at one load of the teeth), and without
 --teeth circulation (the largest circulating power of a gear).")]
 pub(crate) struct Args {
-    /// Speeds of the machine, the slowest first.
-    #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
-    speeds: Option<Quantities<Velocity>>,
-
-    /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.
-    #[arg(long, allow_hyphen_values = true)]
-    ratios: Option<PlainRatios>,
-
-    /// All 111 structures of two sets (or the 6 of one), and not only the source's.
-    #[arg(long)]
-    all_structures: bool,
+    #[command(flatten)]
+    speeds: Speeds,
 
     /// Tooth numbers of the one set or of both: all combinations, none left out.
     #[arg(long)]
@@ -90,7 +82,7 @@ pub(crate) struct Args {
     nth: usize,
 
     #[command(flatten)]
-    wanted: RatioOptions,
+    ratios: RatioOptions,
 
     #[command(flatten)]
     criteria: Criteria,
@@ -111,10 +103,26 @@ pub(crate) struct Args {
     page: PageArgs,
 }
 
+/// What the gearbox shall give, and of which mechanisms.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Speeds {
+    /// Speeds of the machine, the slowest first.
+    #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
+    speeds: Option<Quantities<Velocity>>,
+
+    /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.
+    #[arg(long, allow_hyphen_values = true)]
+    ratios: Option<PlainRatios>,
+
+    /// All 111 structures of two sets (or the 6 of one), and not only the source's.
+    #[arg(long)]
+    all_structures: bool,
+}
+
 /// How the ratios are taken.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Ratios")]
-struct RatioOptions {
+pub(crate) struct RatioOptions {
     /// How far a ratio may be off: 10%, or 0.1.
     #[arg(long, default_value = "10%", allow_hyphen_values = true)]
     tolerance: Quantity<Ratio>,
@@ -151,7 +159,7 @@ enum SignChoice {
 /// What a design has to meet.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Criteria")]
-struct Criteria {
+pub(crate) struct Criteria {
     /// Ring-to-sun ratios allowed.
     #[arg(long, value_name = "RANGE", default_value = "1.3..10")]
     k: Span<f64>,
@@ -276,7 +284,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
     let duty = args.duty.duty();
     duty.torque().map_err(|error| refuse(args, error))?;
-    let requirements = requirements(args, &duty)?;
+    let rating = rating(args, &duty)?;
+    let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
     let order = Order::new(&args.order.0).map_err(|error| refuse(args, error.into()))?;
     if args.teeth {
         return with_teeth(args, requirements, order, duty);
@@ -286,7 +295,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         (None, Format::Table) => SHOWN,
         (None, _) => usize::MAX,
     };
-    let space = space(args);
+    let space = args.speeds.space();
     let eta0 = requirements.eta0;
     let nth = args.save.is_some().then_some(args.nth);
     let found = select::solve(&Wanted { requirements, order, space, most, duty }, nth);
@@ -304,9 +313,18 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if found.accepted == 0 { Err(nothing_found(ways_out(&found).first())) } else { Ok(()) }
 }
 
-/// The mechanisms to choose among.
-fn space(args: &Args) -> Space {
-    if args.all_structures { Space::All } else { Space::Catalogue }
+impl Criteria {
+    /// The ring-to-sun ratios allowed, within these.
+    pub(crate) fn k(&self, usual: RangeInclusive<f64>) -> Result<RangeInclusive<f64>, Failure> {
+        self.k.within(usual).map_err(|error| Failure::Range { option: "--k", error })
+    }
+}
+
+impl Speeds {
+    /// The mechanisms to choose among.
+    pub(crate) fn space(&self) -> Space {
+        if self.all_structures { Space::All } else { Space::Catalogue }
+    }
 }
 
 fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty) -> Result<(), Failure> {
@@ -325,7 +343,7 @@ fn with_teeth(args: &Args, requirements: Requirements, order: Order, duty: Duty)
     }
     let bounds = bounds(args)?;
     let eta0 = requirements.eta0;
-    let space = space(args);
+    let space = args.speeds.space();
     let of_one_set = requirements.series.braked().len() == 1;
     let wanted = teeth::Wanted { requirements, order, space, bounds, limits, most, duty };
     let shown = Progress::new();
@@ -431,19 +449,25 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
     let given = &args.teeth_bounds;
     let closed =
         |option, span: Span<u32>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
-    let k = args.criteria.k.within(usual.ring_to_sun_ratio.clone());
+    let k = args.criteria.k(usual.ring_to_sun_ratio.clone())?;
     Ok(Bounds {
         sun: options::of_wheel("--sun", given.sun, usual.sun)?,
         planet: options::of_wheel("--planet", given.planet, usual.planet)?,
         ring: options::of_wheel("--ring", given.ring, usual.ring)?,
         planets: closed("--planet-count", given.planet_count, usual.planets)?,
-        ring_to_sun_ratio: k.map_err(|error| Failure::Range { option: "--k", error })?,
+        ring_to_sun_ratio: k,
         ..Bounds::default()
     })
 }
 
-fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
-    let series = match (&args.speeds, &args.ratios) {
+/// What these options ask for.
+pub(crate) fn requirements(
+    wanted: &Speeds,
+    taken: &RatioOptions,
+    criteria: &Criteria,
+    rating: Rating,
+) -> Result<Requirements, Failure> {
+    let series = match (&wanted.speeds, &wanted.ratios) {
         (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values(), 1),
         (None, ratios) => {
             let ratios: Vec<f64> =
@@ -451,19 +475,18 @@ fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
             RatioSeries::of_braked_gears(&ratios)
         }
     };
-    let criteria = &args.criteria;
     let range =
         |option, span: Span<f64>, usual| span.within(usual).map_err(|error| Failure::Range { option, error });
     let usual = Limits::default();
     let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
         .map_err(|error| Failure::Option { option: "--efficiency", message: error.to_string() })?;
     Ok(Requirements {
-        tolerance: args.wanted.tolerance.0.si(),
-        orders: match args.wanted.brakes {
+        tolerance: taken.tolerance.0.si(),
+        orders: match taken.brakes {
             Brakes::Either => Orders::Both,
             Brakes::AsGiven => Orders::AsGiven,
         },
-        signs: match args.wanted.signs {
+        signs: match taken.signs {
             SignChoice::Alike => Signs::Alike,
             SignChoice::Any => Signs::Any,
             SignChoice::AsGiven => Signs::AsGiven,
@@ -480,7 +503,7 @@ fn requirements(args: &Args, duty: &Duty) -> Result<Requirements, Failure> {
             drawable: !criteria.allow_crossing,
         },
         eta0,
-        rating: rating(args, duty)?,
+        rating,
         ..Requirements::new(series.map_err(|error| refuse_selection(error.into()))?)
     })
 }
@@ -550,7 +573,7 @@ fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
     Failure::Option { option, message }
 }
 
-fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
+pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
     use epicyclic_schemes::Error as S;
     use epicyclic_selection::Error as E;
     let option = match &error {

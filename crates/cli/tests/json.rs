@@ -91,6 +91,41 @@ const RUNS: &[(&str, &[&str])] = &[
     ),
     ("strength", &["strength", "wind-stage.yaml", "--power", "9 MW", "--speed", "47.8 rpm"]),
     ("strength", &["strength", "worn.yaml", "--factors"]),
+    ("size", &["size", "travel-drive-duty.yaml", "--width-ratio", "1", "--most", "1"]),
+    ("size", &["size", "held.yaml", "--most", "1"]),
+    ("size", &["size", "travel-drive-duty.yaml", "--modules", "3 mm", "--face-widths", "20 mm, 30 mm"]),
+    (
+        "design",
+        &[
+            "design",
+            "--ratios",
+            "2.5",
+            "--power",
+            "75 kW",
+            "--input",
+            "1475 rpm",
+            "--basis",
+            "held.yaml",
+            "--most",
+            "1",
+        ],
+    ),
+    (
+        "design",
+        &[
+            "design",
+            "--speeds",
+            WHEEL,
+            "--power",
+            "75 kW",
+            "--input",
+            "1475 rpm",
+            "--modules",
+            "1 mm",
+            "--most",
+            "1",
+        ],
+    ),
     ("strength", &["strength", "lacks.yaml", "--torque", "2000 kN·m", "--speed", "47.8 rpm"]),
     ("compare", &["compare", "ravigneaux.yaml", "real-transmissions.yaml", "--transmission", "8HP"]),
     ("compare", &["compare", "II-3", "scheme-ii-3.yaml", "--ratio1", "1.5", "--ratio2", "2.56"]),
@@ -511,6 +546,17 @@ fn lacks() -> String {
     wind.replace("output: next", "output: last").replace("oil:", &format!("  - id: other\n{other}oil:"))
 }
 
+/// The travel drive with its planets and a rim given, loads that wear its teeth, and a set without `strength`.
+fn held() -> String {
+    let drive = std::fs::read_to_string(examples().join("travel-drive-duty.yaml")).unwrap();
+    let drive = drive
+        .replace("    planet_teeth: [40]\n", "    planet_teeth: [40]\n    planets: 4\n    module: 4 mm\n");
+    let drive = drive.replace("    strength: #", "    strength:\n      planet_rim: 12 mm #");
+    let drive = drive.replace("output: track", "output: wheel");
+    drive
+        .replace("oil:", "  - { id: next, sun: track, ring: ground, carrier: wheel, teeth: [20, 100] }\noil:")
+}
+
 fn wind_stage() -> String {
     std::fs::read_to_string(examples().join("wind-stage.yaml")).unwrap()
 }
@@ -525,6 +571,7 @@ fn folder() -> tempfile::TempDir {
     std::fs::write(folder.path().join("worn.yaml"), worn()).unwrap();
     std::fs::write(folder.path().join("bites.yaml"), bites()).unwrap();
     std::fs::write(folder.path().join("lacks.yaml"), lacks()).unwrap();
+    std::fs::write(folder.path().join("held.yaml"), held()).unwrap();
     std::fs::write(folder.path().join("broken.yaml"), FREE.replace("k: 3", "k: 0.3")).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
     std::fs::write(folder.path().join("one-way.yaml"), ONE_WAY).unwrap();

@@ -79,6 +79,24 @@ impl Space {
 }
 
 impl Mechanism {
+    /// The mechanism of a name: of a scheme (`II-3`), of a structure of two sets (`D.T1.B+T2.B.T1`), of one set (`D.T1.B`).
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        match name.parse::<Scheme>() {
+            Ok(Scheme::Two(scheme)) => return Some(Self::OneSet(scheme.set())),
+            Ok(scheme @ Scheme::Three(_)) => {
+                let all = Structure::catalogue().into_iter().map(Self::TwoSets);
+                return all.into_iter().find(|one| one.scheme() == Some(scheme));
+            }
+            Err(_) => {}
+        }
+        if let Ok(structure) = name.parse::<Structure>() {
+            return Some(Self::TwoSets(structure));
+        }
+        let roles: Vec<Role> = name.split('.').map(str::parse).collect::<Result<_, _>>().ok()?;
+        Space::All.sets().into_iter().find(|set| set[..] == roles[..]).map(Self::OneSet)
+    }
+
     /// The document's scheme, if it is one.
     #[must_use]
     pub fn scheme(self) -> Option<Scheme> {

@@ -14,6 +14,7 @@
 
 pub mod analyze;
 pub mod compare;
+pub mod design;
 pub mod draw;
 pub mod drawability;
 pub mod drive;
@@ -27,6 +28,7 @@ pub mod report;
 pub mod schemes;
 pub mod select;
 pub mod sheet;
+pub mod size;
 pub mod strength;
 pub mod synthesize;
 pub mod teeth;

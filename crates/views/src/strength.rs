@@ -329,7 +329,7 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
     })
 }
 
-fn over_duty(all: &[OverDuty]) -> Records {
+pub(crate) fn over_duty(all: &[OverDuty]) -> Records {
     let wear = |wear: &Wear| {
         let damage = wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
         let shown = wear.life_s.map_or(Figure::None, |life| Figure::Number(hours(life)));

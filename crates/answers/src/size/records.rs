@@ -56,7 +56,7 @@ pub struct Sought {
     pub planet_rim_in_modules: f64,
     /// Rim of the ring outside its root circle, in modules.
     pub ring_rim_in_modules: f64,
-    /// How many bearings of the planets there are to choose from.
+    /// How many bearings of the planets there are to choose from, pairs among them.
     pub bearings: usize,
 }
 
@@ -73,7 +73,7 @@ impl Sought {
             least_tip_thickness_in_modules: wanted.tip_thickness,
             planet_rim_in_modules: wanted.planet_rim,
             ring_rim_in_modules: wanted.ring_rim,
-            bearings: wanted.bearings.len(),
+            bearings: wanted.space().bearings.len(),
         }
     }
 }

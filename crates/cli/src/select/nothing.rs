@@ -12,7 +12,7 @@ pub(super) fn nothing_found(way_out: Option<&String>) -> Failure {
 /// What a search for tooth numbers that found nothing may still try; without teeth the criteria that stand in the way are told.
 pub(super) fn with_teeth_more(args: &Args) -> Option<String> {
     let mut more = vec![];
-    if !args.all_structures {
+    if !args.speeds.all_structures {
         more.push("--all-structures searches all, not only the source's");
     }
     if args.criteria.same_direction {

@@ -255,6 +255,79 @@ select: --ratios 2.5 --output page.html
   --author 'A. Engineer'
   --date '22 November 2026'
   --paper letter
+size: travel-drive-duty.yaml --modules '4 mm, 5 mm, 6 mm' --face-widths '30 mm, 40 mm' --planets 3 --format json
+  --modules '5 mm, 6 mm'
+  --face-widths '40 mm'
+  --planets 4
+  --centre-distance-step '1 mm'
+  --width-ratio 0.3
+  --aim tip-alteration
+  --tip-thickness 0.4
+  --planet-rim 4
+  --ring-rim 4
+  --bearings mine.csv
+  --bearing-rows 1
+  --no-bearings
+  --minimise ring
+  --most 1
+  --save sized.yaml
+  --format csv
+  --output size.json
+design: --ratios 2.5 --power 75kW --input 1475rpm --modules '3 mm, 4 mm' --face-widths '30 mm, 60 mm' --planets 3 --sun 18..30 --planet 17..30 --ring 60..90 --planet-rim 1.5 --tries 3 --format json
+  --ratios 2.6
+  --all-structures
+  --input '1400 rpm'
+  --speed '1400 rpm'
+  --power '60 kW'
+  --shares '20%, 80%'
+  --scheme I
+  --order size
+  --tooth-design 2
+  --tries 1
+  --sun 20..30
+  --planet 18..22
+  --ring 70..90
+  --basis wind-stage.yaml
+  --factors 'K_A 2'
+  --life '5000 h'
+  --save box.yaml
+  --tolerance 2%
+  --brakes as-given
+  --signs any
+  --k 2..4
+  --prefer 2..3
+  --efficiency 95%
+  --least-efficiency 98%
+  --link-speed 1.01
+  --planet-speed 0.5
+  --clutch-slip 0.5
+  --circulation 30%
+  --same-direction
+  --allow-crossing
+  --modules '4 mm'
+  --face-widths '60 mm'
+  --planets 3..4
+  --centre-distance-step '1 mm'
+  --width-ratio 0.5
+  --aim tip-alteration
+  --tip-thickness 0.4
+  --planet-rim 2
+  --ring-rim 4
+  --bearings mine.csv
+  --bearing-rows 1
+  --no-bearings
+  --minimise ring
+  --most 1
+  --format csv
+  --output design.json
+design: --speeds '0.8 m/s, 2 m/s' --input 1475rpm --torque '480 N·m' --modules '4 mm' --face-widths '30 mm, 60 mm' --planets 3 --sun 18..30 --planet 17..30 --ring 60..90 --no-bearings --tries 2 --output page.html
+  --speeds '0.9 m/s, 2 m/s'
+  --torque '400 N·m'
+  --project 'Winch 7'
+  --customer 'Mine North'
+  --author 'A. Engineer'
+  --date '22 November 2026'
+  --paper letter
 schemes: II-3 --k1 2.15 --k2 2.35 --format json
   --k1 2
   --k2 2
@@ -466,6 +539,12 @@ compare: scheme-ii-3.yaml ravigneaux.yaml --k1 2 | the file says how large
 compare: ravigneaux.yaml | two gearboxes
 analyze: real-transmissions.yaml --progression 1.05 | add --transmission
 select: --ratios 2.5 --sun 20 | --teeth
+size: travel-drive-duty.yaml --no-bearings --bearings mine.csv | --bearings
+design: --ratios 2.5 --input 1475rpm | --power
+design: --ratios 2.5 --power 75kW --input 1475rpm --paper a4 | .html
+design: --ratios 2.5 --power 75kW --input 1475rpm --shares '1, 2, 3' | --shares
+design: --ratios 2.5 --power 75kW --input 1475rpm --factors 'K_Q 2' | K_Q
+design: --ratios 2.5 --power 75kW --input 1475rpm --scheme IV | catalogue
 select: --ratios 2.5 --planet-count 4 | --teeth
 select: --ratios 2.5 --face-width-ratio 0.5 | --load-factor
 schemes: --efficiency 90% | --k1
@@ -491,6 +570,9 @@ report: sized-gearbox.yaml --to-scale --format json | pictures
 report: minimal-drive.yaml --to-scale | drive
 report: self-crossing.yaml --to-scale | crossing
 ";
+
+/// Bearings of one's own.
+const MINE: &str = "designation,rolling,d_mm,D_mm,B_mm,C_kN\nmine,rollers,20,40,15,80\n";
 
 /// A command line, and what is added to it.
 struct Line {
@@ -528,6 +610,9 @@ fn left(command: &str, args: &[String]) -> (Left, String) {
         if example.exists() {
             fs::copy(example, folder.path().join(name)).unwrap();
         }
+    }
+    if args.iter().any(|arg| arg == "mine.csv") {
+        fs::write(folder.path().join("mine.csv"), MINE).unwrap();
     }
     let line: Vec<&str> = command.split(' ').chain(args.iter().map(String::as_str)).collect();
     let done = output(folder.path(), &line);
@@ -605,6 +690,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "analyze",
         "strength",
         "sheet",
+        "size",
         "compare",
         "schemes",
         "draw",
@@ -625,6 +711,7 @@ fn every_option_of_machines_changes_the_answer() {
         "machine drum",
         "machine rotor",
         "select",
+        "design",
     ]);
 }
 

@@ -55,8 +55,8 @@
 //! F = √((K_γ·(F_1 + F_2))² + (K_γ·(F_1·tan α_w1 − F_2·tan α_w2) + M_p·a·ω_H²)²)        n = |n_s − n_H|·z_s/z_p
 //! ```
 //!
-//! Left out: the mass of the bearing, weight, modified life (its factor would need dirt and viscosity at work), plain bearings, several bearings side by side unless a
-//! table has them as one.
+//! Left out: the mass of the bearing, weight, modified life (its factor would need dirt and viscosity at work), plain bearings, more than two bearings side by side
+//! (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
 mod geometry;

@@ -14,6 +14,7 @@
 //! | [`imprint`] | what a page says of itself |
 
 pub mod compare;
+pub mod design;
 pub mod drive;
 pub mod gearbox;
 pub mod imprint;

@@ -1,0 +1,247 @@
+//! A gearbox from speeds and power to sizes that hold: its scheme, its tooth numbers, its sizes with their strength.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`basis`] | materials, factors, oil and life that no speed tells |
+//! | [`records`] | the steps, each with what it chose and what came next |
+//!
+//! Each step takes the best of the one before it, so that a person can follow it and choose otherwise: all steps together are not
+//! searched. Another scheme, or other tooth numbers, may give a lighter gearbox.
+
+pub mod basis;
+pub mod records;
+
+use crate::gearbox::{Choice, one};
+use crate::select::saved::Saved;
+use crate::select::teeth::{self, Searches, SizeLimits, Watch};
+use crate::size::records::Minimise;
+use crate::{Answer, Error, Warning, select, size};
+use basis::Basis;
+use epicyclic_formats::quantity::format::trimmed;
+use epicyclic_formats::yaml::{Mapping, Value, to_string};
+use epicyclic_formats::{Document, Physical};
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_selection::{Mechanism, Objective, Order, Space};
+use epicyclic_train::Gear;
+use records::{BasisKey, SchemeStep, SizesStep, TeethStep};
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// What is wanted.
+#[derive(Debug, Clone)]
+pub struct Wanted {
+    /// Ratios, criteria, order, mechanisms and load; speed and load of the input are needed.
+    pub selection: select::Wanted,
+    /// One mechanism in place of the best; it must meet the criteria all the same.
+    pub mechanism: Option<Mechanism>,
+    /// Bounds of tooth numbers and of planets.
+    pub bounds: Bounds,
+    /// Which design of the tooth search.
+    pub teeth: Teeth,
+    /// Shares of the time of the gears, the slowest first, then reverse gears; equal where there are none.
+    pub shares: Vec<f64>,
+    /// Materials, factors, oil, life.
+    pub basis: Basis,
+    /// The space of sizes.
+    pub size: size::Wanted,
+}
+
+/// Which design of the tooth search is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Teeth {
+    /// That of a number, from 1.
+    Number(usize),
+    /// Of so many, the first of them in the order of the search, the one with the least mass or ring once it has sizes.
+    BestOf(usize),
+}
+
+/// A gearbox from speeds and power to sizes that hold. A step that finds nothing is the last.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Design {
+    /// What no speed tells, key by key.
+    pub basis: Vec<BasisKey>,
+    /// The scheme.
+    pub scheme: SchemeStep,
+    /// The tooth numbers; `null` where no scheme meets the criteria.
+    pub teeth: Option<TeethStep>,
+    /// The sizes and their strength over the duty; `null` where there are no tooth numbers.
+    pub sizes: Option<SizesStep>,
+    /// The gearbox with its sizes as a file; `null` where a set has none.
+    pub file: Option<String>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl Answer for Design {
+    const NAME: &'static str = "design";
+}
+
+/// The order of the tooth search: the smallest ring at one load of the teeth, then the most exact ratio.
+///
+/// # Panics
+/// Never: the objectives differ.
+#[must_use]
+pub fn order_of_teeth() -> Order {
+    Order::new(&[Objective::Size, Objective::RatioError]).expect("two objectives that differ")
+}
+
+/// The design; `watch` is told how far the search for tooth numbers is.
+///
+/// # Errors
+/// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
+/// - [`Error::Shares`] for shares that are not one of each gear; those of [`select::answer`], [`teeth::search`] and [`size::answer`],
+///   which speak of the file `basis` or of the gearbox in the making.
+pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
+    let duty = &wanted.selection.duty;
+    let torque = duty.torque()?.ok_or(Error::NoLoad)?;
+    let speed = duty.input_speed.ok_or(Error::LoadWithoutSpeed)?;
+    let space = match wanted.mechanism {
+        Some(mechanism) => Space::Mechanisms(vec![mechanism]),
+        None => wanted.selection.space.clone(),
+    };
+    let (selected, best) = select::with_mechanism(&select::Wanted { space, ..wanted.selection.clone() })?;
+    let mut design = Design {
+        basis: wanted.basis.told(),
+        scheme: SchemeStep::of(&selected, wanted.mechanism.is_some()),
+        teeth: None,
+        sizes: None,
+        file: None,
+        warnings: vec![],
+    };
+    let Some(mechanism) = best else { return Ok(design) };
+    let of_teeth = teeth::Wanted {
+        requirements: wanted.selection.requirements.clone(),
+        order: order_of_teeth(),
+        space: Space::Mechanisms(vec![mechanism]),
+        bounds: wanted.bounds.clone(),
+        limits: SizeLimits::default(),
+        most: match wanted.teeth {
+            Teeth::Number(number) => number + 1,
+            Teeth::BestOf(tries) => tries,
+        },
+        duty: *duty,
+    };
+    let found = teeth::search(&of_teeth, watch)?;
+    let told = found.answer()?;
+    let tried: Vec<Tried> = match wanted.teeth {
+        Teeth::Number(number) => tried(&found, number, wanted, torque, speed)?.into_iter().collect(),
+        Teeth::BestOf(_) => (1..=found.shown())
+            .map(|number| tried(&found, number, wanted, torque, speed))
+            .collect::<Result<Vec<_>, _>>()?
+            .into_iter()
+            .flatten()
+            .collect(),
+    };
+    let mut order: Vec<&Tried> = tried.iter().collect();
+    order.sort_by(|one, other| one.objective().total_cmp(&other.objective()));
+    design.teeth = Some(TeethStep::of(&told, &order));
+    let Some(best) = order.first() else { return Ok(design) };
+    let document = Document::parse_one(MAKING, best.file.as_bytes())?;
+    let sized = size::answer(&one(&document, &Choice::default())?, &wanted.size)?;
+    if best.objective().is_finite() {
+        design.file = Some(size::saved(&document, &sized)?);
+    }
+    design.warnings.clone_from(&sized.warnings);
+    design.sizes = Some(SizesStep::of(sized));
+    Ok(design)
+}
+
+/// Digits of torque and speed in the file.
+const DIGITS: usize = 12;
+
+/// A design of the tooth search with its sizes.
+#[derive(Debug)]
+pub(crate) struct Tried {
+    /// Its number.
+    pub(crate) number: usize,
+    /// The gearbox without sizes.
+    file: String,
+    /// Mass of its gears, if all sets have sizes.
+    pub(crate) mass_kg: Option<f64>,
+    /// Its largest ring, likewise.
+    ring_m: Option<f64>,
+    minimise: Minimise,
+}
+
+impl Tried {
+    /// What is minimised; infinite where a set has no size.
+    fn objective(&self) -> f64 {
+        let objective = match self.minimise {
+            Minimise::Mass => self.mass_kg,
+            Minimise::Ring => self.ring_m,
+        };
+        objective.unwrap_or(f64::INFINITY)
+    }
+}
+
+/// The design of a number with its sizes; none where there is no such number.
+fn tried(
+    found: &Searches<'_>,
+    number: usize,
+    wanted: &Wanted,
+    torque: Torque,
+    speed: AngularVelocity,
+) -> Result<Option<Tried>, Error> {
+    let Some(saved) = found.saved(number)? else { return Ok(None) };
+    let file = loaded(&saved, wanted, torque, speed)?;
+    let document = Document::parse_one(MAKING, file.as_bytes())?;
+    let first = size::Wanted { most: 1, ..wanted.size.clone() };
+    let sized = size::answer(&one(&document, &Choice::default())?, &first)?;
+    let is_whole = sized.not_sized.is_empty() && sized.mass_kg.is_some();
+    let rings = sized.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
+    Ok(Some(Tried {
+        number,
+        mass_kg: sized.mass_kg.filter(|_| is_whole),
+        ring_m: rings.reduce(f64::max).filter(|_| is_whole),
+        minimise: wanted.size.minimise,
+        file,
+    }))
+}
+
+/// What a fault calls the gearbox in the making.
+const MAKING: &str = "the gearbox in the making";
+
+/// The gearbox with what its strength asks for and its duty, as a file. The number of planets is left to the sizes.
+fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
+    let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
+    let document = Document::parse_one(MAKING, text.as_bytes())?;
+    let mut file = document.value().clone();
+    let strength = &wanted.basis.strength;
+    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+    for set in sets.filter_map(Value::as_mapping_mut) {
+        set.remove("planets");
+        set.insert("strength".into(), strength.clone());
+    }
+    let gears: Vec<&str> = saved.gearbox.gears().iter().map(Gear::name).collect();
+    let shares = match &wanted.shares[..] {
+        [] => vec![1.0 / gears.len() as f64; gears.len()],
+        shares if shares.len() == gears.len() => shares.to_vec(),
+        shares => {
+            let gears = gears.iter().map(|&gear| gear.to_owned()).collect();
+            return Err(Error::Shares { given: shares.len(), gears });
+        }
+    };
+    let [torque, speed] = [(torque.si(), "N·m"), (crate::units::rpm(speed), "rpm")].map(|(value, unit)| {
+        // Beyond these digits is the rounding of their units.
+        Value::from(format!("{} {unit}", trimmed(value, DIGITS)))
+    });
+    let step = |(gear, share): (&str, f64)| {
+        let mut step = Mapping::new();
+        step.insert("gear".into(), gear.into());
+        step.insert("share".into(), share.into());
+        step.insert("torque".into(), torque.clone());
+        step.insert("speed".into(), speed.clone());
+        Value::Mapping(step)
+    };
+    let duty: Vec<Value> = gears.into_iter().zip(shares).map(step).collect();
+    if let Some(file) = file.as_mapping_mut() {
+        for (key, value) in &wanted.basis.keys {
+            file.insert(key.as_str().into(), value.clone());
+        }
+        file.insert("duty".into(), Value::Sequence(duty));
+        file.insert("gearbox".into(), saved.scheme.as_str().into());
+    }
+    to_string(&file).map_err(|error| Error::Json(error.to_string()))
+}

@@ -1,0 +1,150 @@
+//! Records of the steps of a design.
+
+use super::Tried;
+use crate::select::Select;
+use crate::select::candidate::Candidate;
+use crate::select::required::Objective;
+use crate::select::teeth::{self, SelectTeeth};
+use crate::size::Size;
+use crate::size::records::{Governing, SizedSet};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A key of what no speed tells.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct BasisKey {
+    /// The key; those of a set begin with `strength.`.
+    pub key: String,
+    /// Its value as the file has it, in one line.
+    pub value: String,
+}
+
+/// The scheme.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SchemeStep {
+    /// Whether it was asked for; otherwise it is the best of the order.
+    pub asked_for: bool,
+    /// The one taken: the source's name, or that of the structure; `null` where none meets the criteria.
+    pub taken: Option<String>,
+    /// How many were compared.
+    pub compared: usize,
+    /// How many of them meet the criteria.
+    pub accepted: usize,
+    /// The objective by which it is ahead of others; `null` where there are none, or all are equal.
+    pub decided_by: Option<Objective>,
+    /// Ring-to-sun ratios of its sets that give the ratios exactly.
+    pub k: Vec<f64>,
+    /// The next one that meets the criteria; `null` where there is none.
+    pub next: Option<String>,
+}
+
+impl SchemeStep {
+    pub(super) fn of(selection: &Select, asked_for: bool) -> Self {
+        let name = |one: &Candidate| one.scheme.unwrap_or(&one.structure).to_owned();
+        let mut accepted = selection.candidates.iter().filter(|one| one.accepted);
+        let first = accepted.next();
+        let taken = first.map(name);
+        Self {
+            asked_for,
+            compared: selection.accepted + selection.rejected,
+            accepted: selection.accepted,
+            decided_by: selection.decided_by,
+            k: first.iter().flat_map(|first| &first.sets).map(|set| set.k).collect(),
+            next: accepted.map(name).find(|name| Some(name) != taken.as_ref()),
+            taken,
+        }
+    }
+}
+
+/// The tooth numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TeethStep {
+    /// Pairs of tooth numbers, or tooth numbers of one set, that meet the criteria.
+    pub accepted: u64,
+    /// Of how many the sizes were sought.
+    pub tried: usize,
+    /// The one taken; `null` where there is none, or not so many.
+    pub taken: Option<TeethTaken>,
+    /// The next best of those tried; `null` where there is none.
+    pub next: Option<TeethTaken>,
+}
+
+/// Tooth numbers of all sets.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TeethTaken {
+    /// The number of the design, from 1: the smallest ring at one load of the teeth first.
+    pub number: usize,
+    /// Mass of its gears; `null` where a set has no size.
+    pub mass_kg: Option<f64>,
+    /// Teeth of sun, planet and ring of each set.
+    pub sets: Vec<[u32; 3]>,
+    /// Ratios of the braked gears.
+    pub ratios: Vec<f64>,
+}
+
+impl TeethTaken {
+    fn of(design: &teeth::Design, tried: &Tried) -> Self {
+        Self {
+            number: tried.number,
+            mass_kg: tried.mass_kg,
+            sets: design.tooth_numbers.iter().map(|set| [set.sun, set.planet, set.ring]).collect(),
+            ratios: design.candidate.gears.iter().map(|gear| gear.ratio).collect(),
+        }
+    }
+}
+
+impl TeethStep {
+    /// Of what the search found, those tried, the best first.
+    pub(super) fn of(found: &SelectTeeth, order: &[&Tried]) -> Self {
+        let told = |place: usize| {
+            let tried = order.get(place)?;
+            Some(TeethTaken::of(found.designs.get(tried.number - 1)?, tried))
+        };
+        Self { accepted: found.searched.accepted, tried: order.len(), taken: told(0), next: told(1) }
+    }
+}
+
+/// The sizes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizesStep {
+    /// Designs of all sets together.
+    pub designs: u64,
+    /// Mass of the best designs of all sets; `null` where one has none.
+    pub mass_kg: Option<f64>,
+    /// The sets, with the safeties of their teeth over the duty.
+    pub sets: Vec<SizedSet>,
+    /// The set whose requirement is met least, and this requirement; `null` where a set has no size.
+    pub governing: Option<GoverningSet>,
+}
+
+/// The requirement that a gearbox meets least.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GoverningSet {
+    /// The set.
+    pub set: String,
+    /// What governs it.
+    pub requirement: Governing,
+}
+
+impl SizesStep {
+    pub(super) fn of(size: Size) -> Self {
+        let best: Option<Vec<GoverningSet>> = size
+            .sets
+            .iter()
+            .map(|set| {
+                let requirement = set.found.first()?.governing;
+                Some(GoverningSet { set: set.set.clone(), requirement })
+            })
+            .collect();
+        let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
+        let governing =
+            best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));
+        Self { designs: size.designs, mass_kg: size.mass_kg, sets: size.sets, governing }
+    }
+}

@@ -1,0 +1,255 @@
+//! The command `design`: from speeds and power to a gearbox whose sizes hold.
+
+use crate::analyze::refuse;
+use crate::failure::Failure;
+use crate::imprint::{self, PageArgs};
+use crate::input;
+use crate::lists::List;
+use crate::options;
+use crate::output::OutputArgs;
+use crate::progress::Progress;
+use crate::select::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
+use crate::sizing;
+use epicyclic_answers::design::basis::Basis;
+use epicyclic_answers::design::{Design, Teeth, Wanted, answer};
+use epicyclic_answers::gearbox::one;
+use epicyclic_answers::report::gearbox;
+use epicyclic_answers::select::duty::{Duty, Load};
+use epicyclic_answers::{Error, select};
+use epicyclic_formats::{Document, Number, Physical, Quantity, Span};
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_selection::{Mechanism, Objective, Order, Rating};
+use epicyclic_strength::load::load_sharing;
+use epicyclic_views::page::{self, sheet::Sheet};
+use std::path::PathBuf;
+use std::str::FromStr;
+use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
+
+/// Ring-to-sun ratio of the tooth search; those of the candidates are bounded by --k.
+const SCHEMES_TOLD: usize = 3;
+
+/// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength, in steps.
+///
+/// The scheme is what select chooses. Of its tooth numbers those with the smallest rings at one load of the teeth get the sizes that
+/// size finds over a duty with the load in every gear, and the lightest is taken. Every step tells what
+/// it took, among how many, what came next, and the option to choose otherwise. What no speed tells, materials and load factors
+/// among it, is listed; --basis and --factors change it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  epicyclic design --speeds '0.8 m/s, 3.15 m/s' --power 75kW --input 1475rpm --save box.yaml
+  epicyclic design --ratios '2.56, 1.465' --torque '500 N·m' --input 1475rpm --scheme II-3 -o box.html")]
+pub(crate) struct Args {
+    #[command(flatten)]
+    speeds: Speeds,
+
+    /// Speed of the input.
+    #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
+    input: Quantity<AngularVelocity>,
+
+    /// Power into the input in every gear.
+    #[arg(long, required_unless_present = "torque", conflicts_with = "torque", allow_hyphen_values = true)]
+    power: Option<Quantity<Power>>,
+
+    /// Torque on the input in every gear, in place of --power.
+    #[arg(long, allow_hyphen_values = true)]
+    torque: Option<Quantity<Torque>>,
+
+    /// Shares of the time of the gears, the slowest first, then reverse gears. Default: equal.
+    #[arg(long, value_name = "SHARES")]
+    shares: Option<List<Quantity<Ratio>>>,
+
+    /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
+    #[arg(long, value_name = "NAME")]
+    scheme: Option<Named>,
+
+    /// The objective that decides first among schemes, then the next for equal values.
+    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
+    order: List<Objective>,
+
+    /// So many of the tooth designs get sizes, those with the smallest ring at one load of the teeth, and the lightest is taken.
+    #[arg(long, value_name = "N", default_value = "50", conflicts_with = "tooth_design")]
+    tries: usize,
+
+    /// The tooth design with this number in place of the lightest.
+    #[arg(long, value_name = "N")]
+    tooth_design: Option<usize>,
+
+    /// Teeth of the suns.
+    #[arg(long, value_name = "RANGE", default_value = "17..60")]
+    sun: Span<u32>,
+
+    /// Teeth of the planets.
+    #[arg(long, value_name = "RANGE", default_value = "17..80")]
+    planet: Span<u32>,
+
+    /// Teeth of the rings.
+    #[arg(long, value_name = "RANGE", default_value = "50..140")]
+    ring: Span<u32>,
+
+    /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is usual.
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    basis: Option<PathBuf>,
+
+    /// Factors of both meshes by their symbols: 'K_A 1.5, K_v 1.1'.
+    #[arg(long, value_name = "FACTORS")]
+    factors: Option<List<Factor>>,
+
+    /// Required life.
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    life: Option<Quantity<Time>>,
+
+    /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and report read it.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+
+    #[command(flatten)]
+    ratios: RatioOptions,
+
+    #[command(flatten)]
+    criteria: Criteria,
+
+    #[command(flatten)]
+    sizes: sizing::Options,
+
+    #[command(flatten)]
+    output: OutputArgs,
+
+    #[command(flatten)]
+    page: PageArgs,
+}
+
+/// A mechanism by its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Named(Mechanism);
+
+impl FromStr for Named {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        Mechanism::named(name).map(Self).ok_or_else(|| {
+            "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due".to_owned()
+        })
+    }
+}
+
+/// A factor by its symbol: `K_A 1.5` or `K_A=1.5`.
+#[derive(Debug, Clone, PartialEq)]
+struct Factor {
+    symbol: String,
+    value: f64,
+}
+
+impl FromStr for Factor {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let due = || format!("{text}: a symbol and a number are due, K_A 1.5");
+        let (symbol, value) = text.split_once(['=', ' ', ':']).ok_or_else(due)?;
+        let value: Number = value.trim().parse().map_err(|_| due())?;
+        if epicyclic_strength::factor::Symbol::named(symbol.trim()).is_none() {
+            return Err(format!("{text}: no factor is called `{}`", symbol.trim()));
+        }
+        Ok(Self { symbol: symbol.trim().to_owned(), value: value.get() })
+    }
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    args.page.only_of_a_page(args.output.is_page())?;
+    let wanted = wanted(args)?;
+    let shown = Progress::new();
+    let design = answer(&wanted, &|at| shown.at(at.share)).map_err(refuse_of)?;
+    drop(shown);
+    let files = match (&args.save, &design.file) {
+        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
+        _ => vec![],
+    };
+    if args.output.is_page() {
+        let sheet = page::design::sheet(&design, own_page(&design)?, &imprint::command());
+        args.output.deliver_page(files, &design, Ok(sheet), &args.page.imprint())?;
+    } else {
+        args.output.deliver_with(files, &design)?;
+    }
+    match design.file {
+        Some(_) => Ok(()),
+        None => Err(Failure::NothingFound("no gearbox that holds was found".to_owned())),
+    }
+}
+
+/// The page of the gearbox that was designed.
+fn own_page(design: &Design) -> Result<Option<Sheet>, Failure> {
+    let Some(file) = &design.file else { return Ok(None) };
+    let document = Document::parse_one("the gearbox of the design", file.as_bytes())?;
+    let subject = one(&document, &epicyclic_answers::gearbox::Choice::default())?;
+    let (report, shown) = gearbox::answer(&subject, Default::default()).map_err(refuse)?;
+    Ok(Some(page::gearbox::sheet(&report, &shown, None, file.clone())?))
+}
+
+fn wanted(args: &Args) -> Result<Wanted, Failure> {
+    let power = args.power.map(|power| Load::Power(power.0));
+    let duty = Duty {
+        input_speed: Some(args.input.0),
+        load: args.torque.map(|torque| Load::Torque(torque.0)).or(power),
+    };
+    let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
+    let order = Order::new(&args.order.0).map_err(|error| refuse_selection(error.into()))?;
+    let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
+    let space = args.speeds.space();
+    let size = args.sizes.wanted()?;
+    let usual = Bounds::default();
+    let k = args.criteria.k(usual.ring_to_sun_ratio.clone())?;
+    let bounds = Bounds {
+        sun: options::of_wheel("--sun", args.sun, usual.sun.clone())?,
+        planet: options::of_wheel("--planet", args.planet, usual.planet.clone())?,
+        ring: options::of_wheel("--ring", args.ring, usual.ring.clone())?,
+        planets: (*size.planets.start()).max(2)..=(*size.planets.end()).max(2),
+        ring_to_sun_ratio: k,
+        ..usual
+    };
+    Ok(Wanted {
+        selection: select::Wanted { requirements, order, space, most: SCHEMES_TOLD, duty },
+        mechanism: args.scheme.map(|scheme| scheme.0),
+        bounds,
+        teeth: args.tooth_design.map_or(Teeth::BestOf(args.tries.max(1)), Teeth::Number),
+        shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
+        basis: basis(args)?,
+        size,
+    })
+}
+
+/// `K_γ` with 2 to 8 planets.
+fn sharing() -> Result<[f64; 7], Failure> {
+    let mut all = [1.0; 7];
+    for (planets, of) in (2..).zip(&mut all) {
+        *of = load_sharing(planets).map_err(Error::from)?;
+    }
+    Ok(all)
+}
+
+fn basis(args: &Args) -> Result<Basis, Failure> {
+    let mut basis = match &args.basis {
+        None => Basis::default(),
+        Some(file) => Basis::of(&input::document(file)?)?.completed(),
+    };
+    if let Some(factors) = &args.factors {
+        let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.symbol.clone(), of.value)).collect();
+        basis = basis.with_factors(&all);
+    }
+    if let Some(life) = &args.life {
+        basis = basis.with("life", life.to_string().into());
+    }
+    Ok(basis)
+}
+
+/// The option that a refusal speaks of.
+fn refuse_of(error: Error) -> Failure {
+    match &error {
+        Error::Shares { .. } => Failure::Option { option: "--shares", message: error.to_string() },
+        Error::Selection(of) => refuse_selection(of.clone()),
+        Error::Duty(_) => {
+            Failure::Option { option: "--power, --torque, --input", message: error.to_string() }
+        }
+        _ => sizing::refuse(error),
+    }
+}
