@@ -138,13 +138,7 @@ fn gearbox(document: &Document, efficiency: Option<MeshEfficiency>) -> Result<Bo
     let file: GearboxFile = document.read()?;
     let at = |error: DescriptionError| located(document, &Path::root(), &error);
     let gearbox = with_losses(file.gearbox().map_err(at)?, efficiency)?;
-    let rack = file.rack().map_err(|error| {
-        let key = match error {
-            epicyclic_gears::Error::OutOfRange { .. } => "pressure_angle",
-            _ => "addendum",
-        };
-        document.error(&Path::root().key(key), Problem::Refused { message: error.to_string() })
-    })?;
+    let rack = file.rack().map_err(|error| at(DescriptionError::Rack(error)))?;
     let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
     let (source, published, base) = (None, vec![], Path::root());
     let of_gear = |gear: &GearEntry| {

@@ -23,7 +23,8 @@
 //!   - { name: "3", engaged: [direct] }
 //! ```
 //!
-//! Efficiencies are parts of 1 or per cent. For the forces on planets a set may have `planets`, `module` or
+//! Efficiencies are parts of 1 or per cent. In their place a simple set with teeth may have `friction`, the coefficients of friction of its
+//! meshes, and the gearbox one `friction` for all sets without losses of their own; efficiencies then follow from the teeth. For the forces on planets a set may have `planets`, `module` or
 //! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life
 //! of their bearings `load_rating`; the gearbox `density` and `pressure_angle`.
 //!
@@ -100,6 +101,23 @@ pub enum DescriptionError {
         /// How many meshes it has.
         expected: usize,
     },
+    /// Friction beside efficiencies.
+    #[error("set `{set}`: give one of `efficiency`, `meshes` and `friction`")]
+    LossesTwice {
+        /// The set.
+        set: String,
+    },
+    /// Friction of a set whose teeth are not known.
+    #[error(
+        "set `{set}`: friction is of a simple set with `teeth`, and with `planet_teeth` and `profile_shifts` where equal centre distances ask for them"
+    )]
+    Friction {
+        /// The set.
+        set: String,
+    },
+    /// The basic rack.
+    #[error(transparent)]
+    Rack(epicyclic_gears::Error),
     /// More planets than a set has.
     #[error("set `{set}`: {given} counts in `planet_teeth`: one or two are due")]
     PlanetTeeth {
@@ -177,6 +195,9 @@ impl DescriptionError {
             Self::RowKnownInOneWay { .. } => "row-known-in-one-way",
             Self::Carrier { .. } => "carrier",
             Self::Losses { .. } => "losses",
+            Self::LossesTwice { .. } => "losses-twice",
+            Self::Friction { .. } => "friction",
+            Self::Rack(source) => source.name(),
             Self::PlanetTeeth { .. } => "planet-teeth",
             Self::Shifts { .. } => "shifts",
             Self::Missing { .. } => "missing",
@@ -233,6 +254,9 @@ pub struct GearboxFile {
     /// Addendum in modules, for the checks of teeth. Default 1.
     #[serde(default)]
     pub addendum: Option<Number>,
+    /// Mean coefficient of friction of the teeth of every simple set that states neither friction nor efficiencies and whose teeth are known.
+    #[serde(default)]
+    pub friction: Option<Number>,
     /// Materials of one's own, for the strength of teeth.
     #[serde(default)]
     pub materials: Vec<MaterialEntry>,
@@ -294,6 +318,9 @@ pub struct SetEntry {
     /// Efficiency of each mesh from sun to ring, in place of `efficiency`.
     #[serde(default)]
     pub meshes: Option<Vec<Quantity<Ratio>>>,
+    /// Mean coefficients of friction of the meshes sun–planet and planet–ring, in place of efficiencies: of a simple set with teeth.
+    #[serde(default)]
+    pub friction: Option<[Number; 2]>,
     /// Module of the mesh with the sun, for forces on planets.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
@@ -395,7 +422,7 @@ impl GearboxFile {
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
         for set in &self.sets {
-            builder = builder.set(set.spec()?);
+            builder = builder.set(self.with_friction(set, set.spec()?)?);
         }
         for set in &self.compound_sets {
             builder = builder.compound_set(set.spec(|link| Ok(link.to_owned()))?);
@@ -459,6 +486,27 @@ impl GearboxFile {
         };
         rack.check()?;
         Ok(rack)
+    }
+
+    /// A set with the losses by its friction or that of the gearbox, where it states no efficiencies.
+    fn with_friction(&self, entry: &SetEntry, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
+        let set = || entry.id.clone();
+        let has_efficiency = entry.efficiency.is_some() || entry.meshes.is_some();
+        let own = entry.friction.map(|friction| friction.map(Number::get));
+        if own.is_some() && has_efficiency {
+            return Err(DescriptionError::LossesTwice { set: set() });
+        }
+        let usual = self.friction.filter(|_| !has_efficiency).map(|friction| [friction.get(); 2]);
+        let Some(friction) = own.or(usual) else { return Ok(spec) };
+        let rack = self.rack().map_err(DescriptionError::Rack)?;
+        match spec.friction_losses(&rack, friction) {
+            Some(losses) => {
+                let losses = losses.map_err(|source| DescriptionError::Set { set: set(), source })?;
+                Ok(spec.with_loss(losses))
+            }
+            None if own.is_some() => Err(DescriptionError::Friction { set: set() }),
+            None => Ok(spec),
+        }
     }
 
     /// What the file says of the size of a set.
@@ -610,6 +658,31 @@ mod tests {
         assert_eq!(loss("meshes: [0.98, 0.99]"), Ok(MeshLoss::sun_and_ring(eta(0.98), eta(0.99))));
         assert!(loss("meshes: [0.98]").unwrap_err().contains("with 2 efficiencies"));
         assert!(loss("efficiency: 1.2").unwrap_err().starts_with("set `P`"));
+    }
+
+    #[test]
+    fn friction_gives_losses_by_geometry() {
+        let stage = "teeth: [18, 93], planet_teeth: [36], profile_shifts: [0.389, 0.5039, 0.1171], tip_alterations: [-0.08333, -0.08333, 0]";
+        let of = |set: &str, more: &str| {
+            read(&format!("{SCHEME}{set} }}\n{more}")).map(|g| g.sets()[0].short().unwrap().loss)
+        };
+        let loss = |text: &str| of(&format!("{stage}, {text}"), "");
+        // NREL reference wind gearbox: H_V 0.149 of the sun's mesh.
+        let Ok(MeshLoss::Meshes { first, second, .. }) = loss("friction: [0.037, 0.029]") else { panic!() };
+        assert!((first.loss() - 0.149 * 0.037).abs() < 5e-4 * 0.037, "{first}");
+        assert!(second.loss() < first.loss());
+        assert_eq!(loss("friction: [0.05, 0.05]"), of(stage, "friction: 0.05\n"));
+        assert_eq!(
+            loss("friction: [0, 0.03]").unwrap_err(),
+            "set `P`: coefficient of friction is 0; it must be finite and above 0"
+        );
+        let beside = loss("friction: [0.05, 0.05], efficiency: 0.97").unwrap_err();
+        assert!(beside.contains("give one of `efficiency`"), "{beside}");
+        assert!(of("k: 3, friction: [0.05, 0.05]", "").unwrap_err().contains("a simple set with `teeth`"));
+        // That of the gearbox is for sets whose teeth are known and that state no losses.
+        assert_eq!(of("k: 3", "friction: 0.05\n"), Ok(MeshLoss::IDEAL));
+        let eta = MeshEfficiency::new(0.97).unwrap();
+        assert_eq!(of(&format!("{stage}, efficiency: 0.97"), "friction: 0.05\n"), Ok(MeshLoss::Set(eta)));
     }
 
     #[test]

@@ -116,6 +116,7 @@ const GEARBOX: &[Key] = &[
         "tip_alterations: [0.3, -0.0833",
         OVERVIEW,
     ),
+    key("sets.friction", "friction: [0.037", "friction: [0.05", OVERVIEW),
     key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
     key("sets.strength.flank_roughness", "flank_roughness: [4 µm", "flank_roughness: [5 µm", STRENGTH),
     key("sets.strength.root_roughness", "root_roughness: [16 µm", "root_roughness: [12 µm", STRENGTH),
@@ -128,6 +129,13 @@ const GEARBOX: &[Key] = &[
     key("sets.strength.sun_mesh_factors", "K_H_beta: 1.3", "K_H_beta: 1.4", STRENGTH),
     key("sets.strength.ring_mesh_factors", "K_H_beta: 1.15", "K_H_beta: 1.2", STRENGTH),
     key("sets.strength.ring_factors", "Y_delta_rel_T_stat: 1", "Y_delta_rel_T_stat: 1, Y_S: 2", STRENGTH),
+    Key {
+        path: "friction",
+        first: &[("    friction: [0.037, 0.029]", "   ")],
+        from: "\nfriction: 0.05",
+        to: "\nfriction: 0.06",
+        seen: OVERVIEW,
+    },
     key(
         "materials.name",
         "ring steel] # of the program's table, or of `materials` below\n\nmaterials: # of one's own, for the strength of teeth\n  - name: ring steel",

@@ -55,6 +55,15 @@ impl File<'_> {
                 keys_of(source).iter().fold(self.set(set), |path, key| self.key(path, key))
             }
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
+            E::LossesTwice { set } | E::Friction { set } => self.key(self.set(set), "friction"),
+            E::Rack(error) => self.key(
+                self.base.clone(),
+                if matches!(error, epicyclic_gears::Error::OutOfRange { .. }) {
+                    "pressure_angle"
+                } else {
+                    "addendum"
+                },
+            ),
             E::Shifts { set } => {
                 let keys = ["tip_alterations", "profile_shifts"];
                 keys.iter().fold(self.set(set), |path, key| self.key(path, key))
@@ -237,8 +246,9 @@ impl File<'_> {
 fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
     use epicyclic_gears::Error as E;
     match error {
-        E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes"],
+        E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes", "friction"],
         E::NoTeeth => &["teeth"],
+        E::NotAbove { quantity: Quantity::ContactRatio, .. } => &["profile_shifts"],
         E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
             Quantity::Module => &["module"],
             Quantity::CarrierRadius => &["carrier_radius"],
@@ -246,6 +256,7 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
             Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],
             Quantity::PlanetMass => &["planet_mass"],
             Quantity::LoadRating => &["load_rating"],
+            Quantity::Friction => &["friction"],
             _ => &[],
         },
         _ => &[],
