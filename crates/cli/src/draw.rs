@@ -18,9 +18,10 @@ use epicyclic_answers::motor::of_file;
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::{self as formats, Document, Number, Quantity};
 use epicyclic_layout as drawability;
-use epicyclic_layout::Verdict;
+use epicyclic_layout::{Layout, Verdict};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_pictures::toothed_sets::{self, ToothedSet};
+use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::{Analysis, Gearbox};
 use epicyclic_views::draw;
 use std::path::{Path, PathBuf};
@@ -347,13 +348,18 @@ fn all_gears(gearbox: &Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {
     Ok(gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect::<Result<_, _>>()?)
 }
 
-fn not_to_scale(error: epicyclic_pictures::Error) -> Failure {
-    match error {
+/// A layout with gears at the heights of their pitch radii.
+pub(crate) fn to_scale(
+    gearbox: &Gearbox,
+    layout: &Layout,
+    bearings: &[PlanetBearing],
+) -> Result<(Layout, scheme::Scale), Failure> {
+    scheme::to_scale(gearbox, layout, bearings).map_err(|error| match error {
         epicyclic_pictures::Error::NoRadii { .. } | epicyclic_pictures::Error::NotToScale { .. } => {
             Failure::Option { option: "--to-scale", message: error.to_string() }
         }
         error => error.into(),
-    }
+    })
 }
 
 fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<Scene, Failure> {
@@ -378,8 +384,7 @@ fn kinematic(args: &Args, subject: &Subject, gear: Option<&Analysis>) -> Result<
             let message = "heights are radii, and these follow from k or teeth of every set: give --k1 and --k2, or --ratio1 and --ratio2";
             return Err(Failure::Option { option: "--to-scale", message: message.to_owned() });
         }
-        let (layout, scale) =
-            scheme::to_scale(gearbox, &layout, &subject.planet_bearings).map_err(not_to_scale)?;
+        let (layout, scale) = to_scale(gearbox, &layout, &subject.planet_bearings)?;
         (Box::new(layout), Some(scale))
     } else {
         (layout, None)

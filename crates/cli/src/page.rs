@@ -1,6 +1,7 @@
 //! The command `report`: a page about a gearbox, a drive or a motor.
 
 use crate::analyze::{Choice, Load, refuse, subject};
+use crate::draw::to_scale;
 use crate::failure::Failure;
 use crate::imprint::PageArgs;
 use crate::named::Read;
@@ -34,6 +35,10 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Html)]
     format: Format,
 
+    /// Schemes with gears at the heights of their pitch radii, as `draw --to-scale` draws them.
+    #[arg(long)]
+    to_scale: bool,
+
     #[command(flatten)]
     target: Target,
 
@@ -54,10 +59,19 @@ enum Format {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.format == Format::Html)?;
     args.target.is_for_a_page(args.format == Format::Html)?;
+    if args.to_scale && args.format == Format::Json {
+        let message = "it is for the pictures of a page; JSON has none".to_owned();
+        return Err(Failure::Option { option: "--to-scale", message });
+    }
     let Read { document, bytes, .. } = args.choice.document(false)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let has = |key: &str| document.value().get(key).is_some();
-    let for_gearboxes = |what: &str| match args.choice.given().or(args.load.given()) {
+    let for_gearboxes = |what: &str| match args
+        .choice
+        .given()
+        .or(args.load.given())
+        .or(args.to_scale.then_some("--to-scale"))
+    {
         Some(option) => {
             Err(Failure::Option { option, message: format!("it is for gearboxes; this is a {what}") })
         }
@@ -82,12 +96,26 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 
 fn of_gearbox(args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let subject = subject(&args.choice, document)?;
-    let (report, shown) = gearbox::answer(&subject, args.load.input()).map_err(refuse)?;
+    let (report, mut shown) = gearbox::answer(&subject, args.load.input()).map_err(refuse)?;
     match args.format {
         Format::Json => json(file, About::Gearbox(Box::new(report))),
         Format::Html => {
             let own = own_lines(document, &subject.base, &file);
-            html(args, page::gearbox::sheet(&report, &shown, own))
+            let scale = match &shown.layout {
+                Some(layout) if args.to_scale => {
+                    let (layout, scale) = to_scale(shown.gearbox, layout, &subject.planet_bearings)?;
+                    shown.layout = Some(Box::new(layout));
+                    Some(scale)
+                }
+                None if args.to_scale => {
+                    let message = "this gearbox has no scheme without crossing lines".to_owned();
+                    return Err(
+                        Failure::Option { option: "--to-scale", message }.in_file(document, &subject.base)
+                    );
+                }
+                _ => None,
+            };
+            html(args, page::gearbox::sheet(&report, &shown, scale.as_ref(), own))
         }
     }
     .map_err(|failure| failure.in_file(document, &subject.base))

@@ -6,6 +6,7 @@
 //! | `LEAST_SPEED` | the largest speed of a picture | what divides is not 0 where all rests |
 //! | `ONE_RAY` | a difference of speeds over the input's | rays nearer to each other are one on paper |
 //! | `IDLE` | a power over the one that enters | what is left of 0 by rounding |
+//! | `SAME_RATIO` | a ratio over another, less 1 | ratios are printed with five digits |
 //! | `CIRCULATES` | a circulating power over the one that enters | a line of its width could not be seen |
 //! | `PLACE` | a difference of places on a lever, over its length | places are ratios of a few tooth numbers |
 //! | `LEVEL` | a rise of a tie, mm, or a difference of costs | heights are steps of an iteration |
@@ -27,6 +28,9 @@ pub(crate) const ONE_RAY: f64 = 1e-6;
 
 /// What passes less power is idle.
 pub(crate) const IDLE: f64 = 1e-9;
+
+/// Ratios that differ by less are one.
+pub(crate) const SAME_RATIO: f64 = 1e-9;
 
 /// Less circulating power is not mentioned.
 pub(crate) const CIRCULATES: f64 = 1e-6;

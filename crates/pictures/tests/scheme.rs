@@ -116,7 +116,7 @@ fn a_narrow_scheme_keeps_its_width_and_no_label_meets_anything() {
         let layout = layout(&gearbox);
         for analysis in gears(&gearbox) {
             for show in [Show::Structure, Show::Power(&analysis)] {
-                let drawn = narrow(&gearbox, &layout, show, 100.0).unwrap();
+                let drawn = narrow(&gearbox, &layout, show, None, 100.0).unwrap();
                 assert_eq!(met(&drawn), [""; 0], "{}", drawn.title());
                 assert_eq!(crossed(&drawn), [""; 0], "{}", drawn.title());
                 let width = drawn.bounds().width();

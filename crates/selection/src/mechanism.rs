@@ -28,8 +28,8 @@ pub enum Space {
     Catalogue,
     /// All six ways to use one set, all 111 two-set structures.
     All,
-    /// These structures, for three speeds.
-    Structures(Vec<Structure>),
+    /// These alone; those of one set for two speeds, those of two for three.
+    Mechanisms(Vec<Mechanism>),
 }
 
 impl Space {
@@ -51,7 +51,13 @@ impl Space {
         match self {
             Self::Catalogue => listed.to_vec(),
             Self::All => [listed, reversed].concat(),
-            Self::Structures(_) => vec![],
+            Self::Mechanisms(chosen) => chosen
+                .iter()
+                .filter_map(|one| match one {
+                    Mechanism::OneSet(set) => Some(*set),
+                    Mechanism::TwoSets(_) => None,
+                })
+                .collect(),
         }
     }
 
@@ -61,7 +67,13 @@ impl Space {
         match self {
             Self::Catalogue => Structure::catalogue(),
             Self::All => Structure::all(),
-            Self::Structures(chosen) => chosen.clone(),
+            Self::Mechanisms(chosen) => chosen
+                .iter()
+                .filter_map(|one| match one {
+                    Mechanism::TwoSets(structure) => Some(*structure),
+                    Mechanism::OneSet(_) => None,
+                })
+                .collect(),
         }
     }
 }

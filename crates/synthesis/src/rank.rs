@@ -250,6 +250,7 @@ impl GearRating {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gearbox::element_name;
     use crate::judge::judge;
     use crate::parts::Bounds;
     use crate::run::{Found, Share, search};
@@ -258,7 +259,10 @@ mod tests {
     use epicyclic_gears::efficiency::MeshEfficiency;
     use std::ops::ControlFlow;
 
-    fn rated() -> Vec<(String, Judged, Rating)> {
+    /// Name of the structure, its elements by the links that they join, and the figures.
+    type Named = (String, Vec<String>, Judged, Rating);
+
+    fn rated() -> Vec<Named> {
         let gears = [3.059, 1.625, 1.0, 0.696, -2.294f64]
             .map(|ratio| Bounds { least: ratio - 0.01 * ratio.abs(), most: ratio + 0.01 * ratio.abs() });
         let wish = Wish::new(gears.into(), 5, vec![1.4..=4.5; 2]);
@@ -268,23 +272,20 @@ mod tests {
         let rated = |found: &Found| {
             let judged = judge(found, &wish, eta).unwrap();
             let rating = Rating::of(&judged).unwrap();
-            (found.structure.to_string(), judged, rating)
+            let elements = found.solution.elements.iter().map(|choices| element_name(choices[0])).collect();
+            (found.structure.to_string(), elements, judged, rating)
         };
         found.iter().map(rated).collect()
-    }
-
-    fn names(judged: &Judged) -> Vec<&str> {
-        judged.gearbox.shift_elements().iter().map(epicyclic_train::ShiftElement::id).collect()
     }
 
     #[test]
     fn figures_of_a_four_speed_are_those_by_hand() {
         // 4L60-E, sets 1-a-2 and b-2-c: in the first gear the brake c and the clutch a-c hold the ring of the first set.
         let all = rated();
-        let is_it = |(structure, judged, _): &&(String, Judged, Rating)| {
-            structure == "1-a-2 b-2-c" && names(judged) == ["b", "c", "1-b", "1-c", "a-c"]
+        let is_it = |(structure, elements, ..): &&Named| {
+            structure == "1-a-2 b-2-c" && *elements == ["b", "c", "1-b", "1-c", "a-c"]
         };
-        let (_, judged, rating) = all.iter().find(is_it).unwrap();
+        let (.., judged, rating) = all.iter().find(is_it).unwrap();
         let [k1, k2] = judged.refined.k[..] else { panic!("two sets") };
         let first = &rating.gears[0];
         // ω_out = 1/(1 + k₁); ω_a = ω_c = 0; set 2 (sun b, ring output, carrier c at rest): ω_b = −k₂·ω_out.

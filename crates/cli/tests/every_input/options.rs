@@ -429,6 +429,8 @@ report: scheme-ii-3.yaml
   --input '1475 rpm'
 report: scheme-ii-3.yaml --speed '1475 rpm'
   --power '75 kW'
+report: sized-gearbox.yaml
+  --to-scale
 report: minimal-drive.yaml
   --output page.html
   --format json
@@ -480,6 +482,9 @@ select: --ratios 2.5 --paper a4 | .html
 synthesize: --ratios '2.56, 1.465' --date today --output boxes.txt | .html
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --author me | .html
 report: minimal-drive.yaml --customer me --format json | .html
+report: sized-gearbox.yaml --to-scale --format json | pictures
+report: minimal-drive.yaml --to-scale | drive
+report: self-crossing.yaml --to-scale | crossing
 ";
 
 /// A command line, and what is added to it.

@@ -51,8 +51,8 @@ pub enum Aim {
     /// The specific sliding at the roots of sun and planet in their mesh is equal; tips are shortened for clearance and fillets alone.
     #[default]
     BalancedSliding,
-    /// Tips of all gears shortened as little as clearance, tip thickness and the fillets of their mates allow, by the sum of the three; of
-    /// shifts with equal sums the one with balanced sliding.
+    /// Tips of all gears shortened as little as clearance, tip thickness and the fillets of their mates allow, by the sum of the three, sought
+    /// from the best of 64 equal steps of the range; of shifts with equal sums the one with balanced sliding.
     LeastTipAlteration,
 }
 
@@ -235,7 +235,8 @@ impl Family {
         if total(balanced).is_some_and(|sum| sum <= least + TOUCH) {
             return self.nearest(balanced, &range, limits, at);
         }
-        // The sum is convex where it is not level; thirds close in on the least beside the best part.
+        // Thirds close in on a least sum beside the best part. That the sum has no second valley between two parts is not proved; what is
+        // found is never worse than the best part.
         let sum = |shift: f64| total(shift).unwrap_or(f64::INFINITY);
         let (mut low, mut high) = (shift(part.saturating_sub(1)), shift((part + 1).min(PARTS)));
         for _ in 0..HALVINGS {

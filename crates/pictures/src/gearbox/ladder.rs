@@ -6,7 +6,7 @@
 use super::place::spread;
 use super::words::decimal;
 use super::{COLORS, Error, LETTERS_MM, TITLE_MM};
-use crate::tolerance::MARK;
+use crate::tolerance::{MARK, SAME_RATIO};
 use epicyclic_drawing::{Align, Color, Dash, Scene, Shape, Style, Text};
 use epicyclic_train::{Analysis, Gearbox};
 
@@ -97,7 +97,9 @@ fn drawn(
         scene.add(labels, Text { at, ..ratio });
     }
     let forward = rungs.iter().any(|rung| rung.ratio > 0.0);
-    let counted: Vec<usize> = (0..rungs.len()).filter(|&i| (rungs[i].ratio > 0.0) == forward).collect();
+    let mut counted: Vec<usize> = (0..rungs.len()).filter(|&i| (rungs[i].ratio > 0.0) == forward).collect();
+    // Gears of one ratio, as first and first low, are one step of the ladder.
+    counted.dedup_by(|next, last| (rungs[*next].ratio / rungs[*last].ratio - 1.0).abs() <= SAME_RATIO);
     let bracket = ratios_at + 4.0;
     for pair in counted.windows(2) {
         let [low, high] = [pair[0], pair[1]].map(|i| places[i]);
@@ -134,7 +136,7 @@ fn words(gears: &[Analysis], rungs: &[Rung<'_>], counted: &[usize]) -> Vec<Strin
         let range = rungs[*last].ratio / rungs[*first].ratio;
         let mean = range.powf(1.0 / (counted.len() - 1) as f64);
         words.push(format!(
-            "range {} over {} gears, mean step {}",
+            "range {} over {} ratios, mean step {}",
             decimal(range),
             counted.len(),
             decimal(mean)
@@ -211,6 +213,29 @@ fn short(tick: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use epicyclic_drawing::svg;
+    use epicyclic_train::set::SetSpec;
+
+    #[test]
+    fn gears_of_one_ratio_are_one_step() {
+        let gearbox = Gearbox::builder("two first gears")
+            .links(["sun", "ring", "out"])
+            .set(SetSpec::simple("1", ["sun", "ring", "out"], 3.0))
+            .brake("B", "ring")
+            .clutch("C", "sun", "out")
+            .input("sun")
+            .output("out")
+            .gear("1", ["B"])
+            .gear("1 low", ["B"])
+            .gear("2", ["C"])
+            .build()
+            .unwrap();
+        let gears: Vec<Analysis> =
+            gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear).unwrap()).collect();
+        let drawn = svg::write(&scene(&gearbox, &gears, None).unwrap()).unwrap();
+        assert!(drawn.contains("range 4.000 over 2 ratios, mean step 4.000"), "{drawn}");
+        assert_eq!(drawn.matches("φ = ").count(), 1);
+    }
 
     #[test]
     fn the_scale_ends_at_round_numbers() {

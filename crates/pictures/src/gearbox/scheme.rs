@@ -161,12 +161,21 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
 }
 
 /// The same [bare](Options::bare), drawn together along the axis to be about so wide, as far as no label then meets anything: for a page.
+/// Of a layout [to scale](to_scale) with its scale.
 ///
 /// # Errors
 /// Those of [`scene`].
-pub fn narrow(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, width_mm: f64) -> Result<Scene, Error> {
-    let draw =
-        |along_mm: f64| scene(gearbox, layout, show, &Options { bare: true, along_mm, ..Options::default() });
+pub fn narrow(
+    gearbox: &Gearbox,
+    layout: &Layout,
+    show: Show<'_>,
+    scale: Option<&Scale>,
+    width_mm: f64,
+) -> Result<Scene, Error> {
+    let draw = |along_mm: f64| {
+        let options = Options { bare: true, along_mm, scale: scale.cloned(), ..Options::default() };
+        scene(gearbox, layout, show, &options)
+    };
     let usual = draw(ALONG_MM)?;
     let too_wide = usual.bounds().width() - width_mm;
     if too_wide <= 0.0 {

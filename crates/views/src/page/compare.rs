@@ -19,7 +19,7 @@ pub fn sheet(answer: &Comparison, drawn: &[Drawn<'_>], input: String) -> Result<
     for Drawn { gearbox, layout } in drawn {
         let block = match layout {
             Some(layout) => {
-                let scene = scheme::narrow(gearbox, layout, Show::Structure, PICTURE_MM[0])
+                let scene = scheme::narrow(gearbox, layout, Show::Structure, None, PICTURE_MM[0])
                     .map_err(Error::Picture)?;
                 Block::picture(scene, "Kinematic scheme, the half above the axis.")
             }

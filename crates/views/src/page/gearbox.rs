@@ -14,7 +14,7 @@ use epicyclic_answers::analyze::records::{Kind, State};
 use epicyclic_answers::analyze::warnings::state_in_words;
 use epicyclic_answers::report::gearbox::{GearOverK, GearboxReport, OverK, Shown};
 use epicyclic_formats::Dimension;
-use epicyclic_pictures::gearbox::scheme::{self, Show};
+use epicyclic_pictures::gearbox::scheme::{self, Scale, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
 
@@ -25,21 +25,27 @@ const LEAST_EFFICIENCY: f64 = 0.5;
 /// Where the gearbox itself is further out, curves go on to so many times its own value.
 const FURTHER: f64 = 1.25;
 
-/// The gears and the scheme, then all gears, each gear in full, and what another `k` would change; `file` is the file as it was
-/// written.
+/// The gears and the scheme, then all gears, each gear in full, and what another `k` would change; `scale` is that of a layout to
+/// scale, `file` the file as it was written.
 ///
 /// # Errors
 /// [`Error::Picture`] for a gearbox that cannot be drawn.
-pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<Sheet, Error> {
+pub fn sheet(
+    report: &GearboxReport,
+    shown: &Shown<'_>,
+    scale: Option<&Scale>,
+    file: String,
+) -> Result<Sheet, Error> {
     let overview = &report.overview;
     let mut answer = vec![Block::Answer(of_records(overview::in_short(overview)))];
-    answer.extend(scheme_of(shown)?);
+    answer.extend(scheme_of(shown, scale)?);
     answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
     answer.push(Block::words(operating_point(overview)));
     let has_shifts = report.shifts.as_ref().is_some_and(|shifts| !shifts.shifts.is_empty());
     let parts = overview::chapter(overview, !has_shifts);
     let mut chapter = vec![Block::Answer(Report { parts, ..Report::default() })];
-    if overview.gears.iter().any(|gear| gear.facts.ratio.is_some()) {
+    // One ratio is no ladder.
+    if overview.gears.iter().filter(|gear| gear.facts.ratio.is_some()).count() > 1 {
         let ladder = picture(ladder::bare(shown.gearbox, &shown.gears))?;
         chapter.push(Block::picture(ladder, "Ratios of all gears on a logarithmic scale, with their steps."));
     }
@@ -51,7 +57,7 @@ pub fn sheet(report: &GearboxReport, shown: &Shown<'_>, file: String) -> Result<
     let mut figures = vec![Block::Answer(side_by_side::report(&report.gears))];
     figures.extend(report.gears.iter().filter_map(patterns));
     sections.push(Section::new("Figures of every gear", figures).arranged(Arrangement::Rows));
-    sections.extend(drawings(report, shown)?);
+    sections.extend(drawings(report, shown, scale)?);
     if !report.over_k.is_empty() {
         let plots = over_k(&report.over_k)?;
         sections.push(Section::new("Another k", plots).arranged(Arrangement::Rows));
@@ -205,14 +211,20 @@ const DIAGRAMS: &str = "Speed diagrams (Kutzbach): velocities over the radius, r
                         parallel to these lines, at their ends the speeds over the input's.";
 
 /// The scheme.
-fn scheme_of(shown: &Shown<'_>) -> Result<Option<Block>, Error> {
+fn scheme_of(shown: &Shown<'_>, scale: Option<&Scale>) -> Result<Option<Block>, Error> {
     let Some(layout) = shown.layout.as_deref() else { return Ok(None) };
-    let scene = scheme::narrow(shown.gearbox, layout, Show::Structure, PICTURE_MM[0]);
-    Ok(Some(Block::picture(picture(scene)?, "Kinematic scheme, the half above the axis.")))
+    let scene = scheme::narrow(shown.gearbox, layout, Show::Structure, scale, PICTURE_MM[0]);
+    let words = match scale {
+        None => "Kinematic scheme, the half above the axis.",
+        Some(_) => {
+            "Kinematic scheme, the half above the axis: gears at the heights of their pitch radii, lengths along the axis not to scale."
+        }
+    };
+    Ok(Some(Block::picture(picture(scene)?, words)))
 }
 
 /// Schemes and speed diagrams of the gears, so far as their speeds and powers follow.
-fn drawings(report: &GearboxReport, shown: &Shown<'_>) -> Result<Vec<Section>, Error> {
+fn drawings(report: &GearboxReport, shown: &Shown<'_>, scale: Option<&Scale>) -> Result<Vec<Section>, Error> {
     let (gearbox, [column_mm, page_mm]) = (shown.gearbox, PICTURE_MM);
     let (mut schemes, mut diagrams) = (vec![], vec![]);
     diagrams.push(Block::picture(
@@ -222,7 +234,7 @@ fn drawings(report: &GearboxReport, shown: &Shown<'_>) -> Result<Vec<Section>, E
     ));
     for (gear, words) in shown.gears.iter().zip(report.gears.iter().map(in_words)) {
         let scheme = shown.layout.as_deref().and_then(|layout| {
-            let drawn = |show| known(scheme::narrow(gearbox, layout, show, column_mm));
+            let drawn = |show| known(scheme::narrow(gearbox, layout, show, scale, column_mm));
             drawn(Show::Power(gear)).or_else(|| drawn(Show::Gear(gear)))
         });
         if let Some(scheme) = scheme {

@@ -40,7 +40,7 @@ fn page(
     };
     let mut answer: Vec<Block> = best.map(|best| Block::Answer(in_short(best))).into_iter().collect();
     if let Some((drawn, layout)) = drawn.and_then(|drawn| Some((drawn, drawn.layout.as_deref()?))) {
-        let scene = scheme::narrow(&drawn.gearbox, layout, Show::Structure, PICTURE_MM[0]);
+        let scene = scheme::narrow(&drawn.gearbox, layout, Show::Structure, None, PICTURE_MM[0]);
         let caption = "Kinematic scheme of the best, the half above the axis.";
         answer.push(Block::picture(scene.map_err(Error::Picture)?, caption));
     }

@@ -107,7 +107,7 @@ fn of_one(name: &str, solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, 
     let mut blocks = vec![];
     match drawn.layout.as_deref() {
         Some(layout) => {
-            let scene = scheme::narrow(&drawn.gearbox, layout, Show::Structure, PICTURE_MM[0]);
+            let scene = scheme::narrow(&drawn.gearbox, layout, Show::Structure, None, PICTURE_MM[0]);
             blocks.push(Block::picture(scene.map_err(Error::Picture)?, words));
         }
         None => blocks.push(Block::words(words)),
