@@ -17,6 +17,7 @@
 //! | [`machine`] | the command `machine`: speeds of mining machines |
 //! | [`page`] | the command `report`: a page about a file |
 //! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
+//! | [`losses`] | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -47,6 +48,7 @@ mod imprint;
 mod input;
 mod interrupt;
 mod lists;
+mod losses;
 mod machine;
 mod man;
 mod motor;
@@ -89,6 +91,7 @@ enum Command {
     Drive(drive::Args),
     Analyze(analyze::Args),
     Strength(strength::Args),
+    Losses(losses::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -169,6 +172,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Drive(args) => drive::run(&args),
         Command::Analyze(args) => analyze::run(&args),
         Command::Strength(args) => strength::run(&args),
+        Command::Losses(args) => losses::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

@@ -12,6 +12,7 @@ use epicyclic_answers::answer::{schema, schema_of_file};
 use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
+use epicyclic_answers::losses::{LossMap, Losses};
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::motor::Motor;
 use epicyclic_answers::motor_search::MotorSearch;
@@ -94,6 +95,10 @@ enum Of {
     AnswerSelectTeeth,
     /// The answer of `epicyclic strength`.
     AnswerStrength,
+    /// The answer of `epicyclic losses`.
+    AnswerLosses,
+    /// The answer of `epicyclic losses` with a map.
+    AnswerLossesMap,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -143,6 +148,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerSelect => schema::<Select>(),
         Of::AnswerSelectTeeth => schema::<SelectTeeth>(),
         Of::AnswerStrength => schema::<Strength>(),
+        Of::AnswerLosses => schema::<Losses>(),
+        Of::AnswerLossesMap => schema::<LossMap>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

@@ -48,11 +48,10 @@
 //! ```
 
 use crate::{Number, Quantity};
-use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
-use epicyclic_train::set::{MeshLoss, SetKind, SetSpec, Shifts};
+use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
@@ -61,13 +60,17 @@ use std::collections::BTreeMap;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
 mod compound;
+mod drag;
 mod kind;
+mod losses;
 mod place;
 mod strength;
 mod transmissions;
 mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
+pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
+use losses::losses;
 pub use place::{gear_place, located};
 pub use strength::{
     DutyEntry, MaterialClass, MaterialEntry, OilEntry, RequiredEntry, ShaperEntry, StrengthEntry,
@@ -257,6 +260,9 @@ pub struct GearboxFile {
     /// Mean coefficient of friction of the teeth of every simple set that states neither friction nor efficiencies and whose teeth are known.
     #[serde(default)]
     pub friction: Option<Number>,
+    /// Drag torques of seals, bearings and churning, for `epicyclic losses`.
+    #[serde(default)]
+    pub drags: Vec<DragEntry>,
     /// Materials of one's own, for the strength of teeth.
     #[serde(default)]
     pub materials: Vec<MaterialEntry>,
@@ -351,17 +357,20 @@ pub struct SetEntry {
 }
 
 /// A brake.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BrakeEntry {
     /// Its name.
     pub id: String,
     /// The link it holds.
     pub link: String,
+    /// Its drag torque while it is not engaged, for `epicyclic losses`.
+    #[serde(default)]
+    pub drag: Option<DragCurveEntry>,
 }
 
 /// A clutch.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ClutchEntry {
     /// Its name.
@@ -372,6 +381,9 @@ pub struct ClutchEntry {
     /// In place of `links`, of a one-way clutch: it keeps the first link from turning slower than the second.
     #[serde(default)]
     pub one_way: Option<[String; 2]>,
+    /// Its drag torque while it is not engaged, for `epicyclic losses`.
+    #[serde(default)]
+    pub drag: Option<DragCurveEntry>,
 }
 
 /// A gear.
@@ -430,7 +442,7 @@ impl GearboxFile {
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
         }
-        for ClutchEntry { id, links, one_way } in &self.clutches {
+        for ClutchEntry { id, links, one_way, .. } in &self.clutches {
             builder = match (links, one_way) {
                 (Some([first, second]), None) => builder.clutch(id, first, second),
                 (None, Some([first, second])) => builder.one_way_clutch(id, first, second),
@@ -486,27 +498,6 @@ impl GearboxFile {
         };
         rack.check()?;
         Ok(rack)
-    }
-
-    /// A set with the losses by its friction or that of the gearbox, where it states no efficiencies.
-    fn with_friction(&self, entry: &SetEntry, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
-        let set = || entry.id.clone();
-        let has_efficiency = entry.efficiency.is_some() || entry.meshes.is_some();
-        let own = entry.friction.map(|friction| friction.map(Number::get));
-        if own.is_some() && has_efficiency {
-            return Err(DescriptionError::LossesTwice { set: set() });
-        }
-        let usual = self.friction.filter(|_| !has_efficiency).map(|friction| [friction.get(); 2]);
-        let Some(friction) = own.or(usual) else { return Ok(spec) };
-        let rack = self.rack().map_err(DescriptionError::Rack)?;
-        match spec.friction_losses(&rack, friction) {
-            Some(losses) => {
-                let losses = losses.map_err(|source| DescriptionError::Set { set: set(), source })?;
-                Ok(spec.with_loss(losses))
-            }
-            None if own.is_some() => Err(DescriptionError::Friction { set: set() }),
-            None => Ok(spec),
-        }
     }
 
     /// What the file says of the size of a set.
@@ -594,40 +585,12 @@ fn planet_bearings(
     Ok(all)
 }
 
-/// Losses of a set by its efficiency or by those of its meshes.
-fn losses(
-    set: &str,
-    kind: SetKind,
-    efficiency: Option<Quantity<Ratio>>,
-    meshes: Option<&[Quantity<Ratio>]>,
-) -> Result<MeshLoss, DescriptionError> {
-    let eta = |eta: Quantity<Ratio>| {
-        MeshEfficiency::new(eta.0.value)
-            .map_err(|source| DescriptionError::Set { set: set.to_owned(), source })
-    };
-    let expected = match kind {
-        SetKind::ExternalPair | SetKind::InternalPair => 1,
-        SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
-        _ => 2,
-    };
-    match (efficiency, meshes) {
-        (None, None) => Ok(MeshLoss::IDEAL),
-        (Some(whole), None) => Ok(MeshLoss::Set(eta(whole)?)),
-        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Set(eta(*only)?)),
-        (None, Some([first, second])) if expected == 2 => {
-            Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
-        }
-        (None, Some([first, between, second])) if expected == 3 => {
-            Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
-        }
-        _ => Err(DescriptionError::Losses { set: set.to_owned(), expected }),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Document;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_train::set::MeshLoss;
 
     fn read(text: &str) -> Result<Gearbox, String> {
         let document = Document::parse_one("box.yaml", text.as_bytes()).map_err(|e| e.to_string())?;
