@@ -91,6 +91,8 @@ pub enum View {
     Levers,
     /// The ratios of all gears on a logarithmic scale.
     Ladder,
+    /// The efficiency of a gear over speed and torque of its input, with all losses.
+    Map,
     /// Of a motor: its centrodes.
     Centrodes,
     /// Every tooth in mesh, of a motor or of the simple sets of a gearbox.

@@ -208,6 +208,14 @@ pub enum Error {
         /// The greatest.
         greatest_mm: f64,
     },
+    /// A one-way clutch that lets go at a load.
+    #[error("gear `{gear}` relies on the one-way clutch `{clutch}`, which lets go at this load")]
+    Released {
+        /// The clutch.
+        clutch: String,
+        /// The gear.
+        gear: String,
+    },
     /// Strength without a load.
     #[error("no load: give a torque or power with a speed, or write a `duty` in the file")]
     NoLoad,
@@ -305,6 +313,7 @@ impl Error {
             Self::Duty(_) => "duty",
             Self::TooManyDesigns { .. } => "too-many-designs",
             Self::ModuleRange { .. } => "module-range",
+            Self::Released { .. } => "one-way-clutch",
             Self::NoLoad => "no-load",
             Self::Shares { .. } => "shares",
             Self::LoadWithoutSpeed => "load-without-speed",

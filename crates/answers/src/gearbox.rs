@@ -8,6 +8,7 @@ use epicyclic_formats::gearbox::{
 use epicyclic_formats::{Document, Path, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_train::drag::Drag;
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
@@ -51,6 +52,8 @@ pub struct Subject<'d> {
     pub document: &'d Document,
     /// The gearbox's place in it.
     pub base: Path,
+    /// Drag torques that the file states.
+    pub drags: Vec<Drag>,
     inputs: Vec<(String, GearInputs)>,
 }
 
@@ -138,21 +141,16 @@ fn gearbox(document: &Document, efficiency: Option<MeshEfficiency>) -> Result<Bo
     let file: GearboxFile = document.read()?;
     let at = |error: DescriptionError| located(document, &Path::root(), &error);
     let gearbox = with_losses(file.gearbox().map_err(at)?, efficiency)?;
-    let rack = file.rack().map_err(|error| {
-        let key = match error {
-            epicyclic_gears::Error::OutOfRange { .. } => "pressure_angle",
-            _ => "addendum",
-        };
-        document.error(&Path::root().key(key), Problem::Refused { message: error.to_string() })
-    })?;
+    let rack = file.rack().map_err(|error| at(DescriptionError::Rack(error)))?;
     let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
+    let drags = file.drags(&gearbox).map_err(at)?;
     let (source, published, base) = (None, vec![], Path::root());
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)
     };
     let inputs = with_speeds(file.gears.iter().map(of_gear).collect(), document, &base)?;
-    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, inputs }))
+    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, drags, inputs }))
 }
 
 fn transmission<'d>(
@@ -171,8 +169,8 @@ fn transmission<'d>(
         (gear.name.clone(), inputs)
     };
     let inputs = with_speeds(transmission.gears.iter().map(of_gear).collect(), document, &base)?;
-    let rack = BasicRack::default();
-    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, inputs }))
+    let (rack, drags) = (BasicRack::default(), vec![]);
+    Ok(Box::new(Subject { gearbox, source, published, planet_bearings, rack, document, base, drags, inputs }))
 }
 
 /// Refuses torques of a gear without speeds: nothing would take them.

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`gearbox`] | reads the gearbox of a file |
 //! | [`analyze`] | what a gearbox does in its gears |
+//! | [`losses`] | what a gearbox loses at work, mesh by mesh and drag by drag |
 //! | [`compare`] | gearboxes side by side |
 //! | [`transmissions`] | the transmissions of a file to choose from |
 //! | [`drive`] | a planetary drive from power, speed and ratio to its starting time |
@@ -59,6 +60,7 @@ pub mod drive;
 pub mod error;
 pub mod finite;
 pub mod gearbox;
+pub mod losses;
 pub mod machine;
 pub mod motor;
 pub mod motor_search;

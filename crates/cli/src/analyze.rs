@@ -42,7 +42,8 @@ Example:
 Keys of the file:
   gearbox, input, output: its name, and the links where power enters and leaves
   sets: id, sun, ring, carrier (links), k or teeth: [sun, ring], and optionally
-        kind, planet_teeth, planets, efficiency or meshes; for the forces on
+        kind, planet_teeth, planets, efficiency or meshes, or with teeth
+        friction: [of the sun's mesh, of the ring's]; for the forces on
         planets module or carrier_radius, and planet_mass, or face_width and
         planet_bore; for their bearings' life load_rating, bearing_rolling
   compound_sets: id, carrier, suns, rings (link: teeth), planet_gears (name:
@@ -51,7 +52,7 @@ Keys of the file:
   brakes: id, link            clutches: id, links: [one, other], or of a one-way
                               clutch one_way: [not slower, than this]
   gears: name, engaged, and optionally input, output, speeds, torques
-  links, grounds, ties, density, pressure_angle, note: optional
+  links, grounds, ties, density, pressure_angle, friction, note: optional
 or a list `transmissions` with published ratios, as in
 examples/real-transmissions.yaml.")]
 pub(crate) struct Args {

@@ -107,6 +107,7 @@ mod tests {
             "compare <GEARBOX>...",
             "draw <GEARBOX>",
             "drive <FILE>",
+            "losses <FILE>",
             "report <FILE>",
             "sheet <FILE>",
             "strength <FILE>",

@@ -2,10 +2,11 @@
 
 mod subject;
 
-use crate::analyze::analysis;
+use crate::analyze::{self, Choice, analysis};
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::input;
+use crate::losses;
 use crate::motor;
 use crate::named;
 use crate::output::say;
@@ -24,6 +25,7 @@ use epicyclic_pictures::toothed_sets::{self, ToothedSet};
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::{Analysis, Gearbox};
 use epicyclic_views::draw;
+use epicyclic_views::losses::efficiency_map;
 use std::path::{Path, PathBuf};
 use subject::Subject;
 use uom::si::f64::{Length, Ratio};
@@ -82,6 +84,9 @@ pub(crate) struct Args {
     to_scale: bool,
 
     #[command(flatten)]
+    map: losses::Map,
+
+    #[command(flatten)]
     sizes: named::Sizes,
 
     /// With --power: efficiency with the carrier fixed of each set for which no losses are stated. Default: no losses.
@@ -133,6 +138,8 @@ enum View {
     Levers,
     /// The ratios of all gears on a logarithmic scale.
     Ladder,
+    /// The efficiency of a gear over --speeds and --torques of its input, as `losses` calculates it.
+    Map,
     /// Of a motor: its centrodes, and how the arcs are constructed.
     Centrodes,
     /// Every tooth in mesh: of a motor, and of the simple sets of a gearbox, with their profile shifts.
@@ -149,7 +156,7 @@ impl View {
     /// The view of a motor; `None` for those of gearboxes.
     fn of_motor(self) -> Option<motor::View> {
         match self {
-            Self::Scheme | Self::Speeds | Self::Levers | Self::Ladder => None,
+            Self::Scheme | Self::Speeds | Self::Levers | Self::Ladder | Self::Map => None,
             Self::Centrodes => Some(motor::View::Centrodes),
             Self::Teeth => Some(motor::View::Teeth),
             Self::Motor => Some(motor::View::Motor),
@@ -164,6 +171,7 @@ impl View {
             Self::Speeds => answers::View::Speeds,
             Self::Levers => answers::View::Levers,
             Self::Ladder => answers::View::Ladder,
+            Self::Map => answers::View::Map,
             Self::Centrodes => answers::View::Centrodes,
             Self::Teeth => answers::View::Teeth,
             Self::Motor => answers::View::Motor,
@@ -258,6 +266,7 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
     let of_gearboxes = [
         ("--transmission", args.transmission.is_some()),
         ("--gear", args.gear.is_some()),
+        ("--speeds", args.map.is_given()),
         ("--power", args.power),
         ("--whole", args.whole),
         ("--same-side", args.same_side),
@@ -286,22 +295,37 @@ fn of_gearbox(args: &Args, document: Option<&Document>) -> Result<Picture, Failu
     consistent(args)?;
     let subject = subject::read(args, document)?;
     let drawing = drawing(args, subject.record(), args.view.unwrap_or(View::Scheme), args.gear.as_deref());
-    Ok(Picture { drawing, scene: scene(args, &subject), base: subject.base })
+    let scene = match (args.view, document) {
+        (Some(View::Map), Some(document)) => map(args, document),
+        (Some(View::Map), None) => {
+            let message = "a map is of a gearbox's file, which states its losses".to_owned();
+            Err(Failure::Option { option: "--view", message })
+        }
+        _ => scene(args, &subject),
+    };
+    Ok(Picture { drawing, scene, base: subject.base })
 }
 
 /// Refuses options that say nothing for the view.
 fn consistent(args: &Args) -> Result<(), Failure> {
     let refuse = |option, message: &str| Err(Failure::Option { option, message: message.to_owned() });
     let schemes_alone = "only the view scheme has it";
-    match args.view.unwrap_or(View::Scheme) {
+    let view = args.view.unwrap_or(View::Scheme);
+    if args.map.is_given() && view != View::Map {
+        return refuse("--speeds", "only the view map has it");
+    }
+    match view {
         View::Scheme => Ok(()),
         view if view != View::Teeth && view.of_motor().is_some() => {
-            refuse("--view", "a gearbox has the views scheme, speeds, levers, ladder, teeth")
+            refuse("--view", "a gearbox has the views scheme, speeds, levers, ladder, teeth, map")
         }
         _ if args.power => refuse("--power", schemes_alone),
         _ if args.whole => refuse("--whole", schemes_alone),
         _ if args.same_side => refuse("--same-side", schemes_alone),
         _ if args.to_scale => refuse("--to-scale", schemes_alone),
+        View::Map if !args.map.is_given() => {
+            refuse("--speeds", "a map stands over --speeds and --torques of a gear; give both")
+        }
         View::Speeds if args.gear.is_none() => refuse("--gear", "a speed diagram shows one gear; name it"),
         View::Teeth if args.gear.is_some() => {
             refuse("--gear", "the teeth stand alike in all gears; leave it out")
@@ -323,6 +347,22 @@ fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
         // `consistent` leaves the ladder alone.
         _ => ladder::scene(gearbox, &all_gears(gearbox)?, title)?,
     })
+}
+
+/// The efficiency of a gear over speed and torque.
+fn map(args: &Args, document: &Document) -> Result<Scene, Failure> {
+    let choice = Choice::new(args.gearbox.clone(), args.transmission.clone(), args.efficiency);
+    let subject = analyze::subject(&choice, document)?;
+    let (Some(gear), Some((speeds, torques))) = (args.gear.as_deref(), args.map.places()?) else {
+        // `consistent` asks for them.
+        return Err(Failure::Option {
+            option: "--gear",
+            message: "a map is of one gear; name it".to_owned(),
+        });
+    };
+    let found = epicyclic_answers::losses::map(&subject, gear, &speeds, &torques).map_err(analyze::refuse)?;
+    let picture = efficiency_map(&found, args.title.as_deref());
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 
 /// The simple sets whose teeth are known, in mesh; a millimetre for a module where the file has none.

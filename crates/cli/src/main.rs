@@ -20,6 +20,7 @@
 //! | [`strength`] | the command `strength`: safeties of teeth by ISO 6336 |
 //! | [`sheet`] | the command `sheet`: data sheets of gears |
 //! | [`sizing`] | the command `size`: sizes of sets that hold over a duty |
+//! | [`losses`] | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -51,6 +52,7 @@ mod imprint;
 mod input;
 mod interrupt;
 mod lists;
+mod losses;
 mod machine;
 mod man;
 mod motor;
@@ -98,6 +100,7 @@ enum Command {
     Sheet(sheet::Args),
     Size(Box<sizing::Args>),
     Design(Box<design::Args>),
+    Losses(losses::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -181,6 +184,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Sheet(args) => sheet::run(&args),
         Command::Size(args) => sizing::run(&args),
         Command::Design(args) => design::run(&args),
+        Command::Losses(args) => losses::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

@@ -89,7 +89,8 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "ring" => &["30..90", "60"],
         "k" | "prefer" => &["1.3..10", "2..4", "2.."],
         "tolerance" => &["1%", "0.2"],
-        "speeds" => &["0.8 m/s, 3.15 m/s", "0.76 m/s, 1.33 m/s, 1.95 m/s"],
+        "speeds" => &["0.8 m/s, 3.15 m/s", "0.76 m/s, 1.33 m/s, 1.95 m/s", "100rpm..900rpm/3"],
+        "torques" => &["1 N·m..90 N·m/3", "engine=100 N·m"],
         "ratios" => &["2.5", "1.465, 2.56", "-4, -7"],
         "sets" => &["1", "2", "1..2"],
         "elements" | "engaged" => &["1", "2", "1..3"],
@@ -97,7 +98,7 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "objectives" => &["torque, drag", "shifts"],
         "nth" | "equal-rings" | "equal-suns" | "equal-sets" | "teeth-limit" => &["1", "2"],
         "brakes" | "signs" => &["as-given", "either", "any", "alike"],
-        "torque" => &["500 N·m", "-3 kN·m"],
+        "torque" | "load-torque" => &["500 N·m", "-3 kN·m"],
         "power" => &["75 kW", "-5 kW"],
         "speed" | "input" => &["1475 rpm", "-20 rad/s"],
         "load-factor" => &["2 MPa"],
@@ -133,7 +134,7 @@ fn sensible(option: &str) -> &'static [&'static str] {
         "angle" => &["20 deg", "-1e6 deg"],
         "pressure-angle" => &["20 deg", "25 deg"],
         "addendum" | "clearance" | "shift" | "backlash" | "fillet" => &["0.1", "0.3", "1"],
-        "view" => &["centrodes", "teeth", "motor", "chambers", "scheme", "speeds", "levers", "ladder"],
+        "view" => &["centrodes", "teeth", "motor", "chambers", "scheme", "speeds", "levers", "ladder", "map"],
         "points" => &["3"],
         "displacement" => &["250 cm3/rev"],
         "ripple" => &["10 %"],
@@ -179,6 +180,7 @@ fn commands() -> Vec<Vec<String>> {
     {
         all.push(vec!["analyze".to_owned(), example(file)]);
     }
+    all.push(vec!["losses".to_owned(), example("drags.yaml")]);
     all.push(vec!["drive".to_owned(), example("xe215cll-drive.yaml")]);
     for file in ["sized-gearbox.yaml", "self-crossing.yaml", "real-transmissions.yaml"] {
         all.push(vec!["draw".to_owned(), example(file)]);

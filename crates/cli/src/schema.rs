@@ -13,6 +13,7 @@ use epicyclic_answers::compare::Comparison;
 use epicyclic_answers::design::Design;
 use epicyclic_answers::draw::Drawing;
 use epicyclic_answers::drive::Drive;
+use epicyclic_answers::losses::{LossMap, Losses};
 use epicyclic_answers::machine::{ChainCutter, Drum, MachineSpeeds, Machines, Rotor};
 use epicyclic_answers::motor::Motor;
 use epicyclic_answers::motor_search::MotorSearch;
@@ -103,6 +104,10 @@ enum Of {
     AnswerSize,
     /// The answer of `epicyclic design`.
     AnswerDesign,
+    /// The answer of `epicyclic losses`.
+    AnswerLosses,
+    /// The answer of `epicyclic losses` with a map.
+    AnswerLossesMap,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -155,6 +160,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerSheet => schema::<DataSheets>(),
         Of::AnswerSize => schema::<Size>(),
         Of::AnswerDesign => schema::<Design>(),
+        Of::AnswerLosses => schema::<Losses>(),
+        Of::AnswerLossesMap => schema::<LossMap>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

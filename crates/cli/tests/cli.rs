@@ -29,6 +29,7 @@ fn help_says_what_there_is() {
             &["drive", "--help"],
             &["analyze", "--help"],
             &["strength", "--help"],
+            &["losses", "--help"],
             &["compare", "--help"],
             &["select", "--help"],
             &["schemes", "--help"],

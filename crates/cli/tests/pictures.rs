@@ -25,6 +25,10 @@ const DRAWN: &[(&str, &str)] = &[
     ("sized-to-scale.svg", "draw examples/sized-gearbox.yaml --to-scale"),
     ("self-crossing-levers.svg", "draw examples/self-crossing.yaml --gear one --view levers"),
     ("unlisted-gear-2.svg", "draw D.T1.B+T2.B.T1 --ratio1 2.618 --ratio2 1.4623 --gear 2 --power"),
+    (
+        "losses-map.svg",
+        "draw examples/drags.yaml --view map --gear slow --speeds 100rpm..3000rpm/30 --torques 1N·m..60N·m/30",
+    ),
     ("motor-centrodes.svg", "draw examples/motor-5x3.yaml --view centrodes"),
 ];
 

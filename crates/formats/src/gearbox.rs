@@ -23,7 +23,8 @@
 //!   - { name: "3", engaged: [direct] }
 //! ```
 //!
-//! Efficiencies are parts of 1 or per cent. For the forces on planets a set may have `planets`, `module` or
+//! Efficiencies are parts of 1 or per cent. In their place a simple set with teeth may have `friction`, the coefficients of friction of its
+//! meshes, and the gearbox one `friction` for all sets without losses of their own; efficiencies then follow from the teeth. For the forces on planets a set may have `planets`, `module` or
 //! `carrier_radius`, and `planet_mass` or `face_width` with `planet_bore`, and for the life
 //! of their bearings `load_rating`; the gearbox `density` and `pressure_angle`.
 //!
@@ -47,11 +48,10 @@
 //! ```
 
 use crate::{Number, Quantity};
-use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
-use epicyclic_train::set::{MeshLoss, SetKind, SetSpec, Shifts};
+use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
 use schemars::JsonSchema;
@@ -61,14 +61,18 @@ use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Rat
 
 mod compound;
 mod data_sheet;
+mod drag;
 mod kind;
+mod losses;
 mod place;
 mod strength;
 mod transmissions;
 mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use data_sheet::DataSheetEntry;
+pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
+use losses::losses;
 pub use place::{gear_place, located};
 pub use strength::{
     DutyEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry, ShaperEntry,
@@ -103,6 +107,23 @@ pub enum DescriptionError {
         /// How many meshes it has.
         expected: usize,
     },
+    /// Friction beside efficiencies.
+    #[error("set `{set}`: give one of `efficiency`, `meshes` and `friction`")]
+    LossesTwice {
+        /// The set.
+        set: String,
+    },
+    /// Friction of a set whose teeth are not known.
+    #[error(
+        "set `{set}`: friction is of a simple set with `teeth`, and with `planet_teeth` and `profile_shifts` where equal centre distances ask for them"
+    )]
+    Friction {
+        /// The set.
+        set: String,
+    },
+    /// The basic rack.
+    #[error(transparent)]
+    Rack(epicyclic_gears::Error),
     /// More planets than a set has.
     #[error("set `{set}`: {given} counts in `planet_teeth`: one or two are due")]
     PlanetTeeth {
@@ -180,6 +201,9 @@ impl DescriptionError {
             Self::RowKnownInOneWay { .. } => "row-known-in-one-way",
             Self::Carrier { .. } => "carrier",
             Self::Losses { .. } => "losses",
+            Self::LossesTwice { .. } => "losses-twice",
+            Self::Friction { .. } => "friction",
+            Self::Rack(source) => source.name(),
             Self::PlanetTeeth { .. } => "planet-teeth",
             Self::Shifts { .. } => "shifts",
             Self::Missing { .. } => "missing",
@@ -236,6 +260,12 @@ pub struct GearboxFile {
     /// Addendum in modules, for the checks of teeth. Default 1.
     #[serde(default)]
     pub addendum: Option<Number>,
+    /// Mean coefficient of friction of the teeth of every simple set that states neither friction nor efficiencies and whose teeth are known.
+    #[serde(default)]
+    pub friction: Option<Number>,
+    /// Drag torques of seals, bearings and churning, for `epicyclic losses`.
+    #[serde(default)]
+    pub drags: Vec<DragEntry>,
     /// Materials of one's own, for the strength of teeth.
     #[serde(default)]
     pub materials: Vec<MaterialEntry>,
@@ -300,6 +330,9 @@ pub struct SetEntry {
     /// Efficiency of each mesh from sun to ring, in place of `efficiency`.
     #[serde(default)]
     pub meshes: Option<Vec<Quantity<Ratio>>>,
+    /// Mean coefficients of friction of the meshes sun–planet and planet–ring, in place of efficiencies: of a simple set with teeth.
+    #[serde(default)]
+    pub friction: Option<[Number; 2]>,
     /// Module of the mesh with the sun, for forces on planets.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
@@ -333,17 +366,20 @@ pub struct SetEntry {
 }
 
 /// A brake.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BrakeEntry {
     /// Its name.
     pub id: String,
     /// The link it holds.
     pub link: String,
+    /// Its drag torque while it is not engaged, for `epicyclic losses`.
+    #[serde(default)]
+    pub drag: Option<DragCurveEntry>,
 }
 
 /// A clutch.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ClutchEntry {
     /// Its name.
@@ -354,6 +390,9 @@ pub struct ClutchEntry {
     /// In place of `links`, of a one-way clutch: it keeps the first link from turning slower than the second.
     #[serde(default)]
     pub one_way: Option<[String; 2]>,
+    /// Its drag torque while it is not engaged, for `epicyclic losses`.
+    #[serde(default)]
+    pub drag: Option<DragCurveEntry>,
 }
 
 /// A gear.
@@ -404,7 +443,7 @@ impl GearboxFile {
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
         for set in &self.sets {
-            builder = builder.set(set.spec()?);
+            builder = builder.set(self.with_friction(set, set.spec()?)?);
         }
         for set in &self.compound_sets {
             builder = builder.compound_set(set.spec(|link| Ok(link.to_owned()))?);
@@ -412,7 +451,7 @@ impl GearboxFile {
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
         }
-        for ClutchEntry { id, links, one_way } in &self.clutches {
+        for ClutchEntry { id, links, one_way, .. } in &self.clutches {
             builder = match (links, one_way) {
                 (Some([first, second]), None) => builder.clutch(id, first, second),
                 (None, Some([first, second])) => builder.one_way_clutch(id, first, second),
@@ -555,40 +594,12 @@ fn planet_bearings(
     Ok(all)
 }
 
-/// Losses of a set by its efficiency or by those of its meshes.
-fn losses(
-    set: &str,
-    kind: SetKind,
-    efficiency: Option<Quantity<Ratio>>,
-    meshes: Option<&[Quantity<Ratio>]>,
-) -> Result<MeshLoss, DescriptionError> {
-    let eta = |eta: Quantity<Ratio>| {
-        MeshEfficiency::new(eta.0.value)
-            .map_err(|source| DescriptionError::Set { set: set.to_owned(), source })
-    };
-    let expected = match kind {
-        SetKind::ExternalPair | SetKind::InternalPair => 1,
-        SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
-        _ => 2,
-    };
-    match (efficiency, meshes) {
-        (None, None) => Ok(MeshLoss::IDEAL),
-        (Some(whole), None) => Ok(MeshLoss::Set(eta(whole)?)),
-        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Set(eta(*only)?)),
-        (None, Some([first, second])) if expected == 2 => {
-            Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
-        }
-        (None, Some([first, between, second])) if expected == 3 => {
-            Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
-        }
-        _ => Err(DescriptionError::Losses { set: set.to_owned(), expected }),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Document;
+    use epicyclic_gears::efficiency::MeshEfficiency;
+    use epicyclic_train::set::MeshLoss;
 
     fn read(text: &str) -> Result<Gearbox, String> {
         let document = Document::parse_one("box.yaml", text.as_bytes()).map_err(|e| e.to_string())?;
@@ -619,6 +630,31 @@ mod tests {
         assert_eq!(loss("meshes: [0.98, 0.99]"), Ok(MeshLoss::sun_and_ring(eta(0.98), eta(0.99))));
         assert!(loss("meshes: [0.98]").unwrap_err().contains("with 2 efficiencies"));
         assert!(loss("efficiency: 1.2").unwrap_err().starts_with("set `P`"));
+    }
+
+    #[test]
+    fn friction_gives_losses_by_geometry() {
+        let stage = "teeth: [18, 93], planet_teeth: [36], profile_shifts: [0.389, 0.5039, 0.1171], tip_alterations: [-0.08333, -0.08333, 0]";
+        let of = |set: &str, more: &str| {
+            read(&format!("{SCHEME}{set} }}\n{more}")).map(|g| g.sets()[0].short().unwrap().loss)
+        };
+        let loss = |text: &str| of(&format!("{stage}, {text}"), "");
+        // NREL reference wind gearbox: H_V 0.149 of the sun's mesh.
+        let Ok(MeshLoss::Meshes { first, second, .. }) = loss("friction: [0.037, 0.029]") else { panic!() };
+        assert!((first.loss() - 0.149 * 0.037).abs() < 5e-4 * 0.037, "{first}");
+        assert!(second.loss() < first.loss());
+        assert_eq!(loss("friction: [0.05, 0.05]"), of(stage, "friction: 0.05\n"));
+        assert_eq!(
+            loss("friction: [0, 0.03]").unwrap_err(),
+            "set `P`: coefficient of friction is 0; it must be finite and above 0"
+        );
+        let beside = loss("friction: [0.05, 0.05], efficiency: 0.97").unwrap_err();
+        assert!(beside.contains("give one of `efficiency`"), "{beside}");
+        assert!(of("k: 3, friction: [0.05, 0.05]", "").unwrap_err().contains("a simple set with `teeth`"));
+        // That of the gearbox is for sets whose teeth are known and that state no losses.
+        assert_eq!(of("k: 3", "friction: 0.05\n"), Ok(MeshLoss::IDEAL));
+        let eta = MeshEfficiency::new(0.97).unwrap();
+        assert_eq!(of(&format!("{stage}, efficiency: 0.97"), "friction: 0.05\n"), Ok(MeshLoss::Set(eta)));
     }
 
     #[test]

@@ -149,7 +149,7 @@ pub enum Error {
     },
 
     /// A quantity that must be finite and above 0.
-    #[error("{quantity} is {value} {unit}; it must be finite and above 0")]
+    #[error("{quantity} is {}; it must be finite and above 0", of_unit(*value, unit))]
     NotPositive {
         /// The quantity's name.
         quantity: Quantity,
@@ -160,7 +160,7 @@ pub enum Error {
     },
 
     /// A quantity that must be finite and not below 0.
-    #[error("{quantity} is {value} {unit}; it must be finite and not below 0")]
+    #[error("{quantity} is {}; it must be finite and not below 0", of_unit(*value, unit))]
     Negative {
         /// The quantity's name.
         quantity: Quantity,
@@ -171,7 +171,7 @@ pub enum Error {
     },
 
     /// A quantity outside the range that the other dimensions leave for it.
-    #[error("{quantity} is {value} {unit}; it must lie between {low} and {high} {unit}")]
+    #[error("{quantity} is {}; it must lie between {low} and {}", of_unit(*value, unit), of_unit(*high, unit))]
     OutOfRange {
         /// The quantity's name.
         quantity: Quantity,
@@ -186,7 +186,7 @@ pub enum Error {
     },
 
     /// A quantity that must exceed another dimension.
-    #[error("{quantity} is {value} {unit}; it must be above {low} {unit}")]
+    #[error("{quantity} is {}; it must be above {}", of_unit(*value, unit), of_unit(*low, unit))]
     NotAbove {
         /// The quantity's name.
         quantity: Quantity,
@@ -456,6 +456,11 @@ fn short(value: f64) -> String {
     } else {
         value.to_string()
     }
+}
+
+/// A number with its unit, if it has one.
+fn of_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() { value.to_string() } else { format!("{value} {unit}") }
 }
 
 fn planets(from: u32, to: u32) -> String {

@@ -15,6 +15,7 @@ words! {
         TipThickness "tip thickness"
         TipClearance "tip clearance"
         ContactRatio "contact ratio"
+        Friction "coefficient of friction"
         RingTeeth "teeth of the ring"
         ThicknessAllowance "tooth thickness allowance"
         CentreDistanceDeviation "deviation of the centre distance"

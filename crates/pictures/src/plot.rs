@@ -4,7 +4,7 @@ use crate::tolerance::{LEAST_SPAN, MARK};
 use epicyclic_drawing::{Align, Color, Dash, Error, LayerId, Point, Scene, Shape, Style, Text};
 
 /// Height of the letters.
-const LETTERS_MM: f64 = 2.5;
+pub(crate) const LETTERS_MM: f64 = 2.5;
 /// Radius of a dot on a curve.
 const DOT_MM: f64 = 0.9;
 /// Colours of the curves, told apart by their lightness too; after the last the first comes again, dashed.
@@ -244,7 +244,7 @@ impl Field {
 
 /// An axis from a round number to a round number, or between the ends of what it shows.
 #[derive(Debug, Clone, Copy)]
-struct Axis {
+pub(crate) struct Axis {
     low: f64,
     high: f64,
     step: f64,
@@ -252,7 +252,7 @@ struct Axis {
 }
 
 impl Axis {
-    fn new(values: impl Iterator<Item = f64>, length_mm: f64, to_round_numbers: bool) -> Self {
+    pub(crate) fn new(values: impl Iterator<Item = f64>, length_mm: f64, to_round_numbers: bool) -> Self {
         let (low, high) = values
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
@@ -272,7 +272,7 @@ impl Axis {
         }
     }
 
-    fn place(&self, value: f64) -> f64 {
+    pub(crate) fn place(&self, value: f64) -> f64 {
         (value - self.low) / (self.high - self.low) * self.length_mm
     }
 
@@ -280,7 +280,7 @@ impl Axis {
         (self.low..=self.high).contains(&value)
     }
 
-    fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
+    pub(crate) fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
         let (first, step) = ((self.low / self.step - MARK).ceil(), self.step);
         let last = (self.high / step + MARK).floor();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -290,7 +290,7 @@ impl Axis {
     }
 
     /// A tick with the decimals of its step.
-    fn label(&self, tick: f64) -> String {
+    pub(crate) fn label(&self, tick: f64) -> String {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 12
         let decimals = (-self.step.log10().floor()).clamp(0.0, 12.0) as usize;
         let size = self.low.abs().max(self.high.abs());

@@ -1,4 +1,8 @@
-//! Losses of a mesh by sliding of the teeth.
+//! Losses of a mesh by sliding of the teeth, by Ohlendorf's closed form as calculations print it.
+//!
+//! It holds where the pitch point lies between one pair in contact, `0 ≤ ε_1, ε_2 ≤ 1`. In a ring the pitch point often lies outside the
+//! path of contact, and the closed form then says too much; the integral behind it is [`sliding`](epicyclic_gears::involute::sliding), from
+//! which the losses of gearboxes are calculated. This one is for the comparison with print.
 //!
 //! ```text
 //! P_V = P·H_V·μ_m
@@ -20,9 +24,9 @@ use epicyclic_gears::involute::Pair;
 use std::f64::consts::PI;
 use uom::si::f64::Power;
 
-/// `H_V`.
+/// `H_V` by the closed form.
 #[must_use]
-pub fn loss_factor(pair: &Pair) -> f64 {
+pub fn ohlendorf_loss_factor(pair: &Pair) -> f64 {
     let [first, second] = pair.gears();
     let (z1, z2) = (first.teeth().as_f64(), second.teeth().as_f64());
     let sign = if pair.is_internal() { -1.0 } else { 1.0 };
@@ -34,11 +38,11 @@ pub fn loss_factor(pair: &Pair) -> f64 {
     PI * form / beta_b.cos() * (1.0 - (one + two) + one * one + two * two)
 }
 
-/// `P_V`.
+/// `P_V` by the closed form.
 ///
 /// # Errors
 /// [`Error::Negative`] for a friction or power below 0 or not finite.
 pub fn power_loss(pair: &Pair, power: Power, friction: f64) -> Result<Power, Error> {
     let power_w = not_negative(Quantity::Power, watts(power), "W")?;
-    Ok(in_watts(power_w * loss_factor(pair) * not_negative(Quantity::Friction, friction, "")?))
+    Ok(in_watts(power_w * ohlendorf_loss_factor(pair) * not_negative(Quantity::Friction, friction, "")?))
 }

@@ -6,10 +6,11 @@
 
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind::{External, Internal};
+use epicyclic_gears::involute::sliding::loss_factor;
 use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
 use epicyclic_strength::factor::{Edition, Given, Origin, Side, Symbol};
 use epicyclic_strength::load::{Arrangement, Dynamics};
-use epicyclic_strength::loss::{loss_factor, power_loss};
+use epicyclic_strength::loss::{ohlendorf_loss_factor, power_loss};
 use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Load, Mesh, Method};
 use epicyclic_strength::planets::loads;
@@ -317,7 +318,7 @@ fn load_factors_of_the_wind_stage_by_method_b() {
 #[test]
 fn losses_of_the_wind_stage() {
     let [outer, inner] = wind_pairs();
-    is(loss_factor(&outer), "0.149");
+    is(ohlendorf_loss_factor(&outer), "0.149");
     let rolling = Power::new::<kilowatt>(162_105.5 / 3.0 * (294.5 - 47.8) * std::f64::consts::PI / 30e3);
     // μ_m is printed to two digits.
     let loss = |pair: &Pair, friction| power_loss(pair, rolling, friction).unwrap().get::<kilowatt>();
@@ -325,6 +326,10 @@ fn losses_of_the_wind_stage() {
     near(loss(&inner, 0.029), 4.353, 0.018);
     let all = 3.0 * (loss(&outer, 0.037) + loss(&inner, 0.029));
     is(1.0 - all / 5000.0, "0.993");
+    // Where the pitch point has one pair in contact the closed form is the integral. In the ring it lies outside the path of contact:
+    // the print takes the closed form there too, which is a quarter too much.
+    near(loss_factor(&outer).unwrap(), ohlendorf_loss_factor(&outer), 1e-13);
+    near(ohlendorf_loss_factor(&inner) / loss_factor(&inner).unwrap(), 1.2415, 1e-4);
 }
 
 /// FZG type C: 16/24 teeth, m = 4.5 mm, a = 91.5 mm.
@@ -337,7 +342,8 @@ fn a_test_gear() {
         [(16, 0.1817), (24, 0.1715)].map(|(teeth, shift)| gear(teeth, shift, Profile::default()));
     let pair = Pair::at_centre_distance(pinion, wheel, 91.5 / 4.5).unwrap();
     let contact_ratio = pair.transverse_contact_ratio();
-    near(loss_factor(&pair), 0.1986, 0.004);
+    near(ohlendorf_loss_factor(&pair), 0.1986, 0.004);
+    near(loss_factor(&pair).unwrap(), ohlendorf_loss_factor(&pair), 1e-13);
     is(zone_factor(&pair, 0.0), "2.342");
     is(contact_ratio_factor(contact_ratio, 0.0), "0.920");
     for (gear, form, correction) in [(pinion, 1.689, 1.851), (wheel, 1.583, 1.917)] {

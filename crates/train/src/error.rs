@@ -1,6 +1,7 @@
 //! What this crate refuses, and what it only remarks on.
 
 use crate::compound::{CentralKind, GearName, SetMember};
+pub use crate::drag_fault::DragFault;
 use crate::set_kind::SetKind;
 use crate::tolerance::{BASIC_RATIO, MOST_ALIKE, SPREAD};
 use std::fmt;
@@ -22,6 +23,8 @@ pub enum Named {
     Planet,
     /// A mesh of a set.
     Mesh,
+    /// A drag.
+    Drag,
 }
 
 impl fmt::Display for Named {
@@ -34,6 +37,7 @@ impl fmt::Display for Named {
             Self::Member => "central gear",
             Self::Planet => "planet",
             Self::Mesh => "mesh",
+            Self::Drag => "drag",
         })
     }
 }
@@ -76,6 +80,8 @@ pub enum Place {
     Terminal(Terminal),
     /// The terminal of a gear.
     TerminalOf(Terminal, String),
+    /// A drag.
+    Drag(String),
 }
 
 impl fmt::Display for Place {
@@ -89,6 +95,7 @@ impl fmt::Display for Place {
             Self::UnnamedGear => f.write_str("a gear"),
             Self::Terminal(terminal) => write!(f, "{terminal}"),
             Self::TerminalOf(terminal, gear) => write!(f, "{terminal} of gear `{gear}`"),
+            Self::Drag(name) => write!(f, "drag `{name}`"),
         }
     }
 }
@@ -230,6 +237,14 @@ pub enum Error {
         /// The gear.
         gear: String,
     },
+    /// A drag torque that is none, or that has no value at a speed.
+    #[error("drag `{drag}`: {fault}")]
+    Drag {
+        /// Its name.
+        drag: String,
+        /// What is wrong with it.
+        fault: DragFault,
+    },
     /// Speeds and torques that do not settle the state of a gear with several inputs.
     #[error("{0}")]
     Inputs(#[from] InputsFault),
@@ -283,6 +298,7 @@ impl Error {
             Self::TooMany { .. } => "too-many",
             Self::NoSets => "no-sets",
             Self::ForeignGear { .. } => "foreign-gear",
+            Self::Drag { .. } => "drag",
             Self::Inputs(_) => "inputs",
             Self::NoTerminal { .. } => "no-terminal",
             Self::NotDriven { .. } => "not-driven",
@@ -532,6 +548,7 @@ fn plural(what: Named) -> &'static str {
         Named::Member => "central gears of one set",
         Named::Planet => "planets of one set",
         Named::Mesh => "meshes of one set",
+        Named::Drag => "drags",
     }
 }
 

@@ -18,6 +18,7 @@
 //! | [`kreines`] | efficiency from the ratio alone, as a check |
 //! | [`efficiency`] | self-consistent sign patterns |
 //! | [`operating`] | the same as quantities at a speed and load |
+//! | [`drag`] | losses that do not depend on the load, beside those of the meshes |
 //! | [`planet_bearings`] | forces on the bearings of the planets |
 //! | [`tooth_checks`] | centre distances, clearance, assembly and undercut of the sets |
 //! | [`combinations`] | every set of shift elements |
@@ -29,7 +30,7 @@
 //! | [`drawn`] | sets as drawings take them |
 //!
 //! Speeds and torques follow the [sign convention](epicyclic_gears#sign-convention) of the workspace.
-//! Losses are those of the meshes; bearings, churning and seals are left out.
+//! Losses are those of the meshes; those of bearings, churning, seals and open shift elements are given curves ([`drag`]).
 //!
 //! # Example
 //!
@@ -66,6 +67,8 @@ pub mod builder;
 pub mod combinations;
 pub mod compiled;
 pub mod compound;
+pub mod drag;
+mod drag_fault;
 pub mod drawn;
 mod drawn_set;
 pub mod efficiency;
@@ -103,8 +106,8 @@ pub use analysis::Analysis;
 pub use builder::{GearSpec, GearboxBuilder};
 pub use compiled::{CompiledGear, Values};
 pub use error::{
-    CompoundFault, Error, InputsFault, LinkFault, MeshFault, Named, OperatingFault, Place, SetValue,
-    Terminal, Warning,
+    CompoundFault, DragFault, Error, InputsFault, LinkFault, MeshFault, Named, OperatingFault, Place,
+    SetValue, Terminal, Warning,
 };
 pub use gearbox::{Gear, Gearbox, ShiftElement};
 pub use link::{GROUND, LinkId};

@@ -1,7 +1,8 @@
-//! Sets with profile shift: the short description of one with the shifts of its gears.
+//! Sets with profile shift: the short description of one with the shifts of its gears, and what their friction takes.
 
-use crate::set::{Gearing, SetKind, SetSpec, Shifts};
+use crate::set::{Gearing, MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::sliding::mesh_efficiency;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount, mesh};
@@ -41,6 +42,25 @@ impl SetSpec {
             _ => return None,
         };
         self.with_shifts(self.shifts.unwrap_or_default(), planet, rack)
+    }
+
+    /// Losses of a simple set by the sliding of its teeth, at coefficients of friction of the meshes sun–planet and planet–ring.
+    ///
+    /// ```text
+    /// η_j = 1 − H_V,j·μ_m,j
+    /// ```
+    ///
+    /// `None` where [`toothed_set`](Self::toothed_set) gives none.
+    ///
+    /// # Errors
+    /// As [`toothed_set`](Self::toothed_set) and [`mesh_efficiency`].
+    #[must_use]
+    pub fn friction_losses(&self, rack: &BasicRack, friction: [f64; 2]) -> Option<Result<MeshLoss, Error>> {
+        let losses = |set: PlanetSet| {
+            let [sun, ring] = [(set.sun_mesh(), friction[0]), (set.ring_mesh(), friction[1])];
+            Ok(MeshLoss::sun_and_ring(mesh_efficiency(sun.0, sun.1)?, mesh_efficiency(ring.0, ring.1)?))
+        };
+        Some(self.toothed_set(rack)?.and_then(losses))
     }
 
     fn with_shifts(

@@ -25,6 +25,7 @@
 //! | [`MOST_LINKS`] | links |
 //! | [`MOST_ELEMENTS`] | shift elements |
 //! | [`MOST_GEARS`] | gears |
+//! | [`MOST_DRAGS`] | drags that are of no shift element |
 //! | [`MOST_MEMBERS`] | central gears of one set |
 //! | [`MOST_PLANETS`] | planets of one set that differ |
 //! | [`MOST_ALIKE`] | how many of one planet stand around the axis |
@@ -89,6 +90,9 @@ pub const MOST_ELEMENTS: usize = 128;
 
 /// How many gears a gearbox may have.
 pub const MOST_GEARS: usize = 1000;
+
+/// How many drags a gearbox may have besides those of its shift elements.
+pub const MOST_DRAGS: usize = 256;
 
 /// How many central gears and planet shafts a set may have.
 pub const MOST_MEMBERS: usize = 12;

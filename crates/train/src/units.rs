@@ -14,6 +14,14 @@ pub(crate) fn angular_velocity(omega_rad_s: f64) -> AngularVelocity {
     AngularVelocity::new::<radian_per_second>(omega_rad_s)
 }
 
+/// A speed as messages tell it, to a millionth.
+pub(crate) fn rpm(speed: AngularVelocity) -> f64 {
+    const MILLIONTHS: f64 = 1e6;
+    let speed_rpm = speed.get::<uom::si::angular_velocity::revolution_per_minute>();
+    let rounded = (speed_rpm * MILLIONTHS).round() / MILLIONTHS;
+    if rounded.is_finite() { rounded } else { speed_rpm }
+}
+
 pub(crate) fn n_m(torque: Torque) -> f64 {
     torque.get::<newton_meter>()
 }

@@ -8,7 +8,7 @@
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`drawability`] | why a gearbox cannot be drawn, in words |
-//! | [`analyze`], [`compare`], [`draw`], [`drive`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
+//! | [`analyze`], [`compare`], [`design`], [`draw`], [`drive`], [`losses`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`size`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
@@ -19,6 +19,7 @@ pub mod draw;
 pub mod drawability;
 pub mod drive;
 pub mod figure;
+pub mod losses;
 pub mod machine;
 pub mod motor;
 pub mod motor_search;

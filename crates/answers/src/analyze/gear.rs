@@ -552,6 +552,7 @@ impl Scene<'_> {
     fn warnings(&self, subject: &Subject<'_>, facts: &GearFacts) -> Vec<Warning> {
         let analysis = &self.worked.analysis;
         let mut all = warnings::of_gearbox(subject);
+        all.extend(warnings::drags(subject));
         all.extend(warnings::fast_planets_of(self.gearbox, &[analysis]));
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });

@@ -361,17 +361,17 @@ pub(super) fn planet_name(set: &PlanetSet, planet: usize) -> String {
 }
 
 /// A mesh in the direction of its power.
-pub(super) struct MeshFigures {
-    pub(super) set: String,
-    pub(super) from: String,
-    pub(super) to: String,
-    pub(super) efficiency: f64,
-    pub(super) enters: Option<f64>,
-    pub(super) leaves: Option<f64>,
+pub(crate) struct MeshFigures {
+    pub(crate) set: String,
+    pub(crate) from: String,
+    pub(crate) to: String,
+    pub(crate) efficiency: f64,
+    pub(crate) enters: Option<f64>,
+    pub(crate) leaves: Option<f64>,
 }
 
 /// The meshes of all sets, with what `power` says of those of a set.
-pub(super) fn meshes(gearbox: &Gearbox, power: impl Fn(usize) -> Option<Vec<MeshPower>>) -> Vec<MeshFigures> {
+pub(crate) fn meshes(gearbox: &Gearbox, power: impl Fn(usize) -> Option<Vec<MeshPower>>) -> Vec<MeshFigures> {
     let mut all = vec![];
     for (place, set) in gearbox.sets().iter().enumerate() {
         let powers = power(place);

@@ -173,7 +173,7 @@ pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<
 }
 
 /// Remarks on the gearbox itself.
-pub(super) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
+pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     let gearbox = &subject.gearbox;
     let name = |warning: &train::Warning| match warning {
         train::Warning::Unreachable { .. } => "unreachable",
@@ -188,6 +188,12 @@ pub(super) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     let teeth = gearbox.tooth_checks(&subject.rack).into_iter().filter(|warning| !warning.is_note());
     let teeth = teeth.map(|warning| Warning { name: "teeth", message: warning.to_string() });
     of_gearbox.chain(teeth).collect()
+}
+
+/// Drags that the file states are no part of this answer.
+pub(super) fn drags(subject: &Subject<'_>) -> Option<Warning> {
+    let message = "efficiencies are of the meshes alone, without the drags of the file; `losses` takes both";
+    (!subject.drags.is_empty()).then(|| Warning { name: "drags", message: message.to_owned() })
 }
 
 /// The state of a gear as a sentence, without the gear's name.

@@ -25,6 +25,8 @@ const CURVE: &[&str] = &["--gear", "curve"];
 /// The strength of the auxiliary set, at a load and over the duty.
 const STRENGTH: &[&str] =
     &["strength", "--gear", "auxiliary drive", "--torque", "4 kN·m", "--speed", "100 rpm"];
+/// Losses of all gears, with their drags.
+const LOSSES: &[&str] = &["losses", "--speed", "2000 rpm", "--torque", "300 N·m"];
 const OVER_DUTY: &[&str] = &["strength"];
 const SHEET: &[&str] = &["sheet"];
 const WITH_WINCH: &[(&str, &str)] =
@@ -120,6 +122,7 @@ const GEARBOX: &[Key] = &[
     key("sets.data_sheet.ball_diameters", "ball_diameters: [8 mm", "ball_diameters: [9 mm", SHEET),
     key("sets.data_sheet.thickness_allowances", "allowances: [[-90 µm", "allowances: [[-100 µm", SHEET),
     key("sets.data_sheet.centre_distance_deviations", "[-0.02 mm, 0.02 mm]", "[-0.02 mm, 0.03 mm]", SHEET),
+    key("sets.friction", "friction: [0.037", "friction: [0.05", OVERVIEW),
     key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
     key("sets.strength.flank_roughness", "flank_roughness: [4 µm", "flank_roughness: [5 µm", STRENGTH),
     key("sets.strength.root_roughness", "root_roughness: [16 µm", "root_roughness: [12 µm", STRENGTH),
@@ -132,6 +135,34 @@ const GEARBOX: &[Key] = &[
     key("sets.strength.sun_mesh_factors", "K_H_beta: 1.3", "K_H_beta: 1.4", STRENGTH),
     key("sets.strength.ring_mesh_factors", "K_H_beta: 1.15", "K_H_beta: 1.2", STRENGTH),
     key("sets.strength.ring_factors", "Y_delta_rel_T_stat: 1", "Y_delta_rel_T_stat: 1, Y_S: 2", STRENGTH),
+    Key {
+        path: "friction",
+        first: &[("    friction: [0.037, 0.029]", "   ")],
+        from: "\nfriction: 0.05",
+        to: "\nfriction: 0.06",
+        seen: OVERVIEW,
+    },
+    key("drags.id", "id: seal", "id: another", LOSSES),
+    key("drags.between", "between: [engine, ground]", "between: [wheels, ground]", LOSSES),
+    key("drags.curve.speeds", "speeds: [0 rpm, 1000 rpm]", "speeds: [0 rpm, 3000 rpm]", LOSSES),
+    key("drags.curve.torques", "torques: [1 N·m, 1.5 N·m]", "torques: [1 N·m, 2.5 N·m]", LOSSES),
+    key("drags.curve.beyond", "beyond: constant # outside", "beyond: refused # outside", LOSSES),
+    key(
+        "brakes.drag.speeds",
+        "speeds: [0 rpm, 500 rpm], torques: [0.5 N·m",
+        "speeds: [0 rpm, 5000 rpm], torques: [0.5 N·m",
+        LOSSES,
+    ),
+    key("brakes.drag.torques", "torques: [0.5 N·m, 2 N·m]", "torques: [0.5 N·m, 3 N·m]", LOSSES),
+    key("brakes.drag.beyond", "2 N·m], beyond: constant", "2 N·m], beyond: refused", LOSSES),
+    key(
+        "clutches.drag.speeds",
+        "speeds: [0 rpm, 500 rpm], torques: [0.4 N·m",
+        "speeds: [0 rpm, 5000 rpm], torques: [0.4 N·m",
+        LOSSES,
+    ),
+    key("clutches.drag.torques", "torques: [0.4 N·m, 1 N·m]", "torques: [0.4 N·m, 2 N·m]", LOSSES),
+    key("clutches.drag.beyond", "1 N·m], beyond: constant", "1 N·m], beyond: refused", LOSSES),
     key(
         "materials.name",
         "ring steel] # of the program's table, or of `materials` below\n\nmaterials: # of one's own, for the strength of teeth\n  - name: ring steel",
@@ -170,7 +201,7 @@ const GEARBOX: &[Key] = &[
     key("sets.bearing_rolling", "bearing_rolling: rollers # or", "bearing_rolling: balls # or", FIRST),
     Key {
         path: "brakes.id",
-        first: &[("{ id: B2, link: large_sun }", "{ id: B2, link: large_sun }\n  - { id: B3, link: ring }")],
+        first: &[("{ id: LR, link: carrier }", "{ id: LR, link: carrier }\n  - { id: B3, link: ring }")],
         from: "id: B3",
         to: "id: B4",
         seen: FIRST,
@@ -363,7 +394,7 @@ const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
 fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
     fs::write(folder.join("box.yaml"), file).unwrap();
     let (command, more) = match more.split_first() {
-        Some((&command, more)) if ["strength", "sheet"].contains(&command) => (command, more),
+        Some((&command @ ("strength" | "losses" | "sheet"), more)) => (command, more),
         _ => ("analyze", more),
     };
     let mut args = vec![command, "box.yaml"];

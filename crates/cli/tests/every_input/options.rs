@@ -108,6 +108,32 @@ sheet: every-gearbox-key.yaml --format json
   --set auxiliary
   --format csv
   --output sheets.json
+losses: drags.yaml --speed '1475 rpm' --torque '60 N·m' --format json
+  --gear slow
+  --torque '50 N·m'
+  --speed '1400 rpm'
+  --format csv
+  --output losses.json
+losses: drags.yaml --torque '60 N·m'
+  --input '1400 rpm'
+losses: drags.yaml --speed '1475 rpm'
+  --power '10 kW'
+  --load-torque '100 N·m'
+losses: drags.yaml --gear slow --speeds 500rpm..3000rpm/2 --torques 10N·m..60N·m/2
+  --speeds 500rpm..3000rpm/3
+  --torques 10N·m..60N·m/3
+losses: real-transmissions.yaml --transmission 8HP --speed '100 rpm' --torque '60 N·m'
+  --transmission TH400
+  --efficiency 97%
+losses: II-3 --k1 2.15 --k2 2.35 --speed '100 rpm' --torque '60 N·m'
+  --k1 2.5
+  --k2 2.5
+losses: II-3 --ratio1 1.465 --ratio2 2.56 --speed '100 rpm' --torque '60 N·m'
+  --ratio1 1.5
+  --ratio2 2.5
+draw: drags.yaml --view map --gear slow --speeds 100rpm..3000rpm/9 --torques 1N·m..60N·m/9
+  --speeds 100rpm..2000rpm/9
+  --torques 1N·m..40N·m/9
 compare: real-transmissions.yaml ravigneaux.yaml --transmission 8HP
   --transmission TH400
   --efficiency 97%
@@ -533,6 +559,10 @@ analyze: real-transmissions.yaml --efficiency 97% | add --transmission
 strength: wind-stage.yaml --gear only | torque or power
 strength: wind-stage.yaml --speed '47.8 rpm' | torque or power
 strength: wind-stage.yaml --torque '1000 kN·m' | give it, too
+losses: drags.yaml --speed '100 rpm' | a load is due
+draw: drags.yaml --gear slow --speeds 1rpm..2rpm/2 --torques 1N·m..2N·m/2 | only the view map
+draw: drags.yaml --gear slow --view map | give both
+draw: II-3 --k1 2 --k2 2 --gear 2 --view map --speeds 1rpm..2rpm/2 --torques 1N·m..2N·m/2 | a gearbox's file
 compare: real-transmissions.yaml ravigneaux.yaml | name one of
 compare: scheme-ii-3.yaml ravigneaux.yaml --transmission 8HP | leave it out
 compare: scheme-ii-3.yaml ravigneaux.yaml --k1 2 | the file says how large
@@ -691,6 +721,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "strength",
         "sheet",
         "size",
+        "losses",
         "compare",
         "schemes",
         "draw",

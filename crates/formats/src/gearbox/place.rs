@@ -5,7 +5,7 @@ use crate::document::Segment;
 use crate::yaml::Value;
 use crate::{Document, Error, Path, Problem};
 use epicyclic_gears::Quantity;
-use epicyclic_train::{CompoundFault, Error as SolverError, Named, Place, Terminal};
+use epicyclic_train::{CompoundFault, DragFault, Error as SolverError, Named, Place, Terminal};
 
 /// The lists whose entries may bear the name of a shift element.
 const SHIFT_ELEMENTS: [&str; 4] = ["brakes", "clutches", "shift_elements", "one_way"];
@@ -55,6 +55,15 @@ impl File<'_> {
                 keys_of(source).iter().fold(self.set(set), |path, key| self.key(path, key))
             }
             E::Carrier { set, .. } => self.key(self.set(set), "carrier"),
+            E::LossesTwice { set } | E::Friction { set } => self.key(self.set(set), "friction"),
+            E::Rack(error) => self.key(
+                self.base.clone(),
+                if matches!(error, epicyclic_gears::Error::OutOfRange { .. }) {
+                    "pressure_angle"
+                } else {
+                    "addendum"
+                },
+            ),
             E::Shifts { set } => {
                 let keys = ["tip_alterations", "profile_shifts"];
                 keys.iter().fold(self.set(set), |path, key| self.key(path, key))
@@ -78,6 +87,7 @@ impl File<'_> {
                 Named::Set => self.set(name),
                 Named::ShiftElement => self.entry(&SHIFT_ELEMENTS, name),
                 Named::Gear => self.entry(&["gears"], name),
+                Named::Drag => self.entry(&["drags"], name),
                 _ => self.text(self.base.clone().key("links"), name),
             },
             SolverError::CoincidentMembers { set, .. }
@@ -88,6 +98,7 @@ impl File<'_> {
             }
             SolverError::Compound { set, fault } => self.of_compound(set, fault),
             SolverError::TooMany { what, limit, .. } => self.beyond(*what, *limit),
+            SolverError::Drag { drag, fault } => self.of_drag(drag, fault),
             SolverError::NoSets => self.key(self.base.clone(), "sets"),
             SolverError::ShiftElementJoinsItself { shift_element, .. } => {
                 self.entry(&SHIFT_ELEMENTS, shift_element)
@@ -111,6 +122,7 @@ impl File<'_> {
             Place::ShiftElement(id) => self.entry(&SHIFT_ELEMENTS, id),
             Place::Gear(name) => self.key(self.entry(&["gears"], name), "engaged"),
             Place::TerminalOf(which, gear) => self.key(self.entry(&["gears"], gear), terminal(*which)),
+            Place::Drag(name) => self.entry(&["drags"], name),
             Place::Terminal(which) => self.key(self.base.clone(), terminal(*which)),
             _ => self.base.clone(),
         }
@@ -118,6 +130,26 @@ impl File<'_> {
 
     fn set(&self, id: &str) -> Path {
         self.entry(&SETS, id)
+    }
+
+    /// A drag of the gearbox, or that of a shift element.
+    fn of_drag(&self, name: &str, fault: &DragFault) -> Path {
+        let entry = self.entry(&["drags"], name);
+        if let DragFault::OneLink { .. } = fault {
+            return self.key(entry, "between");
+        }
+        let keys = [(entry, "curve"), (self.entry(&SHIFT_ELEMENTS, name), "drag")];
+        let exists = |(path, key): &(Path, &str)| self.document.value_at(&path.clone().key(*key)).is_some();
+        let Some((path, key)) = keys.into_iter().find(exists) else { return self.base.clone() };
+        let curve = path.key(key);
+        match fault {
+            DragFault::Speed { place, .. } | DragFault::NotAscending { place } => {
+                curve.key("speeds").index(*place)
+            }
+            DragFault::Torque { place, .. } => curve.key("torques").index(*place),
+            DragFault::Outside { .. } => self.key(curve, "speeds"),
+            _ => curve,
+        }
     }
 
     fn of_compound(&self, set: &str, fault: &CompoundFault) -> Path {
@@ -176,6 +208,7 @@ impl File<'_> {
             Named::Set => &SETS,
             Named::ShiftElement => &SHIFT_ELEMENTS,
             Named::Gear => &["gears"],
+            Named::Drag => &["drags"],
             Named::Link => &["links"],
             _ => &[],
         };
@@ -237,8 +270,9 @@ impl File<'_> {
 fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
     use epicyclic_gears::Error as E;
     match error {
-        E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes"],
+        E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes", "friction"],
         E::NoTeeth => &["teeth"],
+        E::NotAbove { quantity: Quantity::ContactRatio, .. } => &["profile_shifts"],
         E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
             Quantity::Module => &["module"],
             Quantity::CarrierRadius => &["carrier_radius"],
@@ -246,6 +280,7 @@ fn keys_of(error: &epicyclic_gears::Error) -> &'static [&'static str] {
             Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],
             Quantity::PlanetMass => &["planet_mass"],
             Quantity::LoadRating => &["load_rating"],
+            Quantity::Friction => &["friction"],
             _ => &[],
         },
         _ => &[],

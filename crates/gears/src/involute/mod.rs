@@ -39,6 +39,7 @@
 //! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
 //! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
 //! | [`placed`] | how sun, planets and ring are turned in mesh |
+//! | [`sliding`] | losses of a mesh by friction |
 //! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
 //!
 //! # Source
@@ -60,6 +61,7 @@ pub mod play;
 mod published;
 pub mod search;
 pub mod set;
+pub mod sliding;
 
 pub use gear::{InvoluteGear, Profile};
 pub use pair::Pair;

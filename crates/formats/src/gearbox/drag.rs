@@ -1,0 +1,179 @@
+//! What a gearbox file says of losses that do not depend on the load: curves of drag torques.
+
+use super::{DescriptionError, GearboxFile};
+use crate::Quantity;
+use epicyclic_train::drag::{Beyond, Drag, DragCurve};
+use epicyclic_train::error::DragFault;
+use epicyclic_train::tolerance::MOST_DRAGS;
+use epicyclic_train::{Gearbox, Named};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// A drag between two links: of a seal, of bearings, of parts that churn oil.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DragEntry {
+    /// Its name.
+    pub id: String,
+    /// The links; `ground` is the housing.
+    pub between: [String; 2],
+    /// Its torque over their relative speed.
+    pub curve: DragCurveEntry,
+}
+
+/// A torque over a relative speed, linear between its points.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DragCurveEntry {
+    /// Relative speeds, ascending.
+    pub speeds: Vec<Quantity<AngularVelocity>>,
+    /// The torque at each, at least 0; it opposes the motion.
+    pub torques: Vec<Quantity<Torque>>,
+    /// What holds outside these speeds; a speed there is refused unless given.
+    #[serde(default)]
+    pub beyond: BeyondEntry,
+}
+
+/// What holds outside the speeds of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BeyondEntry {
+    /// Nothing: such a speed is refused.
+    #[default]
+    Refused,
+    /// The torque of the nearest point.
+    Constant,
+}
+
+impl DragCurveEntry {
+    fn curve(&self) -> Result<DragCurve, DragFault> {
+        let (speeds, torques) = (self.speeds.len(), self.torques.len());
+        if speeds != torques {
+            return Err(DragFault::Lengths { speeds, torques });
+        }
+        let points: Vec<(AngularVelocity, Torque)> =
+            self.speeds.iter().zip(&self.torques).map(|(speed, torque)| (speed.0, torque.0)).collect();
+        let beyond = match self.beyond {
+            BeyondEntry::Refused => Beyond::Refused,
+            BeyondEntry::Constant => Beyond::Constant,
+        };
+        DragCurve::new(&points, beyond)
+    }
+}
+
+impl GearboxFile {
+    /// The drags of the file: first those of `drags`, then those of brakes and of clutches.
+    ///
+    /// # Errors
+    /// [`epicyclic_train::Error::Drag`] for a curve that is none, [`epicyclic_train::Error::Unknown`] for a link, and
+    /// [`epicyclic_train::Error::Duplicate`] for a name that stands twice.
+    pub fn drags(&self, gearbox: &Gearbox) -> Result<Vec<Drag>, DescriptionError> {
+        if self.drags.len() > MOST_DRAGS {
+            let (what, count, limit) = (Named::Drag, self.drags.len(), MOST_DRAGS);
+            return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
+        }
+        let mut all: Vec<Drag> = vec![];
+        let fault = |name: &str| {
+            let drag = name.to_owned();
+            move |fault| epicyclic_train::Error::Drag { drag, fault }
+        };
+        for DragEntry { id, between: [first, second], curve } in &self.drags {
+            if all.iter().any(|other| other.name == *id) {
+                return Err(epicyclic_train::Error::Duplicate { what: Named::Drag, name: id.clone() }.into());
+            }
+            all.push(gearbox.drag(id, [first, second], curve.curve().map_err(fault(id))?)?);
+        }
+        let brakes = self.brakes.iter().map(|brake| (&brake.id, &brake.drag));
+        for (id, curve) in brakes.chain(self.clutches.iter().map(|clutch| (&clutch.id, &clutch.drag))) {
+            let Some(curve) = curve else { continue };
+            all.push(gearbox.drag_of_shift_element(id, curve.curve().map_err(fault(id))?)?);
+        }
+        Ok(all)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gearbox::located;
+    use crate::{Document, Path};
+
+    const BOX: &str = "\
+gearbox: I
+input: D
+output: B
+sets: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]
+brakes: [{ id: K1, link: T1, drag: { speeds: [0 rpm, 100 rpm], torques: [1 N·m, 2 N·m] } }]
+clutches: [{ id: K2, links: [D, B], drag: { speeds: [0 rpm], torques: [3 N·m], beyond: constant } }]
+drags:
+  - id: seal
+    between: [D, ground]
+    curve: { speeds: [0 rpm, 3000 rpm], torques: [1 N·m, 2 N·m] }
+gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }]
+";
+
+    fn read(text: &str) -> Result<Vec<Drag>, String> {
+        let document = Document::parse_one("box.yaml", text.as_bytes()).map_err(|error| error.to_string())?;
+        let file: GearboxFile = document.read().map_err(|error| error.to_string())?;
+        let drags = file.gearbox().and_then(|gearbox| file.drags(&gearbox));
+        drags.map_err(|error| located(&document, &Path::root(), &error).to_string())
+    }
+
+    #[test]
+    fn drags_are_of_the_gearbox_and_of_shift_elements() {
+        let drags = read(BOX).unwrap();
+        let names: Vec<(&str, Option<usize>)> =
+            drags.iter().map(|drag| (drag.name.as_str(), drag.shift_element)).collect();
+        assert_eq!(names, [("seal", None), ("K1", Some(0)), ("K2", Some(1))]);
+    }
+
+    #[test]
+    fn what_is_no_curve_is_told_with_its_place() {
+        for (from, to, told) in [
+            (
+                "[0 rpm, 3000 rpm]",
+                "[0 rpm, 0 rpm]",
+                "box.yaml:10:30: drags[0].curve.speeds[1]: drag `seal`: speeds ascend",
+            ),
+            (
+                "[0 rpm, 3000 rpm]",
+                "[-5 rpm, 3000 rpm]",
+                "box.yaml:10:23: drags[0].curve.speeds[0]: drag `seal`: a relative speed is finite and at least 0",
+            ),
+            (
+                "[0 rpm, 3000 rpm]",
+                "[0 rpm]",
+                "box.yaml:10:12: drags[0].curve: drag `seal`: 1 speeds and 2 torques",
+            ),
+            (
+                "torques: [1 N·m, 2 N·m] }\ngears",
+                "torques: [1 N·m, -2 N·m] }\ngears",
+                "box.yaml:10:58: drags[0].curve.torques[1]: drag `seal`: a torque is finite and at least 0",
+            ),
+            (
+                "speeds: [0 rpm], torques: [3 N·m]",
+                "speeds: [], torques: []",
+                "box.yaml:6:43: clutches[0].drag: drag `K2`: a curve has at least one point",
+            ),
+            (
+                "[D, ground]",
+                "[E, ground]",
+                "box.yaml:9:15: drags[0].between[0]: drag `seal` names the link `E`, which does not exist",
+            ),
+            (
+                "[D, ground]",
+                "[D, D]",
+                "box.yaml:9:14: drags[0].between: drag `seal`: it stands between two links",
+            ),
+        ] {
+            let refused = read(&BOX.replacen(from, to, 1)).unwrap_err();
+            assert!(refused.starts_with(told), "{refused}\nnot\n{told}");
+        }
+        let twice = BOX.replace(
+            "gears:",
+            "  - { id: seal, between: [B, ground], curve: { speeds: [0 rpm], torques: [1 N·m] } }\ngears:",
+        );
+        assert!(read(&twice).unwrap_err().contains("two drags are called `seal`"));
+    }
+}

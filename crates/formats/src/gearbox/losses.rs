@@ -1,0 +1,60 @@
+//! What a gearbox file says of the losses of its meshes: efficiencies, or friction of teeth.
+
+use super::{DescriptionError, GearboxFile, SetEntry};
+use crate::{Number, Quantity};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use uom::si::f64::Ratio;
+
+impl GearboxFile {
+    /// A set with the losses by its friction or that of the gearbox, where it states no efficiencies.
+    pub(super) fn with_friction(&self, entry: &SetEntry, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
+        let set = || entry.id.clone();
+        let has_efficiency = entry.efficiency.is_some() || entry.meshes.is_some();
+        let own = entry.friction.map(|friction| friction.map(Number::get));
+        if own.is_some() && has_efficiency {
+            return Err(DescriptionError::LossesTwice { set: set() });
+        }
+        let usual = self.friction.filter(|_| !has_efficiency).map(|friction| [friction.get(); 2]);
+        let Some(friction) = own.or(usual) else { return Ok(spec) };
+        let rack = self.rack().map_err(DescriptionError::Rack)?;
+        match spec.friction_losses(&rack, friction) {
+            Some(losses) => {
+                let losses = losses.map_err(|source| DescriptionError::Set { set: set(), source })?;
+                Ok(spec.with_loss(losses))
+            }
+            None if own.is_some() => Err(DescriptionError::Friction { set: set() }),
+            None => Ok(spec),
+        }
+    }
+}
+
+/// Losses of a set by its efficiency or by those of its meshes.
+pub(super) fn losses(
+    set: &str,
+    kind: SetKind,
+    efficiency: Option<Quantity<Ratio>>,
+    meshes: Option<&[Quantity<Ratio>]>,
+) -> Result<MeshLoss, DescriptionError> {
+    let eta = |eta: Quantity<Ratio>| {
+        MeshEfficiency::new(eta.0.value)
+            .map_err(|source| DescriptionError::Set { set: set.to_owned(), source })
+    };
+    let expected = match kind {
+        SetKind::ExternalPair | SetKind::InternalPair => 1,
+        SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
+        _ => 2,
+    };
+    match (efficiency, meshes) {
+        (None, None) => Ok(MeshLoss::IDEAL),
+        (Some(whole), None) => Ok(MeshLoss::Set(eta(whole)?)),
+        (None, Some([only])) if expected == 1 => Ok(MeshLoss::Set(eta(*only)?)),
+        (None, Some([first, second])) if expected == 2 => {
+            Ok(MeshLoss::sun_and_ring(eta(*first)?, eta(*second)?))
+        }
+        (None, Some([first, between, second])) if expected == 3 => {
+            Ok(MeshLoss::Meshes { first: eta(*first)?, between: eta(*between)?, second: eta(*second)? })
+        }
+        _ => Err(DescriptionError::Losses { set: set.to_owned(), expected }),
+    }
+}
