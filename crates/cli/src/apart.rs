@@ -10,7 +10,7 @@ use clap::{Arg, ArgMatches, ValueHint};
 use std::path::{Path, PathBuf};
 
 /// Options whose file is read.
-const READ: [&str; 2] = ["explain", "merge"];
+const READ: [&str; 4] = ["explain", "merge", "basis", "bearings"];
 
 /// The files that a command line names.
 #[derive(Debug, Default)]
@@ -110,10 +110,14 @@ mod tests {
             "losses <FILE>",
             "report <FILE>",
             "sheet <FILE>",
+            "size <FILE>",
             "strength <FILE>",
         ];
+        let of_sizes = ["design --basis <FILE>", "design --bearings <FILE>", "size --bearings <FILE>"];
         let of_synthesis = ["synthesize --explain <FILE>", "synthesize --merge <PART>..."];
-        assert_eq!(read, [&arguments[..], &of_synthesis].concat());
+        let mut expected = [&arguments[..], &of_sizes, &of_synthesis].concat();
+        expected.sort_unstable();
+        assert_eq!(read, expected);
         options.retain(|arg| !arg.ends_with(" --output <FILE>"));
         options.sort();
         let drawings = [
@@ -123,8 +127,11 @@ mod tests {
             "motor --dxf <FILE>",
             "motor --svg <FILE>",
         ];
-        let saved = ["select --save <FILE>", "synthesize --save <FILE>", "teeth --save <FILE>"];
+        let saved =
+            ["select --save <FILE>", "size --save <FILE>", "synthesize --save <FILE>", "teeth --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        assert_eq!(options, [&drawings[..], &of_search, &saved].concat());
+        let mut expected = [&drawings[..], &of_search, &saved, &["design --save <FILE>"]].concat();
+        expected.sort_unstable();
+        assert_eq!(options, expected);
     }
 }

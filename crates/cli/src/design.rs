@@ -193,7 +193,7 @@ fn wanted(args: &Args) -> Result<Wanted, Failure> {
         load: args.torque.map(|torque| Load::Torque(torque.0)).or(power),
     };
     let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
-    let order = Order::new(&args.order.0).map_err(|error| refuse_selection(error.into()))?;
+    let order = Order::new(&args.order.0).map_err(refuse_selection)?;
     let requirements = requirements(&args.speeds, &args.ratios, &args.criteria, rating)?;
     let space = args.speeds.space();
     let size = args.sizes.wanted()?;

@@ -1,6 +1,7 @@
 //! The command `select`: which gearbox gives these speeds.
 
 mod nothing;
+mod refused;
 
 use crate::failure::Failure;
 use crate::imprint::{self, PageArgs};
@@ -22,12 +23,12 @@ use epicyclic_formats::{Number, Physical, Quantity, Span};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::RatioSeries;
-use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
 use epicyclic_views::page;
 use epicyclic_views::select::teeth::csv;
 use epicyclic_views::select::ways_out;
 use nothing::{nothing_found, with_teeth_more};
+pub(crate) use refused::refuse_selection;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
@@ -571,42 +572,4 @@ fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
     };
     let message = written.map_or_else(|| DUE.to_owned(), |written| format!("{written}: {DUE}"));
     Failure::Option { option, message }
-}
-
-pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
-    use epicyclic_schemes::Error as S;
-    use epicyclic_selection::Error as E;
-    let option = match &error {
-        E::SpeedCount { .. } => "--speeds, --ratios",
-        E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
-        E::RatioCount { .. }
-        | E::OneRatio { .. }
-        | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => "--ratios",
-        E::Tolerance { .. } => "--tolerance",
-        E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
-        E::RingToSunRange { .. } => "--k",
-        E::Limit { what: Limited::Efficiency, .. } => "--least-efficiency",
-        E::Limit { what: Limited::LinkSpeed, .. } => "--link-speed",
-        E::Limit { what: Limited::PlanetSpeed, .. } => "--planet-speed",
-        E::Limit { what: Limited::ClutchSlip, .. } => "--clutch-slip",
-        E::Limit { what: Limited::Circulation, .. } => "--circulation",
-        E::Limit { what: Limited::Module, .. } => "--least-module, --greatest-module",
-        E::Limit { what: Limited::RingDiameter, .. } | E::SizeWithoutTorque => "--ring-diameter",
-        E::Rating { what: Rated::MeshLoadFactor, .. } => "--mesh-load-factors",
-        E::Rating { what: Rated::FaceWidthRatio, .. } => "--face-width-ratio",
-        E::Rating { what: Rated::LoadFactor, .. } => "--load-factor",
-        E::PlanetNumber { .. } => "--planets",
-        E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
-        E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
-        E::TooManyNear { .. } | E::TooManyPairs { .. } | E::FrontTooLarge { .. } => {
-            "--sun, --planet, --ring, --k, --tolerance"
-        }
-        E::GearSet(error) => match crate::options::of_teeth(error, "--planet-count") {
-            Some(option) => option,
-            None => return Failure::Selection(E::GearSet(error.clone())),
-        },
-        E::RepeatedObjective { .. } | E::UnknownObjective { .. } | E::NoObjectiveOfTeeth { .. } => "--order",
-        _ => return Failure::Selection(error),
-    };
-    Failure::Option { option, message: error.to_string() }
 }

@@ -101,7 +101,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     bearings: Option<PathBuf>,
 
-    /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one of two rows.
+    /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row bearing.
     #[arg(long, value_name = "N", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=2))]
     bearing_rows: u32,
 

@@ -94,6 +94,23 @@ const RUNS: &[(&str, &[&str])] = &[
     ("size", &["size", "travel-drive-duty.yaml", "--width-ratio", "1", "--most", "1"]),
     ("size", &["size", "held.yaml", "--most", "1"]),
     ("size", &["size", "travel-drive-duty.yaml", "--modules", "3 mm", "--face-widths", "20 mm, 30 mm"]),
+    ("size", &["size", "weary.yaml", "--no-bearings", "--most", "1"]),
+    ("size", &["size", "travel-drive-duty.yaml", "--modules", "1 mm", "--no-bearings"]),
+    (
+        "design",
+        &[
+            "design",
+            "--speeds",
+            "0.8 m/s, 3.15 m/s",
+            "--circulation=90%",
+            "--power",
+            "75 kW",
+            "--input",
+            "1475 rpm",
+            "--tries",
+            "2",
+        ],
+    ),
     (
         "design",
         &[
@@ -106,24 +123,58 @@ const RUNS: &[(&str, &[&str])] = &[
             "1475 rpm",
             "--basis",
             "held.yaml",
-            "--most",
-            "1",
+            "--tries",
+            "2",
         ],
     ),
     (
         "design",
         &[
             "design",
-            "--speeds",
-            WHEEL,
+            "--ratios",
+            "3.5",
             "--power",
             "75 kW",
             "--input",
             "1475 rpm",
-            "--modules",
-            "1 mm",
-            "--most",
-            "1",
+            "--basis",
+            "weary.yaml",
+            "--no-bearings",
+            "--tries",
+            "2",
+        ],
+    ),
+    (
+        "design",
+        &[
+            "design",
+            "--ratios",
+            "2.5",
+            "--power",
+            "75 kW",
+            "--input",
+            "1475 rpm",
+            "--modules=2 mm",
+            "--face-widths=10 mm",
+            "--tries",
+            "2",
+        ],
+    ),
+    (
+        "design",
+        &[
+            "design",
+            "--ratios",
+            "2.5",
+            "--power",
+            "75 kW",
+            "--input",
+            "1475 rpm",
+            "--modules=1.5 mm",
+            "--face-widths=5 mm",
+            "--no-bearings",
+            "--tries",
+            "2",
         ],
     ),
     ("strength", &["strength", "lacks.yaml", "--torque", "2000 kN·m", "--speed", "47.8 rpm"]),
@@ -588,6 +639,10 @@ fn held() -> String {
         .replace("oil:", "  - { id: next, sun: track, ring: ground, carrier: wheel, teeth: [20, 100] }\noil:")
 }
 
+fn drive() -> String {
+    std::fs::read_to_string(examples().join("travel-drive-duty.yaml")).unwrap()
+}
+
 fn wind_stage() -> String {
     std::fs::read_to_string(examples().join("wind-stage.yaml")).unwrap()
 }
@@ -603,6 +658,8 @@ fn folder() -> tempfile::TempDir {
     std::fs::write(folder.path().join("bites.yaml"), bites()).unwrap();
     std::fs::write(folder.path().join("lacks.yaml"), lacks()).unwrap();
     std::fs::write(folder.path().join("held.yaml"), held()).unwrap();
+    let weary = drive().replace("flank: 1.0, root: 1.4", "flank: 0.4, root: 1.0");
+    std::fs::write(folder.path().join("weary.yaml"), weary).unwrap();
     std::fs::write(folder.path().join("broken.yaml"), FREE.replace("k: 3", "k: 0.3")).unwrap();
     std::fs::write(folder.path().join("patterns.yaml"), PATTERNS).unwrap();
     std::fs::write(folder.path().join("one-way.yaml"), ONE_WAY).unwrap();

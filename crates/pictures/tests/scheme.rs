@@ -30,7 +30,7 @@ fn all() -> impl Iterator<Item = Gearbox> {
 fn all_sets_stand_in_one_band() {
     let bands = |gearbox: &Gearbox| layout(gearbox).cost(gearbox).bands;
     let in_one = |all: Vec<Gearbox>| [all.iter().filter(|gearbox| bands(gearbox) == 1).count(), all.len()];
-    assert_eq!([catalogue(), in_service(), whole_examples()].map(in_one), [[14, 14], [5, 5], [14, 14]]);
+    assert_eq!([catalogue(), in_service(), whole_examples()].map(in_one), [[14, 14], [5, 5], [15, 15]]);
 }
 
 /// A Ravigneaux set has one ring and one long planet over both suns, a Wolfrom drive one sun under both rings.

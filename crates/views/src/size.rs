@@ -69,12 +69,7 @@ fn facts(size: &Size) -> Section {
         Row::new("designs", "designs of all sets", "", [number(size.designs as f64)]),
         Row::new("modules", "modules", "m", [lengths(modules_m)]),
         Row::new("face_widths", "face widths", "b", [lengths(face_widths_m)]),
-        Row::new(
-            "planets",
-            "planets",
-            "p",
-            [Figure::Numbers(planets.iter().map(|count| f64::from(*count)).collect())],
-        ),
+        Row::new("planets", "planets", "p", [Figure::Texts(planets.iter().map(u32::to_string).collect())]),
         Row::new(
             "centre_distance_step",
             "step of the centre distances",

@@ -45,6 +45,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
             "selection",
             "synthesis",
             "tables",
+            "strength",
             "dynamics",
             "layout",
             "schemes",

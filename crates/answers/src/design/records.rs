@@ -1,9 +1,10 @@
 //! Records of the steps of a design.
 
 use super::Tried;
+use crate::catalogue::KRange;
 use crate::select::Select;
 use crate::select::candidate::Candidate;
-use crate::select::required::Objective;
+use crate::select::required::{Brakes, Objective, RatioSigns, Required};
 use crate::select::teeth::{self, SelectTeeth};
 use crate::size::Size;
 use crate::size::records::{Governing, SizedSet};
@@ -20,6 +21,65 @@ pub struct BasisKey {
     pub value: String,
 }
 
+/// What a scheme is held against.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Criteria {
+    /// Ratios of the braked gears that are wanted.
+    pub ratios: Vec<f64>,
+    /// How far a ratio may be off, as a share of it.
+    pub tolerance: f64,
+    /// Which brake gives which ratio.
+    pub brakes: Brakes,
+    /// Which signs the ratios may have.
+    pub signs: RatioSigns,
+    /// Which objective decides first, and which next.
+    pub order: Vec<Objective>,
+    /// Ring-to-sun ratios allowed.
+    pub k: KRange,
+    /// Ring-to-sun ratios preferred.
+    pub preferred_k: KRange,
+    /// Efficiency of each set with its carrier fixed.
+    pub set_efficiency: f64,
+    /// Least efficiency of a gear.
+    pub least_efficiency: f64,
+    /// Greatest speed of a link over the input's; `null` without limit.
+    pub greatest_link_speed_of_input: Option<f64>,
+    /// Greatest speed of a planet relative to its carrier over the input's; `null` without limit.
+    pub greatest_planet_speed_of_input: Option<f64>,
+    /// Greatest slip of the open direct-drive clutch over the input's speed; `null` without limit.
+    pub greatest_clutch_slip_of_input: Option<f64>,
+    /// Greatest circulating power over what enters; `null` without limit.
+    pub greatest_circulating_of_entering: Option<f64>,
+    /// Whether the output must turn one way in all gears.
+    pub same_direction: bool,
+    /// Whether the scheme must be drawable.
+    pub drawable: bool,
+}
+
+impl Criteria {
+    fn of(required: &Required) -> Self {
+        let of = required.clone();
+        Self {
+            ratios: of.ratios,
+            tolerance: of.tolerance,
+            brakes: of.brakes,
+            signs: of.signs,
+            order: of.order,
+            k: of.k,
+            preferred_k: of.preferred_k,
+            set_efficiency: of.set_efficiency,
+            least_efficiency: of.least_efficiency,
+            greatest_link_speed_of_input: of.greatest_link_speed_of_input,
+            greatest_planet_speed_of_input: of.greatest_planet_speed_of_input,
+            greatest_clutch_slip_of_input: of.greatest_clutch_slip_of_input,
+            greatest_circulating_of_entering: of.greatest_circulating_of_entering,
+            same_direction: of.same_direction,
+            drawable: of.drawable,
+        }
+    }
+}
+
 /// The scheme.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -28,6 +88,8 @@ pub struct SchemeStep {
     pub asked_for: bool,
     /// The one taken: the source's name, or that of the structure; `null` where none meets the criteria.
     pub taken: Option<String>,
+    /// What the criteria are.
+    pub criteria: Criteria,
     /// How many were compared.
     pub compared: usize,
     /// How many of them meet the criteria.
@@ -48,6 +110,7 @@ impl SchemeStep {
         let taken = first.map(name);
         Self {
             asked_for,
+            criteria: Criteria::of(&selection.required),
             compared: selection.accepted + selection.rejected,
             accepted: selection.accepted,
             decided_by: selection.decided_by,

@@ -299,27 +299,20 @@ size: travel-drive-duty.yaml --modules '4 mm, 5 mm, 6 mm' --face-widths '30 mm, 
   --save sized.yaml
   --format csv
   --output size.json
-design: --ratios 2.5 --power 75kW --input 1475rpm --modules '3 mm, 4 mm' --face-widths '30 mm, 60 mm' --planets 3 --sun 18..30 --planet 17..30 --ring 60..90 --planet-rim 1.5 --tries 3 --format json
-  --ratios 2.6
-  --all-structures
+design: --ratios 3.5 --power 75kW --input 1475rpm --modules '2.5 mm, 3 mm' --face-widths '20 mm, 40 mm' --planets 3..6 --sun 40..52 --planet 38..44 --ring 120..140 --tries 3 --format json
+  --ratios 3.6
   --input '1400 rpm'
-  --speed '1400 rpm'
   --power '60 kW'
   --shares '20%, 80%'
-  --scheme I
-  --order size
-  --tooth-design 2
   --tries 1
-  --sun 20..30
-  --planet 18..22
-  --ring 70..90
+  --sun 46..52
+  --planet 40..42
+  --ring 130..140
   --basis wind-stage.yaml
   --factors 'K_A 2'
   --life '5000 h'
   --save box.yaml
   --tolerance 2%
-  --brakes as-given
-  --signs any
   --k 2..4
   --prefer 2..3
   --efficiency 95%
@@ -328,15 +321,13 @@ design: --ratios 2.5 --power 75kW --input 1475rpm --modules '3 mm, 4 mm' --face-
   --planet-speed 0.5
   --clutch-slip 0.5
   --circulation 30%
-  --same-direction
-  --allow-crossing
   --modules '4 mm'
   --face-widths '60 mm'
-  --planets 3..4
+  --planets 5
   --centre-distance-step '1 mm'
-  --width-ratio 0.5
+  --width-ratio 0.1
   --aim tip-alteration
-  --tip-thickness 0.4
+  --tip-thickness 0.8
   --planet-rim 2
   --ring-rim 4
   --bearings mine.csv
@@ -346,6 +337,18 @@ design: --ratios 2.5 --power 75kW --input 1475rpm --modules '3 mm, 4 mm' --face-
   --most 1
   --format csv
   --output design.json
+design: --ratios 3.5 --power 75kW --input 1475rpm --modules 3mm --face-widths 40mm --planets 3 --sun 40..52 --planet 38..44 --ring 120..140 --no-bearings --format json
+  --tooth-design 2
+design: --ratios 3.5 --power 75kW --modules 3mm --face-widths 40mm --planets 3 --sun 40..52 --planet 38..44 --ring 120..140 --no-bearings --format json
+  --speed 1400rpm
+design: --ratios '1.465, 2.56' --power 75kW --input 1475rpm --modules 3mm --face-widths 40mm --planets 3 --sun 30..60 --planet 20..50 --ring 90..130 --no-bearings --tries 1 --format json
+  --scheme III-1
+  --all-structures
+  --order size
+  --brakes as-given
+  --signs any
+  --same-direction
+  --allow-crossing
 design: --speeds '0.8 m/s, 2 m/s' --input 1475rpm --torque '480 N·m' --modules '4 mm' --face-widths '30 mm, 60 mm' --planets 3 --sun 18..30 --planet 17..30 --ring 60..90 --no-bearings --tries 2 --output page.html
   --speeds '0.9 m/s, 2 m/s'
   --torque '400 N·m'

@@ -82,6 +82,7 @@ impl Closing {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::involute::family::PARTS;
     use proptest::prelude::*;
 
     fn count(teeth: u32) -> ToothCount {
@@ -131,10 +132,12 @@ mod tests {
                 set.is_ok_and(|set| set.faults(&closing.limits).is_empty())
             };
             let by_trial = (-150..150).filter(|step| free(*step)).count();
-            // One step alone may stand in a stretch shorter than a part of the range; a stretch may stand between steps.
+            // A stretch shorter than a part of the range may be passed over.
+            let range = family.searched();
+            let passed_over = ((range.end() - range.start()) / f64::from(PARTS) / 0.02).ceil() as usize;
             match closing.close(teeth) {
                 Ok(choice) => prop_assert_eq!(choice.set.faults(&closing.limits), vec![]),
-                Err(error) => prop_assert!(by_trial <= 1, "{} steps of 300, {}", by_trial, error),
+                Err(error) => prop_assert!(by_trial <= passed_over, "{} steps of 300, {}", by_trial, error),
             }
         }
     }

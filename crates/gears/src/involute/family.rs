@@ -94,7 +94,7 @@ pub struct Choice {
 
 /// Parts into which the range of shifts is cut where the set that meets an aim has a fault. A stretch without faults that is shorter than
 /// a part may be missed.
-const PARTS: u32 = 64;
+pub(super) const PARTS: u32 = 64;
 
 /// Halvings of a stretch: below the rounding of its ends.
 const HALVINGS: u32 = 52;
@@ -208,7 +208,7 @@ impl Family {
     }
 
     /// The shifts without undercut; where there are none, the one between that undercuts both alike.
-    fn searched(&self) -> RangeInclusive<f64> {
+    pub(super) fn searched(&self) -> RangeInclusive<f64> {
         let range = self.without_undercut();
         if range.is_empty() {
             let middle = range.start().midpoint(*range.end());

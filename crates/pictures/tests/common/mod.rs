@@ -112,6 +112,8 @@ pub(crate) fn whole_examples() -> Vec<Gearbox> {
         "closed-by-planetary-gear",
         "closed-by-ordinary-train",
         "every-gearbox-key",
+        "drags",
+        "travel-drive-duty",
     ];
     let read = |name: &str| {
         let file = format!("{}/../../examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
