@@ -28,6 +28,25 @@ pub(super) struct Places {
     signs: Vec<Bounds>,
 }
 
+/// The point where a leader begins.
+struct Start {
+    at: Point,
+    /// From here on it keeps clear of its own lines.
+    off: f64,
+    /// Which lines meet at the point, in the order of [`Places::lines`].
+    own: Vec<bool>,
+}
+
+/// How a leader runs.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    Clear,
+    /// Over a line that is not its own.
+    Crossing,
+    /// Through a label or a sign, or along its own line.
+    Blocked,
+}
+
 impl Places {
     /// Around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
@@ -81,14 +100,16 @@ impl Places {
         let directions: [Point; 24] = std::array::from_fn(|turn| {
             Point::polar(Point::new(0.0, 0.0), 1.0, TAU * (turn as f64 + 0.5) / 24.0)
         });
+        let starts: Vec<Start> = points.iter().map(|at| self.start(*at)).collect();
         for steps in [1..NEAR, NEAR..FAR] {
             // The first place whose leader crosses a line is taken where none without is as near.
             let mut crossing = None;
             let mut found = None;
             'near: for step in steps {
                 let length = 2.0 + 0.5 * f64::from(step);
-                for (direction, at) in directions.iter().flat_map(|to| points.iter().map(move |at| (to, *at)))
-                {
+                let all = directions.iter().flat_map(|to| starts.iter().map(move |start| (to, start)));
+                for (direction, start) in all {
+                    let at = start.at;
                     let middle = Point::new(at.x + length * direction.x, at.y + length * direction.y);
                     let bounds = Bounds {
                         left: middle.x + size.left,
@@ -100,12 +121,14 @@ impl Places {
                         continue;
                     }
                     let end = nearest(bounds, at);
-                    if self.leads(at, end, false) {
-                        found = Some((middle, at, end));
-                        break 'near;
-                    }
-                    if crossing.is_none() && self.leads(at, end, true) {
-                        crossing = Some((middle, at, end));
+                    let place = (middle, at, end);
+                    match self.way(start, end) {
+                        Way::Clear => {
+                            found = Some(place);
+                            break 'near;
+                        }
+                        Way::Crossing => crossing = crossing.or(Some(place)),
+                        Way::Blocked => {}
                     }
                 }
             }
@@ -126,32 +149,51 @@ impl Places {
         self.add(scene, layer, text);
     }
 
-    /// Whether a leader may run from its point to the end.
-    fn leads(&self, at: Point, end: Point, may_cross: bool) -> bool {
-        let length = (end.x - at.x).hypot(end.y - at.y);
+    /// The point of a leader and what it shares with lines there.
+    fn start(&self, at: Point) -> Start {
         let near = Bounds::of([at]).grown(OWN_MM);
-        let is_own = |line: &Shape, around: &Bounds| around.overlaps(near) && distance(at, at, line) < OWN_MM;
-        let own = self.lines.iter().filter(|(line, _, around)| is_own(line, &around.grown(HAIR_MM)));
-        let own = own.map(|(_, half, _)| half + LEADER_CLEAR_MM);
-        let off = own.fold(OWN_MM, f64::max);
+        let is_own = |line: &Shape, around: &Bounds| {
+            around.grown(HAIR_MM).overlaps(near) && distance(at, at, line) < OWN_MM
+        };
+        let own: Vec<bool> = self.lines.iter().map(|(line, _, around)| is_own(line, around)).collect();
+        let widths = self.lines.iter().zip(&own).filter(|(_, own)| **own).map(|((_, half, _), _)| *half);
+        let off = widths.map(|half| half + LEADER_CLEAR_MM).fold(OWN_MM, f64::max);
+        Start { at, off, own }
+    }
+
+    /// How a leader would run from its point to the end.
+    fn way(&self, start: &Start, end: Point) -> Way {
+        let at = start.at;
+        let length = (end.x - at.x).hypot(end.y - at.y);
         let after = |off: f64| {
             let part = (off / length.max(off)).min(1.0);
             Point::new(at.x + part * (end.x - at.x), at.y + part * (end.y - at.y))
         };
         // A wide line of power hides more of its leader, but no sign.
-        let (off, bare) = (after(off), after(OWN_MM));
+        let (off, bare) = (after(start.off), after(OWN_MM));
         let whole = Shape::line(at, end);
-        !self.labels.iter().any(|label| line_meets(&whole, label.grown(LEADER_CLEAR_MM)))
-            && !self.signs.iter().any(|sign| line_meets(&Shape::line(bare, end), *sign))
-            && self.lines.iter().all(|(line, half, around)| {
-                let clear = half + LEADER_CLEAR_MM;
-                if !around.grown(clear).grown(HAIR_MM).overlaps(whole.bounds().grown(HAIR_MM)) {
-                    return true;
+        let around_whole = whole.bounds().grown(HAIR_MM);
+        let meets = |line: &Shape, bounds: Bounds| around_whole.overlaps(bounds) && line_meets(line, bounds);
+        if self.labels.iter().any(|label| meets(&whole, label.grown(LEADER_CLEAR_MM)))
+            || self.signs.iter().any(|sign| meets(&Shape::line(bare, end), *sign))
+        {
+            return Way::Blocked;
+        }
+        let mut way = Way::Clear;
+        for ((line, half, around), &is_own) in self.lines.iter().zip(&start.own) {
+            // A leader starts at the middle of its own line or at its edge.
+            let clear = if is_own { *half } else { half + LEADER_CLEAR_MM };
+            if (way == Way::Crossing && !is_own) || !around.grown(clear + HAIR_MM).overlaps(around_whole) {
+                continue;
+            }
+            if distance(off, end, line) < clear {
+                if is_own {
+                    return Way::Blocked;
                 }
-                // A leader starts at the middle of its own line or at its edge.
-                let is_own = is_own(line, &around.grown(HAIR_MM));
-                (may_cross && !is_own) || distance(off, end, line) >= if is_own { *half } else { clear }
-            })
+                way = Way::Crossing;
+            }
+        }
+        way
     }
 
     fn add(&mut self, scene: &mut Scene, layer: LayerId, text: Text) {

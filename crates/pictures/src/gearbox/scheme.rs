@@ -129,6 +129,20 @@ impl Default for Options {
 /// # Errors
 /// [`Error::SpeedsUnknown`] for a gear in which the speed of a link does not follow, [`Error::NoPower`] where no power flow does.
 pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Options) -> Result<Scene, Error> {
+    let mut sheet = unnamed(gearbox, layout, show, options)?;
+    sheet.names();
+    sheet.legend(options);
+    sheet.scene.check()?;
+    Ok(sheet.scene)
+}
+
+/// The scheme without the names of its parts.
+fn unnamed<'a>(
+    gearbox: &'a Gearbox,
+    layout: &'a Layout,
+    show: Show<'a>,
+    options: &'a Options,
+) -> Result<Sheet<'a>, Error> {
     let gear = match show {
         Show::Structure => None,
         Show::Gear(gear) | Show::Power(gear) => Some(gear),
@@ -154,10 +168,7 @@ pub fn scene(gearbox: &Gearbox, layout: &Layout, show: Show<'_>, options: &Optio
     }
     sheet.shaft_ends();
     sheet.scale_bar();
-    sheet.names();
-    sheet.legend(options);
-    sheet.scene.check()?;
-    Ok(sheet.scene)
+    Ok(sheet)
 }
 
 /// The same [bare](Options::bare), drawn together along the axis to be about so wide, as far as no label then meets anything: for a page.
@@ -172,11 +183,8 @@ pub fn narrow(
     scale: Option<&Scale>,
     width_mm: f64,
 ) -> Result<Scene, Error> {
-    let draw = |along_mm: f64| {
-        let options = Options { bare: true, along_mm, scale: scale.cloned(), ..Options::default() };
-        scene(gearbox, layout, show, &options)
-    };
-    let usual = draw(ALONG_MM)?;
+    let bare = |along_mm| Options { bare: true, along_mm, scale: scale.cloned(), ..Options::default() };
+    let usual = scene(gearbox, layout, show, &bare(ALONG_MM))?;
     let too_wide = usual.bounds().width() - width_mm;
     if too_wide <= 0.0 {
         return Ok(usual);
@@ -185,9 +193,16 @@ pub fn narrow(
     let mut along_mm = (ALONG_MM - too_wide / units.max(1.0)).clamp(LEAST_ALONG_MM, ALONG_MM);
     // A little wider each time until all labels have room.
     while along_mm < ALONG_MM {
-        let drawn = draw(along_mm)?;
-        if overlaps(&drawn).is_empty() {
-            return Ok(drawn);
+        let options = bare(along_mm);
+        let mut sheet = unnamed(gearbox, layout, show, &options)?;
+        // Names move nothing that stands: what overlaps without them does so with them.
+        if overlaps(&sheet.scene).is_empty() {
+            sheet.names();
+            sheet.legend(&options);
+            if overlaps(&sheet.scene).is_empty() {
+                sheet.scene.check()?;
+                return Ok(sheet.scene);
+            }
         }
         along_mm += WIDER_MM;
     }
