@@ -14,6 +14,7 @@ pub mod records;
 use crate::gearbox::{Choice, one};
 use crate::select::saved::Saved;
 use crate::select::teeth::{self, Searches, SizeLimits, Watch};
+use crate::size::Size;
 use crate::size::records::Minimise;
 use crate::{Answer, Error, Warning, select, size};
 use basis::Basis;
@@ -124,27 +125,23 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
         duty: *duty,
     };
     let found = teeth::search(&of_teeth, watch)?;
-    let told = found.answer()?;
-    let tried: Vec<Tried> = match wanted.teeth {
-        Teeth::Number(number) => tried(&found, number, wanted, torque, speed)?.into_iter().collect(),
-        Teeth::BestOf(_) => (1..=found.shown())
-            .map(|number| tried(&found, number, wanted, torque, speed))
-            .collect::<Result<Vec<_>, _>>()?
-            .into_iter()
-            .flatten()
-            .collect(),
+    let numbers = match wanted.teeth {
+        Teeth::Number(number) => number..=number,
+        Teeth::BestOf(_) => 1..=found.shown(),
     };
-    let mut order: Vec<&Tried> = tried.iter().collect();
-    order.sort_by(|one, other| one.objective().total_cmp(&other.objective()));
-    design.teeth = Some(TeethStep::of(&told, &order));
-    let Some(best) = order.first() else { return Ok(design) };
-    let document = Document::parse_one(MAKING, best.file.as_bytes())?;
-    let sized = size::answer(&one(&document, &Choice::default())?, &wanted.size)?;
-    if best.objective().is_finite() {
-        design.file = Some(size::saved(&document, &sized)?);
+    let mut tried: Vec<Tried> = vec![];
+    for number in numbers {
+        tried.extend(Tried::of(&found, number, wanted, torque, speed)?);
     }
-    design.warnings.clone_from(&sized.warnings);
-    design.sizes = Some(SizesStep::of(sized));
+    tried.sort_by(|one, other| one.objective().total_cmp(&other.objective()));
+    design.teeth = Some(TeethStep::of(&found, &tried)?);
+    let Some(best) = tried.into_iter().next() else { return Ok(design) };
+    if best.is_whole() {
+        let document = Document::parse_one(MAKING, best.file.as_bytes())?;
+        design.file = Some(size::saved(&document, &best.size)?);
+    }
+    design.warnings.clone_from(&best.size.warnings);
+    design.sizes = Some(SizesStep::of(best.size));
     Ok(design)
 }
 
@@ -158,46 +155,45 @@ pub(crate) struct Tried {
     pub(crate) number: usize,
     /// The gearbox without sizes.
     file: String,
-    /// Mass of its gears, if all sets have sizes.
-    pub(crate) mass_kg: Option<f64>,
-    /// Its largest ring, likewise.
-    ring_m: Option<f64>,
-    minimise: Minimise,
+    /// Its sizes.
+    size: Size,
 }
 
 impl Tried {
+    /// The design of a number with its sizes; none where there is no such number.
+    fn of(
+        found: &Searches<'_>,
+        number: usize,
+        wanted: &Wanted,
+        torque: Torque,
+        speed: AngularVelocity,
+    ) -> Result<Option<Self>, Error> {
+        let Some(saved) = found.saved(number)? else { return Ok(None) };
+        let file = loaded(&saved, wanted, torque, speed)?;
+        let document = Document::parse_one(MAKING, file.as_bytes())?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size)?;
+        Ok(Some(Self { number, file, size }))
+    }
+
+    /// Whether every set has a size.
+    fn is_whole(&self) -> bool {
+        self.size.not_sized.is_empty() && self.size.mass_kg.is_some()
+    }
+
+    /// Mass of its gears, if every set has a size.
+    pub(crate) fn mass_kg(&self) -> Option<f64> {
+        self.size.mass_kg.filter(|_| self.is_whole())
+    }
+
     /// What is minimised; infinite where a set has no size.
     fn objective(&self) -> f64 {
-        let objective = match self.minimise {
-            Minimise::Mass => self.mass_kg,
-            Minimise::Ring => self.ring_m,
+        let rings = self.size.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
+        let objective = match self.size.minimise {
+            Minimise::Mass => self.size.mass_kg,
+            Minimise::Ring => rings.reduce(f64::max),
         };
-        objective.unwrap_or(f64::INFINITY)
+        objective.filter(|_| self.is_whole()).unwrap_or(f64::INFINITY)
     }
-}
-
-/// The design of a number with its sizes; none where there is no such number.
-fn tried(
-    found: &Searches<'_>,
-    number: usize,
-    wanted: &Wanted,
-    torque: Torque,
-    speed: AngularVelocity,
-) -> Result<Option<Tried>, Error> {
-    let Some(saved) = found.saved(number)? else { return Ok(None) };
-    let file = loaded(&saved, wanted, torque, speed)?;
-    let document = Document::parse_one(MAKING, file.as_bytes())?;
-    let first = size::Wanted { most: 1, ..wanted.size.clone() };
-    let sized = size::answer(&one(&document, &Choice::default())?, &first)?;
-    let is_whole = sized.not_sized.is_empty() && sized.mass_kg.is_some();
-    let rings = sized.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
-    Ok(Some(Tried {
-        number,
-        mass_kg: sized.mass_kg.filter(|_| is_whole),
-        ring_m: rings.reduce(f64::max).filter(|_| is_whole),
-        minimise: wanted.size.minimise,
-        file,
-    }))
 }
 
 /// What a fault calls the gearbox in the making.

@@ -103,6 +103,19 @@ pub fn one<'d>(document: &'d Document, choice: &Choice) -> Result<Subject<'d>, E
     }
 }
 
+/// The gearbox of a file for a command that reads one, of what a list of transmissions states nothing of.
+///
+/// # Errors
+/// Those of [`one`], and [`Error::Document`] for a list of transmissions.
+pub(crate) fn alone<'d>(document: &'d Document, command: &str, lacks: &str) -> Result<Subject<'d>, Error> {
+    if document.value().get("transmissions").is_some() {
+        let message = format!("{command} reads one gearbox; a list of transmissions states {lacks}");
+        let place = Path::root().key("transmissions");
+        return Err(document.error(&place, Problem::Refused { message }).into());
+    }
+    one(document, &Choice::default())
+}
+
 /// The gearbox of a file, or the transmissions that there are to choose from.
 ///
 /// # Errors

@@ -9,16 +9,16 @@
 
 pub mod records;
 
-use crate::gearbox::{Choice, Subject, one};
-use crate::toothed::{Fault, gears, missing_teeth};
+use crate::gearbox::{Subject, alone};
+use crate::strength::place::refused;
+use crate::toothed::{Fault, gears, lacking, missing_teeth, simple_sets};
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
-use epicyclic_formats::{Document, Path, Physical, Problem};
+use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
-use epicyclic_train::set::SetKind;
 use records::{Allowed, LeftOut, Limits, SetSheet};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -47,12 +47,7 @@ impl Answer for DataSheets {
 /// # Errors
 /// Those of [`one`], and [`Error::Document`] for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
-    if document.value().get("transmissions").is_some() {
-        let message = "sheet reads one gearbox; a list of transmissions states no modules".to_owned();
-        let place = Path::root().key("transmissions");
-        return Err(document.error(&place, Problem::Refused { message }).into());
-    }
-    one(document, &Choice::default())
+    alone(document, "sheet", "no modules")
 }
 
 /// Data sheets of all sets, or of one.
@@ -89,15 +84,12 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
     }
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
     let (mut sets, mut left_out) = (vec![], vec![]);
-    for set in subject.gearbox.sets().iter().filter(|set| is_wanted(set.id())) {
-        let entry = file.sets.iter().position(|entry| entry.id == set.id());
-        let simple = set.short().filter(|spec| spec.kind == SetKind::Simple);
-        let (Some(index), Some(spec)) = (entry, simple) else {
+    for (set, simple) in simple_sets(subject, &file).filter(|(set, _)| is_wanted(set.id())) {
+        let Some((path, entry, spec)) = simple else {
             left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] });
             continue;
         };
-        let entry = &file.sets[index];
-        let place = Place { document: subject.document, path: Path::root().key("sets").index(index) };
+        let place = Place { document: subject.document, path };
         let toothed = gears(spec, entry, &subject.rack).map_err(|fault| match fault {
             Fault::Teeth(error) => place.refused(&["profile_shifts"], &error),
             Fault::Fillet(error) => place.refused(&["strength", "shaper", "fillet"], &error),
@@ -105,9 +97,8 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
         match (toothed, entry.module) {
             (Some(toothed), Some(module)) => sets.push(sheet(&place, entry, &toothed, module.0)?),
             (toothed, module) => {
-                let missing = [(missing_teeth(entry), toothed.is_some()), ("module", module.is_some())];
-                let missing = missing.into_iter().filter(|(_, is_known)| !is_known);
-                let missing = missing.map(|(key, _)| key.to_owned()).collect();
+                let missing =
+                    lacking(&[(missing_teeth(entry), toothed.is_some()), ("module", module.is_some())]);
                 left_out.push(LeftOut { set: set.id().to_owned(), missing });
             }
         }
@@ -130,12 +121,7 @@ struct Place<'a> {
 impl Place<'_> {
     /// A refusal at the longest part of a path that the file has.
     fn refused(&self, keys: &[&str], error: &dyn std::fmt::Display) -> Error {
-        let deeper = |path: Path, key: &&str| {
-            let inner = path.clone().key(*key);
-            if self.document.value_at(&inner).is_some() { inner } else { path }
-        };
-        let place = keys.iter().fold(self.path.clone(), deeper);
-        self.document.error(&place, Problem::Refused { message: error.to_string() }).into()
+        refused(self.document, &self.path, keys, &error.to_string())
     }
 }
 

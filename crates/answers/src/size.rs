@@ -6,7 +6,8 @@
 pub mod records;
 mod saved;
 
-use crate::gearbox::Subject;
+use crate::gearbox::{Subject, alone};
+use crate::strength::Asked;
 use crate::strength::duty::{WorkedStep, steps};
 use crate::strength::load::felt;
 use crate::strength::place::{Fault, refused};
@@ -15,7 +16,7 @@ use crate::strength::records::{NotRated, Reason, Required};
 use crate::teeth::shifted::ShiftAim;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::{Path, Physical};
+use epicyclic_formats::{Document, Path, Physical};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_strength::factor::Edition;
 pub use epicyclic_strength::sizing::bearing::Bearing;
@@ -167,6 +168,14 @@ impl Answer for Size {
     const NAME: &'static str = "size";
 }
 
+/// The gearbox of a file whose sizes are sought.
+///
+/// # Errors
+/// [`Error::Document`] for a description that is no gearbox, and for a list of transmissions.
+pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+    alone(document, "size", "no teeth, materials or loads")
+}
+
 /// The sizes of the sets of a gearbox from a file.
 ///
 /// # Errors
@@ -178,15 +187,11 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
     let mut not_sized: Vec<NotSized> = others.into_iter().map(NotSized::of).collect();
-    let root = Path::root();
-    let missing =
-        |key: &str, why: &str| refused(subject.document, &root, &[], &format!("`{key}` is missing: {why}"));
-    let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
-    let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
-    let required = Required::of(file.required.as_ref());
-    required.check().map_err(|error| crate::strength::place::located(subject.document, &root, &error))?;
+    let Asked { life, viscosity, required } = Asked::of(subject.document, &file)?;
     if file.duty.is_empty() {
-        return Err(missing("duty", "sizes follow from a duty: gear, share, torque and speed of each step"));
+        let message =
+            "`duty` is missing: sizes follow from a duty: gear, share, torque and speed of each step";
+        return Err(refused(subject.document, &Path::root(), &[], message));
     }
     let steps = steps(subject, &file.duty)?;
     let mut sets = vec![];
@@ -212,7 +217,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
         gearbox: subject.gearbox.name().to_owned(),
         edition: Edition::default().to_string(),
         life_s: life.si(),
-        oil_viscosity_m2_s: oil.viscosity.0.si(),
+        oil_viscosity_m2_s: viscosity.si(),
         required,
         minimise: wanted.minimise,
         aim: wanted.aim,

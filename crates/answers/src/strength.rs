@@ -19,7 +19,9 @@ pub(crate) mod prepared;
 pub mod records;
 
 use crate::analyze::{Input, OperatingPoint, Worked};
-use crate::gearbox::{Choice, Subject, one};
+#[cfg(doc)]
+use crate::gearbox::one;
+use crate::gearbox::{Subject, alone};
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path, Physical};
@@ -35,7 +37,7 @@ use records::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::{AngularVelocity, Time, Torque};
+use uom::si::f64::{AngularVelocity, KinematicViscosity, Time, Torque};
 
 /// What is asked.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -100,12 +102,7 @@ impl Answer for Strength {
 /// # Errors
 /// Those of [`one`], and [`Error::Document`] for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
-    if document.value().get("transmissions").is_some() {
-        let message =
-            "strength reads one gearbox; a list of transmissions states no modules, materials or loads";
-        return Err(refused(document, &Path::root(), &["transmissions"], message));
-    }
-    one(document, &Choice::default())
+    alone(document, "strength", "no modules, materials or loads")
 }
 
 /// The strength of a gearbox from a file.
@@ -170,16 +167,37 @@ impl Found {
     }
 }
 
+/// What a file has to say of the whole gearbox.
+pub(crate) struct Asked {
+    /// Required life.
+    pub(crate) life: Time,
+    /// Viscosity of the oil at 40 °C.
+    pub(crate) viscosity: KinematicViscosity,
+    /// Required safeties.
+    pub(crate) required: Required,
+}
+
+impl Asked {
+    /// As the file has it.
+    ///
+    /// # Errors
+    /// [`Error::Document`] for what is missing, and for required safeties that are none.
+    pub(crate) fn of(document: &Document, file: &GearboxFile) -> Result<Self, Error> {
+        let root = Path::root();
+        let missing =
+            |key: &str, why: &str| refused(document, &root, &[], &format!("`{key}` is missing: {why}"));
+        let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
+        let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
+        let required = Required::of(file.required.as_ref());
+        required.check().map_err(|error| located(document, &root, &error))?;
+        Ok(Self { life, viscosity: oil.viscosity.0, required })
+    }
+}
+
 fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result<Strength, Error> {
     let file: GearboxFile = subject.document.read()?;
     let (sets, not_rated) = prepared::sets(subject, &file)?;
-    let missing = |key: &str, why: &str| {
-        refused(subject.document, &Path::root(), &[], &format!("`{key}` is missing: {why}"))
-    };
-    let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
-    let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
-    let required = Required::of(file.required.as_ref());
-    required.check().map_err(|error| located(subject.document, &Path::root(), &error))?;
+    let Asked { life, viscosity, required } = Asked::of(subject.document, &file)?;
     let mut found = Found { not_rated, ..Found::default() };
     let is_at_point = wanted.input.load.is_some();
     if is_at_point {
@@ -217,7 +235,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         edition: Edition::default().to_string(),
         operating_point: wanted.input.load.map(|_| OperatingPoint::of(wanted.input)),
         life_s: life.si(),
-        oil_viscosity_m2_s: oil.viscosity.0.si(),
+        oil_viscosity_m2_s: viscosity.si(),
         required,
         duty,
         governing,

@@ -1,11 +1,13 @@
 //! The toothed gears of a simple set as a file has them.
 
-use epicyclic_formats::Number;
-use epicyclic_formats::gearbox::SetEntry;
+use crate::gearbox::Subject;
+use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
+use epicyclic_formats::{Number, Path};
 use epicyclic_gears::Error;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_train::set::SetSpec;
+use epicyclic_train as train;
+use epicyclic_train::set::{SetKind, SetSpec};
 
 /// What keeps a set from its teeth.
 #[derive(Debug)]
@@ -32,6 +34,29 @@ fn with_ring_fillet(set: &PlanetSet, fillet: f64) -> Result<PlanetSet, Error> {
     let ring = InvoluteGear::new(ring.kind(), ring.teeth(), profile, ring.shift())?
         .with_tip_alteration(ring.tip_alteration())?;
     PlanetSet::new([*sun, *planet, ring], set.planets(), set.centre_distance())
+}
+
+/// A simple set of a file: where it stands, its entry, its short description.
+pub(crate) type SimpleSet<'g> = (Path, &'g SetEntry, &'g SetSpec);
+
+/// The sets of a gearbox in their order, each with its entry in the file where it is simple.
+pub(crate) fn simple_sets<'g>(
+    subject: &'g Subject<'_>,
+    file: &'g GearboxFile,
+) -> impl Iterator<Item = (&'g train::PlanetSet, Option<SimpleSet<'g>>)> {
+    subject.gearbox.sets().iter().map(|set| {
+        let index = file.sets.iter().position(|entry| entry.id == set.id());
+        let spec = set.short().filter(|spec| spec.kind == SetKind::Simple);
+        let simple = index
+            .zip(spec)
+            .map(|(index, spec)| (Path::root().key("sets").index(index), &file.sets[index], spec));
+        (set, simple)
+    })
+}
+
+/// The keys that are not known.
+pub(crate) fn lacking(known: &[(&str, bool)]) -> Vec<String> {
+    known.iter().filter(|(_, is_known)| !is_known).map(|(key, _)| (*key).to_owned()).collect()
 }
 
 /// Which keys a set lacks that say its teeth.

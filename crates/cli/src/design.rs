@@ -25,7 +25,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 
-/// Ring-to-sun ratio of the tooth search; those of the candidates are bounded by --k.
+/// Candidates among which the next scheme is sought.
 const SCHEMES_TOLD: usize = 3;
 
 /// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength, in steps.

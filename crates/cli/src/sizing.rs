@@ -5,10 +5,10 @@ use crate::lists::Quantities;
 use crate::options;
 use crate::output::OutputArgs;
 use crate::{analyze, input};
+use epicyclic_answers::Error;
 use epicyclic_answers::size::records::Minimise;
-use epicyclic_answers::size::{Wanted, answer, bearings, saved};
+use epicyclic_answers::size::{Wanted, answer, bearings, saved, subject};
 use epicyclic_answers::teeth::shifted::ShiftAim;
-use epicyclic_answers::{Error, strength};
 use epicyclic_formats::{Number, Quantity, Span};
 use epicyclic_strength::Quantity as Of;
 use std::path::PathBuf;
@@ -139,7 +139,7 @@ enum Least {
 /// Runs the command.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let document = input::document(&args.file)?;
-    let subject = strength::subject(&document)?;
+    let subject = subject(&document)?;
     let size = answer(&subject, &args.space.wanted()?).map_err(refuse)?;
     let files = match &args.save {
         Some(file) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],

@@ -5,12 +5,11 @@ use crate::figure::{Figure, text};
 use crate::quantities::words;
 use crate::report::{Column, Part, Records, Report, Text, View};
 use crate::size::{designs, left_out};
-use crate::strength::over_duty;
+use crate::strength::{Worn, over_duty};
 use epicyclic_answers::design::Design;
 use epicyclic_answers::design::records::{BasisKey, SchemeStep, SizesStep, TeethStep, TeethTaken};
 use epicyclic_answers::select::required::Objective;
 use epicyclic_answers::size::records::{Requirement, SizedDesign, SizedSet};
-use epicyclic_answers::strength::records::OverDuty;
 use epicyclic_formats::Dimension;
 use epicyclic_formats::quantity::format::trimmed;
 
@@ -43,8 +42,7 @@ pub(crate) fn parts_of_sizes(sizes: &SizesStep) -> Vec<Part> {
             is_answer: false,
             ..designs("designs", "Best sizes", sets, |set| &set.found)
         }));
-        let safeties: Vec<OverDuty> = sets.iter().flat_map(safeties).collect();
-        parts.push(Part::Records(over_duty(&safeties)));
+        parts.push(Part::Records(over_duty(sets.iter().flat_map(safeties))));
     }
     if sets.iter().any(|set| set.nearest_miss.is_some()) {
         let misses = designs("nearest_misses", "Nearest misses", sets, |set| set.nearest_miss.as_slice());
@@ -55,16 +53,15 @@ pub(crate) fn parts_of_sizes(sizes: &SizesStep) -> Vec<Part> {
 }
 
 /// The gears of the best size of a set.
-fn safeties(set: &SizedSet) -> impl Iterator<Item = OverDuty> {
+fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
     let best = set.found.first();
-    best.into_iter().flat_map(|best| &best.over_duty).map(|of| OverDuty {
-        set: set.set.clone(),
+    best.into_iter().flat_map(|best| &best.over_duty).map(|of| Worn {
+        set: &set.set,
         mesh: of.mesh,
         toothed_gear: of.toothed_gear,
-        material: of.material.clone(),
-        flank: of.flank.clone(),
-        root: of.root.clone(),
-        factors: vec![],
+        material: &of.material,
+        flank: &of.flank,
+        root: &of.root,
     })
 }
 

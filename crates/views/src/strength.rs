@@ -10,7 +10,7 @@ use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use crate::units::hours;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{
-    DutyStep, FactorOverDuty, NotRated, OverDuty, Overloaded, Rated, Wear,
+    DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded, Rated, ToothedGear, Wear,
 };
 use epicyclic_formats::Dimension;
 use words::{OF_STEPS, extent, from};
@@ -43,7 +43,7 @@ fn tables(strength: &Strength) -> Vec<Part> {
         parts.push(Part::Records(at_point(&strength.at_point)));
     }
     if !strength.over_duty.is_empty() {
-        parts.push(Part::Records(over_duty(&strength.over_duty)));
+        parts.push(Part::Records(over_duty(strength.over_duty.iter().map(Worn::from))));
     }
     if !strength.overload.is_empty() {
         parts.push(Part::Records(overload(&strength.overload)));
@@ -239,29 +239,38 @@ fn at_point(all: &[Rated]) -> Records {
     }
 }
 
+/// A row for each factor of two gears, and two where they have it by different formulas: of the factor that names it, and of the values
+/// that stand in it.
+fn by_formula<'a, F>(
+    [first, second]: [&'a [F]; 2],
+    formula: impl Fn(&F) -> &Option<String>,
+    row: impl Fn(&'a F, [Option<&'a F>; 2]) -> Vec<Figure>,
+) -> Vec<Vec<Figure>> {
+    let rows = |(one, other): (&'a F, &'a F)| {
+        if formula(one) == formula(other) {
+            vec![row(one, [Some(one), Some(other)])]
+        } else {
+            vec![row(one, [Some(one), None]), row(other, [None, Some(other)])]
+        }
+    };
+    first.iter().zip(second).flat_map(rows).collect()
+}
+
 /// The factors of a mesh over the duty, those of its gears side by side; none where none are told.
 fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
     let [first, second] = both else { return None };
     if first.factors.is_empty() {
         return None;
     }
-    let mut rows = vec![];
-    for (one, other) in first.factors.iter().zip(&second.factors) {
-        let of = |values: [Option<&FactorOverDuty>; 2], formula: &Option<String>| {
-            let names = [text(&first.set), text(first.mesh.to_string()), text(&one.symbol)];
-            let shown = values.map(|value| value.map_or(Figure::None, |value| text(extent(value))));
-            let least = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.least)));
-            let most = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.greatest)));
-            let from = [from(formula.as_deref())];
-            names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
-        };
-        if one.formula == other.formula {
-            rows.push(of([Some(one), Some(other)], &one.formula));
-        } else {
-            rows.push(of([Some(one), None], &one.formula));
-            rows.push(of([None, Some(other)], &other.formula));
-        }
-    }
+    let row = |one: &FactorOverDuty, values: [Option<&FactorOverDuty>; 2]| {
+        let names = [text(&first.set), text(first.mesh.to_string()), text(&one.symbol)];
+        let shown = values.map(|value| value.map_or(Figure::None, |value| text(extent(value))));
+        let least = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.least)));
+        let most = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.greatest)));
+        let from = [from(one.formula.as_deref())];
+        names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
+    };
+    let rows = by_formula([&first.factors, &second.factors], |factor| &factor.formula, row);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     Some(Records {
         name: "factors",
@@ -295,21 +304,13 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
     if first.factors.is_empty() {
         return None;
     }
-    let mut rows = vec![];
-    for (one, other) in first.factors.iter().zip(&second.factors) {
-        let of = |values: [Figure; 2], formula: &Option<String>| {
-            let names = [&first.gear, &first.set].map(text);
-            let mesh = [text(first.mesh.to_string()), text(&one.symbol)];
-            names.into_iter().chain(mesh).chain(values).chain([from(formula.as_deref())]).collect::<Vec<_>>()
-        };
-        let [a, b] = [one.value, other.value].map(|value| Figure::Printed(value, 4));
-        if one.formula == other.formula {
-            rows.push(of([a, b], &one.formula));
-        } else {
-            rows.push(of([a, Figure::None], &one.formula));
-            rows.push(of([Figure::None, b], &other.formula));
-        }
-    }
+    let row = |one: &Factor, values: [Option<&Factor>; 2]| {
+        let names = [&first.gear, &first.set].map(text);
+        let mesh = [text(first.mesh.to_string()), text(&one.symbol)];
+        let values = values.map(|value| value.map_or(Figure::None, |value| Figure::Printed(value.value, 4)));
+        names.into_iter().chain(mesh).chain(values).chain([from(one.formula.as_deref())]).collect::<Vec<_>>()
+    };
+    let rows = by_formula([&first.factors, &second.factors], |factor| &factor.formula, row);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
     Some(Records {
@@ -329,16 +330,33 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
     })
 }
 
-pub(crate) fn over_duty(all: &[OverDuty]) -> Records {
+/// A gear of a mesh over a duty, as it stands in a table.
+pub(crate) struct Worn<'a> {
+    pub(crate) set: &'a str,
+    pub(crate) mesh: MeshName,
+    pub(crate) toothed_gear: ToothedGear,
+    pub(crate) material: &'a str,
+    pub(crate) flank: &'a Wear,
+    pub(crate) root: &'a Wear,
+}
+
+impl<'a> From<&'a OverDuty> for Worn<'a> {
+    fn from(one: &'a OverDuty) -> Self {
+        let OverDuty { set, mesh, toothed_gear, material, flank, root, .. } = one;
+        Self { set, mesh: *mesh, toothed_gear: *toothed_gear, material, flank, root }
+    }
+}
+
+pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records {
     let wear = |wear: &Wear| {
         let damage = wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
         let shown = wear.life_s.map_or(Figure::None, |life| Figure::Number(hours(life)));
         [safety(wear.safety), damage, optional(Dimension::Time, wear.life_s), shown]
     };
-    let row = |one: &OverDuty| {
-        let names = [text(&one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
-        let wear = wear(&one.flank).into_iter().chain(wear(&one.root));
-        names.into_iter().chain(wear).chain([text(&one.material)]).collect::<Vec<_>>()
+    let row = |one: Worn<'_>| {
+        let names = [text(one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
+        let wear = wear(one.flank).into_iter().chain(wear(one.root));
+        names.into_iter().chain(wear).chain([text(one.material)]).collect::<Vec<_>>()
     };
     Records {
         name: "over_duty",
@@ -356,7 +374,7 @@ pub(crate) fn over_duty(all: &[OverDuty]) -> Records {
             Column::number("root_hours", "hours").for_people(),
             Column::words("material", "material"),
         ],
-        rows: all.iter().map(row).collect(),
+        rows: all.into_iter().map(row).collect(),
         views: vec![View {
             note: "Damage in the required life by Miner's rule, 1 at its end; hours until then, none where nothing does damage."
                 .to_owned(),

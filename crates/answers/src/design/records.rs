@@ -1,11 +1,12 @@
 //! Records of the steps of a design.
 
 use super::Tried;
+use crate::Error;
 use crate::catalogue::KRange;
 use crate::select::Select;
 use crate::select::candidate::Candidate;
 use crate::select::required::{Brakes, Objective, RatioSigns, Required};
-use crate::select::teeth::{self, SelectTeeth};
+use crate::select::teeth::{self, Searches};
 use crate::size::Size;
 use crate::size::records::{Governing, SizedSet};
 use schemars::JsonSchema;
@@ -153,7 +154,7 @@ impl TeethTaken {
     fn of(design: &teeth::Design, tried: &Tried) -> Self {
         Self {
             number: tried.number,
-            mass_kg: tried.mass_kg,
+            mass_kg: tried.mass_kg(),
             sets: design.tooth_numbers.iter().map(|set| [set.sun, set.planet, set.ring]).collect(),
             ratios: design.candidate.gears.iter().map(|gear| gear.ratio).collect(),
         }
@@ -162,12 +163,13 @@ impl TeethTaken {
 
 impl TeethStep {
     /// Of what the search found, those tried, the best first.
-    pub(super) fn of(found: &SelectTeeth, order: &[&Tried]) -> Self {
-        let told = |place: usize| {
-            let tried = order.get(place)?;
-            Some(TeethTaken::of(found.designs.get(tried.number - 1)?, tried))
+    pub(super) fn of(found: &Searches<'_>, tried: &[Tried]) -> Result<Self, Error> {
+        let told = |place: usize| -> Result<Option<TeethTaken>, Error> {
+            let Some(one) = tried.get(place) else { return Ok(None) };
+            Ok(found.told(one.number)?.map(|design| TeethTaken::of(&design, one)))
         };
-        Self { accepted: found.searched.accepted, tried: order.len(), taken: told(0), next: told(1) }
+        let (taken, next) = (told(0)?, told(1)?);
+        Ok(Self { accepted: found.searched().accepted, tried: tried.len(), taken, next })
     }
 }
 

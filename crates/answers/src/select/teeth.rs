@@ -236,6 +236,15 @@ impl<'a> Searches<'a> {
         (0..self.shown()).map(|place| Ok(self.design(place)?.0))
     }
 
+    /// The design of a number, from 1; none where there is no such number.
+    ///
+    /// # Errors
+    /// None are known of a design that was found.
+    pub fn told(&self, no: usize) -> Result<Option<Design>, Error> {
+        let place = no.checked_sub(1).filter(|place| *place < self.found.len());
+        place.map(|place| Ok(self.design(place)?.0)).transpose()
+    }
+
     /// The design of a number, from 1, as a gearbox; none where there is no such number.
     ///
     /// # Errors

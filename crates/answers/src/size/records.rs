@@ -3,12 +3,13 @@
 use super::Wanted;
 use crate::Warning;
 use crate::strength::prepared::SetToSize;
-use crate::strength::records::{MeshName, NotRated, OverDuty, Reason, ToothedGear, Wear};
+use crate::strength::records::{MeshName, NotRated, Reason, ToothedGear, Wear};
 use epicyclic_formats::Physical;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_strength::factor::Side;
 use epicyclic_strength::sizing::{self, Design, Found, Objective};
 use epicyclic_strength::spectrum::DutyRating;
 use schemars::JsonSchema;
@@ -227,15 +228,16 @@ pub struct SizedGear {
 impl SizedGear {
     fn both(mesh: MeshName, materials: &[String; 3], rating: &DutyRating) -> [Self; 2] {
         let first = usize::from(mesh == MeshName::PlanetRing);
-        OverDuty::both("", mesh, &materials[first..], rating, &[]).map(
-            |OverDuty { mesh, toothed_gear, material, flank, root, .. }| Self {
+        Side::BOTH.map(|side| {
+            let own = rating.gears[side as usize];
+            Self {
                 mesh,
-                toothed_gear,
-                material,
-                flank,
-                root,
-            },
-        )
+                toothed_gear: mesh.gears()[side as usize],
+                material: materials[first + side as usize].clone(),
+                flank: Wear::of(own.contact),
+                root: Wear::of(own.root),
+            }
+        })
     }
 }
 

@@ -9,14 +9,21 @@ use epicyclic_strength::mesh::Load;
 use epicyclic_strength::planets::loads;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
+/// A share, 0 where it is only the rounding that balances and differences of speeds leave.
+fn rounded(share: f64) -> f64 {
+    if share.abs() < ROUNDED { 0.0 } else { share }
+}
+
+/// Torque on the sun of a set without losses; 0 where only its rounding is left.
+fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {
+    let (operation, case) = worked.operation.as_ref().zip(worked.analysis.ideal())?;
+    Some(operation.input * rounded(case.members[place].as_ref()?[0] / case.input))
+}
+
 /// Torque on the sun without losses.
 pub(super) fn sun_torque(set: &RatedSet<'_>, worked: &Worked<'_>) -> Result<Torque, Reason> {
-    let ideal = worked.analysis.ideal();
-    let (operation, case) = worked.operation.as_ref().zip(ideal).ok_or(Reason::NoTorquesFollow)?;
-    let members = case.members[set.place].as_ref().ok_or(Reason::NoTorquesFollow)?;
-    let torque = members[0] / case.input;
-    // Balances leave their rounding.
-    if torque.abs() < ROUNDED { Err(Reason::NoTorque) } else { Ok(operation.input * torque) }
+    let torque = torque(set.place, worked).ok_or(Reason::NoTorquesFollow)?;
+    if torque.si() == 0.0 { Err(Reason::NoTorque) } else { Ok(torque) }
 }
 
 /// Torque on the sun without losses, its speed relative to the carrier, and the carrier's speed; 0 where only their rounding is left.
@@ -25,14 +32,9 @@ pub(crate) fn felt(
     worked: &Worked<'_>,
     speed: AngularVelocity,
 ) -> Option<(Torque, [AngularVelocity; 2])> {
-    let analysis = &worked.analysis;
-    let (operation, case) = worked.operation.as_ref().zip(analysis.ideal())?;
-    let members = case.members[place].as_ref()?;
-    let motion = &analysis.sets()[place];
-    // Balances and differences of speeds leave their rounding.
-    let [torque, turning] = [members[0] / case.input, motion.relative?]
-        .map(|share| if share.abs() < ROUNDED { 0.0 } else { share });
-    Some((operation.input * torque, [speed * turning, speed * motion.carrier().unwrap_or(0.0)]))
+    let motion = &worked.analysis.sets()[place];
+    let turning = rounded(motion.relative?);
+    Some((torque(place, worked)?, [speed * turning, speed * motion.carrier().unwrap_or(0.0)]))
 }
 
 /// Torque on the sun without losses and its speed relative to the carrier.

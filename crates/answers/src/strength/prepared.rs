@@ -15,7 +15,7 @@ use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
-use epicyclic_train::set::{Gearing, SetKind, SetSpec, Shifts};
+use epicyclic_train::set::{Gearing, SetSpec, Shifts};
 use std::collections::BTreeMap;
 use uom::si::f64::{KinematicViscosity, Length};
 
@@ -80,7 +80,7 @@ pub(crate) fn sets_to_size<'g>(
 }
 
 /// What a set becomes, or the keys that it lacks.
-type Made<T> = Result<Result<T, Vec<&'static str>>, Error>;
+type Made<T> = Result<Result<T, Vec<String>>, Error>;
 
 /// Each simple set of the file as something, and why others are not.
 fn each<'g, T>(
@@ -90,21 +90,17 @@ fn each<'g, T>(
 ) -> Result<(Vec<T>, Vec<NotRated>), Error> {
     check_materials(subject.document, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
-    for (place, set) in subject.gearbox.sets().iter().enumerate() {
-        let entry = file.sets.iter().position(|entry| entry.id == set.id());
-        let simple = set.short().filter(|spec| spec.kind == SetKind::Simple);
-        let (Some(index), Some(spec)) = (entry, simple) else {
+    for (place, (set, simple)) in toothed::simple_sets(subject, file).enumerate() {
+        let Some((path, entry, spec)) = simple else {
             not_rated.push(NotRated::new(set.id(), Reason::NotSimple));
             continue;
         };
-        let path = Path::root().key("sets").index(index);
-        let of = Of { subject, file, entry: &file.sets[index], spec, path };
+        let of = Of { subject, file, entry, spec, path };
         match made(&of, place, set.id())? {
             Ok(one) => all.push(one),
-            Err(missing) => not_rated.push(NotRated {
-                missing: missing.into_iter().map(str::to_owned).collect(),
-                ..NotRated::new(set.id(), Reason::KeysMissing)
-            }),
+            Err(missing) => {
+                not_rated.push(NotRated { missing, ..NotRated::new(set.id(), Reason::KeysMissing) });
+            }
         }
     }
     Ok((all, not_rated))
@@ -132,7 +128,7 @@ struct Known<'a> {
 
 impl<'a> Of<'a> {
     /// What is known, or the keys that are missing.
-    fn known(&self) -> Result<Result<Known<'a>, Vec<&'static str>>, Error> {
+    fn known(&self) -> Made<Known<'a>> {
         let entry = self.entry;
         let gears = toothed::gears(self.spec, entry, &self.subject.rack).map_err(|fault| match fault {
             toothed::Fault::Teeth(error) => self.refused(&["profile_shifts"], &error.to_string()),
@@ -166,7 +162,7 @@ impl<'a> Of<'a> {
             ("strength.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
-        Ok(Err(known.into_iter().filter(|(_, is_known)| !is_known).map(|(key, _)| key).collect()))
+        Ok(Err(toothed::lacking(&known)))
     }
 
     fn set(&self, place: usize, id: &'a str, known: &Known<'a>) -> Result<RatedSet<'a>, Error> {
@@ -254,7 +250,7 @@ impl<'a> Of<'a> {
             ("strength.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
-        Ok(Err(known.into_iter().filter(|(_, is_known)| !is_known).map(|(key, _)| key).collect()))
+        Ok(Err(toothed::lacking(&known)))
     }
 
     /// The planet that equal centre distances without profile shift ask for, if it is one.

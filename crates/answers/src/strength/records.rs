@@ -295,7 +295,7 @@ pub struct Wear {
 }
 
 impl Wear {
-    fn of(worn: Worn) -> Self {
+    pub(crate) fn of(worn: Worn) -> Self {
         let damage = Some(worn.damage).filter(|damage| damage.is_finite());
         Self { damage, safety: worn.safety, life_s: worn.life.map(Physical::si) }
     }
