@@ -37,7 +37,9 @@ Example:
 Keys of the file beyond those of `epicyclic analyze`:
   sets: strength: materials, flank_roughness, root_roughness (of sun, planets,
         ring), shaper: teeth, shift, fillet; and optionally planet_rim,
-        ring_rim, factors, sun_mesh_factors, ring_mesh_factors, ring_factors
+        ring_rim, factors, sun_mesh_factors, ring_mesh_factors, sun_factors,
+        planet_factors, ring_factors, accuracy (deviations for K_v, K_H_alpha
+        and K_F_alpha), accuracy_grade, pitting_allowed, long_life_factor
   materials: name, class, contact_limit, root_limit, and optionally hardness,
         strength, youngs_modulus
   oil: viscosity      life      required: flank, root

@@ -118,6 +118,31 @@ fn the_safeties_of_the_wind_stage_are_those_printed() {
     assert!(of("tangential_force_n").iter().all(|force| (force / 285_900.438 - 1.0).abs() < 1e-6));
 }
 
+/// With the deviations of grade 6, bores and blank factor of the same calculation, `K_v` is the printed one of each mesh.
+#[test]
+fn the_dynamic_factors_of_the_wind_stage_are_those_printed() {
+    let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
+    let given = "K_v: 1.061, K_H_alpha: 1, K_F_alpha: 1 }";
+    let accuracy = "accuracy: { pitch_deviations: [16.9 µm, 17.9 µm, 20.7 µm], profile_deviations: [21 µm, 23 µm, 27 µm], \
+                    sun_bore: 194.32 mm, blank_factor: 0.862 }";
+    let changed = wind.replace(&format!("{given}\n"), &format!("}}\n      {accuracy}\n"));
+    let changed = changed.replace("    module: 21 mm\n", "    module: 21 mm\n    planet_bore: 576.96 mm\n");
+    let folder = here();
+    fs::write(folder.path().join("wind-stage.yaml"), changed).unwrap();
+    let done = output(folder.path(), &[&WIND[..], &["--factors", "--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let rows = told["at_point"].as_array().unwrap();
+    let factor = |row: usize, symbol: &str| {
+        let mut all = rows[row]["factors"].as_array().unwrap().iter();
+        all.find(|factor| factor["symbol"] == symbol).unwrap()["value"].as_f64().unwrap()
+    };
+    for (row, printed) in [(0, 1.02), (1, 1.02), (2, 1.061), (3, 1.061)] {
+        let dynamic = factor(row, "K_v");
+        assert!((dynamic - printed).abs() <= if row < 2 { 0.005 } else { 0.0005 }, "{dynamic}");
+        assert_eq!([factor(row, "K_Hα"), factor(row, "K_Fα")], [1.0, 1.0]);
+    }
+}
+
 /// By hand: without `K_A` and `K_v` stresses of the flank are those of 2500 kN·m over `√(1.25·1.061)`, limits the static ones, `σ_Hlim·1.6` of case-hardened
 /// steel; of the root `σ_Flim·2·2.5·Y_δrelT,stat·Y_M`.
 #[test]
@@ -247,6 +272,14 @@ fn strength_that_is_refused() {
     let wind = fs::read_to_string(examples().join("wind-stage.yaml")).unwrap();
     let folder = here();
     let mut files = vec![];
+    // Before the factors that are left, on a line of its own.
+    let with_accuracy = |deviation: &str, bore: &str| {
+        format!(
+            "K_H_beta: 1.2 }}\n      accuracy: {{ pitch_deviations: [{deviation}, 18 µm, 21 µm], profile_deviations: [21 µm, 23 µm, 27 µm], \
+             sun_bore: {bore} }}\n      planet_factors: {{ Y_M: 0.7 }} # "
+        )
+    };
+    let [negative, wide] = [with_accuracy("-17 µm", "20 mm"), with_accuracy("17 µm", "500 mm")];
     for (place, (from, to)) in [
         ("share: 50 %", "share: 60 %"),
         ("share: 50 %", "share: -50 %"),
@@ -260,6 +293,11 @@ fn strength_that_is_refused() {
         ("K_v: 1.061", "K_v: -1"),
         ("K_v: 1.061, ", ""),
         ("Y_delta_rel_T_stat: 1", "K_v: 1"),
+        ("      ring_factors", "      planet_factors: { K_A: 1 }\n      ring_factors"),
+        ("      ring_factors", "      sun_factors: { Y_G: 1 }\n      ring_factors"),
+        ("      ring_factors", "      long_life_factor: 0.8\n      ring_factors"),
+        ("K_v: 1.061, ", &negative[..]),
+        ("K_v: 1.061, ", &wide[..]),
         ("flank_roughness: [4.8 µm", "flank_roughness: [0 µm"),
         ("viscosity: 220 mm²/s", "viscosity: 220"),
         ("life: 175200 h", ""),

@@ -75,8 +75,8 @@ pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
 pub use place::{gear_place, located};
 pub use strength::{
-    DutyEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry, ShaperEntry,
-    StrengthEntry,
+    AccuracyEntry, DutyEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry, RequiredEntry,
+    ShaperEntry, StrengthEntry,
 };
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};

@@ -185,7 +185,7 @@ impl<'a> Prepared<'a> {
         let line_load = force * application.value * sharing.value / self.face_mm;
         let needs = |symbol| Error::MissingFactor {
             symbol,
-            because: "give it, or the deviations and masses for method B",
+            because: "give it, or the accuracy of the teeth for method B",
         };
         let stiffness =
             dynamics.map(|dynamics| swinging.single_stiffness(dynamics.blank_factor)).transpose()?;

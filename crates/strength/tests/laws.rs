@@ -362,7 +362,7 @@ fn bad_input_is_refused_with_its_name_and_what_is_allowed() {
     );
     refused(
         given(Given::default().with(Symbol::Application, 1.0).with(Symbol::LoadSharing, 1.0)),
-        "factor K_v is not given and cannot be calculated: give it, or the deviations and masses for method B",
+        "factor K_v is not given and cannot be calculated: give it, or the accuracy of the teeth for method B",
     );
 }
 

@@ -5,12 +5,15 @@ use super::records::{NotRated, Reason};
 use crate::Error;
 use crate::gearbox::Subject;
 use crate::toothed;
-use epicyclic_formats::gearbox::{GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry};
+use epicyclic_formats::gearbox::{
+    AccuracyEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
+};
 use epicyclic_formats::{Document, Number, Path};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::{InvoluteGear, PlanetSet, Profile};
 use epicyclic_gears::mesh::coaxial_planet;
 use epicyclic_strength::factor::{Given, Side, Symbol};
+use epicyclic_strength::load::{Arrangement, Dynamics};
 use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::root::factors::Bending;
@@ -115,6 +118,9 @@ struct Of<'a> {
     path: Path,
 }
 
+/// Factors given for a mesh or a gear, and their key.
+type Factors<'f> = (&'f str, &'f BTreeMap<String, Number>);
+
 /// What must be known of it.
 struct Known<'a> {
     gears: PlanetSet,
@@ -169,7 +175,11 @@ impl<'a> Of<'a> {
         let Known { strength, module, face_width, viscosity, .. } = *known;
         let [sun, planet, ring] = self.gears(strength, known.shaper)?;
         let mesh = |pair, gears| Mesh { pair, module, face_width, gears, viscosity };
-        let methods = self.methods(strength)?;
+        let mut methods = self.methods(strength)?;
+        if let Some(accuracy) = &strength.accuracy {
+            let dynamics = self.dynamics(accuracy, known.planets);
+            methods = [0, 1].map(|mesh| Method { dynamics: Some(dynamics[mesh]), ..methods[mesh] });
+        }
         let [sun_teeth, planet_teeth, _] = known.gears.gears().map(InvoluteGear::teeth);
         Ok(RatedSet {
             place,
@@ -205,16 +215,45 @@ impl<'a> Of<'a> {
         ])
     }
 
-    /// How both meshes are calculated, without the number of planets.
+    /// How both meshes are calculated, without the number of planets and what follows from the size.
     fn methods(&self, strength: &StrengthEntry) -> Result<[Method; 2], Error> {
-        let method = |of_mesh, ring: Option<&BTreeMap<String, Number>>| -> Result<Method, Error> {
-            let given = self.given(&strength.factors, of_mesh, ring)?;
-            Ok(Method { given, ..Method::default() })
+        let usual = Method::default();
+        let method = Method {
+            pitting_allowed: strength.pitting_allowed.unwrap_or(usual.pitting_allowed),
+            long_life_factor: strength.long_life_factor.map_or(usual.long_life_factor, Number::get),
+            accuracy_grade: strength.accuracy_grade.unwrap_or(usual.accuracy_grade),
+            ..usual
         };
+        let common = ("factors", &strength.factors);
+        let sun = ("sun_factors", &strength.sun_factors);
+        let planet = ("planet_factors", &strength.planet_factors);
+        let ring = ("ring_factors", &strength.ring_factors);
+        let sun_mesh = [common, ("sun_mesh_factors", &strength.sun_mesh_factors)];
+        let ring_mesh = [common, ("ring_mesh_factors", &strength.ring_mesh_factors)];
         Ok([
-            method(("sun_mesh_factors", &strength.sun_mesh_factors), None)?,
-            method(("ring_mesh_factors", &strength.ring_mesh_factors), Some(&strength.ring_factors))?,
+            Method { given: self.given(sun_mesh, [sun, planet])?, ..method },
+            Method { given: self.given(ring_mesh, [planet, ring])?, ..method },
         ])
+    }
+
+    /// What `K_v`, `K_Hα` and `K_Fα` of both meshes follow from by method B.
+    fn dynamics(&self, accuracy: &AccuracyEntry, planets: u32) -> [Dynamics; 2] {
+        let pitch = accuracy.pitch_deviations.map(|deviation| deviation.0);
+        let profile = accuracy.profile_deviations.map(|deviation| deviation.0);
+        let sun_bore = accuracy.sun_bore.map(|bore| bore.0);
+        let planet_bore = self.entry.planet_bore.map(|bore| bore.0);
+        let mesh = |first: usize, arrangement, rims| Dynamics {
+            arrangement,
+            pitch_deviations: [pitch[first], pitch[first + 1]],
+            profile_deviations: [profile[first], profile[first + 1]],
+            tip_relief: accuracy.tip_relief.map(|relief| relief.0),
+            rims,
+            blank_factor: accuracy.blank_factor.map_or(1.0, Number::get),
+        };
+        [
+            mesh(0, Arrangement::SunAndPlanets(planets), [sun_bore, planet_bore]),
+            mesh(1, Arrangement::PlanetInRing, [planet_bore, None]),
+        ]
     }
 
     /// The set without its size.
@@ -223,9 +262,35 @@ impl<'a> Of<'a> {
         let shaper = strength.and_then(|strength| strength.shaper.as_ref());
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
         let planet = self.spec.planet.or_else(|| self.coaxial_planet());
-        if let (Gearing::Teeth(sun, ring), Some(planet), Some(strength), Some(shaper), Some(viscosity)) =
-            (self.spec.gearing, planet, strength, shaper, viscosity)
-        {
+        let methods = strength.map(|strength| self.methods(strength)).transpose()?;
+        // Deviations are of one size.
+        let is_given = |symbol| {
+            strength.is_none_or(|strength| strength.accuracy.is_none())
+                || methods.iter().flatten().all(|method| method.given.of(Side::First, symbol).is_some())
+        };
+        let factors = [
+            ("strength.factors.K_v", Symbol::Dynamic),
+            ("strength.factors.K_H_alpha", Symbol::TransverseContact),
+            ("strength.factors.K_F_alpha", Symbol::TransverseRoot),
+        ]
+        .map(|(key, symbol)| (key, is_given(symbol)));
+        if let (
+            Gearing::Teeth(sun, ring),
+            Some(planet),
+            Some(strength),
+            Some(shaper),
+            Some(viscosity),
+            Some(methods),
+            true,
+        ) = (
+            self.spec.gearing,
+            planet,
+            strength,
+            shaper,
+            viscosity,
+            methods,
+            factors.iter().all(|(_, is_given)| *is_given),
+        ) {
             let profile = Profile::of_rack(self.subject.rack);
             let tool = Shaper { teeth: shaper.teeth, shift: shaper.shift.map_or(0.0, Number::get) };
             return Ok(Ok(SetToSize {
@@ -239,7 +304,7 @@ impl<'a> Of<'a> {
                 ring_fillet: shaper.fillet.map_or(profile.fillet, Number::get),
                 materials: &strength.materials,
                 gears: self.gears(strength, tool)?,
-                methods: self.methods(strength)?,
+                methods,
                 viscosity,
             }));
         }
@@ -250,7 +315,7 @@ impl<'a> Of<'a> {
             ("strength.shaper", strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
-        Ok(Err(toothed::lacking(&known)))
+        Ok(Err(toothed::lacking(&[&known[..], &factors].concat())))
     }
 
     /// The planet that equal centre distances without profile shift ask for, if it is one.
@@ -260,26 +325,25 @@ impl<'a> Of<'a> {
         (planet >= 1.0 && planet.fract() == 0.0).then(|| ToothCount::new(planet as u32).ok())?
     }
 
-    /// The factors given for a mesh: those of both meshes, its own, those of the ring.
-    fn given(
-        &self,
-        common: &BTreeMap<String, Number>,
-        (key, own): (&str, &BTreeMap<String, Number>),
-        ring: Option<&BTreeMap<String, Number>>,
-    ) -> Result<Given, Error> {
+    /// The factors given for a mesh: those of both meshes, its own, those of its gears alone.
+    fn given(&self, of_mesh: [Factors<'_>; 2], of_gears: [Factors<'_>; 2]) -> Result<Given, Error> {
         let mut given = Given::default();
-        for (key, factors) in [("factors", common), (key, own)] {
+        for (key, factors) in of_mesh {
             for (name, value) in factors {
                 given = given.with(self.symbol(key, name)?, value.get());
             }
         }
-        for (name, value) in ring.into_iter().flatten() {
-            let symbol = self.symbol("ring_factors", name)?;
-            if symbol.is_of_mesh() {
-                let message = format!("{symbol} is of a mesh: it stands in `factors` or `ring_mesh_factors`");
-                return Err(self.refused(&["strength", "ring_factors", name], &message));
+        for (side, (key, factors)) in Side::BOTH.into_iter().zip(of_gears) {
+            for (name, value) in factors {
+                let symbol = self.symbol(key, name)?;
+                if symbol.is_of_mesh() {
+                    let message = format!(
+                        "{symbol} is of a mesh: it stands in `factors`, `sun_mesh_factors` or `ring_mesh_factors`"
+                    );
+                    return Err(self.refused(&["strength", key, name], &message));
+                }
+                given = given.with_of(side, symbol, value.get());
             }
-            given = given.with_of(Side::Second, symbol, value.get());
         }
         Ok(given)
     }

@@ -34,9 +34,46 @@ pub struct StrengthEntry {
     /// Factors given for the mesh of planets and ring; they go before `factors`.
     #[serde(default)]
     pub ring_mesh_factors: BTreeMap<String, Number>,
-    /// Factors given for the ring alone, such as `Y_delta_rel_T_stat`; they go before all others.
+    /// Factors given for the sun alone; they, and those of planets and ring, go before all others.
+    #[serde(default)]
+    pub sun_factors: BTreeMap<String, Number>,
+    /// Factors given for the planets alone, in both meshes.
+    #[serde(default)]
+    pub planet_factors: BTreeMap<String, Number>,
+    /// Factors given for the ring alone, such as `Y_delta_rel_T_stat`.
     #[serde(default)]
     pub ring_factors: BTreeMap<String, Number>,
+    /// Deviations of the teeth, for `K_v`, `K_Hα` and `K_Fα` by method B where they are not given.
+    #[serde(default)]
+    pub accuracy: Option<AccuracyEntry>,
+    /// Accuracy grade by ISO 1328-1: to 4, deep teeth share their load. Default 6.
+    #[serde(default)]
+    pub accuracy_grade: Option<u8>,
+    /// Whether some pitting is allowed, which lengthens the life of flanks. Default false.
+    #[serde(default)]
+    pub pitting_allowed: Option<bool>,
+    /// Life factors `Z_NT` and `Y_NT` at 10¹⁰ cycles, 0.85 to 1. Default 0.85.
+    #[serde(default)]
+    pub long_life_factor: Option<Number>,
+}
+
+/// Deviations of the teeth of a set.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AccuracyEntry {
+    /// Base pitch deviations `f_pb` of sun, planets and ring.
+    pub pitch_deviations: [Quantity<Length>; 3],
+    /// Profile form deviations `f_fα` of sun, planets and ring.
+    pub profile_deviations: [Quantity<Length>; 3],
+    /// Tip relief `C_a`, of gears of grade 5 and finer. Default none.
+    #[serde(default)]
+    pub tip_relief: Option<Quantity<Length>>,
+    /// Bore of the sun, for its mass. Default a solid sun. That of the planets is their `planet_bore`.
+    #[serde(default)]
+    pub sun_bore: Option<Quantity<Length>>,
+    /// Gear blank factor `C_R`. Default 1, of solid discs.
+    #[serde(default)]
+    pub blank_factor: Option<Number>,
 }
 
 /// A shaper.
