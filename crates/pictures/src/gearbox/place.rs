@@ -4,6 +4,7 @@ use super::LETTERS_MM;
 use crate::tolerance::HAIR_MM;
 use epicyclic_drawing::text::{distance, line_meets};
 use epicyclic_drawing::{Align, Bounds, Color, LayerId, Point, Scene, Shape, Style, Text};
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 /// Least distance of a label from anything.
@@ -21,9 +22,12 @@ const FAR: u32 = 400;
 pub(super) struct Places {
     /// Lines, and half their widths.
     lines: Vec<(Shape, f64, Bounds)>,
+    /// Boxes of labels, which no leader may cross.
     labels: Vec<Bounds>,
-    /// Boxes of fills, which a leader may cross.
-    fills: Vec<Bounds>,
+    /// What a label may not stand on: labels, fills and lines.
+    obstacles: Vec<Obstacle>,
+    /// The obstacle that was met last: what shuts out one place mostly shuts out the next.
+    last: Cell<usize>,
     /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and brakes, teeth in mesh.
     signs: Vec<Bounds>,
 }
@@ -47,20 +51,30 @@ enum Way {
     Blocked,
 }
 
+/// What a label may not stand on.
+#[derive(Clone, Copy)]
+struct Obstacle {
+    /// The box of a label or a fill, or one around a line of its width.
+    around: Bounds,
+    /// The line's place in [`Places::lines`].
+    line: Option<usize>,
+}
+
 impl Places {
     /// Around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
-        let mut places = Self { lines: vec![], labels: vec![], fills: vec![], signs: vec![] };
+        let mut places =
+            Self { lines: vec![], labels: vec![], obstacles: vec![], last: Cell::new(0), signs: vec![] };
         for item in scene.items() {
             match &item.shape {
-                Shape::Text(text) => places.labels.push(text.bounds()),
+                Shape::Text(text) => places.keep_off_label(text.bounds()),
                 shape => {
                     let half = 0.5 * scene.style(item).width_mm;
                     if half > 0.0 {
-                        places.lines.push((shape.clone(), half, shape.bounds()));
+                        places.keep_off_line(shape.clone(), half);
                     } else {
                         // A fill covers its whole box.
-                        places.fills.push(shape.bounds());
+                        places.obstacles.push(Obstacle { around: shape.bounds(), line: None });
                     }
                 }
             }
@@ -68,13 +82,37 @@ impl Places {
         places
     }
 
+    fn keep_off_label(&mut self, around: Bounds) {
+        self.labels.push(around);
+        self.obstacles.push(Obstacle { around, line: None });
+    }
+
+    fn keep_off_line(&mut self, line: Shape, half_mm: f64) {
+        let around = line.bounds();
+        let wide = around.grown(half_mm + HAIR_MM);
+        self.obstacles.push(Obstacle { around: wide, line: Some(self.lines.len()) });
+        self.lines.push((line, half_mm, around));
+    }
+
     fn free(&self, bounds: Bounds) -> bool {
         let clear = bounds.grown(CLEAR_MM);
-        !self.labels.iter().chain(&self.fills).any(|label| label.overlaps(clear))
-            && !self.lines.iter().any(|(line, half, around)| {
-                let clear = clear.grown(*half);
-                around.grown(HAIR_MM).overlaps(clear) && line_meets(line, clear)
-            })
+        let meets = |obstacle: &Obstacle| {
+            obstacle.around.overlaps(clear)
+                && obstacle.line.is_none_or(|line| {
+                    let (line, half, _) = &self.lines[line];
+                    line_meets(line, clear.grown(*half))
+                })
+        };
+        if self.obstacles.get(self.last.get()).is_some_and(meets) {
+            return false;
+        }
+        match self.obstacles.iter().position(meets) {
+            Some(place) => {
+                self.last.set(place);
+                false
+            }
+            None => true,
+        }
     }
 
     /// Keeps leaders out of a sign's box.
@@ -137,7 +175,7 @@ impl Places {
                 if at != end {
                     let leader = Shape::line(at, end);
                     scene.add_styled(layer, LEADER, leader.clone());
-                    self.lines.push((leader.clone(), 0.5 * LEADER.width_mm, leader.bounds()));
+                    self.keep_off_line(leader, 0.5 * LEADER.width_mm);
                 }
                 return self.add(scene, layer, label(middle));
             }
@@ -197,7 +235,7 @@ impl Places {
     }
 
     fn add(&mut self, scene: &mut Scene, layer: LayerId, text: Text) {
-        self.labels.push(text.bounds());
+        self.keep_off_label(text.bounds());
         scene.add(layer, text);
     }
 }
