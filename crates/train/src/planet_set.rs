@@ -320,8 +320,9 @@ impl PlanetSet {
         (0..self.meshes.len()).filter(|&mesh| behind(first, mesh) != behind(second, mesh)).collect()
     }
 
-    /// Body of a gear: central gears first, then planets.
-    pub(crate) fn body(&self, gear: GearOf) -> usize {
+    /// Body of a gear: central gears first in their order, then planets. A planet shaft is of the body of its planet.
+    #[must_use]
+    pub fn body(&self, gear: GearOf) -> usize {
         match gear {
             GearOf::Central(central) => self.centrals[central].body,
             GearOf::Planet(planet, _) => self.centrals.len() + planet,

@@ -14,6 +14,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("synthesis", &["layout", "train", "gears", "pareto"]),
     ("tables", &["synthesis"]),
     ("dynamics", &["train", "schemes", "gears"]),
+    ("motion", &["dynamics", "train", "gears"]),
     ("hydromotor", &["pareto"]),
     ("formats", &["dynamics", "train", "gears", "hydromotor"]),
     ("drawing", &[]),

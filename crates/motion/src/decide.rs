@@ -1,0 +1,396 @@
+//! What holds and what slips from here on.
+//!
+//! Elements and lossy sets whose slip is not 0 go on as they do. The others have three ways each: stuck, forwards, backwards; a one-way clutch
+//! two. Every combination is tried, those with the most stuck elements first, and is consistent where
+//!
+//! ```text
+//! stuck        |λ| ≤ κ·C, and λ ≥ 0 of a one-way clutch
+//! forwards     ds/dt > 0          backwards   ds/dt < 0
+//! power        through each lossy mesh in the direction that was assumed
+//! ```
+//!
+//! Without losses and with `κ = 1` the accelerations minimize the strictly convex `½·(q̈ − a)ᵀ·M·(q̈ − a) + Σ C·abs(ds/dt)`, so that only one
+//! motion is consistent. With `κ > 1` several may be: an element then holds where it can, which is the hysteresis of static friction.
+//! An element that has just exceeded its capacity does not hold again at that moment.
+//!
+//! The meshes of a set at rest are elements, too: it starts to roll where the losses of that direction let it, and is held by friction where neither
+//! direction does. Where stuck elements make a set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
+
+use crate::Error;
+use crate::dense::{dot, independent, largest};
+use crate::field::{Field, Trigger};
+use crate::model::Kind;
+use crate::pattern::{Pattern, System, Way};
+use crate::tolerance::{ACCELERATION, MOST_AT_REST, MOST_LOSSY_MESHES, PATTERN, RANK, SLIP};
+use rustc_hash::FxHashMap;
+
+/// An element that slips from now on in this direction, since it could not hold.
+pub(crate) type Loosed = (usize, Way);
+
+/// Which patterns have a unique motion; by stuck elements and moving sets.
+pub(crate) type Unique = FxHashMap<(Vec<Way>, Vec<Way>), Result<(), Error>>;
+
+/// The state at which it is decided, and what was before.
+pub(crate) struct Moment<'s> {
+    pub(crate) t: f64,
+    pub(crate) y: &'s [f64],
+    /// The largest speed so far.
+    pub(crate) speed_scale: f64,
+    pub(crate) loosed: &'s [Loosed],
+}
+
+/// What is open, in a moment.
+struct Open {
+    elements: Vec<usize>,
+    sets: Vec<usize>,
+}
+
+impl Field<'_> {
+    /// Elements without slip that carry friction, and lossy sets that do not roll.
+    pub(crate) fn at_rest(&self, y: &[f64], speed_scale: f64) -> (Vec<usize>, Vec<usize>) {
+        let zero = SLIP * speed_scale;
+        let elements = (0..self.model.elements.len())
+            .filter(|&place| !self.is_idle[place] && self.slip(place, y).abs() <= zero);
+        let sets = self.model.mechanism.sets.iter().enumerate();
+        let sets = sets.filter(|(_, set)| set.is_lossy && dot(&set.rolling, y).abs() <= zero);
+        (elements.collect(), sets.map(|(place, _)| place).collect())
+    }
+
+    /// Finds the pattern that is consistent at a moment, and takes it.
+    pub(crate) fn decide(&mut self, moment: &Moment, unique: &mut Unique) -> Result<(), Error> {
+        let (elements, sets) = self.at_rest(moment.y, moment.speed_scale);
+        let given = elements.len() + sets.len();
+        if given > MOST_AT_REST {
+            return Err(Error::TooManyAtRest { given, most: MOST_AT_REST, time_s: moment.t });
+        }
+        let open = Open { elements, sets };
+        let mut base = self.pattern.clone();
+        for (place, way) in base.elements.iter_mut().enumerate() {
+            let slip = self.slip(place, moment.y);
+            *way = if self.is_idle[place] { Way::Open } else { Way::of(slip) };
+            let one = &self.model.elements[place];
+            if matches!(one.kind, Kind::OneWay) && *way == Way::Backward && !open.elements.contains(&place) {
+                return Err(Error::InitialSlip { element: one.name.clone(), slip });
+            }
+        }
+        for (way, set) in base.sets.iter_mut().zip(&self.model.mechanism.sets) {
+            *way = if set.is_lossy { Way::of(dot(&set.rolling, moment.y)) } else { Way::Open };
+        }
+        let mut refused = None;
+        let mut best: Option<(f64, Pattern)> = None;
+        for loosed in [moment.loosed, &[]] {
+            for ways in self.combinations(&open, loosed) {
+                let mut candidate = base.clone();
+                for (&place, &way) in open.elements.iter().zip(&ways) {
+                    candidate.elements[place] = way;
+                }
+                for assumed in self.rolling(&candidate, &open.sets) {
+                    let found = self.violation(assumed, &open, moment, loosed, unique, &mut refused);
+                    let Some((violation, pattern)) = found else { continue };
+                    if violation == 0.0 {
+                        return self.take(pattern, moment, unique);
+                    }
+                    if best.as_ref().is_none_or(|(least, _)| violation < *least) {
+                        best = Some((violation, pattern));
+                    }
+                }
+            }
+            if best.as_ref().is_some_and(|(least, _)| *least <= PATTERN) || moment.loosed.is_empty() {
+                break;
+            }
+        }
+        match (best, refused) {
+            (Some((violation, pattern)), _) if violation <= PATTERN => self.take(pattern, moment, unique),
+            (_, Some(refused)) => Err(refused),
+            (best, None) => {
+                let of_elements = open.elements.iter().map(|&place| self.model.elements[place].name.clone());
+                let of_sets = open.sets.iter().map(|&set| self.model.mechanism.sets[set].name.clone());
+                Err(Error::NoMotion {
+                    time_s: moment.t,
+                    parts: of_elements.chain(of_sets).collect(),
+                    violation: best.map_or(f64::INFINITY, |(violation, _)| violation),
+                })
+            }
+        }
+    }
+
+    /// Ways of the open elements, those with the most stuck first.
+    fn combinations(&self, open: &Open, loosed: &[Loosed]) -> Vec<Vec<Way>> {
+        let options = |&place: &usize| match loosed.iter().find(|(one, _)| *one == place) {
+            Some((_, way)) => vec![*way],
+            None if matches!(self.model.elements[place].kind, Kind::OneWay) => vec![Way::Stuck, Way::Forward],
+            None => vec![Way::Stuck, Way::Forward, Way::Backward],
+        };
+        let mut all = product(&open.elements.iter().map(options).collect::<Vec<_>>());
+        all.sort_by_key(|ways| ways.iter().filter(|way| **way != Way::Stuck).count());
+        all
+    }
+
+    /// Patterns with ways of the sets that do not roll: moving ones first, so that friction holds only where nothing moves.
+    ///
+    /// A set whose rolling depends on what is stuck is a block. Of sets that roll together one leads.
+    fn rolling(&self, candidate: &Pattern, sets: &[usize]) -> Vec<Pattern> {
+        if sets.is_empty() {
+            return vec![candidate.clone()];
+        }
+        let stuck: Vec<usize> = candidate.stuck().collect();
+        let slips = stuck.iter().map(|&place| self.model.elements[place].slip.as_slice());
+        let rolling = sets.iter().map(|&set| self.model.mechanism.sets[set].rolling.as_slice());
+        let found = independent(&slips.chain(rolling).collect::<Vec<_>>());
+        let leaders: Vec<usize> = found
+            .kept
+            .iter()
+            .filter_map(|place| place.checked_sub(stuck.len()))
+            .map(|one| sets[one])
+            .collect();
+        let options = vec![vec![Way::Forward, Way::Backward, Way::Stuck]; leaders.len()];
+        let mut all = product(&options);
+        all.sort_by_key(|ways| ways.iter().filter(|way| **way == Way::Stuck).count());
+        let with = |ways: Vec<Way>| {
+            let mut pattern = candidate.clone();
+            for (place, made) in &found.others {
+                let Some(one) = place.checked_sub(stuck.len()) else { continue };
+                // The sign of a sum is that of its largest part; where another would be right the accelerations tell.
+                let mut most = 0.0_f64;
+                for (factor, kept) in made.iter().zip(&found.kept) {
+                    let leader = kept.checked_sub(stuck.len());
+                    let place = leader.and_then(|leader| leaders.iter().position(|&set| set == sets[leader]));
+                    let part = place.map_or(0.0, |place| factor * ways[place].sign());
+                    if part.abs() > most.abs() && part.abs() > RANK {
+                        most = part;
+                    }
+                }
+                pattern.sets[sets[one]] = if most == 0.0 { Way::Open } else { Way::of(most) };
+            }
+            for (&set, &way) in leaders.iter().zip(&ways) {
+                pattern.sets[set] = way;
+            }
+            pattern
+        };
+        all.into_iter().map(with).collect()
+    }
+
+    /// By how much a pattern is contradicted, over the largest torque or acceleration, with its mesh powers settled.
+    fn violation(
+        &mut self,
+        assumed: Pattern,
+        open: &Open,
+        moment: &Moment,
+        loosed: &[Loosed],
+        unique: &mut Unique,
+        refused: &mut Option<Error>,
+    ) -> Option<(f64, Pattern)> {
+        self.pattern = assumed;
+        match self.settle(moment, unique) {
+            Ok(true) => {}
+            Ok(false) => return None,
+            Err(error) => {
+                refused.get_or_insert(error);
+                return None;
+            }
+        }
+        let mut worst = 0.0_f64;
+        for (trigger, margin) in self.triggers.iter().zip(&self.margins) {
+            if let Trigger::Exceeds(_) | Trigger::LetsGo(_) = trigger
+                && *margin < 0.0
+            {
+                worst = worst.max(-margin / self.torque_scale);
+            }
+        }
+        let speeds = &self.model.mechanism.speeds;
+        let scale = (0..speeds.rows)
+            .fold(0.0_f64, |most, body| most.max(dot(speeds.row(body), &self.accelerations).abs()));
+        let starts = |way: Way, row: &[f64], is_loosed: bool| {
+            if way.sign() == 0.0 {
+                return 0.0;
+            }
+            let part = if scale > 0.0 { way.sign() * dot(row, &self.accelerations) / scale } else { 0.0 };
+            // One that has just been loosed begins with nothing; any other must move away.
+            let due = if is_loosed { -ACCELERATION } else { ACCELERATION };
+            (due - part).max(0.0)
+        };
+        for &place in &open.elements {
+            let is_loosed = loosed.iter().any(|(one, _)| *one == place);
+            let way = self.pattern.elements[place];
+            worst = worst.max(starts(way, &self.model.elements[place].slip, is_loosed));
+        }
+        for &set in &open.sets {
+            worst = worst.max(starts(self.pattern.sets[set], &self.model.mechanism.sets[set].rolling, false));
+        }
+        Some((worst, self.pattern.clone()))
+    }
+
+    /// Finds the directions of the mesh powers under the ways of elements and sets; false where none are consistent.
+    fn settle(&mut self, moment: &Moment, unique: &mut Unique) -> Result<bool, Error> {
+        let lossy: Vec<usize> = self.lossy_meshes().collect();
+        if lossy.len() > MOST_LOSSY_MESHES {
+            return Err(Error::TooManyMeshes { given: lossy.len(), most: MOST_LOSSY_MESHES });
+        }
+        if !self.solve(moment) {
+            // Nothing follows from this pattern; if losses are to blame, that is the answer.
+            return if lossy.is_empty() { Ok(false) } else { self.check_unique(unique).map(|()| false) };
+        }
+        if lossy.is_empty() {
+            return Ok(true);
+        }
+        self.check_unique(unique)?;
+        for _ in 0..2 * lossy.len() + 2 {
+            if !self.turn_meshes() {
+                return Ok(true);
+            }
+            if !self.solve(moment) {
+                break;
+            }
+        }
+        for signs in 0..1_u32 << lossy.len() {
+            for (bit, &mesh) in lossy.iter().enumerate() {
+                self.pattern.meshes[mesh] = if signs >> bit & 1 == 0 { 1 } else { -1 };
+            }
+            if self.solve(moment) && !self.turn_meshes() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Turns the assumed directions that the torques contradict; false where there are none.
+    fn turn_meshes(&mut self) -> bool {
+        let mut any = false;
+        for (trigger, margin) in self.triggers.iter().zip(&self.margins) {
+            if let Trigger::Reverses(mesh) = trigger
+                && *margin < 0.0
+            {
+                self.pattern.meshes[*mesh] *= -1;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// Meshes whose losses count under the pattern.
+    fn lossy_meshes(&self) -> impl Iterator<Item = usize> + '_ {
+        let meshes = &self.model.mechanism.meshes;
+        (0..meshes.len())
+            .filter(|&mesh| meshes[mesh].is_lossy() && self.pattern.sets[meshes[mesh].set].sign() != 0.0)
+    }
+
+    /// Solves the equations of motion under the pattern and measures its margins.
+    fn solve(&mut self, moment: &Moment) -> bool {
+        let Some(system) = System::new(self.model, &self.pattern) else { return false };
+        self.system = system;
+        let mut rates = vec![0.0; self.parts.size];
+        self.evaluate(moment.t, moment.y, &mut rates);
+        self.torque_scale = self.torque_scale.max(self.largest_torque());
+        self.find_triggers();
+        self.measure(moment.t, moment.y);
+        true
+    }
+
+    /// Takes a consistent pattern.
+    fn take(&mut self, pattern: Pattern, moment: &Moment, unique: &mut Unique) -> Result<(), Error> {
+        self.pattern = pattern;
+        // The system of another candidate may have been solved since.
+        self.solve(moment);
+        if self.lossy_meshes().next().is_some() { self.check_unique(unique) } else { Ok(()) }
+    }
+
+    /// Refuses losses under which the determinant of the loaded mass matrix has not one sign.
+    fn check_unique(&self, unique: &mut Unique) -> Result<(), Error> {
+        let key = (
+            self.pattern
+                .elements
+                .iter()
+                .map(|&way| if way == Way::Stuck { way } else { Way::Open })
+                .collect(),
+            self.pattern
+                .sets
+                .iter()
+                .map(|&way| if way == Way::Backward { Way::Forward } else { way })
+                .collect(),
+        );
+        if let Some(known) = unique.get(&key) {
+            return known.clone();
+        }
+        let found = self.find_unique();
+        unique.insert(key, found.clone());
+        found
+    }
+
+    fn find_unique(&self) -> Result<(), Error> {
+        let lossy: Vec<usize> = self.lossy_meshes().collect();
+        let meshes = &self.model.mechanism.meshes;
+        let stuck: Vec<usize> = self.pattern.stuck().collect();
+        let rows: Vec<&[f64]> =
+            stuck.iter().map(|&place| self.model.elements[place].slip.as_slice()).collect();
+        let stuck_sets: Vec<usize> =
+            (0..self.pattern.sets.len()).filter(|&set| self.pattern.sets[set] == Way::Stuck).collect();
+        let independent = independent(&rows);
+        let with = |part: &dyn Fn(usize) -> f64| {
+            System::determinant_with(self.model, &stuck, &independent, &stuck_sets, part)
+        };
+        let ideal = with(&|_| 1.0);
+        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for signs in 0..1_u32 << lossy.len() {
+            let part = |mesh: usize| match lossy.iter().position(|&one| one == mesh) {
+                Some(bit) if signs >> bit & 1 == 0 => meshes[mesh].efficiency,
+                Some(_) => 1.0 / meshes[mesh].efficiency,
+                None => 1.0,
+            };
+            let share = with(&part) / ideal;
+            least = least.min(share);
+            greatest = greatest.max(share);
+        }
+        if least > 0.0 {
+            return Ok(());
+        }
+        let mut sets: Vec<usize> = lossy.iter().map(|&mesh| meshes[mesh].set).collect();
+        sets.dedup();
+        let sets = sets.iter().map(|&set| self.model.mechanism.sets[set].name.clone()).collect();
+        Err(Error::NotUnique { sets, least, greatest })
+    }
+
+    /// Whether a set that friction holds would start under some pattern with the same stuck elements.
+    pub(crate) fn would_start(&self, moment: &Moment, unique: &mut Unique) -> bool {
+        let (_, sets) = self.at_rest(moment.y, moment.speed_scale);
+        let open = Open { elements: vec![], sets };
+        let mut other = self.clone();
+        let mut refused = None;
+        let mut base = self.pattern.clone();
+        open.sets.iter().for_each(|&set| base.sets[set] = Way::Open);
+        self.rolling(&base, &open.sets).into_iter().any(|pattern| {
+            let is_more = open
+                .sets
+                .iter()
+                .any(|&set| pattern.sets[set].sign() != 0.0 && self.pattern.sets[set].sign() == 0.0);
+            is_more
+                && other
+                    .violation(pattern, &open, moment, &[], unique, &mut refused)
+                    .is_some_and(|(violation, _)| violation == 0.0)
+        })
+    }
+}
+
+/// All choices of one option each.
+fn product(options: &[Vec<Way>]) -> Vec<Vec<Way>> {
+    options.iter().fold(vec![vec![]], |made, ways| {
+        made.iter()
+            .flat_map(|start| {
+                ways.iter().map(move |way| {
+                    let mut longer = start.clone();
+                    longer.push(*way);
+                    longer
+                })
+            })
+            .collect()
+    })
+}
+
+/// The largest speed of any body.
+pub(crate) fn largest_speed(field: &Field, y: &[f64]) -> f64 {
+    let speeds = &field.model.mechanism.speeds;
+    let mut most = largest(&y[..field.parts.work]);
+    for body in 0..speeds.rows {
+        most = most.max(dot(speeds.row(body), y).abs());
+    }
+    most
+}

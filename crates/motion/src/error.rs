@@ -1,0 +1,223 @@
+//! What this crate refuses.
+
+/// A model that cannot be built, or a motion that does not exist.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number that is not allowed.
+    #[error("{field} is {value}: {allowed}")]
+    Value {
+        /// What the number is, with its unit.
+        field: String,
+        /// The number given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A name that nothing has.
+    #[error("there is no {what} {name}")]
+    Unknown {
+        /// What was looked for.
+        what: &'static str,
+        /// The name given.
+        name: String,
+    },
+    /// A name given twice.
+    #[error("the {what} {name} is there already")]
+    Duplicate {
+        /// What has the name.
+        what: &'static str,
+        /// The name given.
+        name: String,
+    },
+    /// Points of a table that are not in order.
+    #[error("point {place} of {field} is at {value}, and the point before it at {before}: {allowed}")]
+    Order {
+        /// The table.
+        field: String,
+        /// Place of the point, from 1.
+        place: usize,
+        /// Its abscissa, SI.
+        value: f64,
+        /// That of the point before it, SI.
+        before: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A table without points.
+    #[error("{field} has no points; it needs at least one")]
+    NoPoints {
+        /// The table.
+        field: String,
+    },
+    /// Planets with inertia whose speed does not follow.
+    #[error("the planets of {set} have inertia or mass, and their speed does not follow: {missing}")]
+    PlanetSpeed {
+        /// The set.
+        set: String,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// A shift element whose links are one piece.
+    #[error("{element} joins {first} and {second}, which are one piece")]
+    OnePiece {
+        /// The shift element.
+        element: String,
+        /// Its links.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// Nothing can move.
+    #[error("nothing can move: all links are held")]
+    NoFreedom,
+    /// Sets that together hold more than there is to hold, so that their torques do not follow.
+    #[error(
+        "the speeds that {set} asks of its links follow already from the other sets: its torques are indeterminate"
+    )]
+    Overdetermined {
+        /// A set concerned.
+        set: String,
+    },
+    /// A motion without inertia.
+    #[error("{link} can move without any inertia moving: give it an inertia, or hold it")]
+    NoInertia {
+        /// A link concerned.
+        link: String,
+    },
+    /// Losses under which a torque has no motion, or several.
+    #[error(
+        "the mesh losses of {} leave the motion open: the determinant of the loaded mass matrix over that without losses is \
+         {least:.6} under one pattern of power directions and {greatest:.6} under another; both must be above 0",
+        .sets.join(", ")
+    )]
+    NotUnique {
+        /// The sets with losses that are moving.
+        sets: Vec<String>,
+        /// The least of the determinants over that without losses.
+        least: f64,
+        /// The greatest.
+        greatest: f64,
+    },
+    /// More lossy meshes than patterns are searched for.
+    #[error(
+        "{given} lossy meshes move at once, and at most {most} are taken: give some sets no inertia of planets, or no losses"
+    )]
+    TooManyMeshes {
+        /// How many.
+        given: usize,
+        /// The limit.
+        most: usize,
+    },
+    /// More shift elements without slip than patterns are searched for.
+    #[error("{given} shift elements and loads are without slip at {time_s} s, and at most {most} are taken")]
+    TooManyAtRest {
+        /// How many.
+        given: usize,
+        /// The limit.
+        most: usize,
+        /// When.
+        time_s: f64,
+    },
+    /// No assumption about what holds and what slips is consistent.
+    #[error("at {time_s} s no pattern of {} holding or slipping is consistent; the best is off by {violation:.3e}", .parts.join(", "))]
+    NoMotion {
+        /// When.
+        time_s: f64,
+        /// The shift elements, loads and sets concerned.
+        parts: Vec<String>,
+        /// By how much the best is contradicted, over the largest torque or acceleration.
+        violation: f64,
+    },
+    /// Initial speeds that the sets do not allow.
+    #[error(
+        "the initial speeds do not fit: {link} is given {given} rad/s, and turns at {found} rad/s by the others"
+    )]
+    InitialSpeeds {
+        /// The link.
+        link: String,
+        /// Its speed as given.
+        given: f64,
+        /// Its speed by the others.
+        found: f64,
+    },
+    /// Initial speeds from which others do not follow.
+    #[error("the initial speed of {link} does not follow from those given")]
+    InitialOpen {
+        /// A link whose speed does not follow.
+        link: String,
+    },
+    /// A one-way clutch that would have to slip against its direction.
+    #[error(
+        "the one-way clutch {element} slips at {slip} rad/s at the start; it lets only slips above 0 pass"
+    )]
+    InitialSlip {
+        /// The clutch.
+        element: String,
+        /// Its slip.
+        slip: f64,
+    },
+    /// Events that accumulate at a time.
+    #[error("events accumulate at {time_s} s: {events} within {within_s:.3e} s, of {}", .parts.join(", "))]
+    Accumulating {
+        /// When.
+        time_s: f64,
+        /// How many.
+        events: usize,
+        /// In which time.
+        within_s: f64,
+        /// The parts that had events.
+        parts: Vec<String>,
+    },
+    /// A step shorter than time is told.
+    #[error(
+        "at {time_s} s the step would have to be shorter than {step_s:.3e} s: speeds or torques grow beyond all bounds"
+    )]
+    StepTooShort {
+        /// When.
+        time_s: f64,
+        /// The step.
+        step_s: f64,
+    },
+    /// More steps than are taken.
+    #[error("more than {most} steps are needed; {time_s} s are calculated")]
+    TooManySteps {
+        /// The limit.
+        most: usize,
+        /// What is calculated.
+        time_s: f64,
+    },
+    /// An invalid gearbox.
+    #[error(transparent)]
+    Gearbox(#[from] epicyclic_train::Error),
+}
+
+impl Error {
+    /// Name of the fault, which does not change with the message: `no-inertia`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Value { .. } => "value",
+            Self::Unknown { .. } => "unknown",
+            Self::Duplicate { .. } => "duplicate",
+            Self::Order { .. } => "order",
+            Self::NoPoints { .. } => "no-points",
+            Self::PlanetSpeed { .. } => "planet-speed",
+            Self::OnePiece { .. } => "one-piece",
+            Self::NoFreedom => "no-freedom",
+            Self::Overdetermined { .. } => "overdetermined",
+            Self::NoInertia { .. } => "no-inertia",
+            Self::NotUnique { .. } => "not-unique",
+            Self::TooManyMeshes { .. } => "too-many-meshes",
+            Self::TooManyAtRest { .. } => "too-many-at-rest",
+            Self::NoMotion { .. } => "no-motion",
+            Self::InitialSpeeds { .. } => "initial-speeds",
+            Self::InitialOpen { .. } => "initial-open",
+            Self::InitialSlip { .. } => "initial-slip",
+            Self::Accumulating { .. } => "accumulating",
+            Self::StepTooShort { .. } => "step-too-short",
+            Self::TooManySteps { .. } => "too-many-steps",
+            Self::Gearbox(error) => error.name(),
+        }
+    }
+}

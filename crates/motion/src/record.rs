@@ -1,0 +1,250 @@
+//! What a run finds: samples, events, energies.
+
+use crate::dense::dot;
+use crate::field::Field;
+use crate::pattern::Way;
+use crate::units::{angular_acceleration, angular_velocity, energy, joules, power, time, torque};
+use uom::si::f64::{AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
+
+/// What an element does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// It carries nothing.
+    Open,
+    /// It slips with `ω_1 > ω_2`; of a one-way clutch: it overruns.
+    Forward,
+    /// It slips with `ω_1 < ω_2`.
+    Backward,
+    /// It holds its links together.
+    Stuck,
+}
+
+impl From<Way> for State {
+    fn from(way: Way) -> Self {
+        match way {
+            Way::Open => Self::Open,
+            Way::Forward => Self::Forward,
+            Way::Backward => Self::Backward,
+            Way::Stuck => Self::Stuck,
+        }
+    }
+}
+
+/// Speeds, accelerations and torques at a time, in the order of [`Run`]'s names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// When.
+    pub time: Time,
+    /// Speed of each link.
+    pub speeds: Vec<AngularVelocity>,
+    /// Acceleration of each link.
+    pub accelerations: Vec<AngularAcceleration>,
+    /// Applied torques on their links.
+    pub torques: Vec<Torque>,
+    /// Torque of each element on its first link.
+    pub elements: Vec<Torque>,
+    /// What each element does.
+    pub states: Vec<State>,
+    /// Whether the torques of the stuck elements follow; otherwise they are the even split, see [`Model`](crate::Model).
+    pub is_split_unique: bool,
+    /// Torques on the members of each set from outside it, the carrier last, without what the planets' mass takes.
+    pub sets: Vec<Vec<Torque>>,
+    /// Power into each mesh from its first gear, relative to the carrier.
+    pub mesh_powers: Vec<Power>,
+}
+
+impl Sample {
+    /// From what a field evaluated last.
+    pub(crate) fn of(field: &Field, t: f64, y: &[f64]) -> Self {
+        let mechanism = &field.model.mechanism;
+        let of_links = |values: &[f64]| -> Vec<f64> {
+            let of = |node: &Option<usize>| node.map_or(0.0, |node| dot(mechanism.speeds.row(node), values));
+            mechanism.node.iter().map(of).collect()
+        };
+        let torques = |values: &[f64]| values.iter().map(|&value| torque(value)).collect();
+        let sets = mechanism.sets.iter().map(|set| {
+            let mut bodies: Vec<f64> = vec![0.0; set.centrals.iter().max().map_or(0, |most| most + 1)];
+            let mut carrier = 0.0;
+            for mesh in set.meshes.clone() {
+                let one = &mechanism.meshes[mesh];
+                let first = field.meshes[mesh];
+                let second = -first * one.ratio * field.pattern.part(mechanism, mesh);
+                carrier -= first + second;
+                for (body, on) in one.bodies.into_iter().zip([first, second]) {
+                    if let Some(sum) = bodies.get_mut(body) {
+                        *sum += on;
+                    }
+                }
+            }
+            let centrals = set.centrals.iter().map(|&body| bodies[body]);
+            centrals.chain([carrier]).map(|on| torque(-on)).collect()
+        });
+        let mesh_power = |(mesh, one): (usize, &crate::mechanism::MeshForce)| {
+            power(-field.meshes[mesh] * dot(&one.rolling, y))
+        };
+        Self {
+            time: time(t),
+            speeds: of_links(y).into_iter().map(angular_velocity).collect(),
+            accelerations: of_links(&field.accelerations).into_iter().map(angular_acceleration).collect(),
+            torques: torques(&field.applied),
+            elements: torques(&field.elements),
+            states: field.pattern.elements.iter().map(|&way| way.into()).collect(),
+            is_split_unique: field.system.independent.others.is_empty(),
+            sets: sets.collect(),
+            mesh_powers: mechanism.meshes.iter().enumerate().map(mesh_power).collect(),
+        }
+    }
+}
+
+/// What changes at an event.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Change {
+    /// An element does something else from now on.
+    Element {
+        /// Its name.
+        name: String,
+        /// What it did.
+        from: State,
+        /// What it does.
+        to: State,
+    },
+    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier.
+    Set {
+        /// Its name.
+        name: String,
+        /// How it rolled.
+        from: State,
+        /// How it rolls.
+        to: State,
+    },
+    /// A threshold is passed.
+    Threshold {
+        /// Its name.
+        name: String,
+        /// Whether the speed rises.
+        is_rising: bool,
+    },
+}
+
+/// Something that happens at a time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// What changes, all at once.
+    pub changes: Vec<Change>,
+    /// Everything right after it.
+    pub after: Sample,
+}
+
+/// Energies from the start to the end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Audit {
+    /// Work of each applied torque; below 0 of a load.
+    pub work: Vec<Energy>,
+    /// Heat of each element.
+    pub heat: Vec<Energy>,
+    /// Loss of each mesh.
+    pub mesh_losses: Vec<Energy>,
+    /// Loss within each source, beside its work: heat of the rotor of a Kloss motor.
+    pub inner_losses: Vec<Energy>,
+    /// Kinetic energy that the locking of elements took; they lock without slip, and so it is rounding.
+    pub impacts: Energy,
+    /// Kinetic energy at the start.
+    pub before: Energy,
+    /// Kinetic energy at the end.
+    pub after: Energy,
+}
+
+impl Audit {
+    /// `after − before − (work − heat − mesh losses − impacts)`, over the largest of these energies.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        let sum = |of: &[Energy]| of.iter().map(|one| joules(*one)).sum::<f64>();
+        let stored = joules(self.after) - joules(self.before);
+        let balance = sum(&self.work) - sum(&self.heat) - sum(&self.mesh_losses) - joules(self.impacts);
+        let all = [&self.work, &self.heat, &self.mesh_losses].into_iter().flatten();
+        let largest =
+            all.chain([&self.before, &self.after]).fold(0.0_f64, |most, one| most.max(joules(*one).abs()));
+        if largest == 0.0 { 0.0 } else { (stored - balance) / largest }
+    }
+
+    pub(crate) fn of(field: &Field, y: &[f64], impacts: f64, before: f64) -> Self {
+        let parts = field.parts;
+        let energies = |from: usize, to: usize| y[from..to].iter().map(|&value| energy(value)).collect();
+        Self {
+            work: energies(parts.work, parts.heat),
+            heat: energies(parts.heat, parts.loss),
+            mesh_losses: energies(parts.loss, parts.inner),
+            inner_losses: energies(parts.inner, parts.size),
+            impacts: energy(impacts),
+            before: energy(before),
+            after: energy(field.model.mechanism.kinetic_energy(&y[..parts.work])),
+        }
+    }
+}
+
+/// A motion from start to end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Names of the links; the first is the housing.
+    pub links: Vec<String>,
+    /// Names of the applied torques.
+    pub torques: Vec<String>,
+    /// Names of the elements.
+    pub elements: Vec<String>,
+    /// Names of the sets.
+    pub sets: Vec<String>,
+    /// Meshes: the place of the set, and the gears at the ends. Meshes in a row over planets without inertia are one.
+    pub meshes: Vec<(usize, [String; 2])>,
+    /// At the start, at the times asked for, and at the end.
+    pub samples: Vec<Sample>,
+    /// What happened, in order.
+    pub events: Vec<Event>,
+    /// Energies.
+    pub audit: Audit,
+    /// Steps that were calculated.
+    pub steps: usize,
+    /// How often a mode changed: events, turns of mesh power, kinks of tables over speed.
+    pub transitions: usize,
+}
+
+impl Run {
+    /// The last sample.
+    ///
+    /// # Panics
+    /// Never: every run has its start and end.
+    #[must_use]
+    pub fn end(&self) -> &Sample {
+        &self.samples[self.samples.len() - 1]
+    }
+
+    /// Place of a link among the speeds of a sample.
+    #[must_use]
+    pub fn link(&self, name: &str) -> Option<usize> {
+        self.links.iter().position(|link| link == name)
+    }
+
+    /// Place of an element.
+    #[must_use]
+    pub fn element(&self, name: &str) -> Option<usize> {
+        self.elements.iter().position(|element| element == name)
+    }
+
+    /// Place of an applied torque.
+    #[must_use]
+    pub fn torque(&self, name: &str) -> Option<usize> {
+        self.torques.iter().position(|torque| torque == name)
+    }
+
+    /// Speed of a link at the end.
+    #[must_use]
+    pub fn end_speed(&self, link: &str) -> Option<AngularVelocity> {
+        Some(self.end().speeds[self.link(link)?])
+    }
+
+    /// Heat of an element.
+    #[must_use]
+    pub fn heat(&self, element: &str) -> Option<Energy> {
+        Some(self.audit.heat[self.element(element)?])
+    }
+}

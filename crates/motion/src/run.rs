@@ -1,0 +1,422 @@
+//! From event to event.
+//!
+//! Between events the pattern of what holds and slips is fixed and the right side smooth. Steps of [`step`](crate::step) go up to the next kink of
+//! a course; a margin that is negative at any stage or at the end of a step is looked for inside it, on the dense output, and the step is then repeated
+//! with the length to the first event, so that the state there has the accuracy of a step and not that of the interpolation.
+//!
+//! At an event the slips that vanish are set to 0 exactly, by the plastic impact that takes least kinetic energy,
+//!
+//! ```text
+//! Δq̇ = −M⁻¹·Dᵀ·(D·M⁻¹·Dᵀ)⁻¹·D·q̇
+//! ```
+//!
+//! which here only takes away rounding, and the motion goes on from this state. Events within `1e-10` of a step are one set, decided together.
+
+mod locate;
+
+use crate::Error;
+use crate::decide::{Loosed, Moment, Unique, largest_speed};
+use crate::dense::{Matrix, Split, dot, independent, largest};
+use crate::field::{Field, Trigger};
+use crate::model::{Kind, Model};
+use crate::pattern::{Pattern, Way};
+use crate::record::{Audit, Change, Event, Run, Sample};
+use crate::start::Start;
+use crate::step::Stepper;
+use crate::tolerance::{ACCUMULATION, MOST_STEPS, MOST_TOGETHER, SHORTEST, STEP_ERROR};
+use crate::units::seconds;
+use std::collections::VecDeque;
+use uom::si::f64::Time;
+
+impl Model {
+    /// Accelerations and torques at the start.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn at_start(&self, start: &Start) -> Result<Sample, Error> {
+        let runner = Runner::new(self, start, 1.0, None)?;
+        Ok(Sample::of(&runner.field, 0.0, &runner.stepper.y))
+    }
+
+    /// The motion from time 0 to an end, with samples at these intervals.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for an end or interval that is not finite and above 0; [`Error::InitialSpeeds`], [`Error::InitialOpen`],
+    /// [`Error::InitialSlip`], [`Error::Unknown`] for a start that is none; [`Error::NotUnique`], [`Error::NoMotion`],
+    /// [`Error::TooManyMeshes`], [`Error::TooManyAtRest`] for a motion that does not follow; [`Error::Accumulating`],
+    /// [`Error::StepTooShort`], [`Error::TooManySteps`] for one that does not go on.
+    pub fn run(&self, start: &Start, end: Time, sample_every: Option<Time>) -> Result<Run, Error> {
+        let positive = |field: &str, value: f64| {
+            if value > 0.0 && value.is_finite() {
+                Ok(value)
+            } else {
+                Err(Error::Value { field: field.into(), value, allowed: "it is finite and above 0" })
+            }
+        };
+        let end = positive("the end in s", seconds(end))?;
+        let every =
+            sample_every.map(|every| positive("the interval of samples in s", seconds(every))).transpose()?;
+        let mut runner = Runner::new(self, start, end, every)?;
+        let before = self.mechanism.kinetic_energy(&runner.stepper.y[..runner.field.parts.work]);
+        runner.sample();
+        runner.go()?;
+        runner.sample();
+        let mechanism = &self.mechanism;
+        let meshes = mechanism.meshes.iter().map(|mesh| (mesh.set, mesh.gears.clone())).collect();
+        Ok(Run {
+            links: mechanism.links.clone(),
+            torques: self.torques.iter().map(|one| one.name.clone()).collect(),
+            elements: self.elements.iter().map(|one| one.name.clone()).collect(),
+            sets: mechanism.sets.iter().map(|set| set.name.clone()).collect(),
+            meshes,
+            audit: Audit::of(&runner.field, &runner.stepper.y, runner.impacts, before),
+            samples: runner.samples,
+            events: runner.events,
+            steps: runner.steps,
+            transitions: runner.transitions,
+        })
+    }
+
+    /// The next time at which a course has a kink.
+    fn next_kink(&self, t: f64) -> f64 {
+        let of_torques = self.torques.iter().filter_map(|one| match &one.law {
+            crate::torque_law::Law::Time(course) => course.next_kink(t),
+            _ => None,
+        });
+        let of_elements = self.elements.iter().filter_map(|one| match &one.kind {
+            Kind::Friction { capacity, .. } => capacity.next_kink(t),
+            Kind::OneWay => None,
+        });
+        of_torques.chain(of_elements).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The longest step that the courses allow.
+    fn longest_step(&self) -> f64 {
+        let of_torques = self.torques.iter().map(|one| match &one.law {
+            crate::torque_law::Law::Time(course) => course.longest_step(),
+            _ => f64::INFINITY,
+        });
+        let of_elements = self.elements.iter().map(|one| match &one.kind {
+            Kind::Friction { capacity, .. } => capacity.longest_step(),
+            Kind::OneWay => f64::INFINITY,
+        });
+        of_torques.chain(of_elements).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// A run on its way.
+struct Runner<'m> {
+    model: &'m Model,
+    field: Field<'m>,
+    stepper: Stepper,
+    unique: Unique,
+    end: f64,
+    /// Interval of samples, and how many of them there are.
+    every: Option<f64>,
+    sampled: usize,
+    longest: f64,
+    /// The next step to be tried.
+    h: f64,
+    speed_scale: f64,
+    energy_scale: f64,
+    scales: Vec<f64>,
+    impacts: f64,
+    samples: Vec<Sample>,
+    events: Vec<Event>,
+    /// Times of the last events, with what fired them.
+    recent: VecDeque<(f64, Vec<Trigger>)>,
+    steps: usize,
+    transitions: usize,
+}
+
+/// How a stretch ends.
+enum Stretch {
+    /// At a kink, or at the end.
+    Reached,
+    /// With these triggers.
+    Fired(Vec<Trigger>),
+}
+
+impl<'m> Runner<'m> {
+    fn new(model: &'m Model, start: &Start, end: f64, every: Option<f64>) -> Result<Self, Error> {
+        let q = start.coordinates(&model.mechanism)?;
+        let field = Field::new(model, 0.0).ok_or(Error::NoFreedom)?;
+        let mut stepper = Stepper::new(field.parts.size);
+        stepper.y[..q.len()].copy_from_slice(&q);
+        let longest = model.longest_step();
+        let size = field.parts.size;
+        let mut made = Self {
+            model,
+            field,
+            stepper,
+            unique: Unique::default(),
+            end,
+            every,
+            sampled: 0,
+            longest,
+            h: end / 16.0,
+            speed_scale: 0.0,
+            energy_scale: 0.0,
+            scales: vec![1.0; size],
+            impacts: 0.0,
+            samples: vec![],
+            events: vec![],
+            recent: VecDeque::new(),
+            steps: 0,
+            transitions: 0,
+        };
+        made.speed_scale = largest_speed(&made.field, &made.stepper.y);
+        for (place, one) in model.torques.iter().enumerate() {
+            made.field.pattern.segments[place] = one.law.segment(dot(&one.speed, &made.stepper.y), true);
+        }
+        made.project(&[]);
+        made.impacts = 0.0;
+        made.decide(&[])?;
+        for (side, one) in made.field.sides.iter_mut().zip(&model.thresholds) {
+            let distance = dot(&one.factors, &made.stepper.y) - one.speed;
+            // On the threshold it is the acceleration that tells the side.
+            let rate = dot(&one.factors, &made.field.accelerations);
+            *side = if distance == 0.0 { rate.signum() } else { distance.signum() };
+        }
+        Ok(made)
+    }
+
+    fn go(&mut self) -> Result<(), Error> {
+        loop {
+            let stop = self.model.next_kink(self.stepper.t).min(self.end);
+            match self.advance(stop)? {
+                Stretch::Reached if stop >= self.end => return Ok(()),
+                Stretch::Reached => self.transit(&[])?,
+                Stretch::Fired(fired) => self.transit(&fired)?,
+            }
+        }
+    }
+
+    /// Steps up to a time, or to the first event before it.
+    fn advance(&mut self, stop: f64) -> Result<Stretch, Error> {
+        let shortest = SHORTEST * self.end;
+        loop {
+            let left = stop - self.stepper.t;
+            if left <= shortest {
+                self.stepper.t = stop;
+                return Ok(Stretch::Reached);
+            }
+            let wanted = self.h.min(self.longest);
+            let is_last = wanted >= left;
+            let h = if is_last { left } else { wanted };
+            if h < shortest {
+                return Err(Error::StepTooShort { time_s: self.stepper.t, step_s: shortest });
+            }
+            if self.steps >= MOST_STEPS {
+                return Err(Error::TooManySteps { most: MOST_STEPS, time_s: self.stepper.t });
+            }
+            self.steps += 1;
+            self.attempt(h);
+            let error = self.error();
+            let factor = if error > 0.0 { 0.9 * error.powf(-0.125) } else { 6.0 };
+            if error.is_nan() || error > 1.0 {
+                self.h = h * if error.is_finite() { factor.max(0.2) } else { 0.2 };
+                continue;
+            }
+            if let Some(fired) = self.locate() {
+                self.h = h * factor.clamp(0.2, 6.0);
+                self.accept();
+                return Ok(Stretch::Fired(fired));
+            }
+            self.sample_within(1.0);
+            self.accept();
+            let next = h * factor.clamp(0.2, 6.0);
+            // A step cut short by a kink says little about the next.
+            self.h = if is_last { next.max(self.h) } else { next };
+            if is_last {
+                self.stepper.t = stop;
+                return Ok(Stretch::Reached);
+            }
+        }
+    }
+
+    fn attempt(&mut self, h: f64) {
+        let Self { field, stepper, .. } = self;
+        field.low.fill(f64::INFINITY);
+        stepper.attempt(h, |t, y, dy| {
+            field.evaluate(t, y, dy);
+            field.measure(t, y);
+        });
+    }
+
+    /// Error of the step tried, over the largest speed and energy up to its end.
+    fn error(&mut self) -> f64 {
+        let parts = self.field.parts;
+        let end = &self.stepper.end;
+        let speed = self.speed_scale.max(largest(&end[..parts.work]));
+        let energy = self
+            .energy_scale
+            .max(largest(&end[parts.work..]))
+            .max(self.model.mechanism.kinetic_energy(&end[..parts.work]));
+        let scale = |largest: f64| if largest > 0.0 { STEP_ERROR * largest } else { 1.0 };
+        self.scales[..parts.work].fill(scale(speed));
+        self.scales[parts.work..].fill(scale(energy));
+        self.stepper.error(&self.scales)
+    }
+
+    /// Goes to the end of the step tried.
+    fn accept(&mut self) {
+        self.stepper.accept();
+        let parts = self.field.parts;
+        let y = &self.stepper.y;
+        self.speed_scale = self.speed_scale.max(largest_speed(&self.field, y));
+        self.energy_scale = self
+            .energy_scale
+            .max(largest(&y[parts.work..]))
+            .max(self.model.mechanism.kinetic_energy(&y[..parts.work]));
+        self.field.torque_scale = self.field.torque_scale.max(self.field.largest_torque());
+    }
+
+    /// Takes what comes after a kink or an event.
+    fn transit(&mut self, fired: &[Trigger]) -> Result<(), Error> {
+        let t = self.stepper.t;
+        self.transitions += usize::from(!fired.is_empty());
+        self.watch_accumulation(fired)?;
+        let before = self.field.pattern.clone();
+        let mut loosed: Vec<Loosed> = vec![];
+        let mut changes = vec![];
+        for trigger in fired {
+            match *trigger {
+                Trigger::Exceeds(place) | Trigger::LetsGo(place) => {
+                    loosed.push((place, Way::of(-self.field.elements[place])));
+                }
+                Trigger::Segment(place, true) => self.field.pattern.segments[place] += 1,
+                Trigger::Segment(place, false) => self.field.pattern.segments[place] -= 1,
+                Trigger::Passes(place) => {
+                    self.field.sides[place] *= -1.0;
+                    let is_rising = self.field.sides[place] > 0.0;
+                    let name = self.model.thresholds[place].name.clone();
+                    changes.push(Change::Threshold { name, is_rising });
+                }
+                // Its torque is nothing under either direction: only this tells which is next.
+                Trigger::Reverses(mesh) => self.field.pattern.meshes[mesh] *= -1,
+                Trigger::SlipEnds(_) | Trigger::RollingEnds(_) | Trigger::Starts => {}
+            }
+        }
+        for (place, way) in &mut loosed {
+            if matches!(self.model.elements[*place].kind, Kind::OneWay) {
+                *way = Way::Forward;
+            }
+        }
+        self.field.take_pieces(t);
+        self.project(fired);
+        self.decide(&loosed)?;
+        self.note_changes(&before, &mut changes);
+        if !changes.is_empty() {
+            let after = Sample::of(&self.field, t, &self.stepper.y);
+            self.events.push(Event { changes, after });
+        }
+        Ok(())
+    }
+
+    fn note_changes(&self, before: &Pattern, changes: &mut Vec<Change>) {
+        let after = &self.field.pattern;
+        for (place, one) in self.model.elements.iter().enumerate() {
+            let (from, to) = (before.elements[place], after.elements[place]);
+            if from != to {
+                changes.push(Change::Element { name: one.name.clone(), from: from.into(), to: to.into() });
+            }
+        }
+        for (place, one) in self.model.mechanism.sets.iter().enumerate() {
+            let (from, to) = (before.sets[place], after.sets[place]);
+            if from != to {
+                changes.push(Change::Set { name: one.name.clone(), from: from.into(), to: to.into() });
+            }
+        }
+    }
+
+    fn decide(&mut self, loosed: &[Loosed]) -> Result<(), Error> {
+        let moment = Moment { t: self.stepper.t, y: &self.stepper.y, speed_scale: self.speed_scale, loosed };
+        self.field.decide(&moment, &mut self.unique)?;
+        let Self { field, stepper, .. } = self;
+        stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
+        Ok(())
+    }
+
+    /// Sets slips that vanish to 0, by the impact that takes least kinetic energy.
+    fn project(&mut self, fired: &[Trigger]) {
+        let mechanism = &self.model.mechanism;
+        let (mut elements, mut sets) = self.field.at_rest(&self.stepper.y, self.speed_scale);
+        for trigger in fired {
+            match *trigger {
+                Trigger::SlipEnds(place) if !elements.contains(&place) => elements.push(place),
+                Trigger::RollingEnds(set) if !sets.contains(&set) => sets.push(set),
+                _ => {}
+            }
+        }
+        let rows = elements.iter().map(|&place| self.model.elements[place].slip.as_slice());
+        let rows: Vec<&[f64]> =
+            rows.chain(sets.iter().map(|&set| mechanism.sets[set].rolling.as_slice())).collect();
+        let kept: Vec<&[f64]> = independent(&rows).kept.into_iter().map(|row| rows[row]).collect();
+        let n = self.field.parts.work;
+        let slips: Vec<f64> = kept.iter().map(|row| dot(row, &self.stepper.y)).collect();
+        if slips.iter().all(|slip| *slip == 0.0) {
+            return;
+        }
+        let Some(masses) = Split::new(mechanism.masses()) else { return };
+        let columns: Vec<Vec<f64>> = kept.iter().map(|row| masses.solve(row)).collect();
+        let mut mobility = Matrix::zeros(kept.len(), kept.len());
+        for (place, row) in kept.iter().enumerate() {
+            for (entry, column) in mobility.row_mut(place).iter_mut().zip(&columns) {
+                *entry = dot(row, column);
+            }
+        }
+        let Some(impulses) = Split::new(mobility).map(|split| split.solve(&slips)) else { return };
+        let before = mechanism.kinetic_energy(&self.stepper.y[..n]);
+        for (impulse, column) in impulses.iter().zip(&columns) {
+            for (speed, change) in self.stepper.y.iter_mut().zip(column) {
+                *speed -= impulse * change;
+            }
+        }
+        self.impacts += before - mechanism.kinetic_energy(&self.stepper.y[..n]);
+    }
+
+    /// Refuses events that accumulate.
+    fn watch_accumulation(&mut self, fired: &[Trigger]) -> Result<(), Error> {
+        if fired.is_empty() {
+            return Ok(());
+        }
+        let t = self.stepper.t;
+        self.recent.push_back((t, fired.to_vec()));
+        if self.recent.len() <= MOST_TOGETHER {
+            return Ok(());
+        }
+        self.recent.pop_front();
+        let within = self.recent.front().map_or(f64::INFINITY, |(first, _)| t - first);
+        if within >= ACCUMULATION * self.end {
+            return Ok(());
+        }
+        let mut parts: Vec<String> =
+            self.recent.iter().flat_map(|(_, fired)| fired).map(|&trigger| self.name_of(trigger)).collect();
+        parts.sort();
+        parts.dedup();
+        Err(Error::Accumulating { time_s: t, events: MOST_TOGETHER, within_s: within, parts })
+    }
+
+    fn name_of(&self, trigger: Trigger) -> String {
+        let model = self.model;
+        match trigger {
+            Trigger::SlipEnds(place) | Trigger::Exceeds(place) | Trigger::LetsGo(place) => {
+                model.elements[place].name.clone()
+            }
+            Trigger::RollingEnds(set) => model.mechanism.sets[set].name.clone(),
+            Trigger::Reverses(mesh) => model.mechanism.sets[model.mechanism.meshes[mesh].set].name.clone(),
+            Trigger::Starts => "mesh friction at rest".into(),
+            Trigger::Segment(place, _) => model.torques[place].name.clone(),
+            Trigger::Passes(place) => model.thresholds[place].name.clone(),
+        }
+    }
+
+    /// A sample of where the run is.
+    fn sample(&mut self) {
+        let Self { field, stepper, .. } = self;
+        stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
+        let sample = Sample::of(&self.field, self.stepper.t, &self.stepper.y);
+        self.samples.push(sample);
+    }
+}

@@ -1,0 +1,173 @@
+//! Where in a step the first event is, and samples within a step.
+
+use super::Runner;
+use crate::decide::Moment;
+use crate::field::Trigger;
+use crate::record::Sample;
+use crate::tolerance::{ROOT, SHORTEST, TOGETHER};
+
+/// Into how many parts a step is cut when an event in it is looked for.
+const PARTS: usize = 8;
+/// How often the distance to the start is halved to find where a margin was positive.
+const HALVINGS: usize = 44;
+/// Half the distance over which the slope of a margin is taken, over the step.
+const SLOPE: f64 = 1e-4;
+
+impl Runner<'_> {
+    /// What fires first in the step tried, which is then repeated up to there; none if nothing fires.
+    pub(super) fn locate(&mut self) -> Option<Vec<Trigger>> {
+        let has_start = self.field.triggers.contains(&Trigger::Starts);
+        if !has_start && self.field.low.iter().all(|low| *low >= 0.0) {
+            return None;
+        }
+        self.densify();
+        let mut state = vec![0.0; self.field.parts.size];
+        let mut before = 0.0;
+        let mut good: Vec<f64> = vec![f64::INFINITY; self.field.triggers.len()];
+        for part in 1..=PARTS {
+            let place = part as f64 / PARTS as f64;
+            let margins = self.margins_at(place, &mut state);
+            let fired: Vec<usize> = (0..margins.len()).filter(|&one| margins[one] < 0.0).collect();
+            if fired.is_empty() {
+                (before, good) = (place, margins);
+                continue;
+            }
+            let roots: Vec<(usize, f64)> = fired
+                .into_iter()
+                .map(|one| (one, self.root(one, [before, place], [good[one], margins[one]], &mut state)))
+                .collect();
+            return Some(self.stop_at(&roots, &mut state));
+        }
+        None
+    }
+
+    /// Repeats the step up to the first of these events; what fires there.
+    fn stop_at(&mut self, roots: &[(usize, f64)], state: &mut [f64]) -> Vec<Trigger> {
+        let first = roots.iter().map(|(_, place)| *place).fold(f64::INFINITY, f64::min);
+        let lead = roots.iter().find(|(_, place)| *place == first).map_or(0, |(one, _)| *one);
+        let together = roots.iter().filter(|(_, place)| *place <= first + TOGETHER);
+        let fired = together.map(|(one, _)| self.field.triggers[*one]).collect();
+        let whole = self.stepper.h;
+        if first * whole <= SHORTEST * self.end {
+            // At the start of the step: the state is as it was.
+            self.sample_within(0.0);
+            self.stepper.end.copy_from_slice(&self.stepper.y);
+            self.stepper.h = 0.0;
+            let Self { field, stepper, .. } = self;
+            let (t, y) = (stepper.t, stepper.y.clone());
+            stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
+            field.measure(t, &y);
+            return fired;
+        }
+        let ends = [(first - SLOPE).max(0.0), (first + SLOPE).min(1.0)];
+        let [low, high] = ends.map(|place| self.margins_at(place, state)[lead]);
+        let slope = (high - low) / (ends[1] - ends[0]);
+        self.sample_within(first);
+        let mut place = first;
+        for _ in 0..4 {
+            self.attempt(place * whole);
+            let step = -self.field.margins[lead] / slope;
+            // Of what has no slope, and of what the dense output has found well enough, the place stays.
+            if !step.is_finite()
+                || step.abs() > SLOPE
+                || step.abs() <= ROOT
+                || self.field.triggers[lead] == Trigger::Starts
+            {
+                break;
+            }
+            place = (place + step).clamp(0.0, 1.0);
+        }
+        fired
+    }
+
+    fn densify(&mut self) {
+        let Self { field, stepper, .. } = self;
+        stepper.densify(|t, y, dy| field.evaluate(t, y, dy));
+    }
+
+    /// Margins at a part of the step, on the dense output.
+    fn margins_at(&mut self, place: f64, state: &mut [f64]) -> Vec<f64> {
+        let t = self.stepper.t + place * self.stepper.h;
+        self.stepper.at(place, state);
+        let mut rates = vec![0.0; state.len()];
+        self.field.evaluate(t, state, &mut rates);
+        self.field.measure(t, state);
+        let mut margins = self.field.margins.clone();
+        if let Some(start) = self.field.triggers.iter().position(|one| *one == Trigger::Starts) {
+            let moment = Moment { t, y: state, speed_scale: self.speed_scale, loosed: &[] };
+            if self.field.would_start(&moment, &mut self.unique) {
+                margins[start] = -1.0;
+            }
+        }
+        margins
+    }
+
+    /// Where a margin ends between two parts of the step, the second negative: regula falsi that halves where it is slow. The first is
+    /// positive, or the start of a stretch, where a margin begins with 0.
+    fn root(
+        &mut self,
+        trigger: usize,
+        [mut from, mut to]: [f64; 2],
+        [mut above, mut below]: [f64; 2],
+        state: &mut [f64],
+    ) -> f64 {
+        if from == 0.0 {
+            let mut near = to;
+            let found = (0..HALVINGS).find_map(|_| {
+                near *= 0.5;
+                let margin = self.margins_at(near, state)[trigger];
+                if margin < 0.0 {
+                    (to, below) = (near, margin);
+                }
+                (margin > 0.0).then_some(margin)
+            });
+            let Some(margin) = found else { return 0.0 };
+            (from, above) = (near, margin);
+        }
+        let mut is_halved = false;
+        while to - from > ROOT {
+            let width = to - from;
+            let chord = from + width * above / (above - below);
+            // A chord that lands on an end would not close the other.
+            let inner = chord.clamp(from + 0.25 * ROOT, to - 0.25 * ROOT);
+            let middle = if is_halved { 0.5 * (from + to) } else { inner };
+            if middle <= from || middle >= to {
+                break;
+            }
+            let margin = self.margins_at(middle, state)[trigger];
+            if margin > 0.0 {
+                (from, above) = (middle, margin);
+                // So that the far end moves, too.
+                below *= 0.5;
+            } else if margin < 0.0 {
+                (to, below) = (middle, margin);
+                above *= 0.5;
+            } else {
+                return middle;
+            }
+            is_halved = to - from > 0.5 * width;
+        }
+        to
+    }
+
+    /// Samples within the step tried, up to a part of it, from the dense output.
+    pub(super) fn sample_within(&mut self, part: f64) {
+        let Some(every) = self.every else { return };
+        let (t, h) = (self.stepper.t, self.stepper.h);
+        let mut is_dense = false;
+        loop {
+            let next = (self.sampled + 1) as f64 * every;
+            if next > t + part * h || next >= self.end || h == 0.0 {
+                return;
+            }
+            if !is_dense {
+                self.densify();
+                is_dense = true;
+            }
+            let mut state = vec![0.0; self.field.parts.size];
+            self.margins_at(((next - t) / h).clamp(0.0, 1.0), &mut state);
+            self.samples.push(Sample::of(&self.field, next, &state));
+            self.sampled += 1;
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! How elements that hold the same share their torque.
+//!
+//! Elements whose slips depend on each other (two brakes on one link, three clutches that make one block) leave the motion unique and the split
+//! of torque open. What is taken is the split that uses the most used of them least,
+//!
+//! ```text
+//! minimize τ = max |λ_e|/C_e      over y     λ = λ_0 + N·y       λ_e ≥ 0 of one-way clutches
+//! ```
+//!
+//! so that they hold as long as any split holds: they slip when τ would exceed 1. Since there are only a few, the corners of this
+//! linear programme are tried all.
+
+use crate::dense::{Matrix, Split};
+use crate::tolerance::TORQUE;
+
+/// Torque of an element as `λ_0 + n·y`.
+pub(crate) struct Share {
+    pub(crate) base: f64,
+    pub(crate) factors: Vec<f64>,
+    /// Its static capacity; none of a one-way clutch.
+    pub(crate) capacity: Option<f64>,
+}
+
+impl Share {
+    fn at(&self, y: &[f64]) -> f64 {
+        self.base + crate::dense::dot(&self.factors, y)
+    }
+}
+
+/// `y` of the split; `None` where none keeps the one-way clutches from pushing.
+pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
+    let most = shares.iter().fold(0.0_f64, |most, share| most.max(share.base.abs()));
+    let largest = shares.iter().filter_map(|share| share.capacity).fold(most, f64::max);
+    if largest == 0.0 {
+        return Some(vec![0.0; count]);
+    }
+    // A one-way clutch counts as if it had the largest capacity; one of none as if it had next to none.
+    let scale = |share: &Share| share.capacity.unwrap_or(largest).max(TORQUE * largest);
+    // Rows a·(y, τ) ≤ b.
+    let mut rows: Vec<(Vec<f64>, f64)> = vec![];
+    for share in shares.iter().filter(|share| share.factors.iter().any(|factor| *factor != 0.0)) {
+        let by = scale(share);
+        for sign in [1.0, -1.0] {
+            let row = share.factors.iter().map(|factor| sign * factor / by).chain([-1.0]).collect();
+            rows.push((row, -sign * share.base / by));
+        }
+        if share.capacity.is_none() {
+            rows.push((
+                share.factors.iter().map(|factor| -factor / by).chain([0.0]).collect(),
+                share.base / by,
+            ));
+        }
+    }
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    let mut chosen: Vec<usize> = (0..=count).collect();
+    while chosen.last().is_some_and(|&last| last < rows.len()) {
+        let mut system = Matrix::zeros(count + 1, count + 1);
+        for (place, &row) in chosen.iter().enumerate() {
+            system.row_mut(place).copy_from_slice(&rows[row].0);
+        }
+        let right: Vec<f64> = chosen.iter().map(|&row| rows[row].1).collect();
+        if let Some(corner) = Split::new(system).map(|split| split.solve(&right)) {
+            let is_allowed = |(row, limit): &(Vec<f64>, f64)| {
+                crate::dense::dot(row, &corner) <= limit + TORQUE * (1.0 + limit.abs())
+            };
+            let tau = corner[count];
+            if rows.iter().all(is_allowed) && best.as_ref().is_none_or(|(least, _)| tau < *least) {
+                best = Some((tau, corner));
+            }
+        }
+        next(&mut chosen, rows.len());
+    }
+    best.map(|(_, mut corner)| {
+        corner.truncate(count);
+        corner
+    })
+}
+
+/// The next choice of so many out of `total`, in order; the last place runs over at the end.
+fn next(chosen: &mut [usize], total: usize) {
+    let count = chosen.len();
+    let movable = (0..count).rev().find(|&place| chosen[place] < total - count + place);
+    match movable {
+        Some(place) => {
+            chosen[place] += 1;
+            for after in place + 1..count {
+                chosen[after] = chosen[after - 1] + 1;
+            }
+        }
+        None => {
+            if let Some(last) = chosen.last_mut() {
+                *last = total;
+            }
+        }
+    }
+}
+
+/// Torques of all elements at the split.
+pub(crate) fn torques(shares: &[Share], y: &[f64]) -> Vec<f64> {
+    shares.iter().map(|share| share.at(y)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn share(base: f64, factors: &[f64], capacity: Option<f64>) -> Share {
+        Share { base, factors: factors.to_vec(), capacity }
+    }
+
+    #[test]
+    fn two_brakes_of_one_link_share_as_their_capacities() {
+        let shares = [share(100.0, &[-1.0], Some(100.0)), share(0.0, &[1.0], Some(1.0))];
+        let found = torques(&shares, &even(&shares, 1).unwrap());
+        assert!((found[0] - 1e4 / 101.0).abs() < 1e-9 && (found[1] - 100.0 / 101.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_one_way_clutch_never_pushes() {
+        // The brake would have to give −5 to the one-way clutch for an even split.
+        let shares = [share(5.0, &[1.0], Some(10.0)), share(0.0, &[1.0], None)];
+        let found = torques(&shares, &even(&shares, 1).unwrap());
+        assert!((found[0] - 5.0).abs() < 1e-9 && found[1].abs() < 1e-9, "{found:?}");
+    }
+
+    #[test]
+    fn three_elements_with_two_open_splits() {
+        let shares = [
+            share(90.0, &[-1.0, -1.0], Some(30.0)),
+            share(0.0, &[1.0, 0.0], Some(60.0)),
+            share(0.0, &[0.0, 1.0], Some(10.0)),
+        ];
+        let found = torques(&shares, &even(&shares, 2).unwrap());
+        let due = [27.0, 54.0, 9.0];
+        assert!(found.iter().zip(due).all(|(one, due)| (one - due).abs() < 1e-9), "{found:?}");
+    }
+}

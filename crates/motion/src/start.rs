@@ -1,0 +1,70 @@
+//! Speeds at the start.
+
+use crate::Error;
+use crate::dense::{Matrix, Split, dot, independent, largest};
+use crate::mechanism::Mechanism;
+use crate::tolerance::SLIP;
+use crate::units::rad_per_s;
+use uom::si::f64::AngularVelocity;
+
+/// Speeds of links from which those of all others follow.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Start {
+    speeds: Vec<(String, f64)>,
+    is_at_rest: bool,
+}
+
+impl Start {
+    /// Everything at rest.
+    #[must_use]
+    pub fn at_rest() -> Self {
+        Self { speeds: vec![], is_at_rest: true }
+    }
+
+    /// These links at these speeds.
+    #[must_use]
+    pub fn speeds(speeds: &[(&str, AngularVelocity)]) -> Self {
+        let speeds = speeds.iter().map(|(link, speed)| ((*link).to_owned(), rad_per_s(*speed))).collect();
+        Self { speeds, is_at_rest: false }
+    }
+
+    /// Speeds of the coordinates.
+    pub(crate) fn coordinates(&self, mechanism: &Mechanism) -> Result<Vec<f64>, Error> {
+        let n = mechanism.freedoms();
+        if self.is_at_rest {
+            return Ok(vec![0.0; n]);
+        }
+        let mut rows = vec![];
+        for (link, speed) in &self.speeds {
+            crate::course::finite(&format!("the initial speed of {link} in rad/s"), *speed)?;
+            rows.push(mechanism.speed_factors(link)?);
+        }
+        let found = independent(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        if found.kept.len() < n {
+            // The first coordinate that the rows do not tell.
+            let unit = |place: usize| (0..n).map(|one| f64::from(u8::from(one == place))).collect::<Vec<_>>();
+            let open = (0..n).find(|&place| {
+                let mut more: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
+                let unit = unit(place);
+                more.push(&unit);
+                independent(&more).kept.len() > found.kept.len()
+            });
+            let node = mechanism.coordinates[open.unwrap_or(0)];
+            return Err(Error::InitialOpen { link: mechanism.node_name(node).to_owned() });
+        }
+        let mut system = Matrix::zeros(n, n);
+        for (place, &row) in found.kept.iter().enumerate() {
+            system.row_mut(place).copy_from_slice(&rows[row]);
+        }
+        let right: Vec<f64> = found.kept.iter().map(|&row| self.speeds[row].1).collect();
+        let solved = Split::new(system).map(|split| split.solve(&right)).unwrap_or_default();
+        let scale = largest(&right);
+        for ((link, given), row) in self.speeds.iter().zip(&rows) {
+            let speed = dot(row, &solved);
+            if (speed - given).abs() > SLIP * scale.max(given.abs()) {
+                return Err(Error::InitialSpeeds { link: link.clone(), given: *given, found: speed });
+            }
+        }
+        Ok(solved)
+    }
+}

@@ -1,0 +1,243 @@
+//! Torques of sources and loads on a link, over time or over its speed.
+//!
+//! | law | torque on the link |
+//! |---|---|
+//! | over time | a [`Course`] |
+//! | linear | `M_0·(1 − ω/ω_0)` |
+//! | over speed | linear between the points of a table, level beyond them |
+//! | viscous | `−M_r·ω/ω_r` |
+//! | quadratic | `−M_r·ω·abs(ω)/ω_r²` |
+//! | Kloss | `2·M_k·s·s_k/(s² + s_k²)`, `s = 1 − ω/ω_0` |
+//!
+//! The Kloss motor takes `M·ω_0` through its air gap and gives `M·ω`; the rest, `M·(ω_0 − ω)`, heats the rotor and is reported as its inner
+//! loss. Kloss, Arch. Elektrotechnik 5 (1916) 59, with the form `2·M_k/(s/s_k + s_k/s)`, which is the same without its hole at `s = 0`;
+//! stator resistance and all transients of the current are neglected.
+
+use crate::Error;
+use crate::course::{Course, Piece, finite};
+use crate::units::{n_m, rad_per_s};
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// A torque on a link, positive along the axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TorqueLaw(pub(crate) Law);
+
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Law {
+    Time(Course),
+    Linear {
+        at_rest: f64,
+        slope: f64,
+    },
+    /// Speeds and torques.
+    Speed(Vec<[f64; 2]>),
+    Quadratic {
+        factor: f64,
+    },
+    Kloss {
+        peak: f64,
+        peak_slip: f64,
+        synchronous: f64,
+    },
+}
+
+impl TorqueLaw {
+    /// Always the same.
+    ///
+    /// # Errors
+    /// [`Error::Value`] unless finite.
+    pub fn constant(torque: Torque) -> Result<Self, Error> {
+        Ok(Self::over_time(Course::constant(torque)?))
+    }
+
+    /// Over time.
+    #[must_use]
+    pub fn over_time(course: Course) -> Self {
+        Self(Law::Time(course))
+    }
+
+    /// `M_0·(1 − ω/ω_0)`: that of a shunt motor, with `M_0` at rest and none at `ω_0`.
+    ///
+    /// # Errors
+    /// [`Error::Value`] of a number that is not finite, and of `ω_0 = 0`.
+    pub fn linear(at_rest: Torque, no_load: AngularVelocity) -> Result<Self, Error> {
+        let at_rest = finite("the torque at rest in N·m", n_m(at_rest))?;
+        let no_load = not_zero("the no-load speed in rad/s", rad_per_s(no_load))?;
+        Ok(Self(Law::Linear { at_rest, slope: -at_rest / no_load }))
+    }
+
+    /// Linear between points in order of speed, level beyond them.
+    ///
+    /// # Errors
+    /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of speeds that do not ascend.
+    pub fn over_speed(points: &[(AngularVelocity, Torque)]) -> Result<Self, Error> {
+        let points: Vec<[f64; 2]> =
+            points.iter().map(|(speed, torque)| [rad_per_s(*speed), n_m(*torque)]).collect();
+        if points.is_empty() {
+            return Err(Error::NoPoints { field: "a torque over speed".into() });
+        }
+        for (place, [speed, torque]) in points.iter().enumerate() {
+            finite("a speed in rad/s", *speed)?;
+            finite("a torque in N·m", *torque)?;
+            if place > 0 && *speed <= points[place - 1][0] {
+                return Err(Error::Order {
+                    field: "a torque over speed".into(),
+                    place: place + 1,
+                    value: *speed,
+                    before: points[place - 1][0],
+                    allowed: "speeds ascend",
+                });
+            }
+        }
+        Ok(Self(Law::Speed(points)))
+    }
+
+    /// Against the speed and proportional to it: `torque` at `speed`.
+    ///
+    /// # Errors
+    /// [`Error::Value`] of a number that is not finite, of a torque below 0, and of a speed that is not above 0.
+    pub fn viscous(torque: Torque, speed: AngularVelocity) -> Result<Self, Error> {
+        let [torque, speed] = resistance(torque, speed)?;
+        Ok(Self(Law::Linear { at_rest: 0.0, slope: -torque / speed }))
+    }
+
+    /// Against the speed and proportional to its square: `torque` at `speed`.
+    ///
+    /// # Errors
+    /// As [`viscous`](Self::viscous).
+    pub fn quadratic(torque: Torque, speed: AngularVelocity) -> Result<Self, Error> {
+        let [torque, speed] = resistance(torque, speed)?;
+        Ok(Self(Law::Quadratic { factor: torque / (speed * speed) }))
+    }
+
+    /// An induction motor by Kloss' formula: its peak torque, the slip `s_k` there, its synchronous speed `ω_0`.
+    ///
+    /// # Errors
+    /// [`Error::Value`] of a number that is not finite, of a slip that is not above 0, and of `ω_0 = 0`.
+    pub fn kloss(peak: Torque, peak_slip: f64, synchronous: AngularVelocity) -> Result<Self, Error> {
+        let peak = finite("the peak torque in N·m", n_m(peak))?;
+        let field = "the slip at the peak torque";
+        if finite(field, peak_slip)? <= 0.0 {
+            return Err(Error::Value { field: field.into(), value: peak_slip, allowed: "it is above 0" });
+        }
+        let synchronous = not_zero("the synchronous speed in rad/s", rad_per_s(synchronous))?;
+        Ok(Self(Law::Kloss { peak, peak_slip, synchronous }))
+    }
+}
+
+fn not_zero(field: &str, value: f64) -> Result<f64, Error> {
+    if finite(field, value)? == 0.0 {
+        return Err(Error::Value { field: field.into(), value, allowed: "it is not 0" });
+    }
+    Ok(value)
+}
+
+fn resistance(torque: Torque, speed: AngularVelocity) -> Result<[f64; 2], Error> {
+    let torque = crate::mechanism::not_negative("the resisting torque in N·m".into(), n_m(torque))?;
+    let speed = finite("its speed in rad/s", rad_per_s(speed))?;
+    if speed <= 0.0 {
+        return Err(Error::Value {
+            field: "its speed in rad/s".into(),
+            value: speed,
+            allowed: "it is above 0",
+        });
+    }
+    Ok([torque, speed])
+}
+
+impl Law {
+    /// Torque at a time and speed, in this piece of its course or table.
+    pub(crate) fn at(&self, time: &Piece, segment: usize, t: f64, speed: f64) -> f64 {
+        match self {
+            Self::Time(_) => time.at(t),
+            Self::Linear { at_rest, slope } => at_rest + slope * speed,
+            Self::Speed(points) => match (segment.checked_sub(1).map(|one| points[one]), points.get(segment))
+            {
+                (Some([from, value]), Some(next)) => {
+                    value + (next[1] - value) / (next[0] - from) * (speed - from)
+                }
+                (Some(last), None) => last[1],
+                (None, _) => points[0][1],
+            },
+            Self::Quadratic { factor } => -factor * speed * speed.abs(),
+            Self::Kloss { peak, peak_slip, synchronous } => {
+                let slip = 1.0 - speed / synchronous;
+                2.0 * peak * slip * peak_slip / (slip * slip + peak_slip * peak_slip)
+            }
+        }
+    }
+
+    /// Power that the source turns into heat within itself.
+    pub(crate) fn inner_loss(&self, torque: f64, speed: f64) -> f64 {
+        match self {
+            Self::Kloss { synchronous, .. } => torque * (synchronous - speed),
+            _ => 0.0,
+        }
+    }
+
+    /// The piece of its course that begins at a time.
+    pub(crate) fn piece(&self, t: f64) -> Piece {
+        match self {
+            Self::Time(course) => course.piece(t),
+            _ => Piece::ZERO,
+        }
+    }
+
+    /// Segment of a table over speed: how many points are below this speed, one on a point counted as `is_rising` says.
+    pub(crate) fn segment(&self, speed: f64, is_rising: bool) -> usize {
+        match self {
+            Self::Speed(points) if is_rising => points.partition_point(|point| point[0] <= speed),
+            Self::Speed(points) => points.partition_point(|point| point[0] < speed),
+            _ => 0,
+        }
+    }
+
+    /// Speeds at which a segment begins and ends.
+    pub(crate) fn ends(&self, segment: usize) -> [Option<f64>; 2] {
+        match self {
+            Self::Speed(points) => {
+                let of = |place: usize| points.get(place).map(|point| point[0]);
+                [segment.checked_sub(1).and_then(of), of(segment)]
+            }
+            _ => [None, None],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{angular_velocity, torque};
+
+    fn at(law: &TorqueLaw, speed: f64) -> f64 {
+        law.0.at(&law.0.piece(0.0), law.0.segment(speed, true), 0.0, speed)
+    }
+
+    #[test]
+    fn every_law_by_hand() {
+        let omega = angular_velocity;
+        assert_eq!(at(&TorqueLaw::constant(torque(7.0)).unwrap(), 3.0), 7.0);
+        assert_eq!(at(&TorqueLaw::linear(torque(40.0), omega(100.0)).unwrap(), 25.0), 30.0);
+        assert_eq!(at(&TorqueLaw::viscous(torque(8.0), omega(2.0)).unwrap(), -3.0), 12.0);
+        assert_eq!(at(&TorqueLaw::quadratic(torque(8.0), omega(2.0)).unwrap(), -3.0), 18.0);
+        let motor = TorqueLaw::kloss(torque(60.0), 0.2, omega(100.0)).unwrap();
+        assert!((at(&motor, 80.0) - 60.0).abs() < 1e-12);
+        assert_eq!(at(&motor, 100.0), 0.0);
+        let table = [(omega(0.0), torque(1.0)), (omega(2.0), torque(5.0)), (omega(4.0), torque(0.0))];
+        let table = TorqueLaw::over_speed(&table).unwrap();
+        let found = [-1.0, 0.0, 1.0, 2.0, 3.0, 9.0].map(|speed| at(&table, speed));
+        assert_eq!(found, [1.0, 1.0, 3.0, 5.0, 2.5, 0.0]);
+    }
+
+    #[test]
+    fn what_is_no_law_is_refused() {
+        let omega = angular_velocity;
+        assert!(matches!(TorqueLaw::linear(torque(1.0), omega(0.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::viscous(torque(-1.0), omega(1.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::quadratic(torque(1.0), omega(0.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::kloss(torque(1.0), 0.0, omega(1.0)), Err(Error::Value { .. })));
+        assert!(matches!(TorqueLaw::over_speed(&[]), Err(Error::NoPoints { .. })));
+        let level = [(omega(1.0), torque(1.0)), (omega(1.0), torque(2.0))];
+        assert!(matches!(TorqueLaw::over_speed(&level), Err(Error::Order { .. })));
+    }
+}
