@@ -6,6 +6,7 @@ use super::{Breach, source::Source};
 pub const ARROWS: &[(&str, &[&str])] = &[
     ("gears", &[]),
     ("strength", &["gears"]),
+    ("vibration", &[]),
     ("train", &["gears"]),
     ("layout", &["train"]),
     ("schemes", &["train", "gears"]),

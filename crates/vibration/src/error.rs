@@ -1,0 +1,197 @@
+//! What the crate refuses.
+
+/// An input that describes no vibrating system, or none that the calculation holds for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A quantity that must be finite and above 0.
+    #[error("{field} is {value} {unit}; it must be finite and above 0")]
+    NotPositive {
+        /// Its name, with the body or spring.
+        field: String,
+        /// The value given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A quantity that must be finite and not below 0.
+    #[error("{field} is {value} {unit}; it must be finite and not below 0")]
+    Negative {
+        /// Its name, with the body or spring.
+        field: String,
+        /// The value given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A quantity outside its range.
+    #[error("{field} is {value} {unit}; it must lie between {low} and {high} {unit}")]
+    OutOfRange {
+        /// Its name.
+        field: String,
+        /// The value given.
+        value: f64,
+        /// The least allowed.
+        low: f64,
+        /// The greatest allowed.
+        high: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// Too few of something.
+    #[error("{count} {of}; at least {least} are needed")]
+    TooFew {
+        /// What is counted.
+        of: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many are needed.
+        least: usize,
+    },
+    /// Two planets at one angle.
+    #[error("planets {first} and {second} (from 1) stand at the same angle; each needs its own")]
+    SameAngle {
+        /// The first planet, from 1.
+        first: usize,
+        /// The second planet, from 1.
+        second: usize,
+    },
+    /// A body of another model.
+    #[error(
+        "body {index} is not in the model, which has {count}; take the number that adding a body returned"
+    )]
+    NoSuchBody {
+        /// Its index.
+        index: usize,
+        /// How many bodies the model has.
+        count: usize,
+    },
+    /// A spring of another model.
+    #[error(
+        "spring {index} is not in the model, which has {count}; take the number that adding a spring returned"
+    )]
+    NoSuchSpring {
+        /// Its index.
+        index: usize,
+        /// How many springs the model has.
+        count: usize,
+    },
+    /// A model of which nothing can move.
+    #[error("no body of the model can move; leave at least one coordinate free")]
+    NothingMoves,
+    /// Matrices of different sizes.
+    #[error(
+        "the stiffness matrix is {stiffness:?} and the mass matrix {mass:?}; both must be square, of one size"
+    )]
+    Sizes {
+        /// Rows and columns of the stiffness matrix.
+        stiffness: [usize; 2],
+        /// Rows and columns of the mass matrix.
+        mass: [usize; 2],
+    },
+    /// A matrix element that is no number, or differs from the one across the diagonal.
+    #[error(
+        "the {matrix} matrix has {value} at ({row}, {column}) and {across} across the diagonal; it must be finite and symmetric"
+    )]
+    NotSymmetric {
+        /// `stiffness` or `mass`.
+        matrix: &'static str,
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// The element.
+        value: f64,
+        /// The element across the diagonal.
+        across: f64,
+    },
+    /// A mass matrix that gives some motion no kinetic energy.
+    #[error("the mass matrix is not positive definite; every motion must have kinetic energy")]
+    MassNotPositive,
+    /// A stiffness matrix that gives some motion negative energy.
+    #[error("the least eigenvalue is {least} of the largest; the stiffness must be positive semidefinite")]
+    StiffnessNegative {
+        /// The least `ω²` over the largest.
+        least: f64,
+    },
+    /// The eigenvalue iteration did not end.
+    #[error("the eigenvalues of a matrix of {size} rows did not converge in {iterations} iterations")]
+    NotConverged {
+        /// Rows of the matrix.
+        size: usize,
+        /// Iterations made.
+        iterations: usize,
+    },
+    /// A carrier's speed at which the centripetal terms exceed the stiffness.
+    #[error(
+        "at a frame speed of {speed_rad_s} rad/s the centripetal terms exceed the stiffness (least eigenvalue {least} \
+         of the largest); the speed must be below the first critical one"
+    )]
+    AboveCritical {
+        /// Speed of the frame, rad/s.
+        speed_rad_s: f64,
+        /// The least eigenvalue over the largest.
+        least: f64,
+    },
+    /// Tooth numbers that form no set of equally spaced planets.
+    #[error("teeth {sun} + {ring} over {planets} planets is no integer; equally spaced planets need one")]
+    Assembly {
+        /// Teeth of the sun.
+        sun: u32,
+        /// Teeth of the ring.
+        ring: u32,
+        /// Number of planets.
+        planets: u32,
+    },
+    /// Speeds that contradict the tooth numbers.
+    #[error(
+        "speeds of sun, ring and carrier {speeds:?} contradict the teeth {sun} and {ring}: \
+         z_s·(n_s − n_c) + z_r·(n_r − n_c) = {surplus}; it must be 0"
+    )]
+    Speeds {
+        /// Speeds of sun, ring, carrier over the reference speed.
+        speeds: [f64; 3],
+        /// Teeth of the sun.
+        sun: u32,
+        /// Teeth of the ring.
+        ring: u32,
+        /// What the equation lacks.
+        surplus: f64,
+    },
+    /// Values of one kind where another number of them is needed.
+    #[error("{count} values of {of}; {needed} are needed")]
+    Count {
+        /// What is counted.
+        of: &'static str,
+        /// How many were given.
+        count: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+}
+
+impl Error {
+    /// Name of the fault, which does not change with the message: `not-positive`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NotPositive { .. } => "not-positive",
+            Self::Negative { .. } => "negative",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::TooFew { .. } => "too-few",
+            Self::SameAngle { .. } => "same-angle",
+            Self::NoSuchBody { .. } => "no-such-body",
+            Self::NoSuchSpring { .. } => "no-such-spring",
+            Self::NothingMoves => "nothing-moves",
+            Self::Sizes { .. } => "sizes",
+            Self::NotSymmetric { .. } => "not-symmetric",
+            Self::MassNotPositive => "mass-not-positive",
+            Self::StiffnessNegative { .. } => "stiffness-negative",
+            Self::NotConverged { .. } => "not-converged",
+            Self::AboveCritical { .. } => "above-critical",
+            Self::Assembly { .. } => "assembly",
+            Self::Speeds { .. } => "speeds",
+            Self::Count { .. } => "count",
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Free and forced vibration of planetary gear sets.
+//!
+//! # Contents
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`planetary`] | a simple set as bodies and springs, planar or torsional |
+//! | [`model`] | any bodies and springs, supports, shafts |
+//! | [`modes`] | natural frequencies and modes, in groups by frequency and kind |
+//! | [`kahraman`] | torsional frequencies in closed form |
+//! | [`energy`] | modal energy of each body and spring, sensitivities |
+//!
+//! Bodies are rigid, springs linear, displacements small; the stiffness of a mesh is given. The axes turn with the carrier. All
+//! quantities are those of [`uom`]; a stiffness is a [`Stiffness`], N/m.
+//!
+//! # Example
+//!
+//! ```
+#![doc = include_str!("../examples/modes.rs")]
+//! ```
+
+mod classify;
+pub mod energy;
+mod error;
+pub mod kahraman;
+mod kernel;
+pub mod model;
+pub mod modes;
+pub mod planetary;
+mod tolerance;
+mod units;
+
+pub use energy::{InertiaKind, KineticShare, ModalEnergy, StrainShare};
+pub use error::Error;
+pub use model::{Axis, Body, BodyId, Freedom, Model, Shape, SpringId, Support};
+pub use modes::{Group, Kind, Mode, Modes};
+pub use planetary::{Central, Planet, PlanetarySet, SetParts};
+pub use units::{Stiffness, TorsionalStiffness, newtons_per_meter};

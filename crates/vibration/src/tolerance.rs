@@ -1,0 +1,32 @@
+//! What counts as nothing in this crate.
+//!
+//! | constant | of | why this size |
+//! |---|---|---|
+//! | `ZERO_MODE` | `ω²` of a mode, over the largest `ω²` | `ω²` is found to some units of rounding of the largest one, 1e-15; real modes are above 1e-6 |
+//! | `EQUAL` | the distance of two `ω²`, over them | far below what any datum is known to, far above rounding |
+//! | `EQUAL_FLOOR` | the distance of two `ω²`, over the largest `ω²` | rounding of a small `ω²` beside a large one |
+//! | `KIND` | kinetic energy of central members in a mode, over the mode's | the square of the error of a vector beside a neighbouring frequency |
+//! | `ASYMMETRY` | the difference of two elements across the diagonal, over the largest element | the rounding of sums in another order |
+//! | `SAME_ANGLE` | the distance of two planets, rad | rounding of an angle; real planets are a tooth apart at least |
+//! | `ROUNDING` | a computation's convergence | one unit of rounding |
+
+/// A mode is a zero mode where its `ω²` is below this part of the largest.
+pub(crate) const ZERO_MODE: f64 = 1e-12;
+
+/// Two `ω²` are equal where they differ by less than this part of them.
+pub(crate) const EQUAL: f64 = 1e-9;
+
+/// Two `ω²` are equal where they differ by less than this part of the largest of the system.
+pub(crate) const EQUAL_FLOOR: f64 = 1e-13;
+
+/// Central members are at rest where they have less than this part of a mode's kinetic energy.
+pub(crate) const KIND: f64 = 1e-12;
+
+/// A matrix is symmetric where no pair differs by more than this part of the largest element.
+pub(crate) const ASYMMETRY: f64 = 1e-12;
+
+/// Two planets stand at the same angle where they are this near, rad.
+pub(crate) const SAME_ANGLE: f64 = 1e-9;
+
+/// Convergence of eigenvalue iterations.
+pub(crate) const ROUNDING: f64 = f64::EPSILON;

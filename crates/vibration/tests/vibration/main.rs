@@ -1,0 +1,8 @@
+//! The crate against published figures, and against calculations that share no formula with it.
+#![cfg(test)]
+
+mod common;
+mod energy;
+mod modal;
+mod published;
+mod torsional;
