@@ -1,4 +1,4 @@
-//! Free and forced vibration of planetary gear sets.
+//! Modes of planetary gear sets.
 //!
 //! # Contents
 //!
