@@ -122,16 +122,27 @@ pub enum Error {
         /// Iterations made.
         iterations: usize,
     },
-    /// A carrier's speed at which the centripetal terms exceed the stiffness.
+    /// A speed at which the centripetal terms exceed the stiffness of the system, or of a planet's bearing.
     #[error(
-        "at a frame speed of {speed_rad_s} rad/s the centripetal terms exceed the stiffness (least eigenvalue {least} \
-         of the largest); the speed must be below the first critical one"
+        "at a frame speed of {speed_rad_s} rad/s the centripetal terms exceed the stiffness (what remains is \
+         {remaining} of it); the speed must be below the first critical one"
     )]
     AboveCritical {
         /// Speed of the frame, rad/s.
         speed_rad_s: f64,
-        /// The least eigenvalue over the largest.
-        least: f64,
+        /// The least eigenvalue over the largest, or what remains of the stiffness of a planet's bearing over it.
+        remaining: f64,
+    },
+    /// Planets whose centrifugal forces pull their carrier aside.
+    #[error(
+        "the centrifugal forces on {carrier} have a resultant of {resultant} of their sum; it must be 0, as the \
+         carrier is taken to turn about its centre"
+    )]
+    Unbalanced {
+        /// Name of the carrier.
+        carrier: String,
+        /// Size of the resultant over the sum of the sizes.
+        resultant: f64,
     },
     /// Tooth numbers that form no set of equally spaced planets.
     #[error("teeth {sun} + {ring} over {planets} planets is no integer; equally spaced planets need one")]
@@ -189,6 +200,7 @@ impl Error {
             Self::StiffnessNegative { .. } => "stiffness-negative",
             Self::NotConverged { .. } => "not-converged",
             Self::AboveCritical { .. } => "above-critical",
+            Self::Unbalanced { .. } => "unbalanced",
             Self::Assembly { .. } => "assembly",
             Self::Speeds { .. } => "speeds",
             Self::Count { .. } => "count",

@@ -79,7 +79,8 @@ fn reduced(stiffness: &DMatrix<f64>, lower: &DMatrix<f64>) -> Option<DMatrix<f64
     Some((&whole + whole.transpose()) * 0.5)
 }
 
-fn symmetric(name: &'static str, matrix: &DMatrix<f64>) -> Result<(), Error> {
+/// Refuses a matrix that is not finite and symmetric.
+pub(crate) fn symmetric(name: &'static str, matrix: &DMatrix<f64>) -> Result<(), Error> {
     let allowed = tolerance::ASYMMETRY * matrix.amax();
     for row in 0..matrix.nrows() {
         for column in 0..=row {

@@ -7,6 +7,7 @@
 //! | [`planetary`] | a simple set as bodies and springs, planar or torsional |
 //! | [`model`] | any bodies and springs, supports, shafts |
 //! | [`modes`] | natural frequencies and modes, in groups by frequency and kind |
+//! | [`gyroscopic`] | modes while the carrier turns |
 //! | [`kahraman`] | torsional frequencies in closed form |
 //! | [`energy`] | modal energy of each body and spring, sensitivities |
 //!
@@ -22,6 +23,7 @@
 mod classify;
 pub mod energy;
 mod error;
+pub mod gyroscopic;
 pub mod kahraman;
 mod kernel;
 pub mod model;
@@ -32,6 +34,7 @@ mod units;
 
 pub use energy::{InertiaKind, KineticShare, ModalEnergy, StrainShare};
 pub use error::Error;
+pub use gyroscopic::{Centripetal, WhirlMode};
 pub use model::{Axis, Body, BodyId, Freedom, Model, Shape, SpringId, Support};
 pub use modes::{Group, Kind, Mode, Modes};
 pub use planetary::{Central, Planet, PlanetarySet, SetParts};

@@ -102,8 +102,16 @@ pub(crate) struct Inertia {
     pub(crate) radius_m: f64,
     /// Places of the coordinates in `q`; none where held.
     pub(crate) coordinates: [Option<usize>; 3],
-    /// Mass that the body carries on its radius, kg.
-    pub(crate) orbiting_kg: f64,
+    /// What the body carries on its radius.
+    pub(crate) orbiting: Vec<Orbiting>,
+}
+
+/// A planet on its carrier.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Orbiting {
+    pub(crate) mass_kg: f64,
+    pub(crate) bearing_n_per_m: f64,
+    pub(crate) angle_rad: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -151,7 +159,7 @@ impl Model {
         });
         let name = name.to_owned();
         let masses_kg = [mass, mass, rotary];
-        self.bodies.push(Inertia { name, masses_kg, radius_m: radius, coordinates, orbiting_kg: 0.0 });
+        self.bodies.push(Inertia { name, masses_kg, radius_m: radius, coordinates, orbiting: Vec::new() });
         Ok(BodyId(self.bodies.len() - 1))
     }
 

@@ -38,8 +38,8 @@
 //! Vibration and Acoustics 121 (1999) 316–321. A. Kahraman, Natural modes of planetary gear trains, Journal of Sound and
 //! Vibration 173 (1994) 125–130.
 
-use crate::model::{Axis, Body, BodyId, Freedom, Model, SpringId, Support};
-use crate::units::{angle, kg_m2, kilograms, meters, moment_of_inertia, positive, radians, within};
+use crate::model::{Axis, Body, BodyId, Freedom, Model, Orbiting, SpringId, Support};
+use crate::units::{angle, kg_m2, kilograms, meters, moment_of_inertia, n_per_m, positive, radians, within};
 use crate::{Error, Stiffness, tolerance};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use uom::si::f64::Angle;
@@ -205,7 +205,11 @@ impl PlanetarySet {
             let tangential =
                 spring(format!("{name}, tangential"), planet.bearing, carrier, line(psi), &turned)?;
             parts.bearings.push([radial, tangential]);
-            model.bodies[carrier.0].orbiting_kg += kilograms(planet.body.mass);
+            model.bodies[carrier.0].orbiting.push(Orbiting {
+                mass_kg: kilograms(planet.body.mass),
+                bearing_n_per_m: n_per_m(planet.bearing),
+                angle_rad: psi,
+            });
         }
         Ok(parts)
     }

@@ -8,6 +8,7 @@
 //! | `KIND` | kinetic energy of central members in a mode, over the mode's | the square of the error of a vector beside a neighbouring frequency |
 //! | `ASYMMETRY` | the difference of two elements across the diagonal, over the largest element | the rounding of sums in another order |
 //! | `SAME_ANGLE` | the distance of two planets, rad | rounding of an angle; real planets are a tooth apart at least |
+//! | `BALANCE` | the resultant of planets' centrifugal forces, over their sum | angles in degrees with nine digits |
 //! | `ROUNDING` | a computation's convergence | one unit of rounding |
 
 /// A mode is a zero mode where its `ω²` is below this part of the largest.
@@ -27,6 +28,9 @@ pub(crate) const ASYMMETRY: f64 = 1e-12;
 
 /// Two planets stand at the same angle where they are this near, rad.
 pub(crate) const SAME_ANGLE: f64 = 1e-9;
+
+/// Centrifugal forces balance where their resultant is below this part of their sum.
+pub(crate) const BALANCE: f64 = 1e-9;
 
 /// Convergence of eigenvalue iterations.
 pub(crate) const ROUNDING: f64 = f64::EPSILON;

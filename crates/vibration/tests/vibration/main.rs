@@ -3,6 +3,7 @@
 
 mod common;
 mod energy;
+mod gyroscopic;
 mod modal;
 mod published;
 mod torsional;
