@@ -45,7 +45,7 @@ impl Answer for DataSheets {
 /// The gearbox of a file whose data sheets are asked.
 ///
 /// # Errors
-/// Those of [`one`], and [`Error::Document`] for a list of transmissions.
+/// Those of [`one`](crate::gearbox::one), and [`Error::Document`] for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "sheet", "no modules")
 }
