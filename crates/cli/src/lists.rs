@@ -1,5 +1,6 @@
 //! Options that take several values: `0.8 m/s, 3.15 m/s`.
 
+use epicyclic_formats::visible::one_line;
 use epicyclic_formats::{Number, Physical, Quantity};
 use std::str::FromStr;
 
@@ -34,7 +35,7 @@ impl<T: FromStr<Err: ToString>> FromStr for List<T> {
         let of_several = |part: &str| {
             let close = parts.len() == 1 && text.matches(',').count() > 0;
             let hint = if close { "; several are parted by a comma and a space" } else { "" };
-            part.parse().map_err(|error: T::Err| format!("{}{hint}", error.to_string()))
+            part.parse().map_err(|error: T::Err| format!("{}{hint}", one_line(&error.to_string())))
         };
         parts.iter().map(|part| of_several(part)).collect::<Result<_, _>>().map(Self)
     }
