@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let omega = AngularVelocity::new::<radian_per_second>;
     let start = Start::speeds(&[("sun", omega(200.0)), ("ring", omega(0.0))]);
     let run = model.run(&start, s(1.0), None)?;
-    let [released, closed] = run.events.as_slice() else { panic!("two events") };
+    let [released, closed] = run.events.as_slice() else { return Err("two events".into()) };
     assert!((released.after.time.get::<second>() - 0.2139534884).abs() < 1e-9);
     assert_eq!(closed.after.states, [State::Forward, State::Stuck]);
     assert!(run.audit.residual().abs() < 1e-9);
