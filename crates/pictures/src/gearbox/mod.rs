@@ -12,6 +12,7 @@
 
 pub mod ladder;
 pub mod levers;
+mod obstacles;
 mod place;
 mod radii;
 pub mod scheme;

@@ -1,10 +1,10 @@
 //! Places for labels: the first free one of those wished for, or one nearby with a leader.
 
 use super::LETTERS_MM;
+use super::obstacles::{Obstacle, Obstacles};
 use crate::tolerance::HAIR_MM;
 use epicyclic_drawing::text::{distance, line_meets};
 use epicyclic_drawing::{Align, Bounds, Color, LayerId, Point, Scene, Shape, Style, Text};
-use std::cell::Cell;
 use std::f64::consts::TAU;
 
 /// Least distance of a label from anything.
@@ -25,9 +25,7 @@ pub(super) struct Places {
     /// Boxes of labels, which no leader may cross.
     labels: Vec<Bounds>,
     /// What a label may not stand on: labels, fills and lines.
-    obstacles: Vec<Obstacle>,
-    /// The obstacle that was met last: what shuts out one place mostly shuts out the next.
-    last: Cell<usize>,
+    obstacles: Obstacles,
     /// Boxes that no leader may run through, as it would change what their sign means: gaps of clutches and brakes, teeth in mesh.
     signs: Vec<Bounds>,
 }
@@ -51,20 +49,11 @@ enum Way {
     Blocked,
 }
 
-/// What a label may not stand on.
-#[derive(Clone, Copy)]
-struct Obstacle {
-    /// The box of a label or a fill, or one around a line of its width.
-    around: Bounds,
-    /// The line's place in [`Places::lines`].
-    line: Option<usize>,
-}
-
 impl Places {
     /// Around everything that a scene holds so far.
     pub(super) fn around(scene: &Scene) -> Self {
-        let mut places =
-            Self { lines: vec![], labels: vec![], obstacles: vec![], last: Cell::new(0), signs: vec![] };
+        let obstacles = Obstacles::over(scene.bounds());
+        let mut places = Self { lines: vec![], labels: vec![], obstacles, signs: vec![] };
         for item in scene.items() {
             match &item.shape {
                 Shape::Text(text) => places.keep_off_label(text.bounds()),
@@ -96,23 +85,13 @@ impl Places {
 
     fn free(&self, bounds: Bounds) -> bool {
         let clear = bounds.grown(CLEAR_MM);
-        let meets = |obstacle: &Obstacle| {
+        !self.obstacles.any(clear, |obstacle| {
             obstacle.around.overlaps(clear)
                 && obstacle.line.is_none_or(|line| {
                     let (line, half, _) = &self.lines[line];
                     line_meets(line, clear.grown(*half))
                 })
-        };
-        if self.obstacles.get(self.last.get()).is_some_and(meets) {
-            return false;
-        }
-        match self.obstacles.iter().position(meets) {
-            Some(place) => {
-                self.last.set(place);
-                false
-            }
-            None => true,
-        }
+        })
     }
 
     /// Keeps leaders out of a sign's box.
