@@ -42,6 +42,8 @@ pub struct Wanted {
     pub teeth: Teeth,
     /// Shares of the time of the gears, the slowest first, then reverse gears; equal where there are none.
     pub shares: Vec<f64>,
+    /// The greatest torque of the life over that of the load, in every gear.
+    pub overload: Option<f64>,
     /// Materials, factors, oil, life.
     pub basis: Basis,
     /// The space of sizes.
@@ -219,10 +221,10 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
             return Err(Error::Shares { given: shares.len(), gears });
         }
     };
-    let [torque, speed] = [(torque.si(), "N·m"), (crate::units::rpm(speed), "rpm")].map(|(value, unit)| {
-        // Beyond these digits is the rounding of their units.
-        Value::from(format!("{} {unit}", trimmed(value, DIGITS)))
-    });
+    // Beyond these digits is the rounding of their units.
+    let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
+    let greatest = wanted.overload.map(|factor| written(factor * torque.si(), "N·m"));
+    let [torque, speed] = [written(torque.si(), "N·m"), written(crate::units::rpm(speed), "rpm")];
     let step = |(gear, share): (&str, f64)| {
         let mut step = Mapping::new();
         step.insert("gear".into(), gear.into());
@@ -231,12 +233,22 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
         step.insert("speed".into(), speed.clone());
         Value::Mapping(step)
     };
-    let duty: Vec<Value> = gears.into_iter().zip(shares).map(step).collect();
+    let duty: Vec<Value> = gears.iter().copied().zip(shares).map(step).collect();
+    let against = |torque: &Value| {
+        let overload = |gear: &&str| {
+            let keys = [("gear", Value::from(*gear)), ("torque", torque.clone())];
+            Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect())
+        };
+        gears.iter().map(overload).collect()
+    };
     if let Some(file) = file.as_mapping_mut() {
         for (key, value) in &wanted.basis.keys {
             file.insert(key.as_str().into(), value.clone());
         }
         file.insert("duty".into(), Value::Sequence(duty));
+        if let Some(torque) = &greatest {
+            file.insert("overload".into(), Value::Sequence(against(torque)));
+        }
         file.insert("gearbox".into(), saved.scheme.as_str().into());
     }
     to_string(&file).map_err(|error| Error::Json(error.to_string()))

@@ -3,7 +3,7 @@
 //! Torques follow the sign convention of the workspace: from outside, so that of an output that gives power is against its speed.
 
 use crate::analyze::records::meshes;
-use crate::analyze::{analysis, warnings};
+use crate::analyze::{Input, analysis, warnings};
 use crate::gearbox::Subject;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Physical;
@@ -80,6 +80,18 @@ pub struct Losses {
     pub not_calculated: Vec<NotCalculated>,
     /// What the reader should know.
     pub warnings: Vec<Warning>,
+}
+
+/// The same as a chapter of a page, which has the operating point elsewhere.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LossChapter {
+    /// The gears: powers, torques, efficiency.
+    pub gears: Vec<GearLosses>,
+    /// Every loss of every gear, the largest of a gear first.
+    pub losses: Vec<Loss>,
+    /// Gears whose losses do not follow.
+    pub not_calculated: Vec<NotCalculated>,
 }
 
 /// The speed of the input and the load that were asked for.
@@ -248,6 +260,20 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
     })
 }
 
+/// The losses of all gears for a chapter of a page: where speed and load are given and something loses power.
+///
+/// # Errors
+/// Those of [`answer`].
+pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter>, Error> {
+    let (Some(speed), Some(load)) = (input.speed, input.load) else { return Ok(None) };
+    if is_lossless(subject) {
+        return Ok(None);
+    }
+    let wanted = Wanted { gear: None, speed, load: GivenLoad::Input(load) };
+    let Losses { gears, losses, not_calculated, .. } = answer(subject, &wanted)?;
+    Ok(Some(LossChapter { gears, losses, not_calculated }))
+}
+
 /// The losses of a gear over speeds and torques of its input.
 ///
 /// # Errors
@@ -366,9 +392,13 @@ fn at(
     }
 }
 
+fn is_lossless(subject: &Subject<'_>) -> bool {
+    !subject.has_losses() && subject.drags.is_empty()
+}
+
 fn warned(subject: &Subject<'_>) -> Vec<Warning> {
     let mut all = warnings::of_gearbox(subject);
-    if !subject.has_losses() && subject.drags.is_empty() {
+    if is_lossless(subject) {
         let message =
             "nothing loses power here: the file states no efficiencies, friction or drags".to_owned();
         all.push(Warning { name: "no-losses", message });
@@ -438,7 +468,7 @@ fn all_losses(subject: &Subject<'_>, gear: &GearLosses, found: &WithDrags) -> Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analyze::{Input, gear};
+    use crate::analyze::gear;
     use crate::gearbox::{Choice, one};
     use epicyclic_formats::Document;
 

@@ -1,4 +1,4 @@
-//! The size of a gearbox's simple sets over the duty of its file: module, face width, planets, centre distance, bearing.
+//! The size of a gearbox's simple sets over the duty and against the overloads of its file: module, face width, planets, centre distance, bearing.
 //!
 //! Each set is sized by itself; why nothing better is lost is told at [`epicyclic_strength::sizing`]. What the file gives of a set is
 //! held.
@@ -10,6 +10,7 @@ use crate::gearbox::{Subject, alone};
 use crate::strength::Asked;
 use crate::strength::duty::{WorkedStep, steps};
 use crate::strength::load::felt;
+use crate::strength::overload::peaks;
 use crate::strength::place::{Fault, refused};
 use crate::strength::prepared::{SetToSize, sets_to_size};
 use crate::strength::records::{NotRated, Reason, Required};
@@ -21,7 +22,9 @@ use epicyclic_gears::involute::set::Limits;
 use epicyclic_strength::factor::Edition;
 pub use epicyclic_strength::sizing::bearing::Bearing;
 use epicyclic_strength::sizing::bearing::{listed, parse};
-use epicyclic_strength::sizing::{HeldShifts, STANDARD_MODULES_MM, SetStep, Sizing, Space, size};
+use epicyclic_strength::sizing::{
+    HeldShifts, STANDARD_MODULES_MM, SetOverload, SetStep, Sizing, Space, size,
+};
 use epicyclic_strength::{self as strength, Quantity};
 use records::{HeldKey, Minimise, NotSized, SizedSet, Sought};
 pub use saved::saved;
@@ -194,16 +197,20 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Size, Error> {
         return Err(refused(subject.document, &Path::root(), &[], message));
     }
     let steps = steps(subject, &file.duty)?;
+    let peaks = peaks(subject, &file.overload, None)?;
     let mut sets = vec![];
     for set in &to_size {
-        let Some(duty) = duty_of(set, &steps) else {
+        let overloads = peaks.iter().map(|peak| peak.felt(set.place)).collect::<Option<Vec<_>>>();
+        let Some(load) = duty_of(set, &steps).zip(overloads) else {
             not_sized.push(NotSized::of(NotRated::new(set.id, Reason::NoTorquesFollow)));
             continue;
         };
-        let (task, held) = task(set, duty, life, required, wanted);
+        let (task, held) = task(set, load, life, required, wanted);
         match size(&task, wanted.most.max(1)) {
             Ok(found) => sets.push(SizedSet::of(set, held, &found, wanted.most)),
-            Err(error @ strength::Error::NothingToSearch { .. }) => return Err(error.into()),
+            Err(
+                error @ (strength::Error::NothingToSearch { .. } | strength::Error::SpaceTooLarge { .. }),
+            ) => return Err(error.into()),
             Err(error) => match Fault::of(subject.document, set.id, &set.path, &error) {
                 Fault::Row(row) => not_sized.push(NotSized::of(row)),
                 Fault::Refused(error) => return Err(*error),
@@ -246,7 +253,7 @@ fn duty_of(set: &SetToSize<'_>, steps: &[WorkedStep<'_>]) -> Option<Vec<SetStep>
 /// What is sought of a set, and what the file holds of it.
 fn task(
     set: &SetToSize<'_>,
-    duty: Vec<SetStep>,
+    (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
     life: Time,
     required: Required,
     wanted: &Wanted,
@@ -308,6 +315,7 @@ fn task(
         methods: set.methods,
         viscosity: set.viscosity,
         duty,
+        overloads,
         life,
         required_contact: required.flank,
         required_root: required.root,

@@ -7,13 +7,15 @@
 //! | `load` | the load of a set in a gear |
 //! | `duty` | the steps of a duty, and a set over them |
 //! | `overload` | a set against an overload |
+//! | `bearings` | planet bearings over a duty |
 //! | `place` | where in the file a fault is |
 //!
 //! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
 
+pub(crate) mod bearings;
 pub(crate) mod duty;
 pub(crate) mod load;
-mod overload;
+pub(crate) mod overload;
 pub(crate) mod place;
 pub(crate) mod prepared;
 pub mod records;
@@ -32,8 +34,8 @@ use load::{both_loads, set_load};
 use place::{Fault, located, refused};
 use prepared::RatedSet;
 use records::{
-    Against, DutyStep, Governing, MeshAtPoint, MeshName, NotRated, OverDuty, Overloaded, Rated, Required,
-    Safeties,
+    Against, BearingOverDuty, DutyStep, Governing, MeshAtPoint, MeshName, NotRated, OverDuty, Overloaded,
+    Rated, Required, Safeties,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -76,6 +78,8 @@ pub struct Strength {
     pub over_duty: Vec<OverDuty>,
     /// Each gear of each mesh against the overloads of the file; at an operating point in one gear those of this gear.
     pub overload: Vec<Overloaded>,
+    /// The planet bearings with a load rating over the duty; empty at an operating point.
+    pub bearings: Vec<BearingOverDuty>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
     /// What the reader should know.
@@ -199,6 +203,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let (sets, not_rated) = prepared::sets(subject, &file)?;
     let Asked { life, viscosity, required } = Asked::of(subject.document, &file)?;
     let mut found = Found { not_rated, ..Found::default() };
+    let mut bearings = vec![];
     let is_at_point = wanted.input.load.is_some();
     if is_at_point {
         at_point(subject, &sets, wanted, life, &mut found)?;
@@ -211,6 +216,8 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         }
         if !file.duty.is_empty() {
             let steps = duty::steps(subject, &file.duty)?;
+            let peaks = overload::peaks(subject, &file.overload, None)?;
+            bearings = bearings::rated(subject, &file, &steps, &peaks)?;
             for set in &sets {
                 let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
                 found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
@@ -227,7 +234,9 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         }
     }
     let Found { safeties, not_rated } = found;
-    let (governing, warnings) = (safeties.governing(required), safeties.below(required));
+    let governing = safeties.governing(required);
+    let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
+    let warnings = safeties.below(required).into_iter().chain(short_lived).collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {
@@ -242,6 +251,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
         at_point,
         over_duty,
         overload,
+        bearings,
         not_rated,
         warnings,
     })

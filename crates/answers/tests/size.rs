@@ -102,6 +102,69 @@ fn the_saved_file_has_the_safeties_that_were_found() {
     }
 }
 
+/// In low set A alone carries: it gets heavier, and its saved file has the static safeties that were found.
+#[test]
+fn the_sizes_hold_against_the_overloads_of_the_file() {
+    let overload = "overload: [{ gear: low, torque: 800 N·m, required: { flank: 1.1, root: 1.5 } }]\n";
+    let [plain, text] = [hoist(), hoist() + overload];
+    let [without, size] = [&plain, &text].map(|text| sized(text, &wanted()).unwrap());
+    let [light, heavy] = [&without.sets[0], &size.sets[0]];
+    assert!(heavy.found[0].mass_kg > light.found[0].mass_kg && heavy.left_out.overload > 0);
+    assert_eq!(light.found[0].overload, None);
+    let saved = size::saved(&read(&text), &size).unwrap();
+    let document = read(&saved);
+    let subject = strength::subject(&document).unwrap();
+    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    for set in size.sets.iter().filter(|set| set.found[0].overload.is_some()) {
+        let own = told.overload.iter().filter(|one| one.set == set.set);
+        let least =
+            own.flat_map(|one| [one.flank_safety / one.required.flank, one.root_safety / one.required.root]);
+        let found = set.found[0].overload.unwrap();
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!(
+            least >= 1.0 && (found.value / found.required / least - 1.0).abs() < 1e-9,
+            "{least} {found:?}"
+        );
+    }
+    let loaded: Vec<&str> = told.overload.iter().map(|one| one.set.as_str()).collect();
+    assert_eq!(loaded, ["A"; 4]);
+    let out_of_reach = sized(&text.replace("800 N·m", "80 kN·m"), &wanted()).unwrap();
+    let [miss] = &out_of_reach.warnings[..] else { panic!("{:?}", out_of_reach.warnings) };
+    assert!(miss.message.contains("against the overload"), "{}", miss.message);
+    assert!(out_of_reach.sets[0].nearest_miss.as_ref().unwrap().governing.requirement.is_against_overload());
+    let wrong = sized(&text.replace("low, torque: 800", "crawl, torque: 800"), &wanted()).unwrap_err();
+    assert!(wrong.to_string().contains("crawl"), "{wrong}");
+}
+
+/// The bearings too: what differs is the planets' mass, here the teeth between tip and root circle, there a cylinder to the reference circle.
+#[test]
+fn the_saved_file_has_the_bearing_lives_that_were_found() {
+    let size = sized(&hoist(), &wanted()).unwrap();
+    let text = size::saved(&read(&hoist()), &size).unwrap();
+    let document = read(&text);
+    let subject = strength::subject(&document).unwrap();
+    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    assert_eq!(told.bearings.len(), 2);
+    for (bearing, set) in told.bearings.iter().zip(&size.sets) {
+        let found = set.found[0].bearing.as_ref().unwrap().life_s.unwrap();
+        assert!((bearing.basic_life_s.unwrap() / found - 1.0).abs() < 2e-3, "{bearing:?} {found}");
+        assert!(bearing.modified.is_none() && bearing.missing.is_empty());
+    }
+}
+
+/// Deviations are of gears of one size: they do not stand for factors where sizes are sought.
+#[test]
+fn with_an_accuracy_the_factors_are_asked_for() {
+    let factors = "{ K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
+    let accuracy = "{ K_A: 1.25, K_H_beta: 1.2 }, accuracy: { pitch_deviations: [6 µm, 6 µm, 8 µm], profile_deviations: [6 µm, 6 µm, 8 µm] }";
+    let error = sized(&hoist().replace(factors, accuracy), &wanted()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "no set can be sized: set A: strength.factors.K_v, strength.factors.K_H_alpha, strength.factors.K_F_alpha missing; \
+         set B: strength.factors.K_v, strength.factors.K_H_alpha, strength.factors.K_F_alpha missing; set C: no simple set"
+    );
+}
+
 #[test]
 fn counts_add_up_and_designs_are_in_order() {
     let size = sized(&hoist(), &wanted()).unwrap();
@@ -116,6 +179,7 @@ fn counts_add_up_and_designs_are_in_order() {
             + out.not_calculable
             + out.flank
             + out.root
+            + out.overload
             + out.bearing_life;
         assert_eq!(left_out + set.not_reached + set.found.len() as u64, set.designs);
         assert!(set.found.windows(2).all(|two| two[0].mass_kg <= two[1].mass_kg));

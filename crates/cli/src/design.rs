@@ -59,6 +59,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "SHARES")]
     shares: Option<List<Quantity<Ratio>>>,
 
+    /// The greatest torque of the life over that of the load, in every gear: teeth are held against it statically.
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    overload: Option<Quantity<Ratio>>,
+
     /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
     #[arg(long, value_name = "NAME")]
     scheme: Option<Named>,
@@ -213,9 +217,22 @@ fn wanted(args: &Args) -> Result<Wanted, Failure> {
         bounds,
         teeth: args.tooth_design.map_or(Teeth::BestOf(args.tries.max(1)), Teeth::Number),
         shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
+        overload: overload(args)?,
         basis: basis(args)?,
         size,
     })
+}
+
+/// The factor of the overload.
+fn overload(args: &Args) -> Result<Option<f64>, Failure> {
+    let factor = args.overload.map(|factor| factor.0.si());
+    match factor {
+        Some(factor) if !(factor.is_finite() && factor > 0.0) => {
+            let message = format!("{factor} is no factor of a torque; it must be above 0");
+            Err(Failure::Option { option: "--overload", message })
+        }
+        _ => Ok(factor),
+    }
 }
 
 /// `K_γ` with 2 to 8 planets.

@@ -181,6 +181,10 @@ fn commands() -> Vec<Vec<String>> {
         all.push(vec!["analyze".to_owned(), example(file)]);
     }
     all.push(vec!["losses".to_owned(), example("drags.yaml")]);
+    for command in ["strength", "size", "sheet"] {
+        all.push(vec![command.to_owned(), example("wind-stage.yaml")]);
+    }
+    all.push(["compare", "II-3", "D.T1.B+T2.B.T1"].map(str::to_owned).to_vec());
     all.push(vec!["drive".to_owned(), example("xe215cll-drive.yaml")]);
     for file in ["sized-gearbox.yaml", "self-crossing.yaml", "real-transmissions.yaml"] {
         all.push(vec!["draw".to_owned(), example(file)]);

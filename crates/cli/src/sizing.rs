@@ -207,6 +207,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
             Of::RingRimInModules => Some("--ring-rim"),
             _ => None,
         },
+        Error::Sizing(E::SpaceTooLarge { .. }) => Some("--centre-distance-step"),
         Error::Sizing(E::BearingColumn { .. } | E::BearingCell { .. } | E::NoBearings) => Some("--bearings"),
         _ => None,
     };

@@ -224,6 +224,7 @@ fn the_page_of_a_gearbox_has_each_gear() {
             "All gears",
             "Shifts",
             "Figures of every gear",
+            "Losses at the operating point",
             "Power flow of the gears",
             "Speeds of the gears",
             "Another k",
@@ -274,6 +275,32 @@ fn the_page_of_a_gearbox_with_data_for_it_has_the_strength_of_its_teeth() {
     assert!(over_duty.contains("29.8 %") && over_duty.contains("0.9577 to 0.9607"));
     assert!(!over_duty.contains("Y_NT</td>"), "Miner's rule has no one life factor");
     assert!(chapters.contains("scuffing") && !chapters.contains("Profile shift and strength of teeth"));
+}
+
+/// The chapter has what `losses` prints, and what is left out says that drags are counted.
+#[test]
+fn the_page_of_a_gearbox_that_loses_power_has_its_losses() {
+    let load = ["--torque", "60 N·m", "--speed", "1475 rpm"];
+    let shown = page(&[&["drags.yaml"][..], &load].concat());
+    is_sound(&shown);
+    is_in_order(&shown);
+    let chapter =
+        shown.split_once("Losses at the operating point</h2>").unwrap().1.split_once("<h2").unwrap().0;
+    let told = output(&examples(), &[&["losses", "drags.yaml", "--format", "json"][..], &load].concat());
+    let told: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
+    let sources = told["losses"].as_array().unwrap();
+    assert!(sources.len() > 8);
+    for source in sources {
+        assert!(chapter.contains(&format!("<td>{}</td>", source["of"].as_str().unwrap())), "{source}");
+    }
+    for gear in told["gears"].as_array().unwrap() {
+        let efficiency = format!("{:.4}", gear["efficiency"].as_f64().unwrap());
+        assert!(chapter.contains(&efficiency), "{efficiency} in {chapter}");
+    }
+    assert!(shown.contains("but for the drags that the file states"));
+    for without in [&["drags.yaml"][..], &[&["lepelletier.yaml"][..], &load].concat()] {
+        assert!(!page(without).contains("Losses at the operating point"), "{without:?}");
+    }
 }
 
 #[test]

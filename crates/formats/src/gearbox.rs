@@ -47,10 +47,11 @@
 //! # }
 //! ```
 
-use crate::{Number, Quantity};
+use crate::{Number, Physical, Quantity};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
+use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
+use epicyclic_train::planet_set::{Mesh, MeshKind};
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
@@ -272,9 +273,12 @@ pub struct GearboxFile {
     /// The oil, for the strength of teeth.
     #[serde(default)]
     pub oil: Option<OilEntry>,
-    /// Required life, for the strength of teeth.
+    /// Required life, for the strength of teeth and bearings.
     #[serde(default)]
     pub life: Option<Quantity<Time>>,
+    /// Part of the planet bearings that reach their life: 90, 95, 96, 97, 98 or 99 %. Default 90 %.
+    #[serde(default)]
+    pub bearing_reliability: Option<Quantity<Ratio>>,
     /// What the gearbox does in its life: shares of the time in gears at loads.
     #[serde(default)]
     pub duty: Vec<DutyEntry>,
@@ -354,6 +358,15 @@ pub struct SetEntry {
     /// What rolls in these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
+    /// Static load rating of these bearings together, for their safety at rest.
+    #[serde(default)]
+    pub static_load_rating: Option<Quantity<Force>>,
+    /// Fatigue load limit of these bearings together, for their modified life.
+    #[serde(default)]
+    pub fatigue_limit: Option<Quantity<Force>>,
+    /// Mean diameter of these bearings, (d + D)/2, for their modified life.
+    #[serde(default)]
+    pub bearing_diameter: Option<Quantity<Length>>,
     /// Of a simple set, for the strength of its teeth: materials, roughness, tools, given factors.
     #[serde(default)]
     pub strength: Option<StrengthEntry>,
@@ -521,7 +534,14 @@ impl GearboxFile {
             // Shifts move the planets from where their teeth alone would have them.
             let rack = self.rack().ok();
             let shifted = set.short().zip(rack).and_then(|(spec, rack)| spec.involute_set(&rack)?.ok());
-            let by_shifts = shifted.zip(entry.module).map(|(set, module)| module.0 * set.centre_distance());
+            let by_shifts =
+                shifted.as_ref().zip(entry.module).map(|(set, module)| module.0 * set.centre_distance());
+            let working_angle = |mesh: &Mesh| {
+                let pairs = shifted.as_ref().map(|set| [set.sun_mesh(), set.ring_mesh()])?;
+                let pair = pairs[usize::from(mesh.kind == MeshKind::Internal)];
+                Some(Angle::from_si(pair.working_angle_rad()))
+            };
+            let mesh = |mesh: &Mesh| MeshSize { pressure_angle: working_angle(mesh), ..MeshSize::default() };
             return SetSize {
                 module: entry.module.map(|module| module.0),
                 carrier_radius: entry.carrier_radius.map(|radius| radius.0).or(by_shifts),
@@ -529,6 +549,7 @@ impl GearboxFile {
                 planet_bore: entry.planet_bore.map(|bore| bore.0),
                 planet_mass: entry.planet_mass.map(|mass| mass.0),
                 bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
+                meshes: set.meshes().iter().map(mesh).collect(),
                 ..usual
             };
         }

@@ -127,13 +127,14 @@ pub fn mesh_force(
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
 pub fn radial_force(gears: &[Push], planets: u32, pressure_angle: Angle) -> Result<Force, Error> {
     let count = count(planets)?;
+    acute_angle(Quantity::PressureAngle, pressure_angle)?;
     let mut meshes = Vec::with_capacity(gears.len());
     for gear in gears {
         let radius_m = positive_length(Quantity::PitchRadius, gear.pitch_radius)?;
         let torque_n_m = size(Quantity::CentralGearTorque, n_m(gear.torque), "N·m")?;
-        meshes.push((gear.kind, force(torque_n_m / (count * radius_m))));
+        meshes.push((gear.kind, force(torque_n_m / (count * radius_m)), pressure_angle));
     }
-    radial_force_of(&meshes, pressure_angle)
+    radial_force_of(&meshes)
 }
 
 /// Tangential forces of the two meshes of each planet with central gears, friction of the teeth included.
@@ -200,17 +201,20 @@ pub fn two_mesh_forces(
     Ok([of_mesh(0), of_mesh(1)])
 }
 
-/// Radial force of meshes of these tangential forces on a planet, outwards positive: `Σ ±F·tan α`.
+/// Radial force of meshes of these tangential forces and working pressure angles on a planet, outwards positive: `Σ ±F·tan α`.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < α < 90°.
-pub fn radial_force_of(meshes: &[(GearKind, Force)], pressure_angle: Angle) -> Result<Force, Error> {
-    let alpha_rad = acute_angle(Quantity::PressureAngle, pressure_angle)?;
-    let outwards_n = meshes.iter().map(|(kind, mesh)| match kind {
-        GearKind::External => newtons(*mesh),
-        GearKind::Internal => -newtons(*mesh),
-    });
-    Ok(force(outwards_n.sum::<f64>() * alpha_rad.tan()))
+pub fn radial_force_of(meshes: &[(GearKind, Force, Angle)]) -> Result<Force, Error> {
+    let mut outwards_n = 0.0;
+    for &(kind, mesh, angle) in meshes {
+        let apart_n = newtons(mesh) * acute_angle(Quantity::PressureAngle, angle)?.tan();
+        outwards_n += match kind {
+            GearKind::External => apart_n,
+            GearKind::Internal => -apart_n,
+        };
+    }
+    Ok(force(outwards_n))
 }
 
 /// Force that keeps a planet on its circle, `m·r_w·ω_H²`; its bearing feels it outwards.

@@ -53,6 +53,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
                 carrier_speed: rpm(carrier),
             })
             .to_vec(),
+        overloads: vec![],
         life: Time::new::<hour>(10_000.0),
         required_contact: 1.1,
         required_root: 1.4,

@@ -49,6 +49,29 @@ pub enum Reliability {
 }
 
 impl Reliability {
+    /// All of them, the lowest first.
+    pub const ALL: [Self; 6] = [
+        Self::Percent90,
+        Self::Percent95,
+        Self::Percent96,
+        Self::Percent97,
+        Self::Percent98,
+        Self::Percent99,
+    ];
+
+    /// The part of bearings: 0.9.
+    #[must_use]
+    pub const fn part(self) -> f64 {
+        match self {
+            Self::Percent90 => 0.9,
+            Self::Percent95 => 0.95,
+            Self::Percent96 => 0.96,
+            Self::Percent97 => 0.97,
+            Self::Percent98 => 0.98,
+            Self::Percent99 => 0.99,
+        }
+    }
+
     /// `a_1`.
     #[must_use]
     pub const fn factor(self) -> f64 {

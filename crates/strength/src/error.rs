@@ -149,6 +149,17 @@ pub enum Error {
         /// What is missing.
         quantity: Quantity,
     },
+    /// A space of more gears than a search holds.
+    #[error(
+        "the space has {count:.0} centre distances with face widths; at most {most} are searched: a larger step of the centre distances, \
+         fewer modules or fewer face widths would help"
+    )]
+    SpaceTooLarge {
+        /// Centre distances of all modules and numbers of planets, times face widths.
+        count: f64,
+        /// How many are searched.
+        most: u32,
+    },
     /// A column of a table of bearings that is missing, unknown or named twice.
     #[error(
         "bearings, line {line}, column {column}: missing, unknown or named twice; the columns are {allowed}"
@@ -196,6 +207,7 @@ impl Error {
             Self::Shares { .. } => "shares",
             Self::IdleDuty => "idle-duty",
             Self::NothingToSearch { .. } => "nothing-to-search",
+            Self::SpaceTooLarge { .. } => "space-too-large",
             Self::BearingColumn { .. } => "bearing-column",
             Self::BearingCell { .. } => "bearing-cell",
             Self::NoBearings => "no-bearings",

@@ -12,9 +12,12 @@ use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_strength::factor::{Given, Symbol};
 use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
+use epicyclic_strength::rating::overload;
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::{Bearing, listed};
-use epicyclic_strength::sizing::{Design, HeldShifts, Objective, Requirement, SetStep, Sizing, Space, size};
+use epicyclic_strength::sizing::{
+    Design, HeldShifts, Objective, Requirement, SetOverload, SetStep, Sizing, Space, size,
+};
 use epicyclic_strength::spectrum::{Step, rate_duty};
 use proptest::prelude::*;
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
@@ -78,6 +81,7 @@ fn hoist() -> Sizing {
             step(0.6, -250.0, 900.0, 200.0),
             step(0.1, 0.0, 0.0, 300.0),
         ],
+        overloads: vec![],
         life: Time::new::<hour>(2000.0),
         required_contact: 1.1,
         required_root: 1.4,
@@ -208,13 +212,24 @@ fn tried(
     let outer_duty = duty(1.0, 1.0);
     let inner_duty = duty(zp / zs, zs / zp);
     let outer = mesh(*set.sun_mesh(), [task.gears[0], own]);
-    let outer = rate_duty(&outer, &outer_duty, task.life, [p, 1.0], &method(0)).ok()?;
-    let inner_rated =
-        rate_duty(&mesh(inner, [own, ring_gear]), &inner_duty, task.life, [1.0, p], &method(1)).ok()?;
-    let teeth_hold = [outer, inner_rated]
+    let inner = mesh(inner, [own, ring_gear]);
+    let outer_rated = rate_duty(&outer, &outer_duty, task.life, [p, 1.0], &method(0)).ok()?;
+    let inner_rated = rate_duty(&inner, &inner_duty, task.life, [1.0, p], &method(1)).ok()?;
+    let lasts = [outer_rated, inner_rated]
         .iter()
         .flat_map(|mesh| mesh.gears)
         .all(|gear| gear.contact.safety >= task.required_contact && gear.root.safety >= task.required_root);
+    let teeth_hold = lasts
+        && task.overloads.iter().filter(|one| one.sun_torque.value != 0.0).all(|one| {
+            let torque = one.sun_torque.abs() / p;
+            let outer = overload(&outer, torque, &method(0)).unwrap();
+            let inner = overload(&inner, torque * zp / zs, &method(1)).unwrap();
+            outer
+                .gears
+                .into_iter()
+                .chain(inner.gears)
+                .all(|gear| gear.contact >= one.required_contact && gear.root >= one.required_root)
+        });
     let bearing_holds = bearing.is_none_or(|bearing| {
         // Moments about the main axis and about the planet's own.
         let centre = module * set.centre_distance() / 1e3;
@@ -242,6 +257,11 @@ fn tried(
 
 fn is_near(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-12 * one.abs().max(1.0)
+}
+
+/// An overload of so many N·m with required safeties of flanks and roots.
+fn peak(sun_torque: f64, required_contact: f64, required_root: f64) -> SetOverload {
+    SetOverload { sun_torque: Torque::new::<newton_meter>(sun_torque), required_contact, required_root }
 }
 
 /// The found designs are those of the trial that hold, in its order.
@@ -278,6 +298,22 @@ fn the_best_is_that_of_every_trial() {
     let held = agrees(&hoist()).unwrap();
     assert!(held > 10, "{held}");
     assert!(agrees(&Sizing { objective: Objective::Ring, ..hoist() }).unwrap() > 10);
+}
+
+#[test]
+fn an_overload_asks_for_more() {
+    let mut task = hoist();
+    task.overloads = vec![peak(0.0, 9.0, 9.0), peak(-1900.0, 1.0, 1.3), peak(1500.0, 1.1, 1.0)];
+    let with = agrees(&task).unwrap();
+    let without = agrees(&hoist()).unwrap();
+    assert!(10 < with && with < without, "{with} of {without}");
+    let all = size(&task, usize::MAX).unwrap();
+    assert!(all.left_out.overload > 0);
+    // Of one that loads no set nothing is asked.
+    task.overloads.truncate(1);
+    let idle = size(&task, 1).unwrap();
+    assert_eq!(idle, size(&hoist(), 1).unwrap());
+    assert_eq!(idle.found[0].overload, None);
 }
 
 #[test]
@@ -337,10 +373,14 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
     let of_none = |task: &mut Sizing| {
         (task.space.centre_distance_step, task.space.reach) = (mm(7.7), 0.0);
     };
+    let too_fine = of(&|task| task.space.centre_distance_step = Length::new::<micrometer>(1e-3));
+    assert!(too_fine.starts_with("the space has 180000000 centre distances"), "{too_fine}");
+    assert!(of(&|task| task.space.centre_distance_step = mm(1e-308)).contains("at most 300000"));
     assert_eq!(of(&of_none), "no centre distance to search; at least one is needed");
     assert_eq!(of(&|task| task.duty.truncate(1)), "the shares of the duty sum to 0.3; they must sum to 1");
     assert!(of(&|task| task.duty = vec![step(1.0, 0.0, 0.0, 0.0)]).starts_with("the duty has no step"));
     assert!(of(&|task| task.required_root = f64::NAN).starts_with("required safety is NaN"));
+    assert!(of(&|task| task.overloads = vec![peak(10.0, 1.0, -1.0)]).starts_with("required safety is -1"));
     assert!(of(&|task| task.space.planets = vec![0]).starts_with("number of planets is 0"));
 }
 
@@ -363,6 +403,7 @@ proptest! {
         sun in 17..30_u32, planet in 18..40_u32, offset in -1..=2_i32, torque in 30.0..400.0_f64,
         module in 0..3_usize, step_mm in 0.7..2.0_f64, ring in any::<bool>(), rolls in any::<bool>(),
         ratio in prop::option::of(0.4..1.2_f64), life in 100.0..10_000.0_f64, rim in 0.6..3.0_f64,
+        overload in prop::option::of((1.0..8.0_f64, 0.8..1.5_f64, 0.8..1.5_f64)),
     ) {
         let ring_teeth = (sun + 2 * planet).checked_add_signed(offset).unwrap();
         let mut task = hoist();
@@ -370,6 +411,7 @@ proptest! {
         task.duty = vec![step(0.5, torque, 700.0, 150.0), step(0.5, torque * 0.6, 300.0, 50.0)];
         task.life = Time::new::<hour>(life);
         task.planet_rim = rim;
+        task.overloads = overload.into_iter().map(|(factor, flank, root)| peak(torque * factor, flank, root)).collect();
         task.space.modules = [1.5, 2.0, 3.0, 4.0][module..module + 2].iter().map(|module| mm(*module)).collect();
         task.space.face_widths = [15.0, 25.0, 45.0].map(mm).to_vec();
         task.space.centre_distance_step = mm(step_mm);

@@ -7,7 +7,7 @@
 //! planet and sun     R = m·(z_c + z_p)/2    r_c = R·z_c/(z_c + z_p)
 //! planet and ring    R = m·(z_c − z_p)/2    r_c = R·z_c/(z_c − z_p)
 //! planets p, q       a = m·(z_p + z_q)/2    r_p = a·z_p/(z_p + z_q)    cos ψ = (R_p² + R_q² − a²)/(2·R_p·R_q)
-//! simple set         R = m·(z_a + z_b)/4    r_a = 2·R/(1 + k)          r_b = k·r_a
+//! simple set         R = m·(z_a + z_b)/4    r_a = 2·R/(1 + k)          r_b = k·r_a      where the teeth of the planets are not known
 //! ```
 //!
 //! A radius that is given goes before that of module and teeth: shifted profiles move the planets. Of several meshes
@@ -56,7 +56,7 @@
 //! # Left out
 //! Bevel planets ([`Lack::Bevel`]); the couple of the two planes of a stepped planet, which loads two bearings
 //! unequally; what the pins of a planet shaft (K-H-V) press on their disc beyond a pure couple; weight, helix angle,
-//! unequal load sharing; the difference between nominal and working pressure angle of shifted profiles.
+//! unequal load sharing; the working pressure angle of meshes whose shifts are not given.
 
 mod flows;
 mod forces;
@@ -78,7 +78,7 @@ use epicyclic_gears::geometry::{GearKind, ToothedGear};
 use epicyclic_gears::mass::{self, GearBody};
 use epicyclic_gears::{Error, ToothCount};
 use flows::{Flows, Part};
-use uom::si::f64::Mass;
+use uom::si::f64::{Angle, Mass};
 
 impl Gearbox {
     /// The planet bearings of a set, in the order of [`PlanetSet::planets`]; `None` of a pair on fixed axes,
@@ -165,7 +165,8 @@ impl PlanetSet {
                     bearing.lacks.push(Lack::Radius);
                 }
                 for mesh in 0..self.meshes().len() {
-                    let contact = self.contact(planet, mesh, &places, &mut bearing.lacks);
+                    let own = size.meshes.get(mesh).and_then(|own| own.pressure_angle);
+                    let contact = self.contact(planet, mesh, own, &places, &mut bearing.lacks);
                     bearing.contacts.extend(contact);
                 }
                 let open = |contact: &Contact| contact.pitch_radius.is_none() || contact.is_weightless();
@@ -230,8 +231,15 @@ impl PlanetSet {
         given
     }
 
-    /// A mesh as this planet feels it; `None` where it is not one of its own.
-    fn contact(&self, planet: usize, mesh: usize, places: &Places, lacks: &mut Vec<Lack>) -> Option<Contact> {
+    /// A mesh as this planet feels it, with a working pressure angle of its own; `None` where it is not one of its own.
+    fn contact(
+        &self,
+        planet: usize,
+        mesh: usize,
+        pressure_angle: Option<Angle>,
+        places: &Places,
+        lacks: &mut Vec<Lack>,
+    ) -> Option<Contact> {
         if let Some((central, gear)) = central_mesh(self, mesh) {
             if planet_of(gear) != Some(planet) {
                 return None;
@@ -240,18 +248,25 @@ impl PlanetSet {
                 MeshKind::Internal => GearKind::Internal,
                 _ => GearKind::External,
             };
-            let in_radii = match self.kind() {
-                Some(SetKind::Simple) => {
-                    let k = -self.basic_ratio().get();
-                    let sun = 2.0 / (1.0 + k);
-                    Some(if gear_kind == GearKind::Internal { sun * k } else { sun })
-                }
-                _ => pitch_over_centre_distance(self, mesh),
+            let by_k = || {
+                self.kind().filter(|kind| *kind == SetKind::Simple)?;
+                let k = -self.basic_ratio().get();
+                let sun = 2.0 / (1.0 + k);
+                Some(if gear_kind == GearKind::Internal { sun * k } else { sun })
             };
+            let in_radii = pitch_over_centre_distance(self, mesh).or_else(by_k);
             let pitch_radius = places.radii[planet].zip(in_radii).map(|(radius, of)| metres(radius * of));
             let with = GearOf::Central(central);
             let part = Some(self.torque_from(central, mesh));
-            return Some(Contact { mesh, with, gear_kind, pitch_radius, direction: None, part });
+            return Some(Contact {
+                mesh,
+                with,
+                gear_kind,
+                pitch_radius,
+                pressure_angle,
+                direction: None,
+                part,
+            });
         }
         let gears = planet_mesh(self, mesh)?;
         let own = gears.iter().position(|gear| planet_of(*gear) == Some(planet))?;
@@ -262,6 +277,7 @@ impl PlanetSet {
             with,
             gear_kind: GearKind::External,
             pitch_radius: None,
+            pressure_angle: None,
             direction: None,
             part: self.torque_between(planet, mesh),
         };

@@ -383,7 +383,7 @@ proptest! {
     ) {
         let gearbox = alone(form(kind, suns, planets, rings, count));
         let set = &gearbox.sets()[0];
-        let meshes = vec![MeshSize { module: None, is_behind }; set.meshes().len()];
+        let meshes = vec![MeshSize { is_behind, ..MeshSize::default() }; set.meshes().len()];
         let module = Some(Length::new::<millimeter>(2.0));
         let bearings = gearbox.planet_bearings(0, &SetSize { module, meshes, ..SetSize::default() }).unwrap().unwrap();
         // Nothing but places of planets in mesh may be missing.

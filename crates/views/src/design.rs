@@ -188,6 +188,8 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
     let what = match of.requirement {
         Requirement::Flank => format!("S_H of the {}'s flank", of.toothed_gear),
         Requirement::Root => format!("S_F of the {}'s root", of.toothed_gear),
+        Requirement::OverloadFlank => format!("S_H of the {}'s flank against the overload", of.toothed_gear),
+        Requirement::OverloadRoot => format!("S_F of the {}'s root against the overload", of.toothed_gear),
         Requirement::BearingLife => {
             "of the planet bearing, the load that it carries for the required life over its own".to_owned()
         }

@@ -6,7 +6,9 @@ use crate::quantities::{optional, quantity};
 use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use crate::units::rpm;
 use epicyclic_answers::Warning;
-use epicyclic_answers::losses::{GearLosses, Loss, LossKind, LossMap, Losses, MapPlace, NotCalculated};
+use epicyclic_answers::losses::{
+    GearLosses, Loss, LossChapter, LossKind, LossMap, Losses, MapPlace, NotCalculated,
+};
 use epicyclic_formats::Dimension::{self, AngularSpeed, Power, Torque};
 use epicyclic_pictures::contours::Contours;
 
@@ -28,13 +30,21 @@ fn if_any(si: Option<f64>, dimension: Dimension) -> Figure {
 
 impl AsReport for Losses {
     fn report(&self) -> Report {
-        let mut parts = vec![Part::Facts(facts(self)), Part::Records(gears(&self.gears))];
-        parts.push(Part::Records(losses(&self.losses)));
-        if !self.not_calculated.is_empty() {
-            parts.push(Part::Records(not_calculated(&self.not_calculated)));
-        }
+        let tables = tables(&self.gears, &self.losses, &self.not_calculated);
+        let parts = [Part::Facts(facts(self))].into_iter().chain(tables).collect();
         Report { title: Some(format!("{}: losses", self.gearbox)), parts, warnings: warnings(&self.warnings) }
     }
+}
+
+/// The tables of a page, which has the operating point and the warnings elsewhere.
+pub(crate) fn for_page(chapter: &LossChapter) -> Report {
+    let parts = tables(&chapter.gears, &chapter.losses, &chapter.not_calculated).collect();
+    Report { parts, ..Report::default() }
+}
+
+fn tables(all: &[GearLosses], sources: &[Loss], others: &[NotCalculated]) -> impl Iterator<Item = Part> {
+    let others = (!others.is_empty()).then(|| not_calculated(others));
+    [gears(all), losses(sources)].into_iter().chain(others).map(Part::Records)
 }
 
 fn facts(losses: &Losses) -> Section {

@@ -105,14 +105,12 @@ fn facts(size: &Size) -> Section {
 pub(crate) fn governing(design: &SizedDesign) -> String {
     let of = design.governing;
     let what = match of.requirement {
-        Requirement::Flank => "S_H",
-        Requirement::Root => "S_F",
-        Requirement::BearingLife => "bearing",
+        Requirement::BearingLife => return format!("bearing {:.3}", of.value),
+        Requirement::Flank | Requirement::OverloadFlank => "S_H",
+        Requirement::Root | Requirement::OverloadRoot => "S_F",
     };
-    match of.requirement {
-        Requirement::BearingLife => format!("{what} {:.3}", of.value),
-        _ => format!("{what} {} {:.3}", of.toothed_gear, of.value),
-    }
+    let against = if of.requirement.is_against_overload() { ", overload" } else { "" };
+    format!("{what} {} {:.3}{against}", of.toothed_gear, of.value)
 }
 
 pub(crate) fn designs<'s>(
@@ -223,6 +221,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
             not_calculable,
             flank,
             root,
+            overload,
             bearing_life,
         } = set.left_out;
         let counts = [
@@ -236,6 +235,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
             not_calculable,
             flank,
             root,
+            overload,
             bearing_life,
             set.not_reached,
         ];
@@ -256,6 +256,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         ("not_calculable", "outside"),
         ("flank", "S_H"),
         ("root", "S_F"),
+        ("overload", "overload"),
         ("bearing_life", "life"),
         ("not_reached", "not reached"),
     ];
@@ -282,10 +283,19 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
                 ],
             ),
             View {
-                note: "spacing: planets not at equal angles. shifts: none without fault. b/d_s: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F and life counts where it misses most. not reached: no better than the last one found.".to_owned(),
+                note: "spacing: planets not at equal angles. shifts: none without fault. b/d_s: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.".to_owned(),
                 ..View::new(
                     "Designs left out by strength and life",
-                    &["set", "held", "not_calculable", "flank", "root", "bearing_life", "not_reached"],
+                    &[
+                        "set",
+                        "held",
+                        "not_calculable",
+                        "flank",
+                        "root",
+                        "overload",
+                        "bearing_life",
+                        "not_reached",
+                    ],
                 )
             },
         ],

@@ -10,7 +10,8 @@ use crate::report::{Column, Part, Records, Report, Row, Section, View};
 use crate::units::hours;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::strength::records::{
-    DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded, Rated, ToothedGear, Wear,
+    BearingOverDuty, DutyStep, Factor, FactorOverDuty, MeshName, NotRated, OverDuty, Overloaded, Rated,
+    ToothedGear, Wear,
 };
 use epicyclic_formats::Dimension;
 use words::{OF_STEPS, extent, from};
@@ -47,6 +48,13 @@ fn tables(strength: &Strength) -> Vec<Part> {
     }
     if !strength.overload.is_empty() {
         parts.push(Part::Records(overload(&strength.overload)));
+    }
+    if !strength.bearings.is_empty() {
+        parts.push(Part::Records(bearings(&strength.bearings)));
+        parts.extend(bearings_missing(&strength.bearings).map(Part::Records));
+        if strength.bearings.iter().any(|bearing| bearing.modified.is_some()) {
+            parts.push(Part::Records(bearing_steps(&strength.bearings)));
+        }
     }
     parts
 }
@@ -235,6 +243,124 @@ fn at_point(all: &[Rated]) -> Records {
                 )
             },
         ],
+        is_answer: false,
+    }
+}
+
+fn bearings(all: &[BearingOverDuty]) -> Records {
+    let time = |si: Option<f64>| optional(Dimension::Time, si);
+    let row = |one: &BearingOverDuty| {
+        let modified = one.modified.and_then(|modified| modified.life_s);
+        let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
+        vec![
+            text(&one.set),
+            text(&one.planet),
+            text(if one.rollers { "rollers" } else { "balls" }),
+            column(one.load_rating_n, Dimension::Force),
+            Figure::Printed(one.load_sharing, 2),
+            one.greatest_force_n.map_or(Figure::None, |force| column(force, Dimension::Force)),
+            one.static_safety.map_or(Figure::None, safety),
+            time(one.basic_life_s),
+            in_hours(one.basic_life_s),
+            one.modified.map_or(Figure::None, |modified| Figure::Share(modified.reliability)),
+            time(modified),
+            in_hours(modified),
+        ]
+    };
+    let views = vec![View {
+        note: "K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated."
+            .to_owned(),
+        ..View::new(
+            "Planet bearings over the duty",
+            &[
+                "set",
+                "planet",
+                "rolling",
+                "load_rating",
+                "load_sharing",
+                "greatest_force",
+                "static_safety",
+                "basic_hours",
+                "reliability",
+                "modified_hours",
+            ],
+        )
+    }];
+    Records {
+        name: "bearings",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("planet", "planet"),
+            Column::words("rolling", "of"),
+            with_symbol("load_rating", "C, N", Dimension::Force),
+            Column::number("load_sharing", "K_γ"),
+            with_symbol("greatest_force", "F, N", Dimension::Force),
+            Column::number("static_safety", "f_s"),
+            Column::quantity("basic_life", Dimension::Time),
+            Column::number("basic_hours", "L_10, h").for_people(),
+            Column::number("reliability", "of"),
+            Column::quantity("modified_life", Dimension::Time),
+            Column::number("modified_hours", "L_nm, h").for_people(),
+        ],
+        rows: all.iter().map(row).collect(),
+        views,
+        is_answer: false,
+    }
+}
+
+/// What is missing for a bearing, or why nothing follows; none where nothing is.
+fn bearings_missing(all: &[BearingOverDuty]) -> Option<Records> {
+    let lacking = all.iter().filter(|one| !one.missing.is_empty());
+    let row =
+        |one: &BearingOverDuty| vec![text(&one.set), text(&one.planet), Figure::Texts(one.missing.clone())];
+    let rows: Vec<_> = lacking.map(row).collect();
+    (!rows.is_empty()).then(|| Records {
+        name: "bearings_missing",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("planet", "planet"),
+            Column::words("missing", "missing"),
+        ],
+        rows,
+        views: vec![View::new("Planet bearings: what is missing", &["set", "planet", "missing"])],
+        is_answer: false,
+    })
+}
+
+fn bearing_steps(all: &[BearingOverDuty]) -> Records {
+    let number = |value: Option<f64>| value.map_or(Figure::None, Figure::Number);
+    let rows = all.iter().filter(|one| one.modified.is_some()).flat_map(|one| {
+        one.steps.iter().map(|step| {
+            vec![
+                text(&one.set),
+                text(&one.planet),
+                text(&step.gear),
+                column(step.force_n, Dimension::Force),
+                column(step.speed_rad_s, Dimension::AngularSpeed),
+                number(step.viscosity_ratio),
+                number(step.modification),
+            ]
+        })
+    });
+    Records {
+        name: "bearing_steps",
+        columns: vec![
+            Column::words("set", "set"),
+            Column::words("planet", "planet"),
+            Column::words("gear", "gear"),
+            with_symbol("force", "F, N", Dimension::Force),
+            with_symbol("speed", "n, rpm", Dimension::AngularSpeed),
+            Column::number("viscosity_ratio", "κ"),
+            Column::number("modification", "a_ISO"),
+        ],
+        rows: rows.collect(),
+        views: vec![View {
+            note: "n: of the planet on its pin. κ: viscosity of the oil over the one needed.".to_owned(),
+            ..View::new(
+                "Planet bearings in the steps of the duty",
+                &["set", "planet", "gear", "force", "speed", "viscosity_ratio", "modification"],
+            )
+        }],
         is_answer: false,
     }
 }

@@ -353,7 +353,7 @@ pub(super) fn member_name(set: &PlanetSet, member: usize) -> String {
 }
 
 /// A planet of a set by its name, or by its number where it has none.
-pub(super) fn planet_name(set: &PlanetSet, planet: usize) -> String {
+pub(crate) fn planet_name(set: &PlanetSet, planet: usize) -> String {
     match &set.planets()[planet].name {
         name if name.is_empty() => (planet + 1).to_string(),
         name => name.clone(),

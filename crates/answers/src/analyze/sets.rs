@@ -30,7 +30,7 @@ pub struct SetFacts {
     pub planets: Option<u32>,
     /// Whether these can be assembled at equal angles.
     pub assembly: Fit,
-    /// Whether the tip circles of neighbours clear each other, without profile shift.
+    /// Whether the tip circles of neighbours clear each other, with the profile shifts that are stated.
     pub clearance: Fit,
 }
 

@@ -7,6 +7,7 @@ use crate::analyze::shifts::{self, Shifts};
 use crate::analyze::{Input, analysis, gear, moving, overview};
 use crate::drawability::Conflict;
 use crate::gearbox::Subject;
+use crate::losses::{self, LossChapter};
 use crate::number::plain;
 use crate::sheet::{self, DataSheets};
 use crate::strength::{self, Strength};
@@ -42,6 +43,8 @@ pub struct GearboxReport {
     /// The strength of its teeth at the operating point with load and speed, then over the duty of its file; empty where the file does not
     /// state oil, life and the `strength` of a set.
     pub strength: Vec<Strength>,
+    /// Its losses by their sources at the operating point; `null` without speed and load, and where nothing loses power.
+    pub losses: Option<LossChapter>,
     /// Data sheets of its gears; `null` where the file says enough of no set.
     pub sheets: Option<DataSheets>,
     /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
@@ -95,7 +98,7 @@ pub struct Shown<'g> {
 /// The chapters of a gearbox with the input as asked, and the results that their pictures show.
 ///
 /// # Errors
-/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`] and [`sheet::chapter`].
+/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`] and [`sheet::chapter`].
 pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxReport, Shown<'g>), Error> {
     let gearbox = &subject.gearbox;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
@@ -112,6 +115,7 @@ pub fn answer<'g>(subject: &'g Subject<'_>, input: Input) -> Result<(GearboxRepo
             shifts => Some(shifts?),
         },
         strength: strength::chapters(subject, input)?,
+        losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
         conflict,
         over_k: over_k(gearbox),

@@ -140,6 +140,8 @@ pub struct LeftOut {
     pub flank: u64,
     /// Roots below the required safety.
     pub root: u64,
+    /// Flanks and roots below the safety required against an overload.
+    pub overload: u64,
     /// Bearings below the required life.
     pub bearing_life: u64,
 }
@@ -152,8 +154,20 @@ pub enum Requirement {
     Flank,
     /// Safety of a root.
     Root,
+    /// Static safety of a flank against an overload.
+    OverloadFlank,
+    /// Static safety of a root against an overload.
+    OverloadRoot,
     /// Life of the planet bearings.
     BearingLife,
+}
+
+impl Requirement {
+    /// Whether it is of an overload.
+    #[must_use]
+    pub const fn is_against_overload(self) -> bool {
+        matches!(self, Self::OverloadFlank | Self::OverloadRoot)
+    }
 }
 
 /// The requirement that a design meets least.
@@ -177,6 +191,8 @@ impl Governing {
         let requirement = match governing.requirement {
             sizing::Requirement::Flank => Requirement::Flank,
             sizing::Requirement::Root => Requirement::Root,
+            sizing::Requirement::OverloadFlank => Requirement::OverloadFlank,
+            sizing::Requirement::OverloadRoot => Requirement::OverloadRoot,
             sizing::Requirement::BearingLife => Requirement::BearingLife,
         };
         let toothed_gear = match governing.gear {
@@ -271,6 +287,8 @@ pub struct SizedDesign {
     pub mass_kg: f64,
     /// Each gear of both meshes over the duty.
     pub over_duty: Vec<SizedGear>,
+    /// What is met least against the overloads of the file; `null` where none loads the set.
+    pub overload: Option<Governing>,
     /// The requirement that is met least.
     pub governing: Governing,
 }
@@ -303,6 +321,7 @@ impl SizedDesign {
             ring_diameter_m: design.ring_diameter.si(),
             mass_kg: design.mass.si(),
             over_duty: both.flat_map(|(mesh, rating)| SizedGear::both(mesh, materials, rating)).collect(),
+            overload: design.overload.map(Governing::of),
             governing: Governing::of(design.governing),
         }
     }
@@ -356,6 +375,7 @@ impl SizedSet {
                 not_calculable: out.not_calculable,
                 flank: out.flank,
                 root: out.root,
+                overload: out.overload,
                 bearing_life: out.bearing_life,
             },
             not_reached: found.not_reached,
@@ -374,18 +394,19 @@ impl SizedSet {
             Some(miss) => {
                 let Governing { requirement, toothed_gear, value, required, .. } = miss.governing;
                 match requirement {
-                    Requirement::Flank | Requirement::Root => {
-                        let (symbol, place) = match requirement {
-                            Requirement::Flank => ("S_H", "flank"),
-                            _ => ("S_F", "root"),
-                        };
-                        format!(
-                            "the nearest misses {symbol} = {value:.3} of the {toothed_gear}'s {place}, {required} required; larger modules, wider faces or a stronger material would help"
-                        )
-                    }
                     Requirement::BearingLife => format!(
                         "the bearing of the nearest carries {value:.3} of its load for the required life; bearings with a larger load rating would help, such as rollers"
                     ),
+                    teeth => {
+                        let (symbol, place) = match teeth {
+                            Requirement::Flank | Requirement::OverloadFlank => ("S_H", "flank"),
+                            _ => ("S_F", "root"),
+                        };
+                        let against = if teeth.is_against_overload() { " against the overload" } else { "" };
+                        format!(
+                            "the nearest misses {symbol} = {value:.3} of the {toothed_gear}'s {place}{against}, {required} required; larger modules, wider faces or a stronger material would help"
+                        )
+                    }
                 }
             }
         };

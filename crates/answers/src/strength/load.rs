@@ -15,7 +15,7 @@ fn rounded(share: f64) -> f64 {
 }
 
 /// Torque on the sun of a set without losses; 0 where only its rounding is left.
-fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {
+pub(super) fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {
     let (operation, case) = worked.operation.as_ref().zip(worked.analysis.ideal())?;
     Some(operation.input * rounded(case.members[place].as_ref()?[0] / case.input))
 }

@@ -1,6 +1,6 @@
 //! A set against the overloads of a file.
 
-use super::load::{both_loads, sun_torque};
+use super::load::{both_loads, sun_torque, torque};
 use super::place::{Fault, refused};
 use super::prepared::RatedSet;
 use super::records::{MeshName, NotRated, Overloaded, Required};
@@ -11,14 +11,15 @@ use epicyclic_formats::gearbox::OverloadEntry;
 use epicyclic_formats::{Path, Physical};
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::rating::overload;
+use epicyclic_strength::sizing::SetOverload;
 use epicyclic_train::InputLoad;
 use uom::si::f64::{AngularVelocity, Time};
 
 /// An overload as the file has it, what is required against it, and its gear at it.
-pub(super) struct Peak<'g> {
+pub(crate) struct Peak<'g> {
     entry: &'g OverloadEntry,
     required: Required,
-    worked: Worked<'g>,
+    pub(super) worked: Worked<'g>,
 }
 
 impl Peak<'_> {
@@ -26,13 +27,20 @@ impl Peak<'_> {
     pub(super) fn gear(&self) -> &str {
         &self.entry.gear
     }
+
+    /// The overload as a set feels it; `None` where no torques follow.
+    pub(crate) fn felt(&self, set: usize) -> Option<SetOverload> {
+        let Required { flank, root } = self.required;
+        let sun_torque = torque(set, &self.worked)?;
+        Some(SetOverload { sun_torque, required_contact: flank, required_root: root })
+    }
 }
 
 /// The overloads of a file; of one gear where that is named.
 ///
 /// # Errors
 /// [`Error::Document`] for gears that do not exist or carry no such load, torques of 0, and required safeties that are not above 0.
-pub(super) fn peaks<'g>(
+pub(crate) fn peaks<'g>(
     subject: &'g Subject<'_>,
     all: &'g [OverloadEntry],
     gear: Option<&str>,

@@ -12,12 +12,13 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap().to_owned()
 }
 
-/// Runs every block of a document that calls the program, and holds what it prints against what is shown; how many
-/// there were.
+/// Runs every block of a document that calls the program, one after another in one folder, and holds what it prints against what is shown;
+/// how many there were.
 pub(crate) fn check(document: &str) -> usize {
     let mut run = 0;
+    let folder = bench();
     for (_, command, shown) in blocks(document) {
-        let printed = printed(command);
+        let printed = printed(folder.path(), command);
         assert!(holds(shown, &printed), "{command}\n{printed}");
         if !command.contains("--format") && !printed.contains("error: ") {
             for line in printed.lines() {
@@ -33,8 +34,9 @@ pub(crate) fn check(document: &str) -> usize {
 /// lines, where a part is shown.
 pub(crate) fn updated(document: &str) -> String {
     let mut text = document.to_owned();
+    let folder = bench();
     for (block, command, shown) in blocks(document) {
-        let printed = printed(command);
+        let printed = printed(folder.path(), command);
         if holds(shown, &printed) {
             continue;
         }
@@ -84,10 +86,10 @@ fn bench() -> tempfile::TempDir {
 }
 
 /// What a command prints. A refusal is shown too: where the program ends with an error, what it says of it follows.
-fn printed(command: &str) -> String {
+fn printed(folder: &Path, command: &str) -> String {
     let words = words(command);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let output = program(bench().path(), &words).output().unwrap();
+    let output = program(folder, &words).output().unwrap();
     let mut printed = text(&output.stdout);
     if !output.status.success() {
         printed.push_str(&text(&output.stderr));

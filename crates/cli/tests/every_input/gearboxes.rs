@@ -218,6 +218,12 @@ const GEARBOX: &[Key] = &[
     key("sets.k", "k: 2.5", "k: 2.6", OVERVIEW),
     key("sets.carrier_radius", "carrier_radius: 90 mm", "carrier_radius: 91 mm", OVERVIEW),
     key("sets.planet_mass", "planet_mass: 2.4 kg", "planet_mass: 2.5 kg", FIRST),
+    key("sets.static_load_rating", "static_load_rating: 65 kN", "static_load_rating: 66 kN", OVER_DUTY),
+    key("sets.fatigue_limit", "fatigue_limit: 7 kN", "fatigue_limit: 5 kN", OVER_DUTY),
+    key("sets.bearing_diameter", "bearing_diameter: 60 mm", "bearing_diameter: 40 mm", OVER_DUTY),
+    key("oil.working_viscosity", "working_viscosity: 60", "working_viscosity: 20", OVER_DUTY),
+    key("oil.contamination", "contamination: 0.5", "contamination: 0.2", OVER_DUTY),
+    key("bearing_reliability", "bearing_reliability: 95 %", "bearing_reliability: 99 %", OVER_DUTY),
     key("sets.load_rating", "load_rating: 60 kN", "load_rating: 61 kN", FIRST),
     key("sets.bearing_rolling", "bearing_rolling: rollers # or", "bearing_rolling: balls # or", FIRST),
     Key {

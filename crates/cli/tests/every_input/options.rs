@@ -304,6 +304,7 @@ design: --ratios 3.5 --power 75kW --input 1475rpm --modules '2.5 mm, 3 mm' --fac
   --input '1400 rpm'
   --power '60 kW'
   --shares '20%, 80%'
+  --overload 6
   --tries 1
   --sun 46..52
   --planet 40..42
@@ -573,10 +574,12 @@ compare: ravigneaux.yaml | two gearboxes
 analyze: real-transmissions.yaml --progression 1.05 | add --transmission
 select: --ratios 2.5 --sun 20 | --teeth
 size: travel-drive-duty.yaml --no-bearings --bearings mine.csv | --bearings
+size: travel-drive-duty.yaml --centre-distance-step 1e-6mm | a larger step
 design: --ratios 2.5 --input 1475rpm | --power
 design: --ratios 2.5 --power 75kW --input 1475rpm --paper a4 | .html
 design: --ratios 2.5 --power 75kW --input 1475rpm --shares '1, 2, 3' | --shares
 design: --ratios 2.5 --power 75kW --input 1475rpm --factors 'K_Q 2' | K_Q
+design: --ratios 2.5 --power 75kW --input 1475rpm --overload 0 | above 0
 design: --ratios 2.5 --power 75kW --input 1475rpm --scheme IV | catalogue
 select: --ratios 2.5 --planet-count 4 | --teeth
 select: --ratios 2.5 --face-width-ratio 0.5 | --load-factor

@@ -184,6 +184,7 @@ impl CompoundEntry {
         let mesh = |mesh: &MeshEntry| MeshSize {
             module: mesh.module.map(|module| module.0),
             is_behind: mesh.behind,
+            ..MeshSize::default()
         };
         SetSize {
             module: self.module.map(|module| module.0),

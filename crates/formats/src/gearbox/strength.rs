@@ -147,6 +147,12 @@ pub enum MaterialClass {
 pub struct OilEntry {
     /// Kinematic viscosity at 40 °C.
     pub viscosity: Quantity<KinematicViscosity>,
+    /// Kinematic viscosity at the temperature of the planet bearings, for their modified life.
+    #[serde(default)]
+    pub working_viscosity: Option<Quantity<KinematicViscosity>>,
+    /// Contamination factor `e_C` of the planet bearings, 0 to 1, for their modified life.
+    #[serde(default)]
+    pub contamination: Option<Number>,
 }
 
 /// A part of the time in one gear at one load.

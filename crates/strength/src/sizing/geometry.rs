@@ -103,6 +103,21 @@ fn centres(task: &Sizing, natural: f64, module_mm: f64) -> Vec<f64> {
     (first..=last).map(|count| count as f64 * step).collect()
 }
 
+/// Centre distances with face widths that are searched at most: a search then ends within minutes.
+const MOST: u32 = 300_000;
+
+/// Refuses a space of more centre distances and face widths than a search holds.
+pub(super) fn check_extent(task: &Sizing, modules_mm: &[f64], widths: usize) -> Result<(), Error> {
+    let step_mm = mm(task.space.centre_distance_step);
+    let of_module = |module_mm: &f64| match task.held_shifts {
+        Some(_) => 1.0,
+        None => (2.0 * task.space.reach * module_mm / step_mm).max(1.0),
+    };
+    let centres: f64 = modules_mm.iter().map(of_module).sum();
+    let count = centres * (task.space.planets.len() * widths) as f64;
+    if count <= f64::from(MOST) { Ok(()) } else { Err(Error::SpaceTooLarge { count, most: MOST }) }
+}
+
 /// The set with shifts that are held; `None` where they leave no gears or have a fault.
 fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, SetFault>> {
     let shifts = task.held_shifts?;

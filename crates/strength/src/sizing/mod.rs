@@ -24,6 +24,7 @@
 //! | face width | `b ≤ (b/d_s)_max·m·z_s`, where [`Space::width_ratio`] bounds it |
 //! | bearing fits | `(d_fp − D)/2 ≥` the least rim of the planets, `B ≤ b` |
 //! | flanks, roots | `S_H`, `S_F` of both gears of both meshes over the duty ([`rate_duty`]) |
+//! | overload | `S_H`, `S_F` of the same gears against the greatest torques of the life, static ([`overload`]) |
 //! | bearing life | `L_10` over the duty, of 90 % ([`life_over_duty`]) |
 //!
 //! # Objective
@@ -63,10 +64,9 @@ mod geometry;
 mod search;
 
 use crate::mesh::{Gear, Method};
-use crate::rating::Place;
 use crate::spectrum::DutyRating;
 #[cfg(doc)]
-use crate::{bearing::life_over_duty, spectrum::rate_duty};
+use crate::{bearing::life_over_duty, rating::overload, spectrum::rate_duty};
 use bearing::Bearing;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::family::Aim;
@@ -125,6 +125,17 @@ pub struct SetStep {
     pub carrier_speed: AngularVelocity,
 }
 
+/// The greatest torque of the life, and what is required against it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SetOverload {
+    /// Torque on the sun, without losses; its sign does not matter. One of 0 asks for nothing.
+    pub sun_torque: Torque,
+    /// Required static safety of the flanks.
+    pub required_contact: f64,
+    /// Required static safety of the roots.
+    pub required_root: f64,
+}
+
 /// Shifts and tip alterations of sun, planets and ring that are held, in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldShifts {
@@ -157,6 +168,8 @@ pub struct Sizing {
     pub viscosity: KinematicViscosity,
     /// The duty.
     pub duty: Vec<SetStep>,
+    /// The overloads.
+    pub overloads: Vec<SetOverload>,
     /// Required life of teeth and bearings.
     pub life: Time,
     /// Required safety of the flanks.
@@ -186,6 +199,10 @@ pub enum Requirement {
     Flank,
     /// Safety of a root.
     Root,
+    /// Static safety of a flank against an overload.
+    OverloadFlank,
+    /// Static safety of a root against an overload.
+    OverloadRoot,
     /// Life of the planet bearings.
     BearingLife,
 }
@@ -212,11 +229,7 @@ impl Governing {
         self.value / self.required
     }
 
-    const fn of_teeth(place: Place, mesh: usize, side: usize, value: f64, required: f64) -> Self {
-        let requirement = match place {
-            Place::Flank => Requirement::Flank,
-            Place::Root => Requirement::Root,
-        };
+    const fn of_teeth(requirement: Requirement, mesh: usize, side: usize, value: f64, required: f64) -> Self {
         let gear = [SimpleGear::Sun, SimpleGear::Planet, SimpleGear::Ring][mesh + side];
         Self { requirement, mesh, gear, value, required }
     }
@@ -249,13 +262,15 @@ pub struct Design {
     pub mass: Mass,
     /// Both meshes over the duty.
     pub meshes: [DutyRating; 2],
+    /// What is met least against the overloads; `None` where none loads the set.
+    pub overload: Option<Governing>,
     /// `L_10` of the planet bearings over the duty; `None` without a bearing, and where it never turns under load.
     pub bearing_life: Option<Time>,
     /// The requirement that is met least.
     pub governing: Governing,
 }
 
-/// How many designs each requirement left out. A design that fails several of the last three counts with the one it meets least.
+/// How many designs each requirement left out. A design that fails several of the last four counts with the one it meets least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LeftOut {
     /// Planets that do not stand at equal angles.
@@ -276,6 +291,8 @@ pub struct LeftOut {
     pub flank: u64,
     /// Roots below the required safety.
     pub root: u64,
+    /// Flanks and roots below the safety required against an overload.
+    pub overload: u64,
     /// Bearings below the required life.
     pub bearing_life: u64,
 }
@@ -293,6 +310,7 @@ impl LeftOut {
             + self.not_calculable
             + self.flank
             + self.root
+            + self.overload
             + self.bearing_life
     }
 }

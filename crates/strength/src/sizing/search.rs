@@ -1,21 +1,21 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
-use super::geometry::{Geometry, geometries};
-use super::{Design, Found, Governing, LeftOut, Objective, Requirement, Sizing, Space};
+use super::geometry::{Geometry, check_extent, geometries};
+use super::{Design, Found, Governing, LeftOut, Objective, Requirement, SetOverload, Sizing, Space};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::mesh::{Gear, Mesh, Method};
 use crate::planets::loads;
-use crate::rating::Place;
+use crate::rating::overload;
 use crate::spectrum::{DutyRating, Step, check_shares, rate_duty};
-use crate::units::{force, hours, length_mm, mass, mm, not_negative, positive, rad_s};
+use crate::units::{force, hours, length_mm, mass, mm, n_m, not_negative, positive, rad_s};
 use crate::{Error, Quantity};
 use epicyclic_gears::quantity::SimpleGear;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
-use uom::si::f64::{Length, Time};
+use uom::si::f64::{AngularVelocity, Length, Time, Torque};
 
 /// Below this rim over tooth height a rim weakens the root ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
@@ -23,13 +23,14 @@ const THICK_RIM: f64 = 1.2;
 /// The best `most` designs of the space.
 ///
 /// # Errors
-/// [`Error::NothingToSearch`] for a space without modules, face widths, planets or centre distances; [`Error::NotPositive`],
+/// [`Error::NothingToSearch`] for a space without modules, face widths, planets or centre distances, [`Error::SpaceTooLarge`]; [`Error::NotPositive`],
 /// [`Error::Negative`] and [`Error::OutOfRange`] for a quantity of it; those of [`rate_duty`] but for teeth outside what the standard holds
 /// for, which are left out and counted; those of [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance).
 pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
     check(task)?;
     let modules_mm = sorted(&task.space.modules);
     let widths_mm = sorted(&task.space.face_widths);
+    check_extent(task, &modules_mm, widths_mm.len())?;
     let choices: Vec<Option<&Bearing>> = match &task.space.bearings[..] {
         [] => vec![None],
         bearings => bearings.iter().map(Some).collect(),
@@ -66,6 +67,7 @@ pub fn size(task: &Sizing, most: usize) -> Result<Found, Error> {
                 match design.governing.requirement {
                     Requirement::Flank => search.left_out.flank += 1,
                     Requirement::Root => search.left_out.root += 1,
+                    Requirement::OverloadFlank | Requirement::OverloadRoot => search.left_out.overload += 1,
                     Requirement::BearingLife => search.left_out.bearing_life += 1,
                 }
                 let ratio = |design: &Design| design.governing.ratio();
@@ -131,8 +133,10 @@ impl Space {
 fn check(task: &Sizing) -> Result<(), Error> {
     task.space.check()?;
     positive(Quantity::Life, hours(task.life), "h")?;
-    positive(Quantity::RequiredSafety, task.required_contact, "")?;
-    positive(Quantity::RequiredSafety, task.required_root, "")?;
+    let overloads = task.overloads.iter().flat_map(|one| [one.required_contact, one.required_root]);
+    for required in [task.required_contact, task.required_root].into_iter().chain(overloads) {
+        positive(Quantity::RequiredSafety, required, "")?;
+    }
     not_negative(Quantity::LeastRim, task.planet_rim, "modules")?;
     not_negative(Quantity::RingRimInModules, task.ring_rim, "modules")?;
     for (quantity, length) in [
@@ -149,10 +153,11 @@ fn check(task: &Sizing) -> Result<(), Error> {
     check_shares(task.duty.iter().map(|step| step.share))
 }
 
-/// The steps of the duty in both meshes, and how often a flank of each gear is loaded.
+/// The steps of the duty in both meshes, how often a flank of each gear is loaded, and the overloads.
 #[derive(Debug)]
 struct MeshSteps {
     steps: [Vec<Step>; 2],
+    overloads: Vec<([Torque; 2], SetOverload)>,
     contacts: [[f64; 2]; 2],
     sharing: f64,
 }
@@ -168,9 +173,14 @@ fn steps(task: &Sizing, planets: u32) -> Result<MeshSteps, Error> {
         }
         contacts = both.map(|load| load.contacts);
     }
+    let mut overloads = vec![];
+    for one in task.overloads.iter().filter(|one| n_m(one.sun_torque) != 0.0) {
+        let both = loads(one.sun_torque, AngularVelocity::default(), planets, [sun, planet], task.life)?;
+        overloads.push((both.map(|load| load.torque), *one));
+    }
     let given = task.methods[0].given.of(Side::First, Symbol::LoadSharing);
     let sharing = given.map_or_else(|| load_sharing(planets), Ok)?;
-    Ok(MeshSteps { steps, contacts, sharing })
+    Ok(MeshSteps { steps, overloads, contacts, sharing })
 }
 
 /// A design before it is judged, in the order of the search.
@@ -204,8 +214,23 @@ impl PartialOrd for Candidate {
     }
 }
 
-/// Teeth that were rated: both meshes and what is met least; `None` outside what the standard holds for.
-type Teeth = Option<([DutyRating; 2], Governing)>;
+/// Teeth that were rated.
+#[derive(Debug, Clone, Copy)]
+struct Rated {
+    meshes: [DutyRating; 2],
+    /// What is met least over the duty.
+    over_duty: Governing,
+    /// What is met least against the overloads.
+    overload: Option<Governing>,
+}
+
+/// Teeth that were rated; `None` outside what the standard holds for.
+type Teeth = Option<Rated>;
+
+/// What is met least; of equal ones the first.
+fn least(all: impl IntoIterator<Item = Governing>) -> Option<Governing> {
+    all.into_iter().reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
+}
 
 struct Search<'a> {
     task: &'a Sizing,
@@ -287,7 +312,7 @@ impl Search<'_> {
                 teeth
             }
         };
-        let Some((meshes, of_teeth)) = teeth else { return Ok(None) };
+        let Some(Rated { meshes, over_duty, overload }) = teeth else { return Ok(None) };
         let own = &self.geometries[one.geometry];
         let face_mm = self.widths_mm[one.width];
         let bearing = self.choices[one.bearing];
@@ -302,7 +327,7 @@ impl Search<'_> {
             value: (hours(life) / hours(self.task.life)).powf(1.0 / bearing.rolling.exponent()),
             required: 1.0,
         });
-        let governing = of_bearing.filter(|of| of.ratio() < of_teeth.ratio()).unwrap_or(of_teeth);
+        let governing = least([over_duty].into_iter().chain(overload).chain(of_bearing)).unwrap_or(over_duty);
         Ok(Some(Design {
             module: length_mm(own.module_mm),
             face_width: length_mm(face_mm),
@@ -316,6 +341,7 @@ impl Search<'_> {
             ring_diameter: length_mm(own.ring_mm),
             mass: mass(own.mass(bore_mm, face_mm)),
             meshes,
+            overload,
             bearing_life,
             governing,
         }))
@@ -343,11 +369,30 @@ impl Search<'_> {
                 viscosity: task.viscosity,
             };
             let method = Method { planets: Some(own.planets), ..task.methods[place] };
-            rate_duty(&mesh, &steps.steps[place], task.life, steps.contacts[place], &method)
+            let over_duty = rate_duty(&mesh, &steps.steps[place], task.life, steps.contacts[place], &method)?;
+            let mut static_safeties = vec![];
+            for (torques, against) in &steps.overloads {
+                let rating = overload(&mesh, torques[place], &method)?;
+                let gears = rating.gears.into_iter().enumerate();
+                static_safeties.extend(gears.flat_map(|(side, gear)| {
+                    let of = |requirement, value, required| {
+                        Governing::of_teeth(requirement, place, side, value, required)
+                    };
+                    [
+                        of(Requirement::OverloadFlank, gear.contact, against.required_contact),
+                        of(Requirement::OverloadRoot, gear.root, against.required_root),
+                    ]
+                }));
+            }
+            Ok((over_duty, least(static_safeties)))
         };
         let both = rated(0, [sun, planet]).and_then(|outer| Ok([outer, rated(1, [planet, ring])?]));
         match both {
-            Ok(meshes) => Ok(Some((meshes, self.least(&meshes)))),
+            Ok(both) => {
+                let meshes = both.map(|(over_duty, _)| over_duty);
+                let overload = least(both.into_iter().filter_map(|(_, overload)| overload));
+                Ok(Some(Rated { over_duty: self.least_over_duty(&meshes), meshes, overload }))
+            }
             Err(Error::NoRootSection { .. }) => Ok(None),
             Err(Error::OutOfRange { quantity, .. } | Error::NotAbove { quantity, .. })
                 if matches!(
@@ -366,19 +411,18 @@ impl Search<'_> {
         }
     }
 
-    /// The safety that is least over what is required of it; of equal ones the first.
-    fn least(&self, meshes: &[DutyRating; 2]) -> Governing {
+    /// The safety over the duty that is least over what is required of it.
+    fn least_over_duty(&self, meshes: &[DutyRating; 2]) -> Governing {
         let (contact, root) = (self.task.required_contact, self.task.required_root);
         let all = meshes.iter().enumerate().flat_map(|(mesh, rating)| {
             rating.gears.iter().enumerate().flat_map(move |(side, gear)| {
                 [
-                    Governing::of_teeth(Place::Flank, mesh, side, gear.contact.safety, contact),
-                    Governing::of_teeth(Place::Root, mesh, side, gear.root.safety, root),
+                    Governing::of_teeth(Requirement::Flank, mesh, side, gear.contact.safety, contact),
+                    Governing::of_teeth(Requirement::Root, mesh, side, gear.root.safety, root),
                 ]
             })
         });
-        all.reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
-            .expect("two meshes have eight safeties")
+        least(all).expect("two meshes have eight safeties")
     }
 
     /// `L_10` over the duty.
@@ -393,7 +437,7 @@ impl Search<'_> {
             .duty
             .iter()
             .map(|step| {
-                let torque = crate::units::n_m(step.sun_torque).abs() * sharing;
+                let torque = n_m(step.sun_torque).abs() * sharing;
                 let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
                 let centrifugal = planet_kg * centre_m * rad_s(step.carrier_speed).powi(2);
                 let radial = first * outer - second * inner + centrifugal;

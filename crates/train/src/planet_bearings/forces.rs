@@ -59,6 +59,8 @@ pub struct Contact {
     pub gear_kind: GearKind,
     /// Pitch radius: of a central gear its own, of a mesh with another planet that of this planet's gear.
     pub pitch_radius: Option<Length>,
+    /// Working pressure angle, if not that of the set.
+    pub pressure_angle: Option<Angle>,
     /// Towards another planet: unit vector outwards and along the positive direction of rotation.
     pub direction: Option<[f64; 2]>,
     /// What of the torques on the central gears it brings.
@@ -210,8 +212,10 @@ impl PlanetBearing {
                     (Some(share), [first, second]) => {
                         let pair = [*first, *second];
                         let meshes = planet_bearing::two_mesh_forces(&pair, share, planets, radius)?;
-                        let meshes = [0, 1].map(|mesh| (pair[mesh].kind, meshes[mesh]));
-                        planet_bearing::radial_force_of(&meshes, self.pressure_angle)?
+                        let angle =
+                            |mesh: usize| self.contacts[mesh].pressure_angle.unwrap_or(self.pressure_angle);
+                        let meshes = [0, 1].map(|mesh| (pair[mesh].kind, meshes[mesh], angle(mesh)));
+                        planet_bearing::radial_force_of(&meshes)?
                     }
                     _ => planet_bearing::radial_force(&pushes, planets, self.pressure_angle)?,
                 };

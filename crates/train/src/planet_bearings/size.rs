@@ -55,6 +55,8 @@ pub struct PlanetSize {
 pub struct MeshSize {
     /// Its module, which the other meshes of its two gears have too.
     pub module: Option<Length>,
+    /// Its working pressure angle, if not that of the set: of a mesh with a central gear, where profiles are shifted.
+    pub pressure_angle: Option<Angle>,
     /// Of a mesh of two planets: the one described later stands behind the other, not ahead in the positive direction
     /// of rotation.
     pub is_behind: bool,
@@ -118,8 +120,10 @@ impl SetSize {
             // The load rating's own limits.
             life::basic_rating_life(Rolling::Balls, load_rating, load_rating, AngularVelocity::default())?;
         }
-        // The angle's own limits.
-        planet_bearing::radial_force(&[], 1, self.pressure_angle)?;
-        Ok(())
+        // The angles' own limits.
+        let own = self.meshes.iter().filter_map(|mesh| mesh.pressure_angle);
+        own.chain([self.pressure_angle])
+            .try_for_each(|angle| planet_bearing::radial_force(&[], 1, angle).map(|_| ()))
+            .map_err(Into::into)
     }
 }

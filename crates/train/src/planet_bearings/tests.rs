@@ -217,7 +217,7 @@ fn masses_follow_from_the_shape_of_every_planet_with_one_width() {
     let gearbox = gearbox(set);
     assert_eq!(only(&gearbox, &size).lacks, [Lack::Mass]);
     let own = PlanetSize { face_widths: vec![Some(mm(20.0)); 2], ..PlanetSize::default() };
-    let meshes = vec![MeshSize { module: Some(mm(2.0)), is_behind: false }];
+    let meshes = vec![MeshSize { module: Some(mm(2.0)), ..MeshSize::default() }];
     let stepped = SetSize { module: None, planets: vec![own], meshes, ..size.clone() };
     let mass = only(&gearbox, &stepped).mass.unwrap();
     assert!(((mass / (body(2.0) + body(3.0))).value - 1.0).abs() < 1e-12);

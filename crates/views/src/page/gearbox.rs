@@ -7,11 +7,12 @@ use crate::analyze::{overview, sets};
 use crate::figure::Figure;
 use crate::report::{Part, Records};
 use crate::tolerance::{CIRCULATES, LEVEL, RESTS, SAME_RATIO};
-use crate::{AsReport, Error, Report, drawability, sheet};
+use crate::{AsReport, Error, Report, drawability, losses, sheet};
 use epicyclic_answers::analyze::gear::OneGear;
 use epicyclic_answers::analyze::overview::Overview;
 use epicyclic_answers::analyze::records::{Kind, State};
 use epicyclic_answers::analyze::warnings::state_in_words;
+use epicyclic_answers::losses::LossKind;
 use epicyclic_answers::report::gearbox::{GearOverK, GearboxReport, OverK, Shown};
 use epicyclic_formats::Dimension;
 use epicyclic_pictures::gearbox::scheme::{self, Scale, Show};
@@ -59,6 +60,10 @@ pub fn sheet(
     figures.extend(report.gears.iter().filter_map(patterns));
     sections.push(Section::new("Figures of every gear", figures).arranged(Arrangement::Rows));
     sections.extend(strength::sections(&report.strength));
+    if let Some(of_page) = &report.losses {
+        let blocks = vec![Block::Answer(losses::for_page(of_page))];
+        sections.push(Section::new("Losses at the operating point", blocks).arranged(Arrangement::Rows));
+    }
     if let Some(sheets) = &report.sheets {
         let blocks = sheet::for_page(sheets).into_iter().map(Block::Answer).collect();
         sections.push(Section::new("Data sheets of the gears", blocks).arranged(Arrangement::Rows));
@@ -70,7 +75,15 @@ pub fn sheet(
     }
     let is_rated = report.strength.iter().any(|one| one.governing.is_some());
     let left_out = [
-        "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes.",
+        if report
+            .losses
+            .as_ref()
+            .is_some_and(|losses| losses.losses.iter().any(|one| one.kind != LossKind::Mesh))
+        {
+            "Losses outside the meshes but for the drags that the file states."
+        } else {
+            "Losses outside the meshes: bearings, seals, churning oil, drag of open clutches and brakes."
+        },
         if is_rated {
             strength::LEFT_OUT
         } else {

@@ -1,0 +1,289 @@
+//! The planet bearings over the duty of a file: basic and modified rating life, static safety.
+//!
+//! ```text
+//! F = √((K_γ·F_t)² + (K_γ·F_r + F_c)²)        1/L = Σ share_i/(a_1·a_ISO,i·L_10,i)        f_s = C_0/F_max
+//! ```
+//!
+//! `F_t` and `F_r` are the forces of the meshes without losses, those of the file's overloads with them in `F_max`, `F_c` is the centrifugal force
+//! ([`planet_bearings`](epicyclic_train::planet_bearings)), `a_ISO` that of [`epicyclic_strength::bearing`].
+
+use super::duty::WorkedStep;
+use super::overload::Peak;
+use super::place::refused;
+use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
+use crate::Error;
+use crate::analyze::Worked;
+use crate::analyze::records::planet_name;
+use crate::gearbox::Subject;
+use crate::tolerance::ROUNDED;
+use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
+use epicyclic_formats::{Path, Physical, Quantity};
+use epicyclic_gears::life::Rolling;
+use epicyclic_strength::bearing::{
+    BearingStep, Reliability, life_modification, life_over_duty, viscosity_ratio,
+};
+use epicyclic_strength::load::load_sharing;
+use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
+use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
+
+/// What a file says of its planet bearings.
+struct File<'a> {
+    subject: &'a Subject<'a>,
+    file: &'a GearboxFile,
+    reliability: Reliability,
+}
+
+/// The entry of a set with two central gears, and its place.
+type Entry<'a> = Option<(usize, &'a SetEntry)>;
+
+/// A quantity of a set, and where the set stands.
+fn of_set<T>(entry: Entry<'_>, of: impl Fn(&SetEntry) -> Option<Quantity<T>>) -> Option<(T, Path)> {
+    let (place, entry) = entry?;
+    Some((of(entry)?.0, Path::root().key("sets").index(place)))
+}
+
+/// What the modified life asks for.
+struct Conditions {
+    viscosity: KinematicViscosity,
+    contamination: f64,
+    fatigue_limit: Force,
+    diameter: Length,
+}
+
+/// All planet bearings with a load rating.
+///
+/// # Errors
+/// [`Error::Document`] for what the file says wrong, with its place.
+pub(super) fn rated(
+    subject: &Subject<'_>,
+    file: &GearboxFile,
+    duty: &[WorkedStep<'_>],
+    peaks: &[Peak<'_>],
+) -> Result<Vec<BearingOverDuty>, Error> {
+    let of = File { subject, file, reliability: reliability(subject, file)? };
+    let rated = subject.planet_bearings.iter().filter_map(|bearing| {
+        let (rating, rolling) = bearing.load_rating?;
+        Some(of.bearing(bearing, rating, rolling, duty, peaks))
+    });
+    rated.collect()
+}
+
+/// The reliability that a file asks for.
+fn reliability(subject: &Subject<'_>, file: &GearboxFile) -> Result<Reliability, Error> {
+    let Some(asked) = file.bearing_reliability else { return Ok(Reliability::default()) };
+    let is_asked = |one: &Reliability| (one.part() - asked.0.si()).abs() < ROUNDED;
+    Reliability::ALL.into_iter().find(is_asked).ok_or_else(|| {
+        let message = "the reliability of bearings is 90, 95, 96, 97, 98 or 99 %";
+        refused(subject.document, &Path::root(), &["bearing_reliability"], message)
+    })
+}
+
+impl File<'_> {
+    fn bearing(
+        &self,
+        bearing: &PlanetBearing,
+        rating: Force,
+        rolling: Rolling,
+        duty: &[WorkedStep<'_>],
+        peaks: &[Peak<'_>],
+    ) -> Result<BearingOverDuty, Error> {
+        let set = &self.subject.gearbox.sets()[bearing.set];
+        let entry = self.file.sets.iter().enumerate().find(|(_, entry)| entry.id == set.id());
+        let sharing = self.sharing(entry.map(|(_, entry)| entry), bearing)?;
+        let (conditions, mut missing) = self.conditions(entry)?;
+        let mut row = BearingOverDuty {
+            set: set.id().to_owned(),
+            planet: planet_name(set, bearing.planet),
+            rollers: rolling == Rolling::Rollers,
+            load_rating_n: rating.si(),
+            load_sharing: sharing,
+            greatest_force_n: None,
+            static_safety: None,
+            basic_life_s: None,
+            modified: None,
+            steps: vec![],
+            missing: vec![],
+        };
+        let mut steps = vec![];
+        for WorkedStep(entry, worked) in duty {
+            let Some((force, speed)) = self.step(bearing, worked.as_ref(), entry.speed.0, sharing)? else {
+                row.missing = lacking(bearing);
+                return Ok(row);
+            };
+            steps.push(BearingStep { share: entry.share.0.si(), load: force, speed, modification: 1.0 });
+            row.steps.push(BearingStepFigures {
+                gear: entry.gear.clone(),
+                force_n: force.si(),
+                speed_rad_s: speed.si(),
+                viscosity_ratio: None,
+                modification: None,
+            });
+        }
+        let still = AngularVelocity::from_si(0.0);
+        let mut greatest = steps.iter().map(|step| step.load.si()).fold(0.0, f64::max);
+        for peak in peaks {
+            let force =
+                self.step(bearing, Some(&peak.worked), still, sharing)?.map_or(0.0, |(force, _)| force.si());
+            greatest = greatest.max(force);
+        }
+        row.greatest_force_n = Some(greatest);
+        if let Some((rating, path)) = of_set(entry, |entry| entry.static_load_rating) {
+            self.above_0(rating.si(), &path, "static_load_rating")?;
+            row.static_safety = (greatest > 0.0).then(|| rating.si() / greatest);
+        }
+        let life = |steps: &[BearingStep], reliability| {
+            life_over_duty(rolling, rating, steps, reliability).map(|life| life.map(Physical::si))
+        };
+        row.basic_life_s = life(&steps, Reliability::Percent90)?;
+        if let Some(conditions) = conditions {
+            match self.modify(rolling, &conditions, &mut steps, &mut row.steps) {
+                Ok(()) => {
+                    row.modified = Some(ModifiedLife {
+                        reliability: self.reliability.part(),
+                        reliability_factor: self.reliability.factor(),
+                        life_s: life(&steps, self.reliability)?,
+                    });
+                }
+                Err(why) => missing.push(why),
+            }
+        }
+        row.missing = missing;
+        Ok(row)
+    }
+
+    /// `K_γ` as the file gives it, or by the number of planets.
+    fn sharing(&self, entry: Option<&SetEntry>, bearing: &PlanetBearing) -> Result<f64, Error> {
+        let given = entry.and_then(|entry| entry.strength.as_ref()?.factors.get("K_gamma"));
+        match given {
+            Some(given) => Ok(given.get()),
+            None => Ok(load_sharing(bearing.planets.unwrap_or(1))?),
+        }
+    }
+
+    /// What the modified life asks for, or the keys that are missing where some are there.
+    fn conditions(&self, entry: Entry<'_>) -> Result<(Option<Conditions>, Vec<String>), Error> {
+        let oil = self.file.oil.as_ref();
+        let of_oil = Path::root().key("oil");
+        let viscosity = oil.and_then(|oil| oil.working_viscosity).map(|of| of.0);
+        let contamination = oil.and_then(|oil| oil.contamination).map(epicyclic_formats::Number::get);
+        if let Some(viscosity) = viscosity {
+            self.above_0(viscosity.si(), &of_oil, "working_viscosity")?;
+        }
+        if contamination.is_some_and(|factor| !(0.0..=1.0).contains(&factor)) {
+            let message = "a contamination factor is from 0 to 1";
+            return Err(refused(self.subject.document, &of_oil, &["contamination"], message));
+        }
+        let fatigue_limit = match of_set(entry, |entry| entry.fatigue_limit) {
+            None => None,
+            Some((limit, path)) => Some(self.above_0(limit.si(), &path, "fatigue_limit").map(|()| limit)?),
+        };
+        let diameter = match of_set(entry, |entry| entry.bearing_diameter) {
+            None => None,
+            Some((diameter, path)) => {
+                Some(self.above_0(diameter.si(), &path, "bearing_diameter").map(|()| diameter)?)
+            }
+        };
+        if let (Some(viscosity), Some(contamination), Some(fatigue_limit), Some(diameter)) =
+            (viscosity, contamination, fatigue_limit, diameter)
+        {
+            let all = Conditions { viscosity, contamination, fatigue_limit, diameter };
+            return Ok((Some(all), vec![]));
+        }
+        let known = [
+            ("oil.working_viscosity", viscosity.is_some()),
+            ("oil.contamination", contamination.is_some()),
+            ("fatigue_limit", fatigue_limit.is_some()),
+            ("bearing_diameter", diameter.is_some()),
+        ];
+        // Where nothing is said, nothing is asked.
+        if known.iter().all(|(_, is_known)| !is_known) {
+            return Ok((None, vec![]));
+        }
+        Ok((None, super::super::toothed::lacking(&known)))
+    }
+
+    fn above_0(&self, value: f64, path: &Path, key: &str) -> Result<(), Error> {
+        if value > 0.0 {
+            return Ok(());
+        }
+        Err(refused(self.subject.document, path, &[key], &format!("{key} must be above 0")))
+    }
+
+    /// The force on a bearing and its speed, in a step of the duty; `None` where no force follows.
+    fn step(
+        &self,
+        bearing: &PlanetBearing,
+        worked: Option<&Worked<'_>>,
+        speed: AngularVelocity,
+        sharing: f64,
+    ) -> Result<Option<(Force, AngularVelocity)>, Error> {
+        let Some(worked) = worked else {
+            return Ok(Some((Force::from_si(0.0), AngularVelocity::from_si(0.0))));
+        };
+        let case = worked.operation.as_ref().zip(worked.analysis.ideal());
+        let Some((operation, case)) = case else { return Ok(None) };
+        let of_input = |members: &Vec<f64>| -> Vec<Torque> {
+            members.iter().map(|of| operation.input * (of / case.input)).collect()
+        };
+        let torques = case.members[bearing.set].as_ref().map(of_input);
+        let set = &self.subject.gearbox.sets()[bearing.set];
+        let carrier = worked.analysis.speed(set.carrier()).map(|of| speed * of);
+        let forces = bearing.forces(torques.as_deref(), carrier)?;
+        let turning = worked.analysis.sets()[bearing.set].planets[bearing.planet].map(|planet| {
+            let relative = if planet.relative.abs() < ROUNDED { 0.0 } else { planet.relative };
+            AngularVelocity::from_si((speed * relative).si().abs())
+        });
+        Ok(shared(&forces, sharing).zip(turning))
+    }
+
+    /// Gives each step its `a_ISO`, or says why there is none.
+    fn modify(
+        &self,
+        rolling: Rolling,
+        conditions: &Conditions,
+        steps: &mut [BearingStep],
+        figures: &mut [BearingStepFigures],
+    ) -> Result<(), String> {
+        let Conditions { viscosity, contamination, fatigue_limit, diameter } = *conditions;
+        for (step, figures) in steps.iter_mut().zip(figures) {
+            if step.load.si() == 0.0 || step.speed.si() == 0.0 {
+                continue;
+            }
+            let why = |error: epicyclic_strength::Error| format!("{error}, in gear {}", figures.gear);
+            let kappa = viscosity_ratio(viscosity, step.speed, diameter).map_err(why)?;
+            let modification =
+                life_modification(rolling, kappa, contamination, fatigue_limit, step.load).map_err(why)?;
+            step.modification = modification;
+            figures.viscosity_ratio = Some(kappa);
+            figures.modification = Some(modification);
+        }
+        Ok(())
+    }
+}
+
+/// What is missing for the forces on a bearing.
+fn lacking(bearing: &PlanetBearing) -> Vec<String> {
+    let key = |lack: &Lack| match lack {
+        Lack::Planets => "planets",
+        Lack::Radius => "module with teeth, or carrier_radius",
+        Lack::CommonRadius => "a carrier_radius of each planet",
+        Lack::Teeth => "teeth",
+        Lack::Mass => "planet_mass or face_width",
+        Lack::Bevel => "forces on bevel planets are not calculated",
+        Lack::OtherRadius { .. } | Lack::Distance { .. } | Lack::Triangle { .. } => {
+            "the places of planets in mesh"
+        }
+    };
+    let mut all: Vec<String> = bearing.lacks.iter().map(|lack| key(lack).to_owned()).collect();
+    if all.is_empty() {
+        all.push("no torques follow".to_owned());
+    }
+    all
+}
+
+/// All forces on a bearing with what the planets do not share alike.
+fn shared(forces: &BearingForces, sharing: f64) -> Option<Force> {
+    let (tangential, radial) = (forces.tangential?.si(), forces.radial?.si());
+    let across = sharing * radial + forces.centrifugal?.si();
+    Some(Force::from_si((sharing * tangential).hypot(across)))
+}

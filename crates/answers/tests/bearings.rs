@@ -1,0 +1,133 @@
+//! Planet bearings over a duty, by hand.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_answers::strength::records::BearingOverDuty;
+use epicyclic_answers::strength::{self, Strength};
+use epicyclic_formats::Document;
+use std::f64::consts::PI;
+
+/// The shifted set of 18, 36 and 93 teeth, its ring held.
+const STAGE: &str = "\
+gearbox: stage
+input: S
+output: H
+sets:
+  - { id: A, sun: S, ring: ground, carrier: H, teeth: [18, 93], planet_teeth: [36], planets: 4, module: 4 mm,
+      profile_shifts: [0.389, 0.5039, 0.1171], tip_alterations: [-0.0833, -0.0833, 0], face_width: 60 mm, planet_mass: 2 kg,
+      load_rating: 60 kN, bearing_rolling: rollers, static_load_rating: 65 kN, fatigue_limit: 7 kN, bearing_diameter: 60 mm,
+      strength: { materials: [18CrNiMo7-6, 18CrNiMo7-6, 18CrNiMo7-6], flank_roughness: [4 µm, 4 µm, 4 µm], \
+root_roughness: [16 µm, 16 µm, 16 µm], shaper: { teeth: 30 }, factors: { K_A: 1, K_v: 1, K_H_beta: 1, K_H_alpha: 1, K_F_alpha: 1 } } }
+oil: { viscosity: 220 mm²/s, working_viscosity: 60 mm²/s, contamination: 0.5 }
+life: 20000 h
+bearing_reliability: 95 %
+duty:
+  - { gear: only, share: 40 %, torque: 900 N·m, speed: 1500 rpm }
+  - { gear: only, share: 50 %, torque: -400 N·m, speed: 600 rpm }
+  - { gear: only, share: 10 %, torque: 0 N·m, speed: 600 rpm }
+overload: [{ gear: only, torque: 2 kN·m }]
+gears: [{ name: only }]
+";
+
+fn strength(text: &str) -> Result<Strength, epicyclic_answers::Error> {
+    let document = Document::parse_one("stage.yaml", text.as_bytes()).unwrap();
+    let subject = strength::subject(&document)?;
+    strength::answer(&subject, &strength::Wanted::default())
+}
+
+fn bearing(text: &str) -> BearingOverDuty {
+    strength(text).unwrap().bearings.remove(0)
+}
+
+/// Centre distance and working pressure angles from the involute functions of the shifts, forces from moments about the main axis and about
+/// the planet's own.
+#[test]
+fn forces_and_lives_are_those_by_hand() {
+    let told = bearing(STAGE);
+    let alpha = 20.0_f64.to_radians();
+    let inv = |angle: f64| angle.tan() - angle;
+    let working = |shifts: f64, teeth: f64| {
+        let due = inv(alpha) + 2.0 * shifts / teeth * alpha.tan();
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..200 {
+            let middle = f64::midpoint(low, high);
+            if inv(middle) < due { low = middle } else { high = middle }
+        }
+        low
+    };
+    let a_1 = working(0.389 + 0.5039, 54.0);
+    let centre = 4e-3 * 54.0 / 2.0 * alpha.cos() / a_1.cos();
+    let a_2 = (4e-3 * 57.0 / 2.0 * alpha.cos() / centre).acos();
+    let sharing = 1.2;
+    let force = |torque: f64, rpm: f64| {
+        let carrier = torque.abs() * (1.0 + 93.0 / 18.0);
+        let sun = torque.abs() / (4.0 * centre * 18.0 / 54.0);
+        let tangential = carrier / (4.0 * centre);
+        let ring = tangential - sun;
+        let omega = rpm * PI / 30.0 / (1.0 + 93.0 / 18.0);
+        let radial = sharing * (sun * a_1.tan() - ring * a_2.tan()) + 2.0 * centre * omega * omega;
+        (sharing * tangential).hypot(radial)
+    };
+    let steps = [(900.0, 1500.0, 0.4), (400.0, 600.0, 0.5)];
+    let (mut basic, mut modified) = (0.0, 0.0);
+    for ((torque, rpm, share), step) in steps.into_iter().zip(&told.steps) {
+        let load = force(torque, rpm);
+        assert!((step.force_n / load - 1.0).abs() < 1e-9, "{} {load}", step.force_n);
+        let turning = rpm * (1.0 - 1.0 / (1.0 + 93.0 / 18.0)) * 18.0 / 36.0;
+        assert!((step.speed_rad_s * 30.0 / PI / turning - 1.0).abs() < 1e-12);
+        let needed = 45_000.0 * turning.powf(-0.83) / 60.0_f64.sqrt();
+        let kappa = 60.0 / needed;
+        assert!((step.viscosity_ratio.unwrap() / kappa - 1.0).abs() < 1e-12);
+        let film = if kappa < 1.0 { kappa.powf(0.19087) } else { kappa.powf(0.071_739) };
+        let dirt: f64 = 0.5 * 7000.0 / load;
+        let life = 0.1 * (1.0 - (1.5859 - 1.2348 / film) * dirt.powf(0.4)).powf(-9.185);
+        assert!((step.modification.unwrap() / life - 1.0).abs() < 1e-9);
+        let hours = (60e3 / load).powf(10.0 / 3.0) * 1e6 / (60.0 * turning);
+        basic += share / hours;
+        modified += share / (hours * 0.64 * life);
+    }
+    assert_eq!((told.steps[2].force_n, told.steps[2].modification), (0.0, None));
+    assert!((told.basic_life_s.unwrap() / 3600.0 * basic - 1.0).abs() < 1e-9);
+    let own = told.modified.unwrap();
+    assert!((own.life_s.unwrap() / 3600.0 * modified - 1.0).abs() < 1e-9);
+    assert_eq!((own.reliability, own.reliability_factor, told.load_sharing), (0.95, 0.64, sharing));
+    let greatest = force(2000.0, 0.0);
+    assert!((told.greatest_force_n.unwrap() / greatest - 1.0).abs() < 1e-9);
+    assert!((told.static_safety.unwrap() / (65e3 / greatest) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn what_is_missing_and_what_is_wrong_is_said() {
+    let without = |old: &str, new: &str| {
+        assert!(STAGE.contains(old), "{old}");
+        STAGE.replace(old, new)
+    };
+    let told = bearing(&without(", contamination: 0.5", ""));
+    assert_eq!((told.modified, told.missing), (None, vec!["oil.contamination".to_owned()]));
+    let other = "  - { id: B, sun: H, ring: ground, carrier: K, k: 3, load_rating: 20 kN }\noil:";
+    let told = strength(&without("oil:", other)).unwrap().bearings.remove(1);
+    assert_eq!((told.basic_life_s, told.greatest_force_n), (None, None));
+    assert_eq!(
+        told.missing,
+        ["planets", "module with teeth, or carrier_radius", "planet_mass or face_width"]
+    );
+    let told = bearing(&without("speed: 600", "speed: 3"));
+    assert!(told.modified.is_none() && told.missing[0].ends_with("in gear only"), "{:?}", told.missing);
+    let own = bearing(&without("K_A: 1,", "K_A: 1, K_gamma: 1.5,"));
+    assert_eq!(own.load_sharing, 1.5);
+    // A life that is too short is warned of, and with a looser requirement is not.
+    let warned = |text: &str| strength(text).unwrap().warnings.iter().any(|one| one.name == "bearing-life");
+    assert!(warned(&without("load_rating: 60 kN, bearing", "load_rating: 30 kN, bearing")));
+    assert!(!warned(&without("life: 20000 h", "life: 2 h")));
+    for (old, new, place) in [
+        ("contamination: 0.5", "contamination: 1.5", "oil.contamination"),
+        ("working_viscosity: 60", "working_viscosity: -60", "oil.working_viscosity"),
+        ("bearing_diameter: 60 mm", "bearing_diameter: 0 mm", "sets[0].bearing_diameter"),
+        ("fatigue_limit: 7 kN", "fatigue_limit: -7 kN", "sets[0].fatigue_limit"),
+        ("static_load_rating: 65 kN", "static_load_rating: 0 kN", "sets[0].static_load_rating"),
+        ("bearing_reliability: 95 %", "bearing_reliability: 94 %", "bearing_reliability"),
+    ] {
+        let refused = strength(&without(old, new)).unwrap_err().to_string();
+        assert!(refused.contains(place) && refused.starts_with("stage.yaml:"), "{refused}");
+    }
+}
