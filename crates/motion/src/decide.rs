@@ -46,11 +46,12 @@ struct Open {
 }
 
 impl Field<'_> {
-    /// Elements without slip that carry friction, and lossy sets that do not roll.
+    /// Elements without slip that carry friction, engaged dog clutches, and lossy sets that do not roll.
     pub(crate) fn at_rest(&self, y: &[f64], speed_scale: f64) -> (Vec<usize>, Vec<usize>) {
         let zero = SLIP * speed_scale;
         let elements = (0..self.model.elements.len())
-            .filter(|&place| !self.is_idle[place] && self.slip(place, y).abs() <= zero);
+            .filter(|&place| !self.is_idle[place] && self.slip(place, y).abs() <= zero)
+            .filter(|&place| !self.is_dog(place) || self.pattern.elements[place] == Way::Stuck);
         let sets = self.model.mechanism.sets.iter().enumerate();
         let sets = sets.filter(|(_, set)| set.is_lossy && dot(&set.rolling, y).abs() <= zero);
         (elements.collect(), sets.map(|(place, _)| place).collect())
@@ -58,7 +59,10 @@ impl Field<'_> {
 
     /// Finds the pattern that is consistent at a moment, and takes it.
     pub(crate) fn decide(&mut self, moment: &Moment, unique: &mut Unique) -> Result<(), Error> {
-        let (elements, sets) = self.at_rest(moment.y, moment.speed_scale);
+        self.speed_scale = moment.speed_scale;
+        let (mut elements, sets) = self.at_rest(moment.y, moment.speed_scale);
+        // They hold or not as they are engaged.
+        elements.retain(|&place| !self.is_dog(place));
         let given = elements.len() + sets.len();
         if given > MOST_AT_REST {
             return Err(Error::TooManyAtRest { given, most: MOST_AT_REST, time_s: moment.t });
@@ -66,6 +70,9 @@ impl Field<'_> {
         let open = Open { elements, sets };
         let mut base = self.pattern.clone();
         for (place, way) in base.elements.iter_mut().enumerate() {
+            if self.is_dog(place) {
+                continue;
+            }
             let slip = self.slip(place, moment.y);
             *way = if self.is_idle[place] { Way::Open } else { Way::of(slip) };
             let one = &self.model.elements[place];

@@ -157,6 +157,16 @@ pub enum Error {
         /// Its slip.
         slip: f64,
     },
+    /// A dog clutch that would have to engage by an impact at the start.
+    #[error(
+        "the dog clutch {element} is engaged at the start and slips at {slip} rad/s: give it speeds without slip, or engage it later"
+    )]
+    InitialDog {
+        /// The clutch.
+        element: String,
+        /// Its slip.
+        slip: f64,
+    },
     /// Events that accumulate at a time.
     #[error("events accumulate at {time_s} s: {events} within {within_s:.3e} s, of {}", .parts.join(", "))]
     Accumulating {
@@ -214,6 +224,7 @@ impl Error {
             Self::InitialSpeeds { .. } => "initial-speeds",
             Self::InitialOpen { .. } => "initial-open",
             Self::InitialSlip { .. } => "initial-slip",
+            Self::InitialDog { .. } => "initial-dog",
             Self::Accumulating { .. } => "accumulating",
             Self::StepTooShort { .. } => "step-too-short",
             Self::TooManySteps { .. } => "too-many-steps",

@@ -5,6 +5,7 @@
 //! | `PIVOT` | a pivot of a matrix scaled to 1 | far above its rounding, far below the ratio of any two inertias that a gearbox has |
 //! | `RANK` | what is left of a row that depends on others, over its largest entry | the rounding of a few products of gear ratios |
 //! | `SLIP` | a relative speed, over the largest speed | the error of a step is `1e-11` of it; slips that vanish together vanish within it |
+//! | `HOLD` | how far a speed is beyond the end of a segment, over the largest speed | the drift by rounding of a speed that is held there; the table is continued this far, so that nothing jumps |
 //! | `ACCELERATION` | a relative acceleration, over the largest | the rounding of a solution of the equations of motion |
 //! | `TORQUE` | a torque beyond its bound, over the largest torque | as `ACCELERATION` |
 //! | `PATTERN` | how far an assumption about what holds and slips may be contradicted, if no other is contradicted less | a hundred times the rounding: at the moment of a transition two assumptions are equally right |
@@ -22,6 +23,9 @@ pub(crate) const RANK: f64 = 1e-11;
 
 /// A slip up to this part of the largest speed is none.
 pub(crate) const SLIP: f64 = 1e-11;
+
+/// A segment of a table over speed goes this part of the largest speed beyond its end.
+pub(crate) const HOLD: f64 = 1e-13;
 
 /// An acceleration up to this part of the largest is none.
 pub(crate) const ACCELERATION: f64 = 1e-9;

@@ -5,6 +5,7 @@
 //! | over time | a [`Course`] |
 //! | linear | `M_0·(1 − ω/ω_0)` |
 //! | over speed | linear between the points of a table, level beyond them |
+//! | constant power | `P/ω` from `ω = P/M_max` on, `M_max` below |
 //! | viscous | `−M_r·ω/ω_r` |
 //! | quadratic | `−M_r·ω·abs(ω)/ω_r²` |
 //! | Kloss | `2·M_k·s·s_k/(s² + s_k²)`, `s = 1 − ω/ω_0` |
@@ -15,8 +16,9 @@
 
 use crate::Error;
 use crate::course::{Course, Piece, finite};
-use crate::units::{n_m, rad_per_s};
-use uom::si::f64::{AngularVelocity, Torque};
+use crate::table;
+use crate::units::{n_m, rad_per_s, watts};
+use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// A torque on a link, positive along the axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +33,10 @@ pub(crate) enum Law {
     },
     /// Speeds and torques.
     Speed(Vec<[f64; 2]>),
+    Power {
+        power: f64,
+        limit: f64,
+    },
     Quadratic {
         factor: f64,
     },
@@ -92,6 +98,23 @@ impl TorqueLaw {
         Ok(Self(Law::Speed(points)))
     }
 
+    /// `P/ω` from the base speed `P/M_max` on, and `M_max` below it and backwards; both below 0 of a brake that recovers power.
+    ///
+    /// # Errors
+    /// [`Error::Value`] of a power or torque that is not finite or is 0, and of two that have different signs.
+    pub fn constant_power(power: Power, limit: Torque) -> Result<Self, Error> {
+        let power = not_zero("the constant power in W", watts(power))?;
+        let limit = not_zero("the limit torque of a constant power in N·m", n_m(limit))?;
+        if power * limit < 0.0 {
+            return Err(Error::Value {
+                field: "the limit torque of a constant power in N·m".into(),
+                value: limit,
+                allowed: "it has the sign of the power",
+            });
+        }
+        Ok(Self(Law::Power { power, limit }))
+    }
+
     /// Against the speed and proportional to it: `torque` at `speed`.
     ///
     /// # Errors
@@ -151,14 +174,9 @@ impl Law {
         match self {
             Self::Time(_) => time.at(t),
             Self::Linear { at_rest, slope } => at_rest + slope * speed,
-            Self::Speed(points) => match (segment.checked_sub(1).map(|one| points[one]), points.get(segment))
-            {
-                (Some([from, value]), Some(next)) => {
-                    value + (next[1] - value) / (next[0] - from) * (speed - from)
-                }
-                (Some(last), None) => last[1],
-                (None, _) => points[0][1],
-            },
+            Self::Speed(points) => table::value(points, segment, speed),
+            Self::Power { limit, .. } if segment == 0 => *limit,
+            Self::Power { power, .. } => power / speed,
             Self::Quadratic { factor } => -factor * speed * speed.abs(),
             Self::Kloss { peak, peak_slip, synchronous } => {
                 let slip = 1.0 - speed / synchronous;
@@ -186,8 +204,8 @@ impl Law {
     /// Segment of a table over speed: how many points are below this speed, one on a point counted as `is_rising` says.
     pub(crate) fn segment(&self, speed: f64, is_rising: bool) -> usize {
         match self {
-            Self::Speed(points) if is_rising => points.partition_point(|point| point[0] <= speed),
-            Self::Speed(points) => points.partition_point(|point| point[0] < speed),
+            Self::Speed(points) => table::segment(points, speed, is_rising),
+            Self::Power { power, limit } => usize::from(speed >= power / limit),
             _ => 0,
         }
     }
@@ -195,10 +213,9 @@ impl Law {
     /// Speeds at which a segment begins and ends.
     pub(crate) fn ends(&self, segment: usize) -> [Option<f64>; 2] {
         match self {
-            Self::Speed(points) => {
-                let of = |place: usize| points.get(place).map(|point| point[0]);
-                [segment.checked_sub(1).and_then(of), of(segment)]
-            }
+            Self::Speed(points) => table::ends(points, segment),
+            Self::Power { power, limit } if segment == 0 => [None, Some(power / limit)],
+            Self::Power { power, limit } => [Some(power / limit), None],
             _ => [None, None],
         }
     }
@@ -223,6 +240,8 @@ mod tests {
         let motor = TorqueLaw::kloss(torque(60.0), 0.2, omega(100.0)).unwrap();
         assert!((at(&motor, 80.0) - 60.0).abs() < 1e-12);
         assert_eq!(at(&motor, 100.0), 0.0);
+        let power = TorqueLaw::constant_power(crate::units::power(600.0), torque(30.0)).unwrap();
+        assert_eq!([-5.0, 10.0, 20.0, 40.0].map(|speed| at(&power, speed)), [30.0, 30.0, 30.0, 15.0]);
         let table = [(omega(0.0), torque(1.0)), (omega(2.0), torque(5.0)), (omega(4.0), torque(0.0))];
         let table = TorqueLaw::over_speed(&table).unwrap();
         let found = [-1.0, 0.0, 1.0, 2.0, 3.0, 9.0].map(|speed| at(&table, speed));
@@ -236,6 +255,8 @@ mod tests {
         assert!(matches!(TorqueLaw::viscous(torque(-1.0), omega(1.0)), Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::quadratic(torque(1.0), omega(0.0)), Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::kloss(torque(1.0), 0.0, omega(1.0)), Err(Error::Value { .. })));
+        let power = TorqueLaw::constant_power(crate::units::power(600.0), torque(-30.0));
+        assert!(matches!(power, Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::over_speed(&[]), Err(Error::NoPoints { .. })));
         let level = [(omega(1.0), torque(1.0)), (omega(1.0), torque(2.0))];
         assert!(matches!(TorqueLaw::over_speed(&level), Err(Error::Order { .. })));

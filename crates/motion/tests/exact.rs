@@ -3,8 +3,8 @@
 mod common;
 
 use common::{
-    acceleration, angle, at, close, constant, end_speed, eta, held_t, joules, kg_m2, level, masses_t, n_m,
-    omega, power_shift, s, speed, start, table, torque_of, train_t,
+    acceleration, angle, at, close, constant, end_speed, eta, held_t, joules, kg_m2, masses_t, n_m, omega,
+    power_shift, s, speed, start, table, torque_of, train_t, two_shafts,
 };
 use epicyclic_dynamics::gearbox::Masses;
 use epicyclic_motion::{Change, Course, Error, Mechanism, Model, Start, State, TorqueLaw};
@@ -73,14 +73,6 @@ fn v4_a_torque_linear_in_speed() {
     // ω = (32/c)·(1 − e^(−c·t/J)), c = 40/157.
     let (c, j): (f64, f64) = (40.0 / 157.0, 0.034_829_358_024_691_36);
     close(end_speed(&run, "sun"), 32.0 / c * (1.0 - (-c * 0.3 / j).exp()), 1e-11);
-}
-
-fn two_shafts(j: [f64; 2], capacity: f64) -> Model {
-    let mechanism =
-        Mechanism::shafts(&[("a", kg_m2(j[0])), ("b", kg_m2(j[1]))]).expect("two shafts and a clutch");
-    let mut model = Model::new(mechanism);
-    model.friction("clutch", ["a", "b"], level(capacity), 1.0).expect("two shafts and a clutch");
-    model
 }
 
 #[test]

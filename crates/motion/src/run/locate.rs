@@ -8,6 +8,10 @@ use crate::tolerance::{ROOT, SHORTEST, TOGETHER};
 
 /// Into how many parts a step is cut when an event in it is looked for.
 const PARTS: usize = 8;
+/// A margin this low over its range may touch 0 between two stages.
+const TOUCH: f64 = 0.1;
+/// How often the place of a dip is narrowed by a third: to the square root of rounding, where a minimum is as low as it gets.
+const NARROWINGS: usize = 36;
 /// How often the distance to the start is halved to find where a margin was positive.
 const HALVINGS: usize = 44;
 /// Half the distance over which the slope of a margin is taken, over the step.
@@ -17,15 +21,20 @@ impl Runner<'_> {
     /// What fires first in the step tried, which is then repeated up to there; none if nothing fires.
     pub(super) fn locate(&mut self) -> Option<Vec<Trigger>> {
         let has_start = self.field.triggers.contains(&Trigger::Starts);
-        if !has_start && self.field.low.iter().all(|low| *low >= 0.0) {
+        let touching = self.touching();
+        if !has_start && touching.is_empty() && self.field.stages.iter().all(|margin| *margin >= 0.0) {
             return None;
         }
         self.densify();
         let mut state = vec![0.0; self.field.parts.size];
+        let mut places: Vec<f64> = (1..=PARTS).map(|part| part as f64 / PARTS as f64).collect();
+        for trigger in touching {
+            places.extend(self.dip(trigger, &mut state));
+        }
+        places.sort_by(f64::total_cmp);
         let mut before = 0.0;
         let mut good: Vec<f64> = vec![f64::INFINITY; self.field.triggers.len()];
-        for part in 1..=PARTS {
-            let place = part as f64 / PARTS as f64;
+        for place in places {
             let margins = self.margins_at(place, &mut state);
             let fired: Vec<usize> = (0..margins.len()).filter(|&one| margins[one] < 0.0).collect();
             if fired.is_empty() {
@@ -37,6 +46,51 @@ impl Runner<'_> {
                 .map(|one| (one, self.root(one, [before, place], [good[one], margins[one]], &mut state)))
                 .collect();
             return Some(self.stop_at(&roots, &mut state));
+        }
+        None
+    }
+
+    /// Triggers whose margins come so near to 0 at a stage that they may be below it between two.
+    ///
+    /// A step is short enough for its error to be `1e-11`, and over it a margin has the shape of a parabola, or of a polynomial that bends no more than
+    /// that. The stages are at most 0.27 of the step apart. A parabola that touches 0 between two of them is at the nearer one at most
+    /// `0.134²/0.6² = 0.05` of its range over the stages; looked at is what is below twice that.
+    fn touching(&self) -> Vec<usize> {
+        let triggers = self.field.triggers.len();
+        let margins = |trigger: usize| self.field.stages.iter().skip(trigger).step_by(triggers.max(1));
+        let near = |&trigger: &usize| {
+            let low = margins(trigger).fold(f64::INFINITY, |least, margin| margin.min(least));
+            let high = margins(trigger).fold(0.0_f64, |most, margin| margin.max(most));
+            low >= 0.0 && low < TOUCH * (high - low) && high < f64::MAX
+        };
+        (0..triggers).filter(near).collect()
+    }
+
+    /// Where in the step a margin is lowest, if it is below 0 there.
+    fn dip(&mut self, trigger: usize, state: &mut [f64]) -> Option<f64> {
+        let mut margin = |place: f64| self.margins_at(place, state)[trigger];
+        let parts = 2 * PARTS;
+        let mut least = (f64::INFINITY, 0.0);
+        for part in 1..=parts {
+            let place = part as f64 / parts as f64;
+            let found = margin(place);
+            if found < least.0 {
+                least = (found, place);
+            }
+        }
+        let width = 1.0 / parts as f64;
+        let (mut from, mut to) = ((least.1 - width).max(0.0), (least.1 + width).min(1.0));
+        for _ in 0..NARROWINGS {
+            if least.0 < 0.0 {
+                return Some(least.1);
+            }
+            let thirds = [from + (to - from) / 3.0, to - (to - from) / 3.0];
+            let found = thirds.map(&mut margin);
+            let lower = usize::from(found[1] < found[0]);
+            if found[lower] < least.0 {
+                least = (found[lower], thirds[lower]);
+            }
+            if lower == 0 { to = thirds[1] } else { from = thirds[0] }
         }
         None
     }
