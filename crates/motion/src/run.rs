@@ -123,6 +123,8 @@ struct Runner<'m> {
     /// The largest twist of each shaft so far.
     twist_scales: Vec<f64>,
     scales: Vec<f64>,
+    /// Room for derivatives.
+    rates: Vec<f64>,
     impacts: f64,
     samples: Vec<Sample>,
     events: Vec<Event>,
@@ -163,6 +165,7 @@ impl<'m> Runner<'m> {
             energy_scale: 0.0,
             twist_scales: model.shafts.iter().map(|one| 0.5 * one.shaft.backlash).collect(),
             scales: vec![1.0; size],
+            rates: vec![0.0; size],
             impacts: 0.0,
             samples: vec![],
             events: vec![],

@@ -1,5 +1,5 @@
 //! Friction over slip speed, constant power and torque converters against closed forms.
-#![allow(clippy::unwrap_used, reason = "helpers of tests, with fixed data")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests, with fixed data")]
 
 mod common;
 
@@ -219,4 +219,29 @@ fn a_threshold_at_rest_is_not_passed_by_what_comes_to_rest_there() {
     let run = model.run(&start(&[("a", 7.0)]), s(50.0), None).unwrap();
     let [stopped] = run.events.as_slice() else { panic!("{:?}", run.events) };
     assert!(matches!(stopped.changes.as_slice(), [Change::Element { to: State::Stuck, .. }]));
+}
+
+#[test]
+fn a_slip_that_hardly_reaches_zero_is_stopped_there() {
+    // J·ω̇ = T(t) − C with T on a ramp: ω falls to −depth at the time `turn`, if it could slip on, and rises again.
+    let (j, ramp, capacity) = (0.5, 40.0, 3.0);
+    for case in 0..240 {
+        let turn = 0.3 + 0.6 * f64::from(case) / 240.0;
+        for depth in [1e-6, 1e-4, 1e-2] {
+            let mut model = Model::new(Mechanism::shafts(&[("a", kg_m2(j))]).unwrap());
+            let at = |t: f64| capacity + ramp * (t - turn);
+            model
+                .torque("motor", "a", TorqueLaw::over_time(table(&[(0.0, at(0.0)), (1.0, at(1.0))])))
+                .unwrap();
+            model.friction("brake", ["a", GROUND], level(capacity), 1.0).unwrap();
+            let begin = 0.5 * ramp / j * turn * turn - depth;
+            let run = model.run(&start(&[("a", begin)]), s(1.0), None).unwrap();
+            let first = run.events.first().unwrap_or_else(|| panic!("{turn} {depth}"));
+            assert_eq!(first.after.states, [State::Stuck], "{turn} {depth}");
+            close(common::at(first), turn - (2.0 * depth * j / ramp).sqrt(), 1e-9);
+            // And one that does not reach it is not stopped.
+            let run = model.run(&start(&[("a", begin + 2.0 * depth)]), s(1.0), None).unwrap();
+            assert!(run.events.is_empty(), "{turn} {depth}");
+        }
+    }
 }
