@@ -71,11 +71,11 @@ impl Runner<'_> {
             let at = |stage: usize| self.field.stages[stage * triggers + trigger];
             let mut lowest = 0;
             let mut high = 0.0_f64;
-            for place in 0..IN_ORDER.len() {
-                if at(IN_ORDER[place]) < at(IN_ORDER[lowest]) {
+            for (place, &stage) in IN_ORDER.iter().enumerate() {
+                if at(stage) < at(IN_ORDER[lowest]) {
                     lowest = place;
                 }
-                high = high.max(at(IN_ORDER[place]));
+                high = high.max(at(stage));
             }
             let low = at(IN_ORDER[lowest]);
             if low < 0.0 {
