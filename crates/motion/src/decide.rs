@@ -18,7 +18,7 @@
 
 use crate::Error;
 use crate::dense::{dot, independent, largest};
-use crate::field::{Field, Trigger};
+use crate::field::{Field, Trigger, push};
 use crate::model::Kind;
 use crate::pattern::{Pattern, System, Way};
 use crate::tolerance::{ACCELERATION, MOST_AT_REST, MOST_LOSSY_MESHES, PATTERN, RANK, SLIP};
@@ -95,7 +95,8 @@ impl Field<'_> {
                     let found = self.violation(assumed, &open, moment, loosed, unique, &mut refused);
                     let Some((violation, pattern)) = found else { continue };
                     if violation == 0.0 {
-                        return self.take(pattern, moment, unique);
+                        // It is the one solved last.
+                        return Ok(());
                     }
                     if best.as_ref().is_none_or(|(least, _)| violation < *least) {
                         best = Some((violation, pattern));
@@ -107,6 +108,8 @@ impl Field<'_> {
             }
         }
         match (best, refused) {
+            // What slips instead of holding would do so without any slip, which is no answer.
+            (_, Some(open @ Error::OpenSplit { .. })) => Err(open),
             (Some((violation, pattern)), _) if violation <= PATTERN => self.take(pattern, moment, unique),
             (_, Some(refused)) => Err(refused),
             (best, None) => {
@@ -125,6 +128,8 @@ impl Field<'_> {
     fn combinations(&self, open: &Open, loosed: &[Loosed]) -> Vec<Vec<Way>> {
         let options = |&place: &usize| match loosed.iter().find(|(one, _)| *one == place) {
             Some((_, way)) => vec![*way],
+            // Its links never turn against each other.
+            None if largest(&self.model.elements[place].slip) <= RANK => vec![Way::Stuck],
             None if matches!(self.model.elements[place].kind, Kind::OneWay) => vec![Way::Stuck, Way::Forward],
             None => vec![Way::Stuck, Way::Forward, Way::Backward],
         };
@@ -241,6 +246,7 @@ impl Field<'_> {
             return Ok(true);
         }
         self.check_unique(unique)?;
+        self.check_redundant(&lossy)?;
         for _ in 0..2 * lossy.len() + 2 {
             if !self.turn_meshes() {
                 return Ok(true);
@@ -321,6 +327,37 @@ impl Field<'_> {
         let found = self.find_unique();
         unique.insert(key, found.clone());
         found
+    }
+
+    /// Refuses stuck elements whose torques could be split otherwise and load a mesh that loses power: the losses would follow the split,
+    /// which nothing tells.
+    ///
+    /// A split that stays in balance is 1 on a dependent element and what this takes from the independent ones.
+    fn check_redundant(&self, lossy: &[usize]) -> Result<(), Error> {
+        let System { stuck, independent, meshes, .. } = &self.system;
+        for (other, made) in &independent.others {
+            let taken = independent.kept.iter().zip(made).map(|(&kept, factor)| (kept, -factor));
+            let split: Vec<(usize, f64)> =
+                taken.chain([(*other, 1.0)]).filter(|(_, part)| *part != 0.0).collect();
+            let mut nodes = vec![0.0; self.nodes.len()];
+            for &(place, torque) in &split {
+                push(&mut nodes, self.model.elements[stuck[place]].places, torque);
+            }
+            let scale = largest(&nodes);
+            let loaded =
+                lossy.iter().find(|&&mesh| dot(meshes.row(mesh), &nodes).abs() > ACCELERATION * scale);
+            if let Some(&mesh) = loaded {
+                let set = self.model.mechanism.meshes[mesh].set;
+                return Err(Error::OpenSplit {
+                    elements: split
+                        .iter()
+                        .map(|&(place, _)| self.model.elements[stuck[place]].name.clone())
+                        .collect(),
+                    set: self.model.mechanism.sets[set].name.clone(),
+                });
+            }
+        }
+        Ok(())
     }
 
     fn find_unique(&self) -> Result<(), Error> {

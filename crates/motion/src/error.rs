@@ -99,6 +99,18 @@ pub enum Error {
         /// The greatest.
         greatest: f64,
     },
+    /// Stuck elements that share their torque over a rolling set with losses in a way that nothing tells.
+    #[error(
+        "{} hold more than there is to hold while {set} rolls with losses: how they share their torque is open, and so are the losses; \
+         leave one of them open, or give {set} no losses",
+        .elements.join(", ")
+    )]
+    OpenSplit {
+        /// The elements.
+        elements: Vec<String>,
+        /// The set.
+        set: String,
+    },
     /// More lossy meshes than patterns are searched for.
     #[error(
         "{given} lossy meshes move at once, and at most {most} are taken: give some sets no inertia of planets, or no losses"
@@ -218,6 +230,7 @@ impl Error {
             Self::Overdetermined { .. } => "overdetermined",
             Self::NoInertia { .. } => "no-inertia",
             Self::NotUnique { .. } => "not-unique",
+            Self::OpenSplit { .. } => "open-split",
             Self::TooManyMeshes { .. } => "too-many-meshes",
             Self::TooManyAtRest { .. } => "too-many-at-rest",
             Self::NoMotion { .. } => "no-motion",

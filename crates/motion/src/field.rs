@@ -325,7 +325,7 @@ impl<'m> Field<'m> {
 }
 
 /// A torque on the first of two places, its opposite on the second.
-fn push(nodes: &mut [f64], places: [Option<usize>; 2], torque: f64) {
+pub(crate) fn push(nodes: &mut [f64], places: [Option<usize>; 2], torque: f64) {
     for (place, torque) in places.into_iter().zip([torque, -torque]) {
         if let Some(node) = place {
             nodes[node] += torque;
