@@ -127,7 +127,7 @@ pub enum Change {
         /// What it does.
         to: State,
     },
-    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier.
+    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier, stuck where it is a block.
     Set {
         /// Its name.
         name: String,

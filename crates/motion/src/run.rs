@@ -348,7 +348,10 @@ impl<'m> Runner<'m> {
             }
         }
         for (place, one) in self.model.mechanism.sets.iter().enumerate() {
-            let (from, to) = (before.sets[place], after.sets[place]);
+            // Of sets at rest that roll together only one is held, whichever comes first.
+            let [from, to] = [before, after].map(|pattern| {
+                if pattern.sets[place].sign() == 0.0 { Way::Stuck } else { pattern.sets[place] }
+            });
             if from != to {
                 changes.push(Change::Set { name: one.name.clone(), from: from.into(), to: to.into() });
             }
