@@ -70,6 +70,8 @@ pub(crate) struct Field<'m> {
     pub(crate) sides: Vec<f64>,
     /// Of each dog clutch that waits to engage the sign of its slip; else 0.
     pub(crate) waits: Vec<f64>,
+    /// Whether an element that slips by its [`Way`] has no slip and gets none, see [`find_triggers`](Self::find_triggers).
+    pub(crate) yields: Vec<bool>,
     pub(crate) triggers: Vec<Trigger>,
     pub(crate) margins: Vec<f64>,
     /// Margins at the stages of a step, one set of them after the other.
@@ -112,6 +114,7 @@ impl<'m> Field<'m> {
             is_idle: vec![],
             sides: vec![0.0; model.thresholds.len()],
             waits: vec![0.0; model.elements.len()],
+            yields: vec![false; model.elements.len()],
             triggers: vec![],
             margins: vec![],
             stages: vec![],

@@ -26,6 +26,10 @@
 //! It is located in the step, and what holds and slips afterwards is decided by trying every combination. Mesh losses follow the sign of the power
 //! through each mesh; where they leave the motion open it is refused. Dog clutches engage by plastic impacts.
 //!
+//! Mesh friction at rest is taken as able to hold while no rolling follows from the torques. Where losses are large both can be consistent, a block that turns and
+//! sets that roll in it; a motion that then changes between them without end is refused as [accumulating](Error::Accumulating). How it shares a torque with
+//! stuck elements is open as between these; which of several holds longest may then depend on their order.
+//!
 //! Neglected: elasticity and backlash but for those of the [`Shaft`]s given, so that torques jump where capacities do and no shaft is between; losses of meshes in
 //! an impact; friction over temperature and pressure; the oil's inertia in a converter.
 //!

@@ -31,6 +31,12 @@ impl From<Way> for State {
     }
 }
 
+/// What the elements do; one that yields has no slip.
+pub(crate) fn states(field: &Field) -> Vec<State> {
+    let of = |(way, yields): (&Way, &bool)| if *yields { State::Stuck } else { (*way).into() };
+    field.pattern.elements.iter().zip(&field.yields).map(of).collect()
+}
+
 /// Speeds, accelerations and torques at a time, in the order of [`Run`]'s names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
@@ -98,7 +104,7 @@ impl Sample {
             accelerations: of_links(&field.accelerations).into_iter().map(angular_acceleration).collect(),
             torques: torques(&field.applied),
             elements: torques(&field.elements),
-            states: field.pattern.elements.iter().map(|&way| way.into()).collect(),
+            states: states(field),
             is_split_unique: field.system.independent.others.is_empty(),
             sets: sets.collect(),
             mesh_powers: mechanism.meshes.iter().enumerate().map(mesh_power).collect(),

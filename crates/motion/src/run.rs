@@ -16,10 +16,10 @@ use crate::dense::{dot, largest};
 use crate::field::{Field, Trigger};
 use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, Way};
-use crate::record::{Audit, Change, Event, Run, Sample};
+use crate::record::{Audit, Change, Event, Run, Sample, State, states};
 use crate::start::Start;
 use crate::step::Stepper;
-use crate::tolerance::{ACCUMULATION, MOST_STEPS, MOST_TOGETHER, SHORTEST, STEP_ERROR};
+use crate::tolerance::{ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, STEP_ERROR};
 use crate::units::seconds;
 use std::collections::VecDeque;
 use uom::si::f64::Time;
@@ -290,7 +290,7 @@ impl<'m> Runner<'m> {
         let t = self.stepper.t;
         self.transitions += usize::from(!fired.is_empty());
         self.watch_accumulation(fired)?;
-        let before = self.field.pattern.clone();
+        let before = (self.field.pattern.clone(), states(&self.field));
         let mut loosed: Vec<Loosed> = vec![];
         let mut changes = vec![];
         let mut passing = vec![];
@@ -339,12 +339,13 @@ impl<'m> Runner<'m> {
         Ok(())
     }
 
-    fn note_changes(&self, before: &Pattern, changes: &mut Vec<Change>) {
+    fn note_changes(&self, (before, was): &(Pattern, Vec<State>), changes: &mut Vec<Change>) {
+        let is = states(&self.field);
         let after = &self.field.pattern;
         for (place, one) in self.model.elements.iter().enumerate() {
-            let (from, to) = (before.elements[place], after.elements[place]);
+            let (from, to) = (was[place], is[place]);
             if from != to {
-                changes.push(Change::Element { name: one.name.clone(), from: from.into(), to: to.into() });
+                changes.push(Change::Element { name: one.name.clone(), from, to });
             }
         }
         for (place, one) in self.model.mechanism.sets.iter().enumerate() {
@@ -365,7 +366,15 @@ impl<'m> Runner<'m> {
     }
 
     fn decide(&mut self, loosed: &[Loosed]) -> Result<(), Error> {
-        let moment = Moment { t: self.stepper.t, y: &self.stepper.y, speed_scale: self.speed_scale, loosed };
+        let ahead = AHEAD * self.end;
+        let moment = Moment {
+            t: self.stepper.t,
+            y: &self.stepper.y,
+            speed_scale: self.speed_scale,
+            loosed,
+            ahead,
+            held: None,
+        };
         self.field.decide(&moment, &mut self.unique)?;
         let Self { field, stepper, .. } = self;
         stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
@@ -384,7 +393,9 @@ impl<'m> Runner<'m> {
         }
         self.recent.pop_front();
         let within = self.recent.front().map_or(f64::INFINITY, |(first, _)| t - first);
-        if within >= ACCUMULATION * self.end {
+        let starts = self.recent.iter().filter(|(_, fired)| fired.contains(&Trigger::Starts)).count();
+        let allowed = if 4 * starts >= MOST_TOGETHER { RESTARTS } else { ACCUMULATION };
+        if within >= allowed * self.end {
             return Ok(());
         }
         let mut parts: Vec<String> =

@@ -13,6 +13,8 @@
 //! | `ROOT` | an interval that holds an event, over the step | the place of an event within its step |
 //! | `TOGETHER` | the distance of two events, over the step | events nearer than the error of a step are one |
 //! | `SHORTEST` | a step, over the time that is calculated | what is shorter is not time but rounding |
+//! | `AHEAD` | how far torques are looked at ahead of a transition that they do not tell yet, over the time that is calculated | a ramp over a hundredth of the time has changed by a hundred times `PATTERN` |
+//! | `RESTARTS` | the time in which sets that mesh friction held started and stopped again and again, over the time that is calculated | it is no motion but a choice between two: as a block and rolling |
 //! | `ACCUMULATION` | the time that the last events took, over the time that is calculated | a shift has events microseconds apart; so many so near accumulate |
 
 /// A pivot of a scaled matrix up to this has vanished.
@@ -48,8 +50,14 @@ pub(crate) const TOGETHER: f64 = 1e-10;
 /// The shortest step over the time that is calculated.
 pub(crate) const SHORTEST: f64 = 1e-14;
 
+/// It is looked ahead by this part of the time that is calculated.
+pub(crate) const AHEAD: f64 = 1e-7;
+
 /// Events accumulate where the last [`MOST_TOGETHER`] took less than this part of the time that is calculated.
 pub(crate) const ACCUMULATION: f64 = 1e-9;
+
+/// The same where at least a quarter of them are starts of sets that mesh friction held.
+pub(crate) const RESTARTS: f64 = 1e-2;
 
 /// How many events in so short a time accumulate.
 pub(crate) const MOST_TOGETHER: usize = 64;

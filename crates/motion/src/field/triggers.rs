@@ -1,7 +1,7 @@
 //! What may end a pattern, and how far it is from there.
 
 use super::Field;
-use crate::dense::dot;
+use crate::dense::{dot, independent};
 use crate::model::Kind;
 use crate::pattern::Way;
 use crate::table;
@@ -39,6 +39,7 @@ pub(crate) enum Trigger {
 impl Field<'_> {
     /// Which triggers there are under the pattern.
     pub(crate) fn find_triggers(&mut self) {
+        self.find_yielding();
         self.triggers.clear();
         for (place, one) in self.model.elements.iter().enumerate() {
             match (self.pattern.elements[place], &one.kind) {
@@ -48,6 +49,8 @@ impl Field<'_> {
                     }
                 }
                 (Way::Open, _) | (_, Kind::Dog { .. }) => {}
+                // Its slip does not change while the rest holds.
+                (Way::Forward | Way::Backward, _) if self.yields[place] => {}
                 (Way::Forward | Way::Backward, kind) => {
                     self.triggers.push(Trigger::SlipEnds(place));
                     if let Kind::Friction { curve, .. } = kind {
@@ -97,6 +100,26 @@ impl Field<'_> {
         self.triggers.extend((0..self.sides.len()).map(Trigger::Passes));
         self.margins.resize(self.triggers.len(), 0.0);
         self.stages.clear();
+    }
+
+    /// Finds the elements that yield: they carry what they can without slip, since mesh friction and what is stuck hold their links.
+    fn find_yielding(&mut self) {
+        self.yields.fill(false);
+        if self.system.stuck_sets.is_empty() {
+            return;
+        }
+        let model = self.model;
+        let stuck = self.system.stuck.iter().map(|&place| model.elements[place].slip.as_slice());
+        let sets = self.system.stuck_sets.iter().map(|&set| model.mechanism.sets[set].rolling.as_slice());
+        let mut rows: Vec<&[f64]> = stuck.chain(sets).collect();
+        let held = independent(&rows).kept.len();
+        for (place, one) in model.elements.iter().enumerate() {
+            if self.pattern.elements[place].sign() != 0.0 {
+                rows.push(&one.slip);
+                self.yields[place] = independent(&rows).kept.len() == held;
+                rows.pop();
+            }
+        }
     }
 
     /// Margins of the triggers at what was evaluated last; [`Trigger::Starts`] is left to the caller.

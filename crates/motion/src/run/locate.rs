@@ -174,7 +174,8 @@ impl Runner<'_> {
         self.field.evaluate(t, state, &mut self.rates);
         self.field.measure(t, state);
         if let Some(start) = self.field.triggers.iter().position(|one| *one == Trigger::Starts) {
-            let moment = Moment { t, y: state, speed_scale: self.speed_scale, loosed: &[] };
+            let moment =
+                Moment { t, y: state, speed_scale: self.speed_scale, loosed: &[], ahead: 0.0, held: None };
             if self.field.would_start(&moment, &mut self.unique) {
                 self.field.margins[start] = -1.0;
             }
