@@ -206,6 +206,12 @@ impl<'m> Field<'m> {
         }
     }
 
+    /// What mesh friction adds to the torque on the root of a set that it holds, and takes from that on its carrier.
+    pub(crate) fn held_torque(&self, set: usize) -> f64 {
+        let place = self.system.stuck_sets.iter().position(|&one| one == set);
+        place.map_or(0.0, |place| self.reactions[self.system.independent.kept.len() + place])
+    }
+
     /// Elastic energy of the shafts.
     pub(crate) fn elastic_energy(&self, y: &[f64]) -> f64 {
         let twists = &y[self.parts.twist..];

@@ -77,9 +77,13 @@ impl Sample {
             mechanism.node.iter().map(of).collect()
         };
         let torques = |values: &[f64]| values.iter().map(|&value| torque(value)).collect();
-        let sets = mechanism.sets.iter().map(|set| {
+        let sets = mechanism.sets.iter().enumerate().map(|(place, set)| {
             let mut bodies: Vec<f64> = vec![0.0; set.centrals.iter().max().map_or(0, |most| most + 1)];
-            let mut carrier = 0.0;
+            let held = field.held_torque(place);
+            let mut carrier = -held;
+            if let Some(root) = set.centrals.first().and_then(|&body| bodies.get_mut(body)) {
+                *root += held;
+            }
             for mesh in set.meshes.clone() {
                 let one = &mechanism.meshes[mesh];
                 let first = field.meshes[mesh];

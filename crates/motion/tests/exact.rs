@@ -111,6 +111,26 @@ fn v7_mesh_losses_by_the_sign_of_the_rolling_power() {
 }
 
 #[test]
+fn a_set_that_mesh_friction_holds_tells_the_torques_on_its_members() {
+    let gearbox = train_t(MeshLoss::Set(eta(0.9)));
+    let with = |load: f64| {
+        let mut model = Model::new(Mechanism::of(&gearbox, &["hold"], &masses_t(false)).unwrap());
+        model.torque("motor", "sun", constant(10.0)).unwrap();
+        model.torque("load", "carrier", constant(-load)).unwrap();
+        model.run(&Start::at_rest(), s(0.1), None).unwrap()
+    };
+    // Driving it can 10·(1 + 3.5·0.9) = 41.5; driven back 10·(1 + 3.5/0.9) = 48.9 would be needed.
+    for load in [42.0, 45.0, 48.0] {
+        let run = with(load);
+        assert_eq!(end_speed(&run, "sun"), 0.0);
+        for (found, due) in run.end().sets[0].iter().zip([10.0, load - 10.0, -load]) {
+            close(found.get::<newton_meter>(), due, 1e-12);
+        }
+    }
+    assert!(end_speed(&with(41.0), "sun") > 0.0 && end_speed(&with(49.0), "sun") < 0.0);
+}
+
+#[test]
 fn p1_two_shafts_and_a_clutch() {
     let run = two_shafts([0.4, 1.6], 80.0).run(&start(&[("a", 120.0), ("b", 0.0)]), s(1.0), None).unwrap();
     close(at(&run.events[0]), 0.48, 1e-13);
