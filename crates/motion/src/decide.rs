@@ -91,12 +91,13 @@ impl Field<'_> {
         }
         let mut refused = None;
         let mut best: Option<(f64, Pattern)> = None;
-        let later = self.later(moment, &open);
-        let held = self.elements.clone();
+        let (later, held, firm) = match moment.loosed {
+            [] => (vec![], vec![], vec![]),
+            _ => (self.later(moment, &open), self.elements.clone(), self.firm(moment, &open)),
+        };
         let ahead =
             Moment { t: moment.t + moment.ahead, y: &later, loosed: &[], held: Some(&held), ..*moment };
         let is_shared = moment.loosed.len() > 1 || !self.system.independent.others.is_empty();
-        let firm = self.firm(moment, &open);
         let passes: &[(&Moment, &[Loosed], &[usize])] = match moment.loosed {
             [] => &[(moment, &[], &[])],
             loosed if is_shared => {

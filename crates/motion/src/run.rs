@@ -79,10 +79,7 @@ impl Model {
 
     /// The next time at which a course has a kink.
     fn next_kink(&self, t: f64) -> f64 {
-        let of_torques = self.torques.iter().filter_map(|one| match &one.law {
-            crate::torque_law::Law::Time(course) => course.next_kink(t),
-            _ => None,
-        });
+        let of_torques = self.torques.iter().filter_map(|one| one.law.course()?.next_kink(t));
         let of_elements = self.elements.iter().filter_map(|one| match &one.kind {
             Kind::Friction { capacity, .. } => capacity.next_kink(t),
             Kind::OneWay => None,
@@ -93,10 +90,7 @@ impl Model {
 
     /// The longest step that the courses allow.
     fn longest_step(&self) -> f64 {
-        let of_torques = self.torques.iter().map(|one| match &one.law {
-            crate::torque_law::Law::Time(course) => course.longest_step(),
-            _ => f64::INFINITY,
-        });
+        let of_torques = self.torques.iter().filter_map(|one| Some(one.law.course()?.longest_step()));
         let of_elements = self.elements.iter().map(|one| match &one.kind {
             Kind::Friction { capacity, .. } => capacity.longest_step(),
             Kind::OneWay | Kind::Dog { .. } => f64::INFINITY,

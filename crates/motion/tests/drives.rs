@@ -93,6 +93,28 @@ fn constant_power_above_the_base_speed() {
     assert_eq!(run.transitions, 1);
 }
 
+#[test]
+fn an_engine_follows_its_throttle_between_its_curves() {
+    let mut model = Model::new(Mechanism::shafts(&[("crank", kg_m2(0.5))]).unwrap());
+    // Full: 80 N·m less 0.2 a rad/s from 100 rad/s on; closed: −10 N·m, and −20 from 150 rad/s on.
+    let full = [(omega(100.0), n_m(80.0)), (omega(300.0), n_m(40.0))];
+    let closed = [(omega(149.0), n_m(-10.0)), (omega(150.0), n_m(-20.0))];
+    let throttle = [(s(0.0), 0.0), (s(0.5), 1.0), (s(0.5), 1.0), (s(1.5), 1.0), (s(1.5), 0.0)];
+    model.torque("engine", "crank", TorqueLaw::map(&closed, &full, &throttle).unwrap()).unwrap();
+    let run = model.run(&start(&[("crank", 30.0)]), s(2.0), Some(s(0.5))).unwrap();
+    let found = |place: usize| common::speed(&run, &run.samples[place], "crank");
+    // J·ω̇ = −10 + 180·t.
+    close(found(1), 30.0 + 2.0 * (-5.0 + 90.0 * 0.25), 1e-11);
+    // 80 N·m up to 100 rad/s, then ω̇ = 2·(100 − 0.2·ω).
+    let bent = (100.0 - found(1)) / 160.0;
+    close(found(2), 500.0 - 400.0 * (-0.4 * (0.5 - bent)).exp(), 1e-11);
+    close(found(3), 500.0 - 400.0 * (-0.4 * (1.0 - bent)).exp(), 1e-11);
+    // −20 N·m down to 150 rad/s, which it does not reach in half a second.
+    assert!(found(3) > 170.0);
+    close(found(4), found(3) - 20.0, 1e-11);
+    assert!(run.audit.residual().abs() < 1e-10);
+}
+
 fn characteristic() -> Converter {
     Converter::new(&[[0.0, 2.0, 1.5e-3], [0.6, 1.3, 1.6e-3], [0.86, 1.0, 1.2e-3], [1.0, 1.0, 0.0]]).unwrap()
 }
