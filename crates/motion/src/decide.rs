@@ -11,14 +11,16 @@
 //!
 //! Without losses and with `κ = 1` the accelerations minimize the strictly convex `½·(q̈ − a)ᵀ·M·(q̈ − a) + Σ C·abs(ds/dt)`, so that only one
 //! motion is consistent. With `κ > 1` several may be: an element then holds where it can, which is the hysteresis of static friction.
-//! An element that has just exceeded its capacity does not hold again at that moment.
+//! An element that has just exceeded its capacity does not hold again at that moment. Where several that share their torque reach their capacities at once, it
+//! is not said which of them slip: at that moment all accelerations are still 0. Then the torques and capacities a little later tell; what holds less
+//! than it can goes on to hold, if that is consistent.
 //!
 //! The meshes of a set at rest are elements, too: it starts to roll where the losses of that direction let it, and is held by friction where neither
-//! direction does. Where stuck elements make a set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
+//! direction does. An element that has exceeded its capacity then *yields*: it carries its capacity without slip, and mesh friction the rest. Where stuck elements make a set a block, nothing tells how friction within it shares the torque, and it is taken without losses.
 
 use crate::Error;
 use crate::dense::{dot, independent, largest};
-use crate::field::{Field, Trigger};
+use crate::field::{Field, Trigger, push};
 use crate::model::Kind;
 use crate::pattern::{Pattern, System, Way};
 use crate::tolerance::{ACCELERATION, MOST_AT_REST, MOST_LOSSY_MESHES, PATTERN, RANK, SLIP};
@@ -37,6 +39,10 @@ pub(crate) struct Moment<'s> {
     /// The largest speed so far.
     pub(crate) speed_scale: f64,
     pub(crate) loosed: &'s [Loosed],
+    /// How far it is looked ahead where that does not tell.
+    pub(crate) ahead: f64,
+    /// What the elements held before, where those that yield in this direction may go on to do so.
+    pub(crate) held: Option<&'s [f64]>,
 }
 
 /// What is open, in a moment.
@@ -46,11 +52,12 @@ struct Open {
 }
 
 impl Field<'_> {
-    /// Elements without slip that carry friction, and lossy sets that do not roll.
+    /// Elements without slip that carry friction, engaged dog clutches, and lossy sets that do not roll.
     pub(crate) fn at_rest(&self, y: &[f64], speed_scale: f64) -> (Vec<usize>, Vec<usize>) {
         let zero = SLIP * speed_scale;
         let elements = (0..self.model.elements.len())
-            .filter(|&place| !self.is_idle[place] && self.slip(place, y).abs() <= zero);
+            .filter(|&place| !self.is_idle[place] && self.slip(place, y).abs() <= zero)
+            .filter(|&place| !self.is_dog(place) || self.pattern.elements[place] == Way::Stuck);
         let sets = self.model.mechanism.sets.iter().enumerate();
         let sets = sets.filter(|(_, set)| set.is_lossy && dot(&set.rolling, y).abs() <= zero);
         (elements.collect(), sets.map(|(place, _)| place).collect())
@@ -58,7 +65,10 @@ impl Field<'_> {
 
     /// Finds the pattern that is consistent at a moment, and takes it.
     pub(crate) fn decide(&mut self, moment: &Moment, unique: &mut Unique) -> Result<(), Error> {
-        let (elements, sets) = self.at_rest(moment.y, moment.speed_scale);
+        self.speed_scale = moment.speed_scale;
+        let (mut elements, sets) = self.at_rest(moment.y, moment.speed_scale);
+        // They hold or not as they are engaged.
+        elements.retain(|&place| !self.is_dog(place));
         let given = elements.len() + sets.len();
         if given > MOST_AT_REST {
             return Err(Error::TooManyAtRest { given, most: MOST_AT_REST, time_s: moment.t });
@@ -66,6 +76,9 @@ impl Field<'_> {
         let open = Open { elements, sets };
         let mut base = self.pattern.clone();
         for (place, way) in base.elements.iter_mut().enumerate() {
+            if self.is_dog(place) {
+                continue;
+            }
             let slip = self.slip(place, moment.y);
             *way = if self.is_idle[place] { Way::Open } else { Way::of(slip) };
             let one = &self.model.elements[place];
@@ -78,28 +91,52 @@ impl Field<'_> {
         }
         let mut refused = None;
         let mut best: Option<(f64, Pattern)> = None;
-        for loosed in [moment.loosed, &[]] {
-            for ways in self.combinations(&open, loosed) {
+        let (later, held, firm) = match moment.loosed {
+            [] => (vec![], vec![], vec![]),
+            _ => (self.later(moment, &open), self.elements.clone(), self.firm(moment, &open)),
+        };
+        let ahead =
+            Moment { t: moment.t + moment.ahead, y: &later, loosed: &[], held: Some(&held), ..*moment };
+        let is_shared = moment.loosed.len() > 1 || !self.system.independent.others.is_empty();
+        let passes: &[(&Moment, &[Loosed], &[usize])] = match moment.loosed {
+            [] => &[(moment, &[], &[])],
+            loosed if is_shared => {
+                &[(&ahead, &[], &firm), (&ahead, &[], &[]), (moment, loosed, &[]), (moment, &[], &[])]
+            }
+            loosed => &[(moment, loosed, &[]), (&ahead, &[], &[]), (moment, &[], &[])],
+        };
+        for &(seen, loosed, firm) in passes {
+            let is_ahead = seen.t != moment.t;
+            for ways in self.combinations(&open, loosed, firm) {
                 let mut candidate = base.clone();
                 for (&place, &way) in open.elements.iter().zip(&ways) {
                     candidate.elements[place] = way;
                 }
                 for assumed in self.rolling(&candidate, &open.sets) {
-                    let found = self.violation(assumed, &open, moment, loosed, unique, &mut refused);
+                    let found = self.violation(assumed, &open, seen, loosed, unique, &mut refused);
                     let Some((violation, pattern)) = found else { continue };
-                    if violation == 0.0 {
+                    if violation == 0.0 && is_ahead {
                         return self.take(pattern, moment, unique);
+                    }
+                    if violation == 0.0 {
+                        // It is the one solved last.
+                        return Ok(());
+                    }
+                    if is_ahead {
+                        continue;
                     }
                     if best.as_ref().is_none_or(|(least, _)| violation < *least) {
                         best = Some((violation, pattern));
                     }
                 }
             }
-            if best.as_ref().is_some_and(|(least, _)| *least <= PATTERN) || moment.loosed.is_empty() {
+            if best.as_ref().is_some_and(|(least, _)| *least <= PATTERN) {
                 break;
             }
         }
         match (best, refused) {
+            // What slips instead of holding would do so without any slip, which is no answer.
+            (_, Some(open @ Error::OpenSplit { .. })) => Err(open),
             (Some((violation, pattern)), _) if violation <= PATTERN => self.take(pattern, moment, unique),
             (_, Some(refused)) => Err(refused),
             (best, None) => {
@@ -114,10 +151,32 @@ impl Field<'_> {
         }
     }
 
+    /// Stuck elements that hold less than they can.
+    fn firm(&self, moment: &Moment, open: &Open) -> Vec<usize> {
+        let most = |place: usize| self.static_capacity(place, moment.t).unwrap_or(0.0);
+        let spare = |place: usize| most(place) - self.elements[place].abs() > PATTERN * self.torque_scale;
+        let is_firm = |&place: &usize| self.pattern.elements[place] == Way::Stuck && spare(place);
+        open.elements.iter().copied().filter(is_firm).collect()
+    }
+
+    /// The speeds a little later, as long as what is without slip remains so; else those of now.
+    fn later(&self, moment: &Moment, open: &Open) -> Vec<f64> {
+        let mut later = moment.y.to_vec();
+        let rates = &self.accelerations;
+        later.iter_mut().zip(rates).for_each(|(speed, rate)| *speed += moment.ahead * rate);
+        let (elements, sets) = self.at_rest(&later, moment.speed_scale);
+        let remains = open.elements.iter().all(|place| elements.contains(place))
+            && open.sets.iter().all(|place| sets.contains(place));
+        if remains { later } else { moment.y.to_vec() }
+    }
+
     /// Ways of the open elements, those with the most stuck first.
-    fn combinations(&self, open: &Open, loosed: &[Loosed]) -> Vec<Vec<Way>> {
+    fn combinations(&self, open: &Open, loosed: &[Loosed], firm: &[usize]) -> Vec<Vec<Way>> {
         let options = |&place: &usize| match loosed.iter().find(|(one, _)| *one == place) {
             Some((_, way)) => vec![*way],
+            None if firm.contains(&place) => vec![Way::Stuck],
+            // Its links never turn against each other.
+            None if largest(&self.model.elements[place].slip) <= RANK => vec![Way::Stuck],
             None if matches!(self.model.elements[place].kind, Kind::OneWay) => vec![Way::Stuck, Way::Forward],
             None => vec![Way::Stuck, Way::Forward, Way::Backward],
         };
@@ -210,9 +269,16 @@ impl Field<'_> {
             (due - part).max(0.0)
         };
         for &place in &open.elements {
-            let is_loosed = loosed.iter().any(|(one, _)| *one == place);
             let way = self.pattern.elements[place];
-            worst = worst.max(starts(way, &self.model.elements[place].slip, is_loosed));
+            let goes_on = |held: &[f64]| self.yields[place] && way.sign() * held[place] <= 0.0;
+            let is_loosed = loosed.iter().any(|(one, _)| *one == place) || moment.held.is_some_and(goes_on);
+            let due = match (self.yields[place], is_loosed) {
+                // What accelerations there are is rounding.
+                (true, true) => 0.0,
+                (true, false) => ACCELERATION,
+                (false, _) => starts(way, &self.model.elements[place].slip, is_loosed),
+            };
+            worst = worst.max(due);
         }
         for &set in &open.sets {
             worst = worst.max(starts(self.pattern.sets[set], &self.model.mechanism.sets[set].rolling, false));
@@ -234,6 +300,7 @@ impl Field<'_> {
             return Ok(true);
         }
         self.check_unique(unique)?;
+        self.check_redundant(&lossy)?;
         for _ in 0..2 * lossy.len() + 2 {
             if !self.turn_meshes() {
                 return Ok(true);
@@ -316,6 +383,37 @@ impl Field<'_> {
         found
     }
 
+    /// Refuses stuck elements whose torques could be split otherwise and load a mesh that loses power: the losses would follow the split,
+    /// which nothing tells.
+    ///
+    /// A split that stays in balance is 1 on a dependent element and what this takes from the independent ones.
+    fn check_redundant(&self, lossy: &[usize]) -> Result<(), Error> {
+        let System { stuck, independent, meshes, .. } = &self.system;
+        for (other, made) in &independent.others {
+            let taken = independent.kept.iter().zip(made).map(|(&kept, factor)| (kept, -factor));
+            let split: Vec<(usize, f64)> =
+                taken.chain([(*other, 1.0)]).filter(|(_, part)| *part != 0.0).collect();
+            let mut nodes = vec![0.0; self.nodes.len()];
+            for &(place, torque) in &split {
+                push(&mut nodes, self.model.elements[stuck[place]].places, torque);
+            }
+            let scale = largest(&nodes);
+            let loaded =
+                lossy.iter().find(|&&mesh| dot(meshes.row(mesh), &nodes).abs() > ACCELERATION * scale);
+            if let Some(&mesh) = loaded {
+                let set = self.model.mechanism.meshes[mesh].set;
+                return Err(Error::OpenSplit {
+                    elements: split
+                        .iter()
+                        .map(|&(place, _)| self.model.elements[stuck[place]].name.clone())
+                        .collect(),
+                    set: self.model.mechanism.sets[set].name.clone(),
+                });
+            }
+        }
+        Ok(())
+    }
+
     fn find_unique(&self) -> Result<(), Error> {
         let lossy: Vec<usize> = self.lossy_meshes().collect();
         let meshes = &self.model.mechanism.meshes;
@@ -349,23 +447,28 @@ impl Field<'_> {
         Err(Error::NotUnique { sets, least, greatest })
     }
 
-    /// Whether a set that friction holds would start under some pattern with the same stuck elements.
+    /// Whether a set that friction holds would start under some pattern, with the elements as they are but that those that yield may hold again.
     pub(crate) fn would_start(&self, moment: &Moment, unique: &mut Unique) -> bool {
-        let (_, sets) = self.at_rest(moment.y, moment.speed_scale);
-        let open = Open { elements: vec![], sets };
+        let (mut yielding, sets) = self.at_rest(moment.y, moment.speed_scale);
+        // Those that only begin to slip, too.
+        yielding.retain(|&place| self.pattern.elements[place].sign() != 0.0);
+        let options: Vec<Vec<Way>> =
+            yielding.iter().map(|&place| vec![self.pattern.elements[place], Way::Stuck]).collect();
         let mut other = self.clone();
         let mut refused = None;
         let mut base = self.pattern.clone();
-        open.sets.iter().for_each(|&set| base.sets[set] = Way::Open);
-        self.rolling(&base, &open.sets).into_iter().any(|pattern| {
-            let is_more = open
-                .sets
-                .iter()
-                .any(|&set| pattern.sets[set].sign() != 0.0 && self.pattern.sets[set].sign() == 0.0);
-            is_more
-                && other
-                    .violation(pattern, &open, moment, &[], unique, &mut refused)
-                    .is_some_and(|(violation, _)| violation == 0.0)
+        sets.iter().for_each(|&set| base.sets[set] = Way::Open);
+        let open = Open { elements: yielding, sets };
+        product(&options).into_iter().any(|ways| {
+            open.elements.iter().zip(ways).for_each(|(&place, way)| base.elements[place] = way);
+            self.rolling(&base, &open.sets).into_iter().any(|pattern| {
+                let moves =
+                    |set: &usize| pattern.sets[*set].sign() != 0.0 && self.pattern.sets[*set].sign() == 0.0;
+                open.sets.iter().any(moves)
+                    && other
+                        .violation(pattern, &open, moment, &[], unique, &mut refused)
+                        .is_some_and(|(violation, _)| violation == 0.0)
+            })
         })
     }
 }

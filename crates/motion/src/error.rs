@@ -99,6 +99,18 @@ pub enum Error {
         /// The greatest.
         greatest: f64,
     },
+    /// Stuck elements that share their torque over a rolling set with losses in a way that nothing tells.
+    #[error(
+        "{} hold more than there is to hold while {set} rolls with losses: how they share their torque is open, and so are the losses; \
+         leave one of them open, or give {set} no losses",
+        .elements.join(", ")
+    )]
+    OpenSplit {
+        /// The elements.
+        elements: Vec<String>,
+        /// The set.
+        set: String,
+    },
     /// More lossy meshes than patterns are searched for.
     #[error(
         "{given} lossy meshes move at once, and at most {most} are taken: give some sets no inertia of planets, or no losses"
@@ -157,6 +169,16 @@ pub enum Error {
         /// Its slip.
         slip: f64,
     },
+    /// A dog clutch that would have to engage by an impact at the start.
+    #[error(
+        "the dog clutch {element} is engaged at the start and slips at {slip} rad/s: give it speeds without slip, or engage it later"
+    )]
+    InitialDog {
+        /// The clutch.
+        element: String,
+        /// Its slip.
+        slip: f64,
+    },
     /// Events that accumulate at a time.
     #[error("events accumulate at {time_s} s: {events} within {within_s:.3e} s, of {}", .parts.join(", "))]
     Accumulating {
@@ -208,12 +230,14 @@ impl Error {
             Self::Overdetermined { .. } => "overdetermined",
             Self::NoInertia { .. } => "no-inertia",
             Self::NotUnique { .. } => "not-unique",
+            Self::OpenSplit { .. } => "open-split",
             Self::TooManyMeshes { .. } => "too-many-meshes",
             Self::TooManyAtRest { .. } => "too-many-at-rest",
             Self::NoMotion { .. } => "no-motion",
             Self::InitialSpeeds { .. } => "initial-speeds",
             Self::InitialOpen { .. } => "initial-open",
             Self::InitialSlip { .. } => "initial-slip",
+            Self::InitialDog { .. } => "initial-dog",
             Self::Accumulating { .. } => "accumulating",
             Self::StepTooShort { .. } => "step-too-short",
             Self::TooManySteps { .. } => "too-many-steps",

@@ -9,36 +9,24 @@
 //! | heat | of each element, `∫ C·abs(s) dt` | J |
 //! | loss | of each mesh, `∫ P·(1 − e) dt` | J |
 //! | inner loss | of each applied torque, in its source | J |
+//! | oil | heat of each converter | J |
+//! | damping | heat of each shaft | J |
+//! | twist | of each shaft, `∫ (ω_1 − ω_2) dt` | rad |
 //!
 //! A *trigger* is what may end a pattern, with a margin that is positive until then.
 
+mod triggers;
+
+pub(crate) use triggers::Trigger;
+
+use crate::converter::Drive;
 use crate::course::Piece;
 use crate::dense::{dot, largest};
 use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, System, Way};
+use crate::shaft::Flank;
 use crate::split::{Share, even, torques};
-use crate::tolerance::TORQUE;
-
-/// What may end a pattern.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Trigger {
-    /// An element slips no more.
-    SlipEnds(usize),
-    /// What an element holds exceeds its static capacity.
-    Exceeds(usize),
-    /// A one-way clutch would have to push.
-    LetsGo(usize),
-    /// A set with losses rolls no more.
-    RollingEnds(usize),
-    /// Power through a lossy mesh turns.
-    Reverses(usize),
-    /// Mesh friction holds no more.
-    Starts,
-    /// A torque over speed comes to the lower or upper end of a segment.
-    Segment(usize, bool),
-    /// A threshold is passed.
-    Passes(usize),
-}
+use crate::table;
 
 /// Places of the parts of the state.
 #[derive(Debug, Clone, Copy)]
@@ -47,6 +35,9 @@ pub(crate) struct Parts {
     pub(crate) heat: usize,
     pub(crate) loss: usize,
     pub(crate) inner: usize,
+    pub(crate) oil: usize,
+    pub(crate) damping: usize,
+    pub(crate) twist: usize,
     pub(crate) size: usize,
 }
 
@@ -56,7 +47,10 @@ impl Parts {
         let heat = work + model.torques.len();
         let loss = heat + model.elements.len();
         let inner = loss + model.mechanism.meshes.len();
-        Self { work, heat, loss, inner, size: inner + model.torques.len() }
+        let oil = inner + model.torques.len();
+        let damping = oil + model.converters.len();
+        let twist = damping + model.shafts.len();
+        Self { work, heat, loss, inner, oil, damping, twist, size: twist + model.shafts.len() }
     }
 }
 
@@ -74,12 +68,17 @@ pub(crate) struct Field<'m> {
     pub(crate) is_idle: Vec<bool>,
     /// On which side of each threshold the speed is.
     pub(crate) sides: Vec<f64>,
+    /// Of each dog clutch that waits to engage the sign of its slip; else 0.
+    pub(crate) waits: Vec<f64>,
+    /// Whether an element that slips by its [`Way`] has no slip and gets none, see [`find_triggers`](Self::find_triggers).
+    pub(crate) yields: Vec<bool>,
     pub(crate) triggers: Vec<Trigger>,
     pub(crate) margins: Vec<f64>,
-    /// The least margins since they were last reset.
-    pub(crate) low: Vec<f64>,
-    /// The largest torque so far.
+    /// Margins at the stages of a step, one set of them after the other.
+    pub(crate) stages: Vec<f64>,
+    /// The largest torque and speed so far.
     pub(crate) torque_scale: f64,
+    pub(crate) speed_scale: f64,
     /// What was evaluated last: torques on nodes, `q̈`, `t`, `λ`, torques of elements on their first links, applied torques.
     pub(crate) nodes: Vec<f64>,
     pub(crate) accelerations: Vec<f64>,
@@ -87,6 +86,9 @@ pub(crate) struct Field<'m> {
     reactions: Vec<f64>,
     pub(crate) elements: Vec<f64>,
     pub(crate) applied: Vec<f64>,
+    /// What shafts pass on, and torques on impellers and turbines.
+    pub(crate) shafts: Vec<f64>,
+    pub(crate) converters: Vec<[f64; 2]>,
 }
 
 impl<'m> Field<'m> {
@@ -97,6 +99,9 @@ impl<'m> Field<'m> {
             sets: vec![Way::Open; model.mechanism.sets.len()],
             meshes: vec![1; model.mechanism.meshes.len()],
             segments: vec![0; model.torques.len()],
+            curves: vec![0; model.elements.len()],
+            flanks: vec![Flank::Firm; model.shafts.len()],
+            drives: vec![Drive::Idle; model.converters.len()],
         };
         let system = System::new(model, &pattern)?;
         let mut made = Self {
@@ -108,16 +113,21 @@ impl<'m> Field<'m> {
             capacities: vec![],
             is_idle: vec![],
             sides: vec![0.0; model.thresholds.len()],
+            waits: vec![0.0; model.elements.len()],
+            yields: vec![false; model.elements.len()],
             triggers: vec![],
             margins: vec![],
-            low: vec![],
+            stages: vec![],
             torque_scale: 0.0,
+            speed_scale: 0.0,
             nodes: vec![0.0; model.mechanism.nodes],
             accelerations: vec![0.0; model.mechanism.freedoms()],
             meshes: vec![0.0; model.mechanism.meshes.len()],
             reactions: vec![],
             elements: vec![0.0; model.elements.len()],
             applied: vec![0.0; model.torques.len()],
+            shafts: vec![0.0; model.shafts.len()],
+            converters: vec![[0.0; 2]; model.converters.len()],
         };
         made.take_pieces(t);
         Some(made)
@@ -132,24 +142,80 @@ impl<'m> Field<'m> {
         for element in &self.model.elements {
             let (piece, is_idle) = match &element.kind {
                 Kind::Friction { capacity, .. } => (capacity.piece(t), capacity.is_zero(t)),
-                Kind::OneWay => (Piece::ZERO, false),
+                Kind::OneWay | Kind::Dog { .. } => (Piece::ZERO, false),
             };
             self.capacities.push(piece);
             self.is_idle.push(is_idle);
         }
     }
 
-    /// Capacity of a slipping element; it never falls below 0, which rounding at the end of a ramp would let it.
-    pub(crate) fn capacity(&self, element: usize, t: f64) -> f64 {
+    /// Capacity of a slipping element, where its slip is not looked at; it never falls below 0, which rounding at the end of a ramp would
+    /// let it.
+    fn capacity(&self, element: usize, t: f64) -> f64 {
         self.capacities[element].at(t).max(0.0)
     }
 
-    /// The largest torque that a stuck element holds; none of a one-way clutch.
+    /// Factor of the capacity at the size of a slip.
+    fn curve(&self, element: usize, slip: f64) -> f64 {
+        match &self.model.elements[element].kind {
+            Kind::Friction { curve, .. } if !curve.is_empty() => {
+                table::value(curve, self.pattern.curves[element], slip)
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// The largest torque that a stuck element holds; none of a one-way or dog clutch.
     pub(crate) fn static_capacity(&self, element: usize, t: f64) -> Option<f64> {
         match &self.model.elements[element].kind {
-            Kind::Friction { static_ratio, .. } => Some(static_ratio * self.capacity(element, t)),
-            Kind::OneWay => None,
+            Kind::Friction { static_ratio, curve, .. } => {
+                let at_rest = if curve.is_empty() {
+                    1.0
+                } else {
+                    table::value(curve, table::segment(curve, 0.0, true), 0.0)
+                };
+                Some(static_ratio * at_rest * self.capacity(element, t))
+            }
+            Kind::OneWay | Kind::Dog { .. } => None,
         }
+    }
+
+    fn is_one_way(&self, element: usize) -> bool {
+        matches!(self.model.elements[element].kind, Kind::OneWay)
+    }
+
+    pub(crate) fn is_dog(&self, element: usize) -> bool {
+        matches!(self.model.elements[element].kind, Kind::Dog { .. })
+    }
+
+    /// Takes the segments, flanks and converters that go with these speeds and twists.
+    pub(crate) fn place(&mut self, y: &[f64]) {
+        for (place, one) in self.model.torques.iter().enumerate() {
+            self.pattern.segments[place] = one.law.segment(dot(&one.speed, y), true);
+        }
+        for (place, one) in self.model.elements.iter().enumerate() {
+            if let Kind::Friction { curve, .. } = &one.kind {
+                self.pattern.curves[place] = table::segment(curve, dot(&one.slip, y).abs(), true);
+            }
+        }
+        for (place, one) in self.model.shafts.iter().enumerate() {
+            self.pattern.flanks[place] = one.shaft.flank(y[self.parts.twist + place], dot(&one.rate, y));
+        }
+        for (place, one) in self.model.converters.iter().enumerate() {
+            self.pattern.drives[place] = one.drive(y);
+        }
+    }
+
+    /// What mesh friction adds to the torque on the root of a set that it holds, and takes from that on its carrier.
+    pub(crate) fn held_torque(&self, set: usize) -> f64 {
+        let place = self.system.stuck_sets.iter().position(|&one| one == set);
+        place.map_or(0.0, |place| self.reactions[self.system.independent.kept.len() + place])
+    }
+
+    /// Elastic energy of the shafts.
+    pub(crate) fn elastic_energy(&self, y: &[f64]) -> f64 {
+        let twists = &y[self.parts.twist..];
+        self.model.shafts.iter().zip(twists).map(|(one, &twist)| one.shaft.energy(twist)).sum()
     }
 
     pub(crate) fn slip(&self, element: usize, y: &[f64]) -> f64 {
@@ -175,12 +241,32 @@ impl<'m> Field<'m> {
             self.elements[place] = 0.0;
             let sign = self.pattern.elements[place].sign();
             if sign != 0.0 {
-                let torque = -sign * self.capacity(place, t);
+                let slip = dot(&one.slip, y);
+                let torque = -sign * self.capacity(place, t) * self.curve(place, sign * slip);
                 self.elements[place] = torque;
                 push(&mut self.nodes, one.places, torque);
-                heat = -torque * dot(&one.slip, y);
+                heat = -torque * slip;
             }
             dy[parts.heat + place] = heat;
+        }
+        for (place, one) in self.model.shafts.iter().enumerate() {
+            let (flank, twist) = (self.pattern.flanks[place], y[parts.twist + place]);
+            let rate = dot(&one.rate, y);
+            let torque = one.shaft.torque(flank, twist, rate);
+            push(&mut self.nodes, one.places, -torque);
+            self.shafts[place] = torque;
+            dy[parts.damping + place] = one.shaft.heat(flank, twist, rate);
+            dy[parts.twist + place] = rate;
+        }
+        for (place, one) in self.model.converters.iter().enumerate() {
+            let (torques, heat) = one.torques(self.pattern.drives[place], y);
+            for (node, torque) in one.places.into_iter().zip(torques) {
+                if let Some(node) = node {
+                    self.nodes[node] += torque;
+                }
+            }
+            self.converters[place] = torques;
+            dy[parts.oil + place] = heat;
         }
         self.react(t);
         self.system.accelerations.times_into(&self.nodes, &mut self.accelerations);
@@ -215,11 +301,13 @@ impl<'m> Field<'m> {
                     .map(|(_, made)| -made.get(place).copied().unwrap_or(0.0))
                     .collect(),
                 capacity: self.static_capacity(stuck[self.system.independent.kept[place]], t),
+                is_one_way: self.is_one_way(stuck[self.system.independent.kept[place]]),
             });
             let of_others = (0..others).map(|place| Share {
                 base: 0.0,
                 factors: (0..others).map(|one| f64::from(u8::from(one == place))).collect(),
                 capacity: self.static_capacity(stuck[self.system.independent.others[place].0], t),
+                is_one_way: self.is_one_way(stuck[self.system.independent.others[place].0]),
             });
             let shares: Vec<Share> = of_kept.chain(of_others).collect();
             // Where no split spares the one-way clutches, the independent elements alone show it.
@@ -237,79 +325,6 @@ impl<'m> Field<'m> {
         }
     }
 
-    /// Which triggers there are under the pattern.
-    pub(crate) fn find_triggers(&mut self) {
-        self.triggers.clear();
-        for (place, one) in self.model.elements.iter().enumerate() {
-            match (self.pattern.elements[place], &one.kind) {
-                (Way::Open, _) => {}
-                (Way::Forward | Way::Backward, _) => self.triggers.push(Trigger::SlipEnds(place)),
-                (Way::Stuck, Kind::Friction { .. }) => self.triggers.push(Trigger::Exceeds(place)),
-                (Way::Stuck, Kind::OneWay) => self.triggers.push(Trigger::LetsGo(place)),
-            }
-        }
-        for set in 0..self.pattern.sets.len() {
-            if self.pattern.sets[set].sign() != 0.0 {
-                self.triggers.push(Trigger::RollingEnds(set));
-                let meshes = self.model.mechanism.sets[set].meshes.clone();
-                let lossy = meshes.filter(|&mesh| self.model.mechanism.meshes[mesh].is_lossy());
-                self.triggers.extend(lossy.map(Trigger::Reverses));
-            }
-        }
-        if !self.system.stuck_sets.is_empty() {
-            self.triggers.push(Trigger::Starts);
-        }
-        for (place, one) in self.model.torques.iter().enumerate() {
-            let ends = one.law.ends(self.pattern.segments[place]);
-            for (is_upper, _) in [false, true].into_iter().zip(ends).filter(|(_, end)| end.is_some()) {
-                self.triggers.push(Trigger::Segment(place, is_upper));
-            }
-        }
-        self.triggers.extend((0..self.sides.len()).map(Trigger::Passes));
-        self.margins.resize(self.triggers.len(), 0.0);
-        self.low.resize(self.triggers.len(), 0.0);
-    }
-
-    /// Margins of the triggers at what was evaluated last; [`Trigger::Starts`] is left to the caller.
-    pub(crate) fn measure(&mut self, t: f64, y: &[f64]) {
-        let guard = TORQUE * self.torque_scale;
-        for place in 0..self.triggers.len() {
-            let margin = self.margin(self.triggers[place], t, y, guard);
-            self.margins[place] = margin;
-            self.low[place] = self.low[place].min(margin);
-        }
-    }
-
-    fn margin(&self, trigger: Trigger, t: f64, y: &[f64], guard: f64) -> f64 {
-        let mechanism = &self.model.mechanism;
-        match trigger {
-            Trigger::SlipEnds(place) => self.pattern.elements[place].sign() * self.slip(place, y),
-            Trigger::Exceeds(place) => {
-                let most = self.static_capacity(place, t).unwrap_or(f64::INFINITY);
-                most - self.elements[place].abs() + guard
-            }
-            Trigger::LetsGo(place) => self.elements[place] + guard,
-            Trigger::RollingEnds(set) => self.pattern.sets[set].sign() * dot(&mechanism.sets[set].rolling, y),
-            Trigger::Reverses(place) => {
-                let mesh = &mechanism.meshes[place];
-                let rolling = self.pattern.sets[mesh.set].sign() * mesh.factor.signum();
-                -self.meshes[place] * rolling * f64::from(self.pattern.meshes[place]) + guard
-            }
-            Trigger::Starts => 1.0,
-            Trigger::Segment(place, is_upper) => {
-                let one = &self.model.torques[place];
-                let ends = one.law.ends(self.pattern.segments[place]);
-                let speed = dot(&one.speed, y);
-                let distance = |end: Option<f64>| end.map_or(f64::INFINITY, |end| speed - end);
-                if is_upper { -distance(ends[1]).min(f64::MAX) } else { distance(ends[0]) }
-            }
-            Trigger::Passes(place) => {
-                let one = &self.model.thresholds[place];
-                self.sides[place] * (dot(&one.factors, y) - one.speed)
-            }
-        }
-    }
-
     /// The largest torque of what was evaluated last.
     pub(crate) fn largest_torque(&self) -> f64 {
         [&self.nodes, &self.meshes, &self.reactions, &self.elements]
@@ -319,7 +334,7 @@ impl<'m> Field<'m> {
 }
 
 /// A torque on the first of two places, its opposite on the second.
-fn push(nodes: &mut [f64], places: [Option<usize>; 2], torque: f64) {
+pub(crate) fn push(nodes: &mut [f64], places: [Option<usize>; 2], torque: f64) {
     for (place, torque) in places.into_iter().zip([torque, -torque]) {
         if let Some(node) = place {
             nodes[node] += torque;

@@ -1,13 +1,15 @@
-//! Rigid motion of any planetary gearbox with friction elements and exact events.
+//! Motion of any planetary gearbox with friction elements, elastic shafts and exact events.
 //!
 //! # Contents
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`Mechanism`] | what moves: links, planets, sets, as matrices; mass matrix, equivalent inertia |
-//! | [`Model`] | what drives, loads and holds it: torques, shift elements, one-way clutches, loads that oppose motion |
+//! | [`Mechanism`] | what moves: links, planets, sets, bodies beside the gearbox, as matrices; mass matrix, equivalent inertia |
+//! | [`Model`] | what drives, loads and holds it: torques, shift elements, one-way and dog clutches, loads that oppose motion, shafts, converters |
 //! | [`Course`], [`TorqueLaw`] | torques over time and speed |
-//! | [`Start`] | speeds at the start |
+//! | [`Shaft`] | elastic, damped shafts with backlash |
+//! | [`Converter`] | torque converters by their characteristic |
+//! | [`Start`] | speeds and twists at the start |
 //! | [`Run`] | what [`Model::run`] finds: samples, [events](Event), energies ([`Audit`]) |
 //!
 //! Speeds and torques are positive along the common axis; a torque acts on a link from outside
@@ -19,11 +21,17 @@
 //! ```
 //!
 //! Shift elements are dry friction without smoothing: between events it is fixed what holds and what slips, and the right side is smooth. An event is the end of
-//! a slip, a torque above what is held, a capacity that leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table.
+//! a slip, a torque above what is held, a capacity that leaves 0, a one-way clutch that lets go, a turn of the power through a lossy mesh, a kink of a table,
+//! the begin and end of contact in a shaft with backlash.
 //! It is located in the step, and what holds and slips afterwards is decided by trying every combination. Mesh losses follow the sign of the power
-//! through each mesh; where they leave the motion open it is refused.
+//! through each mesh; where they leave the motion open it is refused. Dog clutches engage by plastic impacts.
 //!
-//! Neglected: elasticity and backlash, so that torques jump where capacities do; friction over slip speed; temperature.
+//! Mesh friction at rest is taken as able to hold while no rolling follows from the torques. Where losses are large both can be consistent, a block that turns and
+//! sets that roll in it; a motion that then changes between them without end is refused as [accumulating](Error::Accumulating). How it shares a torque with
+//! stuck elements is open as between these; which of several holds longest may then depend on their order.
+//!
+//! Neglected: elasticity and backlash but for those of the [`Shaft`]s given, so that torques jump where capacities do and no shaft is between; losses of meshes in
+//! an impact; friction over temperature and pressure; the oil's inertia in a converter.
 //!
 //! # Example
 //! A power shift of one set: a one-way brake holds the ring until the clutch between sun and ring has taken over.
@@ -65,6 +73,7 @@
 //! # }
 //! ```
 
+mod converter;
 mod course;
 mod decide;
 mod dense;
@@ -75,17 +84,21 @@ mod model;
 mod pattern;
 mod record;
 mod run;
+mod shaft;
 mod split;
 mod start;
 mod step;
+mod table;
 mod tolerance;
 mod torque_law;
 mod units;
 
+pub use converter::Converter;
 pub use course::Course;
 pub use error::Error;
 pub use mechanism::Mechanism;
 pub use model::Model;
 pub use record::{Audit, Change, Event, Run, Sample, State};
+pub use shaft::{Contact, Shaft};
 pub use start::Start;
 pub use torque_law::TorqueLaw;

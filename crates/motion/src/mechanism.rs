@@ -218,6 +218,44 @@ impl Mechanism {
         Ok(made)
     }
 
+    /// With a body beside the gearbox, a link of its own that only shafts, converters and friction join to others: engine, load, vehicle.
+    ///
+    /// # Errors
+    /// [`Error::Duplicate`] of a link that is there; [`Error::Value`]; [`Error::NoInertia`] of one without inertia.
+    pub fn with_body(mut self, name: &str, inertia: MomentOfInertia) -> Result<Self, Error> {
+        if self.links.iter().any(|link| link == name) {
+            return Err(Error::Duplicate { what: "link", name: name.to_owned() });
+        }
+        let value = not_negative(format!("the inertia of {name} in kg·m²"), kg_m2(inertia))?;
+        if value == 0.0 {
+            return Err(Error::NoInertia { link: name.to_owned() });
+        }
+        let (row, column) = (self.nodes, self.freedoms());
+        let mut speeds = Matrix::zeros(self.speeds.rows + 1, column + 1);
+        for body in 0..self.speeds.rows {
+            // Planets follow the nodes.
+            let moved = body + usize::from(body >= row);
+            speeds.row_mut(moved)[..column].copy_from_slice(self.speeds.row(body));
+        }
+        speeds.row_mut(row)[column] = 1.0;
+        self.speeds = speeds;
+        self.inertias.insert(row, value);
+        self.links.push(name.to_owned());
+        self.node.push(Some(row));
+        self.nodes += 1;
+        self.coordinates.push(row);
+        let moved = |place: &mut Place| *place = place.map(|body| body + usize::from(body >= row));
+        for mesh in &mut self.meshes {
+            mesh.ends.iter_mut().for_each(moved);
+            mesh.rolling.push(0.0);
+        }
+        for set in &mut self.sets {
+            moved(&mut set.root);
+            set.rolling.push(0.0);
+        }
+        Ok(self)
+    }
+
     /// How many coordinates there are.
     #[must_use]
     pub fn freedoms(&self) -> usize {

@@ -1,12 +1,14 @@
 //! A mechanism with what drives, loads and holds it.
 
 use crate::Error;
+use crate::converter::{Converter, Coupling};
 use crate::course::Course;
-use crate::mechanism::{Mechanism, Place};
+use crate::mechanism::{Mechanism, Place, not_negative};
+use crate::shaft::{Joint, Shaft};
 use crate::torque_law::{Law, TorqueLaw};
-use crate::units::rad_per_s;
+use crate::units::{rad_per_s, seconds};
 use epicyclic_train::GROUND;
-use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A mechanism with sources, loads, shift elements and thresholds.
 ///
@@ -26,6 +28,8 @@ pub struct Model {
     pub(crate) torques: Vec<Applied>,
     pub(crate) elements: Vec<Element>,
     pub(crate) thresholds: Vec<Threshold>,
+    pub(crate) shafts: Vec<Joint>,
+    pub(crate) converters: Vec<Coupling>,
 }
 
 /// A torque on a link.
@@ -51,12 +55,27 @@ pub(crate) struct Element {
 /// How an element carries torque.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Kind {
-    /// Capacity while slipping, and `κ`.
+    /// Capacity while slipping, `κ`, and the factor of the capacity over slip speed; 1 where that has no points.
     Friction {
         capacity: Course,
         static_ratio: f64,
+        curve: Vec<[f64; 2]>,
     },
     OneWay,
+    /// When it shall be engaged from, or open from; the largest slip at which it engages.
+    Dog {
+        program: Vec<(f64, bool)>,
+        limit: f64,
+    },
+}
+
+impl Kind {
+    /// Whether this is a dog clutch that shall be engaged at a time.
+    pub(crate) fn is_wanted(&self, t: f64) -> bool {
+        let Self::Dog { program, .. } = self else { return false };
+        let passed = program.partition_point(|(time, _)| *time <= t);
+        passed.checked_sub(1).is_some_and(|last| program[last].1)
+    }
 }
 
 /// A speed whose passing is an event.
@@ -71,7 +90,14 @@ impl Model {
     /// A mechanism that nothing drives or holds yet.
     #[must_use]
     pub fn new(mechanism: Mechanism) -> Self {
-        let mut made = Self { mechanism, torques: vec![], elements: vec![], thresholds: vec![] };
+        let mut made = Self {
+            mechanism,
+            torques: vec![],
+            elements: vec![],
+            thresholds: vec![],
+            shafts: vec![],
+            converters: vec![],
+        };
         let one_way: Vec<_> =
             made.mechanism.elements.iter().filter(|(.., is_one_way)| *is_one_way).cloned().collect();
         for (name, links, _) in one_way {
@@ -125,7 +151,7 @@ impl Model {
             return Err(Error::Value { field, value: static_ratio, allowed: "it is finite and at least 1" });
         }
         let capacity = capacity.into_capacity(name)?;
-        self.join(name, links, Kind::Friction { capacity, static_ratio })
+        self.join(name, links, Kind::Friction { capacity, static_ratio, curve: vec![] })
     }
 
     /// Gives a shift element of the gearbox a capacity over time.
@@ -133,9 +159,7 @@ impl Model {
     /// # Errors
     /// [`Error::Unknown`] for one that is not there, is one-way, or engaged for good; and as [`friction`](Self::friction).
     pub fn shift_element(&mut self, name: &str, capacity: Course, static_ratio: f64) -> Result<(), Error> {
-        let found = self.mechanism.elements.iter().find(|(id, _, one_way)| id == name && !one_way);
-        let unknown = || Error::Unknown { what: "shift element with a capacity", name: name.to_owned() };
-        let links = found.ok_or_else(unknown)?.1.clone();
+        let links = self.shift_links(name)?;
         self.friction(name, [&links[0], &links[1]], capacity, static_ratio)
     }
 
@@ -145,6 +169,116 @@ impl Model {
     /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`].
     pub fn one_way_clutch(&mut self, name: &str, links: [&str; 2]) -> Result<(), Error> {
         self.join(name, links, Kind::OneWay)
+    }
+
+    /// Lets the capacity of a friction element depend on its slip speed: it is multiplied by a factor, linear between points in order of
+    /// speed and level beyond them. The factor at 0 holds for stuck elements, too, beside `κ`.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] of an element that is not there or carries no friction; [`Error::NoPoints`]; [`Error::Order`] of speeds that do not ascend;
+    /// [`Error::Value`] of a number that is not finite or below 0.
+    pub fn friction_over_slip(&mut self, name: &str, points: &[(AngularVelocity, f64)]) -> Result<(), Error> {
+        let field = || format!("friction over slip speed of {name}");
+        let found = self.elements.iter_mut().find(|one| one.name == name).map(|one| &mut one.kind);
+        let Some(Kind::Friction { curve, .. }) = found else {
+            return Err(Error::Unknown { what: "friction element", name: name.to_owned() });
+        };
+        if points.is_empty() {
+            return Err(Error::NoPoints { field: field() });
+        }
+        let points: Vec<[f64; 2]> =
+            points.iter().map(|(speed, factor)| [rad_per_s(*speed), *factor]).collect();
+        for (place, [speed, factor]) in points.iter().enumerate() {
+            not_negative(format!("a speed in rad/s of the {}", field()), *speed)?;
+            not_negative(format!("a factor of the {}", field()), *factor)?;
+            if place > 0 && *speed <= points[place - 1][0] {
+                return Err(Error::Order {
+                    field: field(),
+                    place: place + 1,
+                    value: *speed,
+                    before: points[place - 1][0],
+                    allowed: "speeds ascend",
+                });
+            }
+        }
+        *curve = points;
+        Ok(())
+    }
+
+    /// Joins two links by an elastic, damped shaft with backlash: of the gearbox, the housing, or [bodies](Mechanism::with_body) beside it.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`].
+    pub fn shaft(&mut self, name: &str, links: [&str; 2], shaft: Shaft) -> Result<(), Error> {
+        let (places, [first, second]) = self.between(name, links)?;
+        let rate = first.iter().zip(&second).map(|(one, other)| one - other).collect();
+        self.shafts.push(Joint { name: name.to_owned(), places, rate, shaft });
+        Ok(())
+    }
+
+    /// Joins an impeller and a turbine by a torque converter; its reactor stands on the housing.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`].
+    pub fn converter(&mut self, name: &str, links: [&str; 2], converter: Converter) -> Result<(), Error> {
+        let (places, speeds) = self.between(name, links)?;
+        self.converters.push(Coupling { name: name.to_owned(), places, speeds, converter });
+        Ok(())
+    }
+
+    /// Joins two links, or a link and the housing, by a dog clutch that is engaged or open from each of these times on, and open before.
+    ///
+    /// It engages as soon as its slip is at most `limit`, at any slip without one, by an impact: it takes the slip away at once and
+    /// keeps the momentum, `Δq̇ = M⁻¹·Dᵀ·Λ` with the impulses `Λ` of all dog clutches that are engaged and of the one-way clutches that
+    /// would slip backwards. Friction, meshes' losses, shafts and converters have finite torques and no part in it. What kinetic
+    /// energy it takes is in [`Audit::impacts`](crate::Audit::impacts). Once engaged it carries any torque.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`], [`Error::Duplicate`], [`Error::OnePiece`]; [`Error::NoPoints`] without times; [`Error::Order`] of times that do not
+    /// ascend; [`Error::Value`] of a time that is not finite and of a limit that is not finite or below 0.
+    pub fn dog_clutch(
+        &mut self,
+        name: &str,
+        links: [&str; 2],
+        program: &[(Time, bool)],
+        limit: Option<AngularVelocity>,
+    ) -> Result<(), Error> {
+        let field = || format!("the program of {name}");
+        if program.is_empty() {
+            return Err(Error::NoPoints { field: field() });
+        }
+        let program: Vec<(f64, bool)> =
+            program.iter().map(|&(time, is_engaged)| (seconds(time), is_engaged)).collect();
+        for (place, &(time, _)) in program.iter().enumerate() {
+            crate::course::finite(&format!("a time in s of {}", field()), time)?;
+            if place > 0 && time <= program[place - 1].0 {
+                return Err(Error::Order {
+                    field: field(),
+                    place: place + 1,
+                    value: time,
+                    before: program[place - 1].0,
+                    allowed: "times ascend",
+                });
+            }
+        }
+        let limit = limit.map_or(Ok(f64::INFINITY), |limit| {
+            not_negative(format!("the largest slip in rad/s at which {name} engages"), rad_per_s(limit))
+        })?;
+        self.join(name, links, Kind::Dog { program, limit })
+    }
+
+    /// Makes a shift element of the gearbox a dog clutch.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for one that is not there, is one-way, or engaged for good; and as [`dog_clutch`](Self::dog_clutch).
+    pub fn shift_dog_clutch(
+        &mut self,
+        name: &str,
+        program: &[(Time, bool)],
+        limit: Option<AngularVelocity>,
+    ) -> Result<(), Error> {
+        let links = self.shift_links(name)?;
+        self.dog_clutch(name, [&links[0], &links[1]], program, limit)
     }
 
     /// Makes the passing of a speed by a link an event.
@@ -159,24 +293,37 @@ impl Model {
         Ok(())
     }
 
+    /// Links of a shift element of the gearbox that is neither one-way nor engaged for good.
+    fn shift_links(&self, name: &str) -> Result<[String; 2], Error> {
+        let found = self.mechanism.elements.iter().find(|(id, _, one_way)| id == name && !one_way);
+        let unknown = || Error::Unknown { what: "shift element with a capacity", name: name.to_owned() };
+        Ok(found.ok_or_else(unknown)?.1.clone())
+    }
+
     fn join(&mut self, name: &str, links: [&str; 2], kind: Kind) -> Result<(), Error> {
+        let (places, [first, second]) = self.between(name, links)?;
+        let slip = first.iter().zip(&second).map(|(one, other)| one - other).collect();
+        self.elements.push(Element { name: name.to_owned(), places, slip, kind });
+        Ok(())
+    }
+
+    /// Places of two links that are to be joined, and their speeds over the coordinates.
+    fn between(&self, name: &str, links: [&str; 2]) -> Result<([Place; 2], [Vec<f64>; 2]), Error> {
         self.check_name(name)?;
         let places = [self.mechanism.place(links[0])?, self.mechanism.place(links[1])?];
         if places[0] == places[1] {
             let [first, second] = links.map(ToOwned::to_owned);
             return Err(Error::OnePiece { element: name.to_owned(), first, second });
         }
-        let [first, second] =
-            [self.mechanism.speed_factors(links[0])?, self.mechanism.speed_factors(links[1])?];
-        let slip = first.iter().zip(&second).map(|(one, other)| one - other).collect();
-        self.elements.push(Element { name: name.to_owned(), places, slip, kind });
-        Ok(())
+        Ok((places, [self.mechanism.speed_factors(links[0])?, self.mechanism.speed_factors(links[1])?]))
     }
 
     fn check_name(&self, name: &str) -> Result<(), Error> {
-        let mut names =
-            self.torques.iter().map(|one| &one.name).chain(self.elements.iter().map(|one| &one.name));
-        if names.any(|one| one == name) || self.thresholds.iter().any(|one| one.name == name) {
+        let first = self.torques.iter().map(|one| &one.name).chain(self.elements.iter().map(|one| &one.name));
+        let second =
+            self.shafts.iter().map(|one| &one.name).chain(self.converters.iter().map(|one| &one.name));
+        let mut names = first.chain(second).chain(self.thresholds.iter().map(|one| &one.name));
+        if names.any(|one| one == name) {
             return Err(Error::Duplicate { what: "torque, element or threshold", name: name.to_owned() });
         }
         Ok(())

@@ -10,9 +10,11 @@
 //! the same sign for all patterns of power directions exactly if the motion is unique for every torque (the column W-property: R. Sznajder and
 //! M. S. Gowda, Linear Algebra Appl. 223/224 (1995) 695–715, theorem 2).
 
+use crate::converter::Drive;
 use crate::dense::{Independent, Matrix, Split, independent};
 use crate::mechanism::Mechanism;
 use crate::model::{Element, Model};
+use crate::shaft::Flank;
 
 /// What an element or the rolling of a set does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -50,8 +52,11 @@ pub(crate) struct Pattern {
     pub(crate) sets: Vec<Way>,
     /// `w` of each mesh: 1 where power flows from its first gear to its second.
     pub(crate) meshes: Vec<i8>,
-    /// Segments of tables over speed.
+    /// Segments of torques over speed, and of friction over slip speed.
     pub(crate) segments: Vec<usize>,
+    pub(crate) curves: Vec<usize>,
+    pub(crate) flanks: Vec<Flank>,
+    pub(crate) drives: Vec<Drive>,
 }
 
 impl Pattern {

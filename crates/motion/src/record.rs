@@ -3,13 +3,14 @@
 use crate::dense::dot;
 use crate::field::Field;
 use crate::pattern::Way;
-use crate::units::{angular_acceleration, angular_velocity, energy, joules, power, time, torque};
-use uom::si::f64::{AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
+use crate::shaft::Contact;
+use crate::units::{angle, angular_acceleration, angular_velocity, energy, joules, power, time, torque};
+use uom::si::f64::{Angle, AngularAcceleration, AngularVelocity, Energy, Power, Time, Torque};
 
 /// What an element does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum State {
-    /// It carries nothing.
+    /// It carries nothing; of a dog clutch: it is not engaged.
     Open,
     /// It slips with `ω_1 > ω_2`; of a one-way clutch: it overruns.
     Forward,
@@ -28,6 +29,12 @@ impl From<Way> for State {
             Way::Stuck => Self::Stuck,
         }
     }
+}
+
+/// What the elements do; one that yields has no slip.
+pub(crate) fn states(field: &Field) -> Vec<State> {
+    let of = |(way, yields): (&Way, &bool)| if *yields { State::Stuck } else { (*way).into() };
+    field.pattern.elements.iter().zip(&field.yields).map(of).collect()
 }
 
 /// Speeds, accelerations and torques at a time, in the order of [`Run`]'s names.
@@ -51,6 +58,14 @@ pub struct Sample {
     pub sets: Vec<Vec<Torque>>,
     /// Power into each mesh from its first gear, relative to the carrier.
     pub mesh_powers: Vec<Power>,
+    /// Torque that each shaft passes on from its first link to its second.
+    pub shafts: Vec<Torque>,
+    /// Twist of each shaft.
+    pub twists: Vec<Angle>,
+    /// What the ends of each shaft do.
+    pub contacts: Vec<Contact>,
+    /// Torques of each converter on the links of its impeller and turbine.
+    pub converters: Vec<[Torque; 2]>,
 }
 
 impl Sample {
@@ -62,9 +77,13 @@ impl Sample {
             mechanism.node.iter().map(of).collect()
         };
         let torques = |values: &[f64]| values.iter().map(|&value| torque(value)).collect();
-        let sets = mechanism.sets.iter().map(|set| {
+        let sets = mechanism.sets.iter().enumerate().map(|(place, set)| {
             let mut bodies: Vec<f64> = vec![0.0; set.centrals.iter().max().map_or(0, |most| most + 1)];
-            let mut carrier = 0.0;
+            let held = field.held_torque(place);
+            let mut carrier = -held;
+            if let Some(root) = set.centrals.first().and_then(|&body| bodies.get_mut(body)) {
+                *root += held;
+            }
             for mesh in set.meshes.clone() {
                 let one = &mechanism.meshes[mesh];
                 let first = field.meshes[mesh];
@@ -82,16 +101,25 @@ impl Sample {
         let mesh_power = |(mesh, one): (usize, &crate::mechanism::MeshForce)| {
             power(-field.meshes[mesh] * dot(&one.rolling, y))
         };
+        let twists = &y[field.parts.twist..field.parts.size];
         Self {
             time: time(t),
             speeds: of_links(y).into_iter().map(angular_velocity).collect(),
             accelerations: of_links(&field.accelerations).into_iter().map(angular_acceleration).collect(),
             torques: torques(&field.applied),
             elements: torques(&field.elements),
-            states: field.pattern.elements.iter().map(|&way| way.into()).collect(),
+            states: states(field),
             is_split_unique: field.system.independent.others.is_empty(),
             sets: sets.collect(),
             mesh_powers: mechanism.meshes.iter().enumerate().map(mesh_power).collect(),
+            shafts: torques(&field.shafts),
+            twists: twists.iter().map(|&twist| angle(twist)).collect(),
+            contacts: twists
+                .iter()
+                .zip(&field.pattern.flanks)
+                .map(|(&twist, flank)| flank.contact(twist))
+                .collect(),
+            converters: field.converters.iter().map(|on| on.map(torque)).collect(),
         }
     }
 }
@@ -109,7 +137,7 @@ pub enum Change {
         /// What it does.
         to: State,
     },
-    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier.
+    /// A set with losses rolls otherwise: forward where its first central gear is faster than the carrier, stuck where it is a block.
     Set {
         /// Its name.
         name: String,
@@ -117,6 +145,15 @@ pub enum Change {
         from: State,
         /// How it rolls.
         to: State,
+    },
+    /// The ends of a shaft with backlash come into contact, or part.
+    Shaft {
+        /// Its name.
+        name: String,
+        /// What they did.
+        from: Contact,
+        /// What they do.
+        to: Contact,
     },
     /// A threshold is passed.
     Threshold {
@@ -147,38 +184,56 @@ pub struct Audit {
     pub mesh_losses: Vec<Energy>,
     /// Loss within each source, beside its work: heat of the rotor of a Kloss motor.
     pub inner_losses: Vec<Energy>,
-    /// Kinetic energy that the locking of elements took; they lock without slip, and so it is rounding.
+    /// Heat of the oil of each converter.
+    pub converters: Vec<Energy>,
+    /// Heat of the damper of each shaft.
+    pub damping: Vec<Energy>,
+    /// Kinetic energy that impacts took: of dog clutches; friction elements lock without slip, and theirs is rounding.
     pub impacts: Energy,
     /// Kinetic energy at the start.
     pub before: Energy,
     /// Kinetic energy at the end.
     pub after: Energy,
+    /// Elastic energy of the shafts at the start.
+    pub elastic_before: Energy,
+    /// Elastic energy of the shafts at the end.
+    pub elastic_after: Energy,
 }
 
 impl Audit {
-    /// `after − before − (work − heat − mesh losses − impacts)`, over the largest of these energies.
+    /// `stored after − stored before − (work − heat − mesh losses − converters − damping − impacts)`, over the largest of these
+    /// energies; what is stored is kinetic and elastic.
     #[must_use]
     pub fn residual(&self) -> f64 {
         let sum = |of: &[Energy]| of.iter().map(|one| joules(*one)).sum::<f64>();
-        let stored = joules(self.after) - joules(self.before);
-        let balance = sum(&self.work) - sum(&self.heat) - sum(&self.mesh_losses) - joules(self.impacts);
-        let all = [&self.work, &self.heat, &self.mesh_losses].into_iter().flatten();
-        let largest =
-            all.chain([&self.before, &self.after]).fold(0.0_f64, |most, one| most.max(joules(*one).abs()));
+        let stored = joules(self.after) - joules(self.before) + joules(self.elastic_after)
+            - joules(self.elastic_before);
+        let lost = sum(&self.heat) + sum(&self.mesh_losses) + sum(&self.converters) + sum(&self.damping);
+        let balance = sum(&self.work) - lost - joules(self.impacts);
+        let single = [&self.before, &self.after, &self.elastic_before, &self.elastic_after, &self.impacts];
+        let largest = [&self.work, &self.heat, &self.mesh_losses, &self.converters, &self.damping]
+            .into_iter()
+            .flatten()
+            .chain(single)
+            .fold(0.0_f64, |most, one| most.max(joules(*one).abs()));
         if largest == 0.0 { 0.0 } else { (stored - balance) / largest }
     }
 
-    pub(crate) fn of(field: &Field, y: &[f64], impacts: f64, before: f64) -> Self {
+    pub(crate) fn of(field: &Field, y: &[f64], impacts: f64, [before, elastic_before]: [f64; 2]) -> Self {
         let parts = field.parts;
         let energies = |from: usize, to: usize| y[from..to].iter().map(|&value| energy(value)).collect();
         Self {
             work: energies(parts.work, parts.heat),
             heat: energies(parts.heat, parts.loss),
             mesh_losses: energies(parts.loss, parts.inner),
-            inner_losses: energies(parts.inner, parts.size),
+            inner_losses: energies(parts.inner, parts.oil),
+            converters: energies(parts.oil, parts.damping),
+            damping: energies(parts.damping, parts.twist),
             impacts: energy(impacts),
             before: energy(before),
             after: energy(field.model.mechanism.kinetic_energy(&y[..parts.work])),
+            elastic_before: energy(elastic_before),
+            elastic_after: energy(field.elastic_energy(y)),
         }
     }
 }
@@ -194,6 +249,10 @@ pub struct Run {
     pub elements: Vec<String>,
     /// Names of the sets.
     pub sets: Vec<String>,
+    /// Names of the shafts.
+    pub shafts: Vec<String>,
+    /// Names of the converters.
+    pub converters: Vec<String>,
     /// Meshes: the place of the set, and the gears at the ends. Meshes in a row over planets without inertia are one.
     pub meshes: Vec<(usize, [String; 2])>,
     /// At the start, at the times asked for, and at the end.
@@ -228,6 +287,18 @@ impl Run {
     #[must_use]
     pub fn element(&self, name: &str) -> Option<usize> {
         self.elements.iter().position(|element| element == name)
+    }
+
+    /// Place of a shaft.
+    #[must_use]
+    pub fn shaft(&self, name: &str) -> Option<usize> {
+        self.shafts.iter().position(|shaft| shaft == name)
+    }
+
+    /// Place of a converter.
+    #[must_use]
+    pub fn converter(&self, name: &str) -> Option<usize> {
+        self.converters.iter().position(|converter| converter == name)
     }
 
     /// Place of an applied torque.

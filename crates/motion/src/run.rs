@@ -4,26 +4,22 @@
 //! a course; a margin that is negative at any stage or at the end of a step is looked for inside it, on the dense output, and the step is then repeated
 //! with the length to the first event, so that the state there has the accuracy of a step and not that of the interpolation.
 //!
-//! At an event the slips that vanish are set to 0 exactly, by the plastic impact that takes least kinetic energy,
-//!
-//! ```text
-//! Δq̇ = −M⁻¹·Dᵀ·(D·M⁻¹·Dᵀ)⁻¹·D·q̇
-//! ```
-//!
-//! which here only takes away rounding, and the motion goes on from this state. Events within `1e-10` of a step are one set, decided together.
+//! At an event the slips that vanish are set to 0 exactly, by the plastic [impact](impact) that takes least kinetic energy, which here only takes away
+//! rounding, and the motion goes on from this state. Events within `1e-10` of a step are one set, decided together.
 
+mod impact;
 mod locate;
 
 use crate::Error;
 use crate::decide::{Loosed, Moment, Unique, largest_speed};
-use crate::dense::{Matrix, Split, dot, independent, largest};
+use crate::dense::{dot, largest};
 use crate::field::{Field, Trigger};
 use crate::model::{Kind, Model};
 use crate::pattern::{Pattern, Way};
-use crate::record::{Audit, Change, Event, Run, Sample};
+use crate::record::{Audit, Change, Event, Run, Sample, State, states};
 use crate::start::Start;
 use crate::step::Stepper;
-use crate::tolerance::{ACCUMULATION, MOST_STEPS, MOST_TOGETHER, SHORTEST, STEP_ERROR};
+use crate::tolerance::{ACCUMULATION, AHEAD, MOST_STEPS, MOST_TOGETHER, RESTARTS, SHORTEST, STEP_ERROR};
 use crate::units::seconds;
 use std::collections::VecDeque;
 use uom::si::f64::Time;
@@ -57,7 +53,9 @@ impl Model {
         let every =
             sample_every.map(|every| positive("the interval of samples in s", seconds(every))).transpose()?;
         let mut runner = Runner::new(self, start, end, every)?;
-        let before = self.mechanism.kinetic_energy(&runner.stepper.y[..runner.field.parts.work]);
+        let y = &runner.stepper.y;
+        let before =
+            [self.mechanism.kinetic_energy(&y[..runner.field.parts.work]), runner.field.elastic_energy(y)];
         runner.sample();
         runner.go()?;
         runner.sample();
@@ -68,6 +66,8 @@ impl Model {
             torques: self.torques.iter().map(|one| one.name.clone()).collect(),
             elements: self.elements.iter().map(|one| one.name.clone()).collect(),
             sets: mechanism.sets.iter().map(|set| set.name.clone()).collect(),
+            shafts: self.shafts.iter().map(|one| one.name.clone()).collect(),
+            converters: self.converters.iter().map(|one| one.name.clone()).collect(),
             meshes,
             audit: Audit::of(&runner.field, &runner.stepper.y, runner.impacts, before),
             samples: runner.samples,
@@ -79,26 +79,21 @@ impl Model {
 
     /// The next time at which a course has a kink.
     fn next_kink(&self, t: f64) -> f64 {
-        let of_torques = self.torques.iter().filter_map(|one| match &one.law {
-            crate::torque_law::Law::Time(course) => course.next_kink(t),
-            _ => None,
-        });
+        let of_torques = self.torques.iter().filter_map(|one| one.law.course()?.next_kink(t));
         let of_elements = self.elements.iter().filter_map(|one| match &one.kind {
             Kind::Friction { capacity, .. } => capacity.next_kink(t),
             Kind::OneWay => None,
+            Kind::Dog { program, .. } => program.iter().map(|(time, _)| *time).find(|&time| time > t),
         });
         of_torques.chain(of_elements).fold(f64::INFINITY, f64::min)
     }
 
     /// The longest step that the courses allow.
     fn longest_step(&self) -> f64 {
-        let of_torques = self.torques.iter().map(|one| match &one.law {
-            crate::torque_law::Law::Time(course) => course.longest_step(),
-            _ => f64::INFINITY,
-        });
+        let of_torques = self.torques.iter().filter_map(|one| Some(one.law.course()?.longest_step()));
         let of_elements = self.elements.iter().map(|one| match &one.kind {
             Kind::Friction { capacity, .. } => capacity.longest_step(),
-            Kind::OneWay => f64::INFINITY,
+            Kind::OneWay | Kind::Dog { .. } => f64::INFINITY,
         });
         of_torques.chain(of_elements).fold(f64::INFINITY, f64::min)
     }
@@ -119,7 +114,11 @@ struct Runner<'m> {
     h: f64,
     speed_scale: f64,
     energy_scale: f64,
+    /// The largest twist of each shaft so far.
+    twist_scales: Vec<f64>,
     scales: Vec<f64>,
+    /// Room for derivatives.
+    rates: Vec<f64>,
     impacts: f64,
     samples: Vec<Sample>,
     events: Vec<Event>,
@@ -143,6 +142,7 @@ impl<'m> Runner<'m> {
         let field = Field::new(model, 0.0).ok_or(Error::NoFreedom)?;
         let mut stepper = Stepper::new(field.parts.size);
         stepper.y[..q.len()].copy_from_slice(&q);
+        stepper.y[field.parts.twist..].copy_from_slice(&start.twists(&model.shafts)?);
         let longest = model.longest_step();
         let size = field.parts.size;
         let mut made = Self {
@@ -157,7 +157,9 @@ impl<'m> Runner<'m> {
             h: end / 16.0,
             speed_scale: 0.0,
             energy_scale: 0.0,
+            twist_scales: model.shafts.iter().map(|one| 0.5 * one.shaft.backlash).collect(),
             scales: vec![1.0; size],
+            rates: vec![0.0; size],
             impacts: 0.0,
             samples: vec![],
             events: vec![],
@@ -166,9 +168,8 @@ impl<'m> Runner<'m> {
             transitions: 0,
         };
         made.speed_scale = largest_speed(&made.field, &made.stepper.y);
-        for (place, one) in model.torques.iter().enumerate() {
-            made.field.pattern.segments[place] = one.law.segment(dot(&one.speed, &made.stepper.y), true);
-        }
+        made.field.place(&made.stepper.y);
+        made.engage_at_start()?;
         made.project(&[]);
         made.impacts = 0.0;
         made.decide(&[])?;
@@ -237,38 +238,44 @@ impl<'m> Runner<'m> {
 
     fn attempt(&mut self, h: f64) {
         let Self { field, stepper, .. } = self;
-        field.low.fill(f64::INFINITY);
+        field.stages.clear();
         stepper.attempt(h, |t, y, dy| {
             field.evaluate(t, y, dy);
             field.measure(t, y);
+            field.stages.extend_from_slice(&field.margins);
         });
     }
 
-    /// Error of the step tried, over the largest speed and energy up to its end.
+    /// Error of the step tried, over the largest speed, energy and twist up to its end.
     fn error(&mut self) -> f64 {
         let parts = self.field.parts;
         let end = &self.stepper.end;
         let speed = self.speed_scale.max(largest(&end[..parts.work]));
-        let energy = self
-            .energy_scale
-            .max(largest(&end[parts.work..]))
-            .max(self.model.mechanism.kinetic_energy(&end[..parts.work]));
+        let energy = self.energy_scale.max(self.largest_energy(end));
         let scale = |largest: f64| if largest > 0.0 { STEP_ERROR * largest } else { 1.0 };
         self.scales[..parts.work].fill(scale(speed));
-        self.scales[parts.work..].fill(scale(energy));
+        self.scales[parts.work..parts.twist].fill(scale(energy));
+        for (shaft, most) in self.twist_scales.iter().enumerate() {
+            self.scales[parts.twist + shaft] = scale(most.max(end[parts.twist + shaft].abs()));
+        }
         self.stepper.error(&self.scales)
+    }
+
+    fn largest_energy(&self, y: &[f64]) -> f64 {
+        let parts = self.field.parts;
+        let kinetic = self.model.mechanism.kinetic_energy(&y[..parts.work]);
+        largest(&y[parts.work..parts.twist]).max(kinetic).max(self.field.elastic_energy(y))
     }
 
     /// Goes to the end of the step tried.
     fn accept(&mut self) {
         self.stepper.accept();
-        let parts = self.field.parts;
         let y = &self.stepper.y;
         self.speed_scale = self.speed_scale.max(largest_speed(&self.field, y));
-        self.energy_scale = self
-            .energy_scale
-            .max(largest(&y[parts.work..]))
-            .max(self.model.mechanism.kinetic_energy(&y[..parts.work]));
+        self.energy_scale = self.energy_scale.max(self.largest_energy(y));
+        for (most, twist) in self.twist_scales.iter_mut().zip(&y[self.field.parts.twist..]) {
+            *most = most.max(twist.abs());
+        }
         self.field.torque_scale = self.field.torque_scale.max(self.field.largest_torque());
     }
 
@@ -277,9 +284,10 @@ impl<'m> Runner<'m> {
         let t = self.stepper.t;
         self.transitions += usize::from(!fired.is_empty());
         self.watch_accumulation(fired)?;
-        let before = self.field.pattern.clone();
+        let before = (self.field.pattern.clone(), states(&self.field));
         let mut loosed: Vec<Loosed> = vec![];
         let mut changes = vec![];
+        let mut passing = vec![];
         for trigger in fired {
             match *trigger {
                 Trigger::Exceeds(place) | Trigger::LetsGo(place) => {
@@ -287,15 +295,21 @@ impl<'m> Runner<'m> {
                 }
                 Trigger::Segment(place, true) => self.field.pattern.segments[place] += 1,
                 Trigger::Segment(place, false) => self.field.pattern.segments[place] -= 1,
-                Trigger::Passes(place) => {
-                    self.field.sides[place] *= -1.0;
-                    let is_rising = self.field.sides[place] > 0.0;
-                    let name = self.model.thresholds[place].name.clone();
-                    changes.push(Change::Threshold { name, is_rising });
+                Trigger::Curve(place, true) => self.field.pattern.curves[place] += 1,
+                Trigger::Curve(place, false) => self.field.pattern.curves[place] -= 1,
+                Trigger::Flank(place, is_second) => {
+                    let twist = &mut self.stepper.y[self.field.parts.twist + place];
+                    let flank = &mut self.field.pattern.flanks[place];
+                    (*flank, *twist) = self.model.shafts[place].shaft.next(*flank, is_second, *twist);
                 }
+                Trigger::Drive(place, end) => {
+                    let drive = &mut self.field.pattern.drives[place];
+                    *drive = self.model.converters[place].next(*drive, end, &self.stepper.y);
+                }
+                Trigger::Passes(place) => passing.push(place),
                 // Its torque is nothing under either direction: only this tells which is next.
                 Trigger::Reverses(mesh) => self.field.pattern.meshes[mesh] *= -1,
-                Trigger::SlipEnds(_) | Trigger::RollingEnds(_) | Trigger::Starts => {}
+                Trigger::SlipEnds(_) | Trigger::RollingEnds(_) | Trigger::Starts | Trigger::Meshes(_) => {}
             }
         }
         for (place, way) in &mut loosed {
@@ -304,8 +318,13 @@ impl<'m> Runner<'m> {
             }
         }
         self.field.take_pieces(t);
+        if self.engage(fired) {
+            self.follow_jump(&mut changes);
+        }
         self.project(fired);
         self.decide(&loosed)?;
+        let is_alone = passing.len() == fired.len();
+        changes.extend(passing.into_iter().filter_map(|place| self.pass_on(place, is_alone)));
         self.note_changes(&before, &mut changes);
         if !changes.is_empty() {
             let after = Sample::of(&self.field, t, &self.stepper.y);
@@ -314,66 +333,46 @@ impl<'m> Runner<'m> {
         Ok(())
     }
 
-    fn note_changes(&self, before: &Pattern, changes: &mut Vec<Change>) {
+    fn note_changes(&self, (before, was): &(Pattern, Vec<State>), changes: &mut Vec<Change>) {
+        let is = states(&self.field);
         let after = &self.field.pattern;
         for (place, one) in self.model.elements.iter().enumerate() {
-            let (from, to) = (before.elements[place], after.elements[place]);
+            let (from, to) = (was[place], is[place]);
             if from != to {
-                changes.push(Change::Element { name: one.name.clone(), from: from.into(), to: to.into() });
+                changes.push(Change::Element { name: one.name.clone(), from, to });
             }
         }
         for (place, one) in self.model.mechanism.sets.iter().enumerate() {
-            let (from, to) = (before.sets[place], after.sets[place]);
+            // Of sets at rest that roll together only one is held, whichever comes first.
+            let [from, to] = [before, after].map(|pattern| {
+                if pattern.sets[place].sign() == 0.0 { Way::Stuck } else { pattern.sets[place] }
+            });
             if from != to {
                 changes.push(Change::Set { name: one.name.clone(), from: from.into(), to: to.into() });
+            }
+        }
+        for (place, one) in self.model.shafts.iter().enumerate().filter(|(_, one)| one.shaft.backlash > 0.0) {
+            let [from, to] = [before, after].map(|pattern| pattern.flanks[place].contact(0.0));
+            if from != to {
+                changes.push(Change::Shaft { name: one.name.clone(), from, to });
             }
         }
     }
 
     fn decide(&mut self, loosed: &[Loosed]) -> Result<(), Error> {
-        let moment = Moment { t: self.stepper.t, y: &self.stepper.y, speed_scale: self.speed_scale, loosed };
+        let ahead = AHEAD * self.end;
+        let moment = Moment {
+            t: self.stepper.t,
+            y: &self.stepper.y,
+            speed_scale: self.speed_scale,
+            loosed,
+            ahead,
+            held: None,
+        };
         self.field.decide(&moment, &mut self.unique)?;
         let Self { field, stepper, .. } = self;
         stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
         Ok(())
-    }
-
-    /// Sets slips that vanish to 0, by the impact that takes least kinetic energy.
-    fn project(&mut self, fired: &[Trigger]) {
-        let mechanism = &self.model.mechanism;
-        let (mut elements, mut sets) = self.field.at_rest(&self.stepper.y, self.speed_scale);
-        for trigger in fired {
-            match *trigger {
-                Trigger::SlipEnds(place) if !elements.contains(&place) => elements.push(place),
-                Trigger::RollingEnds(set) if !sets.contains(&set) => sets.push(set),
-                _ => {}
-            }
-        }
-        let rows = elements.iter().map(|&place| self.model.elements[place].slip.as_slice());
-        let rows: Vec<&[f64]> =
-            rows.chain(sets.iter().map(|&set| mechanism.sets[set].rolling.as_slice())).collect();
-        let kept: Vec<&[f64]> = independent(&rows).kept.into_iter().map(|row| rows[row]).collect();
-        let n = self.field.parts.work;
-        let slips: Vec<f64> = kept.iter().map(|row| dot(row, &self.stepper.y)).collect();
-        if slips.iter().all(|slip| *slip == 0.0) {
-            return;
-        }
-        let Some(masses) = Split::new(mechanism.masses()) else { return };
-        let columns: Vec<Vec<f64>> = kept.iter().map(|row| masses.solve(row)).collect();
-        let mut mobility = Matrix::zeros(kept.len(), kept.len());
-        for (place, row) in kept.iter().enumerate() {
-            for (entry, column) in mobility.row_mut(place).iter_mut().zip(&columns) {
-                *entry = dot(row, column);
-            }
-        }
-        let Some(impulses) = Split::new(mobility).map(|split| split.solve(&slips)) else { return };
-        let before = mechanism.kinetic_energy(&self.stepper.y[..n]);
-        for (impulse, column) in impulses.iter().zip(&columns) {
-            for (speed, change) in self.stepper.y.iter_mut().zip(column) {
-                *speed -= impulse * change;
-            }
-        }
-        self.impacts += before - mechanism.kinetic_energy(&self.stepper.y[..n]);
     }
 
     /// Refuses events that accumulate.
@@ -388,7 +387,9 @@ impl<'m> Runner<'m> {
         }
         self.recent.pop_front();
         let within = self.recent.front().map_or(f64::INFINITY, |(first, _)| t - first);
-        if within >= ACCUMULATION * self.end {
+        let starts = self.recent.iter().filter(|(_, fired)| fired.contains(&Trigger::Starts)).count();
+        let allowed = if 4 * starts >= MOST_TOGETHER { RESTARTS } else { ACCUMULATION };
+        if within >= allowed * self.end {
             return Ok(());
         }
         let mut parts: Vec<String> =
@@ -401,9 +402,13 @@ impl<'m> Runner<'m> {
     fn name_of(&self, trigger: Trigger) -> String {
         let model = self.model;
         match trigger {
-            Trigger::SlipEnds(place) | Trigger::Exceeds(place) | Trigger::LetsGo(place) => {
-                model.elements[place].name.clone()
-            }
+            Trigger::SlipEnds(place)
+            | Trigger::Exceeds(place)
+            | Trigger::LetsGo(place)
+            | Trigger::Meshes(place)
+            | Trigger::Curve(place, _) => model.elements[place].name.clone(),
+            Trigger::Flank(place, _) => model.shafts[place].name.clone(),
+            Trigger::Drive(place, _) => model.converters[place].name.clone(),
             Trigger::RollingEnds(set) => model.mechanism.sets[set].name.clone(),
             Trigger::Reverses(mesh) => model.mechanism.sets[model.mechanism.meshes[mesh].set].name.clone(),
             Trigger::Starts => "mesh friction at rest".into(),

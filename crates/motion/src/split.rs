@@ -17,8 +17,9 @@ use crate::tolerance::TORQUE;
 pub(crate) struct Share {
     pub(crate) base: f64,
     pub(crate) factors: Vec<f64>,
-    /// Its static capacity; none of a one-way clutch.
+    /// Its static capacity; none of a one-way or dog clutch.
     pub(crate) capacity: Option<f64>,
+    pub(crate) is_one_way: bool,
 }
 
 impl Share {
@@ -34,7 +35,7 @@ pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
     if largest == 0.0 {
         return Some(vec![0.0; count]);
     }
-    // A one-way clutch counts as if it had the largest capacity; one of none as if it had next to none.
+    // A one-way or dog clutch counts as if it had the largest capacity; one of none as if it had next to none.
     let scale = |share: &Share| share.capacity.unwrap_or(largest).max(TORQUE * largest);
     // Rows a·(y, τ) ≤ b.
     let mut rows: Vec<(Vec<f64>, f64)> = vec![];
@@ -44,7 +45,7 @@ pub(crate) fn even(shares: &[Share], count: usize) -> Option<Vec<f64>> {
             let row = share.factors.iter().map(|factor| sign * factor / by).chain([-1.0]).collect();
             rows.push((row, -sign * share.base / by));
         }
-        if share.capacity.is_none() {
+        if share.is_one_way {
             rows.push((
                 share.factors.iter().map(|factor| -factor / by).chain([0.0]).collect(),
                 share.base / by,
@@ -105,7 +106,7 @@ mod tests {
     use super::*;
 
     fn share(base: f64, factors: &[f64], capacity: Option<f64>) -> Share {
-        Share { base, factors: factors.to_vec(), capacity }
+        Share { base, factors: factors.to_vec(), capacity, is_one_way: capacity.is_none() }
     }
 
     #[test]

@@ -1,16 +1,18 @@
-//! Speeds at the start.
+//! Speeds and twists at the start.
 
 use crate::Error;
 use crate::dense::{Matrix, Split, dot, independent, largest};
 use crate::mechanism::Mechanism;
+use crate::shaft::Joint;
 use crate::tolerance::SLIP;
-use crate::units::rad_per_s;
-use uom::si::f64::AngularVelocity;
+use crate::units::{rad_per_s, radians};
+use uom::si::f64::{Angle, AngularVelocity};
 
-/// Speeds of links from which those of all others follow.
+/// Speeds of links from which those of all others follow, and twists of shafts.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Start {
     speeds: Vec<(String, f64)>,
+    twists: Vec<(String, f64)>,
     is_at_rest: bool,
 }
 
@@ -18,14 +20,32 @@ impl Start {
     /// Everything at rest.
     #[must_use]
     pub fn at_rest() -> Self {
-        Self { speeds: vec![], is_at_rest: true }
+        Self { is_at_rest: true, ..Self::default() }
     }
 
     /// These links at these speeds.
     #[must_use]
     pub fn speeds(speeds: &[(&str, AngularVelocity)]) -> Self {
         let speeds = speeds.iter().map(|(link, speed)| ((*link).to_owned(), rad_per_s(*speed))).collect();
-        Self { speeds, is_at_rest: false }
+        Self { speeds, ..Self::default() }
+    }
+
+    /// With these shafts twisted; the others stand in the middle of their backlash, without torque.
+    #[must_use]
+    pub fn twisted(mut self, twists: &[(&str, Angle)]) -> Self {
+        self.twists.extend(twists.iter().map(|(shaft, twist)| ((*shaft).to_owned(), radians(*twist))));
+        self
+    }
+
+    /// Twists of the shafts, in this order.
+    pub(crate) fn twists(&self, shafts: &[Joint]) -> Result<Vec<f64>, Error> {
+        let mut found = vec![0.0; shafts.len()];
+        for (name, twist) in &self.twists {
+            let unknown = || Error::Unknown { what: "shaft", name: name.clone() };
+            let place = shafts.iter().position(|one| one.name == *name).ok_or_else(unknown)?;
+            found[place] = crate::course::finite(&format!("the initial twist of {name} in rad"), *twist)?;
+        }
+        Ok(found)
     }
 
     /// Speeds of the coordinates.

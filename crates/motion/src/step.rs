@@ -20,6 +20,10 @@ use coefficients::{A, B, C, D, E3, E5};
 /// Stages of the step.
 const STAGES: usize = 12;
 
+/// Places in the step at which a [try](Stepper::attempt) evaluates the derivative, in this order.
+pub(crate) const PLACES: [f64; STAGES] =
+    [C[1], C[2], C[3], C[4], C[5], C[6], C[7], C[8], C[9], C[10], C[11], 1.0];
+
 /// A method at a point, with what it knows of the last step tried.
 #[derive(Debug, Clone)]
 pub(crate) struct Stepper {

@@ -5,6 +5,8 @@
 //! | over time | a [`Course`] |
 //! | linear | `M_0·(1 − ω/ω_0)` |
 //! | over speed | linear between the points of a table, level beyond them |
+//! | map | `(1 − α)·M_closed(ω) + α·M_full(ω)`, both tables, with a throttle `α` over time |
+//! | constant power | `P/ω` from `ω = P/M_max` on, `M_max` below |
 //! | viscous | `−M_r·ω/ω_r` |
 //! | quadratic | `−M_r·ω·abs(ω)/ω_r²` |
 //! | Kloss | `2·M_k·s·s_k/(s² + s_k²)`, `s = 1 − ω/ω_0` |
@@ -15,8 +17,9 @@
 
 use crate::Error;
 use crate::course::{Course, Piece, finite};
-use crate::units::{n_m, rad_per_s};
-use uom::si::f64::{AngularVelocity, Torque};
+use crate::table;
+use crate::units::{n_m, rad_per_s, torque, watts};
+use uom::si::f64::{AngularVelocity, Power, Time, Torque};
 
 /// A torque on a link, positive along the axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +34,16 @@ pub(crate) enum Law {
     },
     /// Speeds and torques.
     Speed(Vec<[f64; 2]>),
+    /// Torque over speed with the throttle closed and open, at the same speeds; the throttle over time.
+    Map {
+        closed: Vec<[f64; 2]>,
+        full: Vec<[f64; 2]>,
+        throttle: Course,
+    },
+    Power {
+        power: f64,
+        limit: f64,
+    },
     Quadratic {
         factor: f64,
     },
@@ -71,25 +84,53 @@ impl TorqueLaw {
     /// # Errors
     /// [`Error::NoPoints`]; [`Error::Value`] of a number that is not finite; [`Error::Order`] of speeds that do not ascend.
     pub fn over_speed(points: &[(AngularVelocity, Torque)]) -> Result<Self, Error> {
-        let points: Vec<[f64; 2]> =
-            points.iter().map(|(speed, torque)| [rad_per_s(*speed), n_m(*torque)]).collect();
-        if points.is_empty() {
-            return Err(Error::NoPoints { field: "a torque over speed".into() });
-        }
-        for (place, [speed, torque]) in points.iter().enumerate() {
-            finite("a speed in rad/s", *speed)?;
-            finite("a torque in N·m", *torque)?;
-            if place > 0 && *speed <= points[place - 1][0] {
-                return Err(Error::Order {
-                    field: "a torque over speed".into(),
-                    place: place + 1,
-                    value: *speed,
-                    before: points[place - 1][0],
-                    allowed: "speeds ascend",
-                });
+        Ok(Self(Law::Speed(speed_table(points)?)))
+    }
+
+    /// An engine by two curves over speed, with its throttle closed and full open, and by the throttle over time, from 0 to 1:
+    /// `(1 − α)·M_closed(ω) + α·M_full(ω)`. All are linear between their points and level beyond them.
+    ///
+    /// # Errors
+    /// As [`over_speed`](Self::over_speed) and [`Course::table`]; [`Error::Value`] of a throttle that is not from 0 to 1.
+    pub fn map(
+        closed: &[(AngularVelocity, Torque)],
+        full: &[(AngularVelocity, Torque)],
+        throttle: &[(Time, f64)],
+    ) -> Result<Self, Error> {
+        for (_, opening) in throttle {
+            if !(0.0..=1.0).contains(opening) {
+                let field = "the throttle".into();
+                return Err(Error::Value { field, value: *opening, allowed: "it is from 0 to 1" });
             }
         }
-        Ok(Self(Law::Speed(points)))
+        let throttle: Vec<_> = throttle.iter().map(|&(time, opening)| (time, torque(opening))).collect();
+        let throttle = Course::table(&throttle)?;
+        let [closed, full] = [speed_table(closed)?, speed_table(full)?];
+        let mut speeds: Vec<f64> = closed.iter().chain(&full).map(|point| point[0]).collect();
+        speeds.sort_by(f64::total_cmp);
+        speeds.dedup();
+        let at_all = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
+            let at = |&speed: &f64| [speed, table::value(points, table::segment(points, speed, true), speed)];
+            speeds.iter().map(at).collect()
+        };
+        Ok(Self(Law::Map { closed: at_all(&closed), full: at_all(&full), throttle }))
+    }
+
+    /// `P/ω` from the base speed `P/M_max` on, and `M_max` below it and backwards; both below 0 of a brake that recovers power.
+    ///
+    /// # Errors
+    /// [`Error::Value`] of a power or torque that is not finite or is 0, and of two that have different signs.
+    pub fn constant_power(power: Power, limit: Torque) -> Result<Self, Error> {
+        let power = not_zero("the constant power in W", watts(power))?;
+        let limit = not_zero("the limit torque of a constant power in N·m", n_m(limit))?;
+        if power * limit < 0.0 {
+            return Err(Error::Value {
+                field: "the limit torque of a constant power in N·m".into(),
+                value: limit,
+                allowed: "it has the sign of the power",
+            });
+        }
+        Ok(Self(Law::Power { power, limit }))
     }
 
     /// Against the speed and proportional to it: `torque` at `speed`.
@@ -125,6 +166,29 @@ impl TorqueLaw {
     }
 }
 
+/// Points of a torque over speed.
+fn speed_table(points: &[(AngularVelocity, Torque)]) -> Result<Vec<[f64; 2]>, Error> {
+    let points: Vec<[f64; 2]> =
+        points.iter().map(|(speed, torque)| [rad_per_s(*speed), n_m(*torque)]).collect();
+    if points.is_empty() {
+        return Err(Error::NoPoints { field: "a torque over speed".into() });
+    }
+    for (place, [speed, torque]) in points.iter().enumerate() {
+        finite("a speed in rad/s", *speed)?;
+        finite("a torque in N·m", *torque)?;
+        if place > 0 && *speed <= points[place - 1][0] {
+            return Err(Error::Order {
+                field: "a torque over speed".into(),
+                place: place + 1,
+                value: *speed,
+                before: points[place - 1][0],
+                allowed: "speeds ascend",
+            });
+        }
+    }
+    Ok(points)
+}
+
 fn not_zero(field: &str, value: f64) -> Result<f64, Error> {
     if finite(field, value)? == 0.0 {
         return Err(Error::Value { field: field.into(), value, allowed: "it is not 0" });
@@ -151,14 +215,13 @@ impl Law {
         match self {
             Self::Time(_) => time.at(t),
             Self::Linear { at_rest, slope } => at_rest + slope * speed,
-            Self::Speed(points) => match (segment.checked_sub(1).map(|one| points[one]), points.get(segment))
-            {
-                (Some([from, value]), Some(next)) => {
-                    value + (next[1] - value) / (next[0] - from) * (speed - from)
-                }
-                (Some(last), None) => last[1],
-                (None, _) => points[0][1],
-            },
+            Self::Speed(points) => table::value(points, segment, speed),
+            Self::Map { closed, full, .. } => {
+                let [closed, full] = [closed, full].map(|points| table::value(points, segment, speed));
+                closed + time.at(t) * (full - closed)
+            }
+            Self::Power { limit, .. } if segment == 0 => *limit,
+            Self::Power { power, .. } => power / speed,
             Self::Quadratic { factor } => -factor * speed * speed.abs(),
             Self::Kloss { peak, peak_slip, synchronous } => {
                 let slip = 1.0 - speed / synchronous;
@@ -175,19 +238,26 @@ impl Law {
         }
     }
 
-    /// The piece of its course that begins at a time.
-    pub(crate) fn piece(&self, t: f64) -> Piece {
+    /// What it has over time: its torque, or a throttle.
+    pub(crate) fn course(&self) -> Option<&Course> {
         match self {
-            Self::Time(course) => course.piece(t),
-            _ => Piece::ZERO,
+            Self::Time(course) | Self::Map { throttle: course, .. } => Some(course),
+            _ => None,
         }
+    }
+
+    /// The piece of this that begins at a time.
+    pub(crate) fn piece(&self, t: f64) -> Piece {
+        self.course().map_or(Piece::ZERO, |course| course.piece(t))
     }
 
     /// Segment of a table over speed: how many points are below this speed, one on a point counted as `is_rising` says.
     pub(crate) fn segment(&self, speed: f64, is_rising: bool) -> usize {
         match self {
-            Self::Speed(points) if is_rising => points.partition_point(|point| point[0] <= speed),
-            Self::Speed(points) => points.partition_point(|point| point[0] < speed),
+            Self::Speed(points) | Self::Map { closed: points, .. } => {
+                table::segment(points, speed, is_rising)
+            }
+            Self::Power { power, limit } => usize::from(speed >= power / limit),
             _ => 0,
         }
     }
@@ -195,10 +265,9 @@ impl Law {
     /// Speeds at which a segment begins and ends.
     pub(crate) fn ends(&self, segment: usize) -> [Option<f64>; 2] {
         match self {
-            Self::Speed(points) => {
-                let of = |place: usize| points.get(place).map(|point| point[0]);
-                [segment.checked_sub(1).and_then(of), of(segment)]
-            }
+            Self::Speed(points) | Self::Map { closed: points, .. } => table::ends(points, segment),
+            Self::Power { power, limit } if segment == 0 => [None, Some(power / limit)],
+            Self::Power { power, limit } => [Some(power / limit), None],
             _ => [None, None],
         }
     }
@@ -207,7 +276,7 @@ impl Law {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{angular_velocity, torque};
+    use crate::units::angular_velocity;
 
     fn at(law: &TorqueLaw, speed: f64) -> f64 {
         law.0.at(&law.0.piece(0.0), law.0.segment(speed, true), 0.0, speed)
@@ -223,6 +292,8 @@ mod tests {
         let motor = TorqueLaw::kloss(torque(60.0), 0.2, omega(100.0)).unwrap();
         assert!((at(&motor, 80.0) - 60.0).abs() < 1e-12);
         assert_eq!(at(&motor, 100.0), 0.0);
+        let power = TorqueLaw::constant_power(crate::units::power(600.0), torque(30.0)).unwrap();
+        assert_eq!([-5.0, 10.0, 20.0, 40.0].map(|speed| at(&power, speed)), [30.0, 30.0, 30.0, 15.0]);
         let table = [(omega(0.0), torque(1.0)), (omega(2.0), torque(5.0)), (omega(4.0), torque(0.0))];
         let table = TorqueLaw::over_speed(&table).unwrap();
         let found = [-1.0, 0.0, 1.0, 2.0, 3.0, 9.0].map(|speed| at(&table, speed));
@@ -236,6 +307,15 @@ mod tests {
         assert!(matches!(TorqueLaw::viscous(torque(-1.0), omega(1.0)), Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::quadratic(torque(1.0), omega(0.0)), Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::kloss(torque(1.0), 0.0, omega(1.0)), Err(Error::Value { .. })));
+        let curve = [(omega(0.0), torque(1.0))];
+        let wide = TorqueLaw::map(&curve, &curve, &[(crate::units::time(0.0), 1.1)]);
+        assert!(matches!(wide, Err(Error::Value { .. })));
+        assert!(matches!(
+            TorqueLaw::map(&curve, &[], &[(crate::units::time(0.0), 1.0)]),
+            Err(Error::NoPoints { .. })
+        ));
+        let power = TorqueLaw::constant_power(crate::units::power(600.0), torque(-30.0));
+        assert!(matches!(power, Err(Error::Value { .. })));
         assert!(matches!(TorqueLaw::over_speed(&[]), Err(Error::NoPoints { .. })));
         let level = [(omega(1.0), torque(1.0)), (omega(1.0), torque(2.0))];
         assert!(matches!(TorqueLaw::over_speed(&level), Err(Error::Order { .. })));

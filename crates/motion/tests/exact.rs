@@ -3,8 +3,8 @@
 mod common;
 
 use common::{
-    acceleration, angle, at, close, constant, end_speed, eta, held_t, joules, kg_m2, level, masses_t, n_m,
-    omega, power_shift, s, speed, start, table, torque_of, train_t,
+    acceleration, angle, at, close, constant, end_speed, eta, held_t, joules, kg_m2, masses_t, n_m, omega,
+    power_shift, s, speed, start, table, torque_of, train_t, two_shafts,
 };
 use epicyclic_dynamics::gearbox::Masses;
 use epicyclic_motion::{Change, Course, Error, Mechanism, Model, Start, State, TorqueLaw};
@@ -75,14 +75,6 @@ fn v4_a_torque_linear_in_speed() {
     close(end_speed(&run, "sun"), 32.0 / c * (1.0 - (-c * 0.3 / j).exp()), 1e-11);
 }
 
-fn two_shafts(j: [f64; 2], capacity: f64) -> Model {
-    let mechanism =
-        Mechanism::shafts(&[("a", kg_m2(j[0])), ("b", kg_m2(j[1]))]).expect("two shafts and a clutch");
-    let mut model = Model::new(mechanism);
-    model.friction("clutch", ["a", "b"], level(capacity), 1.0).expect("two shafts and a clutch");
-    model
-}
-
 #[test]
 fn v5_a_clutch_of_constant_capacity() {
     let mut model = two_shafts([2.0, 5.0], 100.0);
@@ -116,6 +108,26 @@ fn v7_mesh_losses_by_the_sign_of_the_rolling_power() {
         assert!(run.audit.residual().abs() < 1e-12);
         assert!(joules(run.audit.mesh_losses[0]) > 0.0);
     }
+}
+
+#[test]
+fn a_set_that_mesh_friction_holds_tells_the_torques_on_its_members() {
+    let gearbox = train_t(MeshLoss::Set(eta(0.9)));
+    let with = |load: f64| {
+        let mut model = Model::new(Mechanism::of(&gearbox, &["hold"], &masses_t(false)).unwrap());
+        model.torque("motor", "sun", constant(10.0)).unwrap();
+        model.torque("load", "carrier", constant(-load)).unwrap();
+        model.run(&Start::at_rest(), s(0.1), None).unwrap()
+    };
+    // Driving it can 10·(1 + 3.5·0.9) = 41.5; driven back 10·(1 + 3.5/0.9) = 48.9 would be needed.
+    for load in [42.0, 45.0, 48.0] {
+        let run = with(load);
+        assert_eq!(end_speed(&run, "sun"), 0.0);
+        for (found, due) in run.end().sets[0].iter().zip([10.0, load - 10.0, -load]) {
+            close(found.get::<newton_meter>(), due, 1e-12);
+        }
+    }
+    assert!(end_speed(&with(41.0), "sun") > 0.0 && end_speed(&with(49.0), "sun") < 0.0);
 }
 
 #[test]

@@ -142,6 +142,15 @@ pub(crate) fn power_shift(engine: f64, load: f64) -> Model {
     model
 }
 
+/// Two shafts and a clutch of constant capacity.
+pub(crate) fn two_shafts(j: [f64; 2], capacity: f64) -> Model {
+    let mechanism =
+        Mechanism::shafts(&[("a", kg_m2(j[0])), ("b", kg_m2(j[1]))]).expect("two shafts and a clutch");
+    let mut model = Model::new(mechanism);
+    model.friction("clutch", ["a", "b"], level(capacity), 1.0).expect("two shafts and a clutch");
+    model
+}
+
 pub(crate) fn eta(value: f64) -> MeshEfficiency {
     MeshEfficiency::new(value).unwrap()
 }
