@@ -230,6 +230,8 @@ pub const fn suffix(dimension: Dimension) -> &'static str {
         Dimension::AngularAcceleration => "_rad_s2",
         Dimension::Angle => "_deg",
         Dimension::Force => "_n",
+        Dimension::Frequency => "_hz",
+        Dimension::Stiffness => "_n_um",
         Dimension::Torque => "_n_m",
         Dimension::Power => "_kw",
         Dimension::Pressure => "_mpa",

@@ -5,8 +5,8 @@ use uom::si::{
     area::square_meter, energy::joule, f64 as si, force::newton, frequency::hertz,
     kinematic_viscosity::square_meter_per_second, length::meter, mass::kilogram,
     mass_density::kilogram_per_cubic_meter, moment_of_inertia::kilogram_square_meter, power::watt,
-    pressure::pascal, ratio::ratio, time::second, torque::newton_meter, velocity::meter_per_second,
-    volume::cubic_meter, volume_rate::cubic_meter_per_second,
+    pressure::pascal, ratio::ratio, surface_tension::newton_per_meter, time::second, torque::newton_meter,
+    velocity::meter_per_second, volume::cubic_meter, volume_rate::cubic_meter_per_second,
 };
 
 use super::dimension::Dimension;
@@ -60,6 +60,7 @@ physical! {
     Angle in radian is Angle;
     Frequency in hertz is Frequency;
     Force in newton is Force;
+    SurfaceTension in newton_per_meter is Stiffness;
     Torque in newton_meter is Torque;
     Power in watt is Power;
     Pressure in pascal is Pressure;

@@ -37,6 +37,8 @@ pub enum Dimension {
     Frequency,
     /// SI unit: N.
     Force,
+    /// Force per length that a spring is bent. SI unit: N/m.
+    Stiffness,
     /// SI unit: N·m.
     Torque,
     /// SI unit: W.
@@ -53,7 +55,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Dimensionless,
         Self::Length,
         Self::Area,
@@ -68,6 +70,7 @@ impl Dimension {
         Self::Angle,
         Self::Frequency,
         Self::Force,
+        Self::Stiffness,
         Self::Torque,
         Self::Power,
         Self::Pressure,
@@ -94,6 +97,7 @@ impl Dimension {
             Self::Angle => "angle",
             Self::Frequency => "frequency",
             Self::Force => "force",
+            Self::Stiffness => "stiffness",
             Self::Torque => "torque",
             Self::Power => "power",
             Self::Pressure => "pressure",
@@ -123,7 +127,12 @@ impl Dimension {
             | Self::Frequency
             | Self::Force
             | Self::Time => 1e9,
-            Self::Dimensionless | Self::Inertia | Self::Torque | Self::Power | Self::Pressure => 1e12,
+            Self::Dimensionless
+            | Self::Inertia
+            | Self::Stiffness
+            | Self::Torque
+            | Self::Power
+            | Self::Pressure => 1e12,
             Self::Energy => 1e15,
         }
     }

@@ -90,6 +90,7 @@ const fn scale(dimension: Dimension) -> &'static [&'static str] {
         Dimension::Inertia => &["g·cm²", "kg·m²"],
         Dimension::Angle => &["rad"],
         Dimension::Force => &["N", "kN", "MN"],
+        Dimension::Stiffness => &["N/m", "N/µm"],
         Dimension::Torque => &["mN·m", "N·m", "kN·m", "MN·m"],
         Dimension::Power => &["mW", "W", "kW", "MW"],
         Dimension::Pressure => &["Pa", "kPa", "MPa", "GPa"],

@@ -136,6 +136,14 @@ const FORCE: &[Unit] = &[
     unit(Force, "kgf", GRAVITY, &["kgf"]),
 ];
 
+const STIFFNESS: &[Unit] = &[
+    unit(Stiffness, "N/µm", 1e6, &["N/um"]),
+    unit(Stiffness, "N/m", 1.0, &["N/m", "N·m-1"]),
+    unit(Stiffness, "N/mm", 1e3, &["N/mm"]),
+    unit(Stiffness, "kN/mm", 1e6, &["kN/mm"]),
+    unit(Stiffness, "MN/m", 1e6, &["MN/m"]),
+];
+
 const TORQUE: &[Unit] = &[
     unit(Torque, "N·m", 1.0, &["N·m", "Nm"]),
     unit(Torque, "mN·m", 1e-3, &["mN·m", "mNm"]),
@@ -210,6 +218,7 @@ impl Dimension {
             Angle => ANGLE,
             Frequency => FREQUENCY,
             Force => FORCE,
+            Stiffness => STIFFNESS,
             Torque => TORQUE,
             Power => POWER,
             Pressure => PRESSURE,

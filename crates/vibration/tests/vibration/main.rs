@@ -5,5 +5,7 @@ mod common;
 mod energy;
 mod gyroscopic;
 mod modal;
+mod phasing;
 mod published;
 mod torsional;
+mod train;
