@@ -5,6 +5,8 @@
 //! | [`records`] | modes, orders, resonances |
 //! | `prepared` | a set of a file as bodies and springs |
 //! | `orders` | what excites a set in a gear |
+//! | `torsional` | all sets on the links of a gear, torsional |
+//! | `shapes` | what the bodies do in a mode |
 //! | `branches` | natural frequencies over the speed, and where orders meet them |
 //!
 //! Each set stands alone, planar, on its supports. A member whose link is held in a gear does not rotate, or rotates against its
@@ -14,6 +16,8 @@ mod branches;
 mod orders;
 mod prepared;
 pub mod records;
+mod shapes;
+mod torsional;
 
 use crate::analyze::{analysis, warnings};
 use crate::gearbox::{Subject, alone};
@@ -29,10 +33,11 @@ use epicyclic_vibration::{BodyId, Group, Model, SetParts, SpringId};
 use prepared::{Of, Prepared};
 use records::{
     Campbell, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Reason, Resonance, SetModes,
-    StrainShares, What,
+    StrainShares, TorsionalModes, What,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
+use torsional::{Train, TrainSet};
 use uom::si::f64::AngularVelocity;
 
 /// What is asked.
@@ -53,7 +58,7 @@ impl Wanted {
     pub const MOST_HARMONICS: u32 = 20;
 }
 
-/// Natural frequencies and modes of the simple sets of a gearbox, and at given speeds what excites them.
+/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole, and at given speeds what excites them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Vibration {
@@ -67,6 +72,8 @@ pub struct Vibration {
     pub resonances: Vec<Resonance>,
     /// Natural frequencies over the speeds; empty without speeds.
     pub campbell: Vec<Campbell>,
+    /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks something.
+    pub torsional: Vec<TorsionalModes>,
     /// What is not calculated.
     pub not_calculated: Vec<NotCalculated>,
     /// What the reader should know.
@@ -95,12 +102,13 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error
         return Err(Error::Harmonics { harmonics: wanted.harmonics, most: Wanted::MOST_HARMONICS });
     }
     let found = vibrating(subject, wanted)?;
-    if found.sets.is_empty() {
+    if found.sets.is_empty() && found.torsional.is_empty() {
         let why = |one: &NotCalculated| {
             let gear = one.gear.as_ref().map_or_else(String::new, |gear| format!(" in gear {gear}"));
             format!("set {}{gear}: {}", one.set, one.why())
         };
-        return Err(Error::NothingVibrates { sets: found.not_calculated.iter().map(why).collect() });
+        let modes = found.not_calculated.iter().filter(|one| one.what == What::Modes);
+        return Err(Error::NothingVibrates { sets: modes.map(why).collect() });
     }
     Ok(found)
 }
@@ -123,9 +131,12 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
         orders: vec![],
         resonances: vec![],
         campbell: vec![],
+        torsional: vec![],
         not_calculated: vec![],
         warnings: warnings::of_gearbox(subject),
     };
+    let train = Train::new(subject, &file)?;
+    let mut in_train: Vec<TrainSet<'_>> = vec![];
     for (place, (set, simple)) in simple_sets(subject, &file).enumerate() {
         if wanted.set.as_ref().is_some_and(|name| name != set.id()) {
             continue;
@@ -173,6 +184,15 @@ fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error>
                 }
             }
             all.sets.push(found.told(&of, &prepared, held, names)?);
+        }
+        in_train.push(TrainSet { of, set, prepared });
+    }
+    if in_train.len() == gearbox.sets().len() {
+        for gear in gears {
+            match train.modes(gear, &in_train)? {
+                Ok(modes) => all.torsional.push(modes),
+                Err(missing) => all.not_calculated.push(missing),
+            }
         }
     }
     Ok(all)
@@ -237,7 +257,7 @@ fn holdings(
 ) -> Vec<([bool; 3], Vec<String>)> {
     let mut all: Vec<([bool; 3], Vec<String>)> = vec![];
     let roots = |gear: Option<&Gear>| {
-        let joined = joined(gearbox, gear);
+        let joined = joined(gearbox, gear, &[]);
         [0, 1, 2].map(|member| joined[set.members()[member].index()])
     };
     if gears.is_empty() {
@@ -261,12 +281,14 @@ fn holdings(
     all
 }
 
-/// For every link the first of those it turns as one piece with in a gear, by [`LinkId::index`].
-fn joined(gearbox: &Gearbox, gear: Option<&Gear>) -> Vec<usize> {
+/// For every link the first of those it turns as one piece with in a gear, by [`LinkId::index`], where these ties are springs.
+fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Vec<usize> {
     let mut roots: Vec<usize> = (0..gearbox.links().len()).collect();
     let engaged = gear.map_or(&[][..], Gear::engaged).iter();
     let engaged = engaged.map(|&place| gearbox.shift_elements()[place].links());
-    for [first, second] in gearbox.permanent().iter().copied().chain(engaged) {
+    let is_rigid = |tie: &&[LinkId; 2]| !springs.iter().any(|spring| torsional::is_same(**tie, *spring));
+    let rigid = gearbox.permanent().iter().filter(is_rigid).copied();
+    for [first, second] in rigid.chain(engaged) {
         let [one, other] = [first, second].map(|link| roots[link.index()]);
         let (low, high) = (one.min(other), one.max(other));
         roots.iter_mut().filter(|root| **root == high).for_each(|root| *root = low);
@@ -332,6 +354,7 @@ impl Found {
                     planets: rounded(parts.planets.iter().map(|planet| of_body(*planet)).sum()),
                 },
                 strain: (!group.is_zero()).then(strain),
+                shape: shapes::of(&self, group),
             })
         };
         let modes: Result<Vec<Mode>, Error> = self.groups.iter().enumerate().map(mode).collect();

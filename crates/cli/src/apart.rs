@@ -125,6 +125,7 @@ mod tests {
             "draw --dxf <FILE>",
             "draw --svg <FILE>",
             "vibrate --campbell <FILE>",
+            "vibrate --shapes <FILE>",
             "motor --csv <FILE>",
             "motor --dxf <FILE>",
             "motor --svg <FILE>",

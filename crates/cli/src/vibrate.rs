@@ -10,6 +10,7 @@ use crate::writing::Content;
 use epicyclic_answers::Error;
 use epicyclic_answers::draw::FileFormat;
 use epicyclic_answers::vibration::{self as answers, Vibration, Wanted};
+use epicyclic_drawing::Scene;
 use epicyclic_views::vibration as views;
 use std::path::{Path, PathBuf};
 use uom::si::f64::AngularVelocity;
@@ -30,7 +31,7 @@ Example:
   printf '      carrier: { mass: 9 kg, inertia: 0.05 kg·m2, ' >> hoist.yaml
   printf 'support: 200 N/um }\\n' >> hoist.yaml
   printf 'gears: [{ name: only }]\\n' >> hoist.yaml
-  epicyclic vibrate hoist.yaml
+  epicyclic vibrate hoist.yaml --shapes modes.svg
   epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --harmonics 2
   epicyclic vibrate hoist.yaml --speeds 500rpm..9000rpm/10 --campbell c.pdf
 
@@ -65,6 +66,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", requires = "speeds")]
     campbell: Option<PathBuf>,
 
+    /// File for pictures of all modes of one set, seen along its axis, as for --campbell.
+    #[arg(long, value_name = "FILE")]
+    shapes: Option<PathBuf>,
+
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -80,26 +85,54 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Error::Harmonics { .. } => Failure::Option { option: "--harmonics", message: error.to_string() },
         error => refuse(error),
     })?;
-    let files = args.campbell.as_deref().map(|file| drawn(file, &answer)).transpose()?;
-    args.output.deliver_with(files.into_iter().collect(), &answer)
+    let mut files = vec![];
+    if let Some(file) = &args.campbell {
+        files.push(drawn(file, "--campbell", campbell(&answer)?)?);
+    }
+    if let Some(file) = &args.shapes {
+        files.push(drawn(file, "--shapes", shapes(&answer)?)?);
+    }
+    args.output.deliver_with(files, &answer)
 }
 
-/// The Campbell diagram as a file.
-fn drawn(file: &Path, answer: &Vibration) -> Result<Content, Failure> {
-    let refuse = |message: String| Failure::Option { option: "--campbell", message };
+/// A picture as a file.
+fn drawn(file: &Path, option: &'static str, scene: Scene) -> Result<Content, Failure> {
     let format = match drawing_file::end_of(file) {
         None => FileFormat::Svg,
-        Some(end) => drawing_file::format_of(&end)
-            .ok_or_else(|| refuse(format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}")))?,
+        Some(end) => drawing_file::format_of(&end).ok_or_else(|| Failure::Option {
+            option,
+            message: format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}"),
+        })?,
     };
-    if answer.campbell.len() > 1 {
-        let all: Vec<String> =
-            answer.campbell.iter().map(|one| format!("set {} in gear {}", one.set, one.gear)).collect();
-        return Err(refuse(format!("it is of one, by --set and --gear; there are {}", all.join(", "))));
-    }
-    let Some(picture) = views::campbell(answer, 0) else {
-        return Err(refuse("no set has speeds in a gear".to_owned()));
-    };
-    let scene = picture.scene().map_err(epicyclic_pictures::Error::from)?;
     Ok((file.to_owned(), drawing_file::content(&scene, format, None)?))
+}
+
+/// Refuses a picture of none.
+fn none(option: &'static str) -> Failure {
+    Failure::Option { option, message: "no set has modes to draw".to_owned() }
+}
+
+/// Refuses a picture of several.
+fn only(option: &'static str, all: &[String]) -> Result<(), Failure> {
+    if all.len() < 2 {
+        return Ok(());
+    }
+    let message = format!("it is of one, by --set and --gear; there are {}", all.join(", "));
+    Err(Failure::Option { option, message })
+}
+
+/// The Campbell diagram.
+fn campbell(answer: &Vibration) -> Result<Scene, Failure> {
+    let all = answer.campbell.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
+    only("--campbell", &all.collect::<Vec<_>>())?;
+    let picture = views::campbell(answer, 0).ok_or_else(|| none("--campbell"))?;
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
+}
+
+/// The modes along the axis.
+fn shapes(answer: &Vibration) -> Result<Scene, Failure> {
+    let all = answer.sets.iter().map(|one| format!("set {} in gear {}", one.set, one.gears.join(" and ")));
+    only("--shapes", &all.collect::<Vec<_>>())?;
+    let (title, modes) = views::shapes(answer, 0).ok_or_else(|| none("--shapes"))?;
+    Ok(epicyclic_pictures::modes::scene(&title, &modes).map_err(epicyclic_pictures::Error::from)?)
 }

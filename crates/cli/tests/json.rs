@@ -658,8 +658,8 @@ fn members_held() -> String {
         "gears:\n",
         "gears:\n  - { name: a, engaged: [K3], input: ring }\n  - { name: b, engaged: [K4], output: ring }\n",
     );
-    let other = "  - { id: Q, sun: fan, ring: ground, carrier: after, k: 3 }\nbrakes:";
-    drive.replace("brakes:", other)
+    let other = "  - { id: Q, sun: fan, ring: ground, carrier: after, k: 3 }\nties:";
+    drive.replace("ties:", other)
 }
 
 fn wind_stage() -> String {

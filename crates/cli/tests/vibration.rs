@@ -137,6 +137,79 @@ fn without_a_carrier_that_turns_branches_are_level() {
     }
 }
 
+/// On a soft shaft the impeller and the gearbox swing as two inertias, `ω² = k·(1/J_1 + 1/J_2)`. That of the gearbox at its output is by the speeds of
+/// its bodies: in the gear `slow` those of a set with a held ring, in `fast` all as one.
+#[test]
+fn on_a_soft_shaft_the_gearbox_is_one_inertia() {
+    let stiff = ("tangential_support: 900 N/µm", "tangential_support: 1000000 N/µm");
+    let answer = answer("vibration.yaml", &[("stiffness: 40 kN·m/rad", "stiffness: 40 N·m/rad"), stiff], &[]);
+    let bodies = list(&answer["sets"][0], "bodies");
+    let [sun, ring, carrier, planet] = [0, 1, 2, 3].map(|body| number(&bodies[body], "inertia_kg_m2"));
+    let orbit = number(&bodies[3], "mass_kg") * number(&bodies[2], "radius_m").powi(2);
+    // Teeth 25, 29 and 83; a planet turns 25/29 as fast on the carrier as the sun, the other way.
+    let (of_sun, of_planet) = (1.0 + 83.0 / 25.0, 1.0 - 83.0 / 29.0);
+    let slow = carrier + 4.0 * (orbit + planet * of_planet * of_planet) + (sun + 0.02) * of_sun * of_sun;
+    let fast = carrier + 4.0 * (orbit + planet) + sun + 0.02 + ring;
+    for (gear, inertia) in list(&answer, "torsional").iter().zip([slow, fast]) {
+        assert_eq!(gear["freedoms"], 1);
+        let wanted = (40.0 * (1.0 / 3.5 + 1.0 / inertia)).sqrt() / TAU;
+        let found = number(&list(gear, "modes")[1], "frequency_hz");
+        assert!((found / wanted - 1.0).abs() < 1e-5, "{}: {found} {wanted}", gear["gear"]);
+    }
+}
+
+/// Rotational modes of a set whose centres are held and whose bearings are rigid are the torsional modes of the gearbox of this set.
+#[test]
+fn the_planar_set_on_rigid_bearings_has_the_torsional_frequencies() {
+    let parts = [
+        ("planet_bearing: 400 N/µm", "planet_bearing: 1000000 N/µm"),
+        ("links: [impeller]\n", ""),
+        ("ties: [[fan, impeller]]\n", ""),
+        ("  link_inertias: { motor: 0.02 kg·m², impeller: 3.5 kg·m² }\n", ""),
+        ("  shafts: [{ id: output, between: [fan, impeller], stiffness: 40 kN·m/rad }]\n", ""),
+        ("vibration: # of the whole", "note: # of the whole"),
+    ];
+    let answer = answer("vibration.yaml", &parts, &["--gear", "slow"]);
+    let planar = list(&answer["sets"][0], "modes").iter().filter(|mode| mode["kind"] == "rotational");
+    let planar: Vec<f64> = planar.map(|mode| number(mode, "frequency_hz")).collect();
+    let torsional = list(&answer["torsional"][0], "modes").iter().filter(|mode| mode["multiplicity"] == 1);
+    let torsional: Vec<f64> = torsional.map(|mode| number(mode, "frequency_hz")).collect();
+    assert_eq!(torsional.len(), 4);
+    for (planar, torsional) in planar.iter().zip(&torsional).skip(1) {
+        // A thousandth is what the bearings leave, which are a thousand times as stiff as the meshes.
+        assert!((planar / torsional - 1.0).abs() < 2e-3, "{planar} {torsional}");
+    }
+}
+
+/// In rotational modes all planets do the same, seen from each; in translational ones centres of central members move alike.
+#[test]
+fn shapes_are_those_of_their_kind() {
+    let answer = answer("vibration.yaml", &[], &[]);
+    for mode in list(&answer["sets"][0], "modes") {
+        let shape = list(mode, "shape");
+        let of = |body: usize, key: &str| number(&shape[body], key);
+        let largest = (0..7)
+            .map(|body| of(body, "x").hypot(of(body, "y")).max(of(body, "u").abs()))
+            .fold(0.0, f64::max);
+        assert!((largest - 1.0).abs() < 1e-12, "{mode}");
+        let central = |key: &str| (0..3).map(|body| of(body, key).abs()).fold(0.0, f64::max);
+        match mode["kind"].as_str().unwrap() {
+            "rotational" => {
+                assert!(central("x") == 0.0 && central("y") == 0.0 && central("u") > 0.0);
+                assert!((3..7).all(|planet| (of(planet, "u") - of(3, "u")).abs() < 1e-6));
+                // A quarter of a turn further on: what is x there is y here.
+                assert!((of(4, "y") - of(3, "x")).abs() < 1e-6 && (of(4, "x") + of(3, "y")).abs() < 1e-6);
+            }
+            "translational" => {
+                assert!(central("u") == 0.0 && of(0, "x") > 0.0 && of(0, "y") == 0.0, "{mode}");
+                // Planets that stand opposite rotate against each other.
+                assert!((of(3, "u") + of(5, "u")).abs() < 1e-6 && (of(4, "u") + of(6, "u")).abs() < 1e-6);
+            }
+            _ => assert!(central("x") == 0.0 && central("y") == 0.0 && central("u") == 0.0),
+        }
+    }
+}
+
 #[test]
 fn the_vibration_of_a_fan_drive() {
     let folder = here();
@@ -174,6 +247,13 @@ fn vibration_that_is_refused() {
         ("face_width: 45 mm", "face_width: 0 mm"),
         ("teeth: [25, 83]", "k: 3.32"),
         ("    vibration: #", "    vibration:\n      pressure_angles: [20 deg, 91 deg] #"),
+        ("between: [fan, impeller]", "between: [fan, motor]"),
+        ("between: [fan, impeller]", "between: [fan, rotor]"),
+        ("stiffness: 40 kN·m/rad", "stiffness: 0 kN·m/rad"),
+        ("stiffness: 40 kN·m/rad", "stiffness: 40 kN·m"),
+        ("motor: 0.02 kg·m²", "rotor: 0.02 kg·m²"),
+        ("motor: 0.02 kg·m²", "motor: -0.02 kg·m²"),
+        (", impeller: 3.5 kg·m²", ""),
     ]
     .into_iter()
     .enumerate()
@@ -199,6 +279,7 @@ fn vibration_that_is_refused() {
         &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--harmonics", "21"],
         &["vibrate", "vibration.yaml", "--harmonics", "2"],
         &["vibrate", "vibration.yaml", "--speeds", "0rpm..3000rpm/2", "--campbell", "c.gif"],
+        &["vibrate", "vibration.yaml", "--gear", "fast", "--shapes", "modes.svg"],
         &["vibrate", "vibration.yaml", "--speeds", "0rpm..900000rpm/2"],
     ]);
     insta::assert_snapshot!(sessions(folder.path(), &lines));

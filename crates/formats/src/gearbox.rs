@@ -79,7 +79,9 @@ pub use strength::{
     ShaperEntry, StrengthEntry,
 };
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
-pub use vibration::{CarrierEntry, PlanetEntry, RingEntry, Stiffness, SunEntry, VibrationEntry};
+pub use vibration::{
+    CarrierEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry, VibrationEntry, VibrationOfGearbox,
+};
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
 
 /// A description that is no gearbox.
@@ -273,6 +275,9 @@ pub struct GearboxFile {
     /// The oil, for the strength of teeth.
     #[serde(default)]
     pub oil: Option<OilEntry>,
+    /// Inertias of links and stiffness of shafts, for the torsional vibration of the whole gearbox.
+    #[serde(default)]
+    pub vibration: Option<VibrationOfGearbox>,
     /// Required life, for the strength of teeth.
     #[serde(default)]
     pub life: Option<Quantity<Time>>,

@@ -179,3 +179,63 @@ impl Campbell {
         Ok(scene)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use epicyclic_drawing::text::overlaps;
+
+    fn picture(speeds: &[f64]) -> Campbell {
+        let branch = |kind, low: f64| Branch {
+            kind,
+            frequencies: speeds.iter().map(|speed| low + 0.01 * speed.abs()).collect(),
+        };
+        let ray = |name: &str, slope| Ray { name: name.to_owned(), slope };
+        Campbell {
+            title: "a set".to_owned(),
+            across: "speed, rpm".to_owned(),
+            up: "frequency, Hz".to_owned(),
+            speeds: speeds.to_vec(),
+            branches: vec![
+                branch(Kind::Rotational, 400.0),
+                branch(Kind::Translational, 700.0),
+                branch(Kind::Planet, 950.0),
+                branch(Kind::Mixed, 90_000.0),
+            ],
+            rays: vec![ray("meshes 1", 0.4), ray("meshes 2", 0.8), ray("turn", 0.001), ray("pass", 0.0015)],
+            meetings: vec![[1025.6, 410.3]],
+        }
+    }
+
+    fn of_layer<'s>(scene: &'s Scene, layer: &'s str) -> impl Iterator<Item = &'s Shape> {
+        scene.items().iter().filter(move |item| scene.layer_of(item).name == layer).map(|item| &item.shape)
+    }
+
+    #[test]
+    fn labels_stand_free_and_nothing_leaves_the_field() {
+        let both_ways = vec![-3000.0, -500.0, 1000.0, 3000.0];
+        for (speeds, branches) in [(vec![0.0, 1500.0, 3000.0], 3), (both_ways, 3), (vec![500.0, 600.0], 1)] {
+            let scene = picture(&speeds).scene().unwrap();
+            assert_eq!(overlaps(&scene), vec![], "{speeds:?}");
+            for shape in of_layer(&scene, "orders") {
+                let bounds = shape.bounds();
+                let inside = bounds.left >= -1e-9 && bounds.right <= SIZE_MM[0] + 1e-9;
+                assert!(inside && bounds.bottom >= -1e-9 && bounds.top <= SIZE_MM[1], "{bounds:?}");
+            }
+            // What is above all orders is left out, but for its sample below the field.
+            let drawn = of_layer(&scene, "branches").filter(|shape| shape.bounds().bottom > 0.0).count();
+            assert_eq!(drawn, branches, "{speeds:?}");
+        }
+    }
+
+    #[test]
+    fn a_ray_passes_through_the_resonance() {
+        let picture = picture(&[0.0, 3000.0]);
+        let scene = picture.scene().unwrap();
+        let Some(Shape::Circle { centre, .. }) = of_layer(&scene, "resonances").next() else { panic!() };
+        let Some(Shape::Polyline { vertices, .. }) = of_layer(&scene, "orders").nth(1) else { panic!() };
+        let [from, to] = [vertices[0].at, vertices[1].at];
+        let up = from.y + (to.y - from.y) * (centre.x - from.x) / (to.x - from.x);
+        assert!((up - centre.y).abs() < 0.01, "{up} {}", centre.y);
+    }
+}

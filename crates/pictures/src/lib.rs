@@ -7,6 +7,7 @@
 //! | [`motor`] | centrodes, teeth, chambers, a motor at an angle |
 //! | [`toothed_sets`] | gear sets along their axis, every tooth in mesh |
 //! | [`plot`] | curves over an axis |
+//! | [`modes`] | modes of a planet set along its axis |
 //! | [`campbell`] | natural frequencies and orders of excitation over the speed |
 //! | [`contours`] | lines of equal value over two axes |
 //!
@@ -18,6 +19,7 @@ pub mod contours;
 mod error;
 pub mod gear_set;
 pub mod gearbox;
+pub mod modes;
 pub mod motor;
 pub mod plot;
 mod tolerance;

@@ -11,6 +11,7 @@
 //! | [`gyroscopic`] | modes while the carrier turns |
 //! | [`phasing`] | which modes the teeth of equally spaced planets excite |
 //! | [`kahraman`] | torsional frequencies in closed form |
+//! | [`response`] | forced vibration by transmission errors |
 //! | [`energy`] | modal energy of each body and spring, sensitivities |
 //!
 //! Bodies are rigid, springs linear, displacements small; the stiffness of a mesh is given. The axes turn with the carrier. All
@@ -32,6 +33,7 @@ pub mod model;
 pub mod modes;
 pub mod phasing;
 pub mod planetary;
+pub mod response;
 mod tolerance;
 pub mod train;
 mod units;

@@ -12,7 +12,7 @@
 //!
 //! As many modes have no frequency as the links have freedoms that bend no mesh and no shaft: those that the gearbox keeps.
 
-use crate::model::{Axis, Body, BodyId, Freedom, Model, SpringId};
+use crate::model::{Axis, Body, BodyId, Freedom, Model, SpringId, Support};
 use crate::planetary::PlanetarySet;
 use crate::units::{kg_m2, kilograms, length, meters, moment_of_inertia, not_negative};
 use crate::{Error, TorsionalStiffness};
@@ -25,6 +25,8 @@ pub struct Link {
     pub name: String,
     /// Inertia of what it has beside the members of sets.
     pub inertia: MomentOfInertia,
+    /// Torsional stiffness between it and the ground; 0 for none.
+    pub support: TorsionalStiffness,
     /// Whether it is held.
     pub held: bool,
 }
@@ -64,6 +66,8 @@ pub struct TrainParts {
     pub ring_meshes: Vec<Vec<SpringId>>,
     /// The shafts.
     pub shafts: Vec<SpringId>,
+    /// The support of each link; empty without.
+    pub supports: Vec<Vec<SpringId>>,
 }
 
 /// The torsional model of sets on links.
@@ -99,12 +103,17 @@ pub fn torsional(
         sun_meshes: vec![],
         ring_meshes: vec![],
         shafts: vec![],
+        supports: vec![],
     };
     for (link, inertia) in links.iter().zip(inertias) {
         let body =
             Body { mass: Default::default(), inertia: moment_of_inertia(inertia), radius: length(1.0) };
         let freedom = if link.held { Freedom::Held } else { Freedom::Rotation };
-        parts.links.push(model.body(&link.name, &body, freedom)?);
+        let place = model.body(&link.name, &body, freedom)?;
+        parts.links.push(place);
+        let tangential = Support::tangential_of(link.support, length(1.0));
+        let support = Support { tangential, ..Support::default() };
+        parts.supports.push(if link.held { vec![] } else { model.support(place, support)? });
     }
     let u = Axis::Rotation;
     for Placed { set, links, name } in sets {

@@ -232,6 +232,7 @@ pub const fn suffix(dimension: Dimension) -> &'static str {
         Dimension::Force => "_n",
         Dimension::Frequency => "_hz",
         Dimension::Stiffness => "_n_um",
+        Dimension::TorsionalStiffness => "_n_m_rad",
         Dimension::Torque => "_n_m",
         Dimension::Power => "_kw",
         Dimension::Pressure => "_mpa",

@@ -7,10 +7,14 @@ use crate::report::{Column, Part, Records, Report, View};
 use crate::units::{hertz_of_rpm, rpm};
 use epicyclic_answers::vibration::Vibration;
 use epicyclic_answers::vibration::records::{
-    self, Member, Mode, ModeKind, NotCalculated, Order, Resonance, SetModes, Source, StiffnessOrigin, What,
+    self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, SetModes, Source,
+    StiffnessOrigin, StrainPart, TorsionalModes, What,
 };
 use epicyclic_formats::Dimension::{self, AngularSpeed, Frequency, Inertia, Length, Mass, Stiffness};
+use epicyclic_formats::quantity::format::in_unit;
 use epicyclic_pictures::campbell::{self, Branch, Ray};
+use epicyclic_pictures::modes;
+use std::f64::consts::TAU;
 
 /// The frequencies over the speed of a set in a gear as a Campbell diagram; its place is that in the answer. Zero modes are left out.
 #[must_use]
@@ -46,15 +50,56 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     })
 }
 
+/// The modes of a set as pictures along the axis; its place is that in the answer.
+#[must_use]
+pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>)> {
+    let set = all.sets.get(place)?;
+    let circle = set.bodies.iter().find(|body| body.body == Member::Carrier)?.radius_m;
+    let body = |motion: &BodyMotion| {
+        let radius = set.bodies.iter().find(|body| body.body == motion.body)?.radius_m;
+        let part = match motion.body {
+            Member::Sun => modes::Part::Sun,
+            Member::Ring => modes::Part::Ring,
+            Member::Carrier => modes::Part::Carrier,
+            Member::Planet => modes::Part::Planet,
+        };
+        let centre = motion.planet.map_or([0.0; 2], |number| {
+            let angle = TAU * f64::from(number - 1) / f64::from(set.planets);
+            [circle * angle.cos(), circle * angle.sin()]
+        });
+        Some(modes::Body { part, centre, radius, motion: [motion.x, motion.y, motion.u] })
+    };
+    let mode = |mode: &Mode| modes::Mode {
+        name: format!(
+            "{}: {}, {}",
+            mode.mode,
+            in_unit(mode.frequency_hz, Frequency.usual_unit(), 5),
+            kind(mode.kind)
+        ),
+        bodies: mode.shape.iter().filter_map(body).collect(),
+    };
+    let gears = set.gears.join(", ");
+    let of_gears = if gears.is_empty() { String::new() } else { format!(", gear {gears}") };
+    Some((format!("{}, set {}{of_gears}", all.gearbox, set.set), set.modes.iter().map(mode).collect()))
+}
+
 impl AsReport for Vibration {
     fn report(&self) -> Report {
-        let mut parts = vec![Part::Records(modes(&self.sets, self.campbell.is_empty()))];
+        let mut parts = vec![];
+        if !self.sets.is_empty() {
+            parts.push(Part::Records(of_modes(&self.sets, self.campbell.is_empty())));
+        }
         if !self.campbell.is_empty() {
             parts.push(Part::Records(resonances(&self.resonances)));
             parts.push(Part::Records(orders(&self.orders)));
         }
-        parts.push(Part::Records(bodies(&self.sets)));
-        parts.push(Part::Records(springs(&self.sets)));
+        if !self.torsional.is_empty() {
+            parts.push(Part::Records(torsional(&self.torsional)));
+        }
+        if !self.sets.is_empty() {
+            parts.push(Part::Records(bodies(&self.sets)));
+            parts.push(Part::Records(springs(&self.sets)));
+        }
         if !self.not_calculated.is_empty() {
             parts.push(Part::Records(not_calculated(&self.not_calculated)));
         }
@@ -116,7 +161,7 @@ fn most<const N: usize>(shares: [(f64, &str); N]) -> String {
     most.map_or_else(String::new, |(share, name)| format!("{name} {:.0}", 100.0 * share))
 }
 
-fn modes(sets: &[SetModes], is_answer: bool) -> Records {
+fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
     let rows = sets.iter().flat_map(|set| set.modes.iter().map(move |mode| row(set, mode)));
     let shares =
         ["sun", "ring", "carrier", "planets", "sun_meshes", "ring_meshes", "planet_bearings", "supports"];
@@ -192,6 +237,60 @@ fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
         None => row.extend([Figure::None, Figure::None, Figure::None, Figure::None]),
     }
     row
+}
+
+fn torsional(all: &[TorsionalModes]) -> Records {
+    let most = |shares: Vec<(f64, String)>| {
+        let most = shares.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
+        most.map_or(Figure::None, |(share, name)| text(format!("{name} {:.0}", 100.0 * share)))
+    };
+    let rows = all.iter().flat_map(|gear| {
+        gear.modes.iter().map(move |mode| {
+            let kinetic = mode.kinetic.iter().map(|one| {
+                let name = one.planets_of.as_ref().map(|set| format!("planets of {set}"));
+                (one.share, name.unwrap_or_else(|| one.links.join("+")))
+            });
+            let strain = mode.strain.iter().map(|one| {
+                let name = match one.part {
+                    StrainPart::SunMeshes => format!("sun meshes of {}", one.of),
+                    StrainPart::RingMeshes => format!("ring meshes of {}", one.of),
+                    StrainPart::Shaft => format!("shaft {}", one.of),
+                    StrainPart::Support => format!("support of {}", one.of),
+                };
+                (one.share, name)
+            });
+            vec![
+                text(&gear.gear),
+                count(mode.mode),
+                count(mode.multiplicity),
+                hertz(mode.frequency_hz),
+                most(kinetic.collect()),
+                most(strain.collect()),
+            ]
+        })
+    });
+    Records {
+        name: "torsional",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::number("mode", "mode"),
+            Column::number("multiplicity", "×"),
+            headed("frequency", "f, Hz", Frequency),
+            Column::words("moves", "moves most, %"),
+            Column::words("strained", "strained most, %"),
+        ],
+        rows: rows.collect(),
+        views: vec![View {
+            note: "The whole gearbox with centres at rest: links as inertias, meshes and shafts as springs. At 0 Hz as many motions as the gear has \
+                   freedoms."
+                .to_owned(),
+            ..View::new(
+                "Torsional frequencies",
+                &["gear", "mode", "multiplicity", "frequency", "moves", "strained"],
+            )
+        }],
+        is_answer: false,
+    }
 }
 
 fn resonances(all: &[Resonance]) -> Records {
@@ -339,6 +438,7 @@ fn not_calculated(all: &[NotCalculated]) -> Records {
         let what = match one.what {
             What::Modes => "modes",
             What::Resonances => "resonances",
+            What::Torsional => "torsional modes",
         };
         vec![
             text(&one.set),

@@ -13,7 +13,7 @@ use epicyclic_gears::mass::{MassProperties, TOOTH_FILL, ring};
 use epicyclic_strength::load::mesh_stiffness;
 use epicyclic_train::set::SetSpec;
 use epicyclic_vibration::{Body, Central, Freedom, Planet, PlanetarySet, Support};
-use uom::si::f64::{Angle, Length, Mass, MassDensity, MomentOfInertia};
+use uom::si::f64::{Angle, Length, Mass, MassDensity, MomentOfInertia, Torque};
 
 /// A set of the file whose vibration is asked.
 pub(super) struct Of<'a> {
@@ -307,13 +307,6 @@ impl Prepared {
             return Err(missing);
         }
         let [sun_mesh, ring_mesh] = self.meshes;
-        let planet = Planet {
-            body: self.planet,
-            angle: Angle::default(),
-            bearing: self.bearing.into(),
-            sun_mesh: sun_mesh.into(),
-            ring_mesh: ring_mesh.into(),
-        };
         let planet_body = VibratingBody {
             body: Member::Planet,
             mass_kg: Some(self.planet.mass.si()),
@@ -336,34 +329,74 @@ impl Prepared {
             carrier_tangential_support_n_m: tangential(2),
         };
         Ok(Built {
-            set: PlanetarySet {
-                sun,
-                ring,
-                carrier,
-                planets: planet.equally_spaced(self.planets as usize),
-                sun_pressure_angle: self.angles[0],
-                ring_pressure_angle: self.angles[1],
-            },
+            set: self.with(sun, ring, carrier),
             bodies: vec![sun_body, ring_body, carrier_body, planet_body],
             stiffness,
         })
     }
 }
 
+impl Prepared {
+    /// The set for a torsional model in which these of sun, ring and carrier are held, or the keys that are missing.
+    pub(super) fn torsional(&self, held: [bool; 3]) -> Result<PlanetarySet, Vec<String>> {
+        let mut missing = vec![];
+        let [sun, ring, carrier] = [0, 1, 2].map(|member| {
+            let (own, held) = (&self.members[member], held[member]);
+            let rotates = !held || own.tangential.is_some();
+            if rotates && own.inertia.is_none() {
+                missing.push(own.needed("inertia"));
+            }
+            let inertia = own.inertia.filter(|_| rotates).unwrap_or_default();
+            let body = Body { mass: Mass::default(), inertia, radius: own.radius };
+            Central { body, support: Support::default(), freedom: Freedom::Rotation }
+        });
+        if missing.is_empty() { Ok(self.with(sun, ring, carrier)) } else { Err(missing) }
+    }
+
+    /// Torsional stiffness of what holds sun, ring or carrier; `None` of a rigid hold.
+    pub(super) fn support(&self, member: usize) -> Option<Torque> {
+        let own = &self.members[member];
+        let radius = own.radius.si();
+        own.tangential.map(|stiffness| Torque::from_si(stiffness.si() * radius * radius))
+    }
+
+    fn with(&self, sun: Central, ring: Central, carrier: Central) -> PlanetarySet {
+        let [sun_mesh, ring_mesh] = self.meshes;
+        let planet = Planet {
+            body: self.planet,
+            angle: Angle::default(),
+            bearing: self.bearing.into(),
+            sun_mesh: sun_mesh.into(),
+            ring_mesh: ring_mesh.into(),
+        };
+        PlanetarySet {
+            sun,
+            ring,
+            carrier,
+            planets: planet.equally_spaced(self.planets as usize),
+            sun_pressure_angle: self.angles[0],
+            ring_pressure_angle: self.angles[1],
+        }
+    }
+}
+
 impl MemberBody {
+    /// The key that is missing, and what stands in its place.
+    fn needed(&self, key: &str) -> String {
+        match self.of {
+            Member::Sun => format!("vibration.sun.{key} (or face_width)"),
+            Member::Ring => format!("vibration.ring.{key} (or vibration.ring.outside_diameter)"),
+            _ => format!("vibration.carrier.{key}"),
+        }
+    }
+
     /// The member, and what of it moves; keys that are missing are added to the list.
     fn built(&self, held: bool, missing: &mut Vec<String>) -> (Central, VibratingBody) {
         let translates = self.support.is_some();
         let rotates = !held || self.tangential.is_some();
-        let (name, shape) = match self.of {
-            Member::Sun => ("sun", "face_width"),
-            Member::Ring => ("ring", "vibration.ring.outside_diameter"),
-            _ => ("carrier", ""),
-        };
         let mut need = |is_known: bool, key: &str| {
             if !is_known {
-                let or = if shape.is_empty() { String::new() } else { format!(" (or {shape})") };
-                missing.push(format!("vibration.{name}.{key}{or}"));
+                missing.push(self.needed(key));
             }
         };
         need(!translates || self.mass.is_some(), "mass");

@@ -93,7 +93,7 @@ pub enum Member {
 }
 
 /// Modes of one frequency and kind.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Mode {
     /// Its number, from 1.
@@ -109,6 +109,24 @@ pub struct Mode {
     /// Shares of the springs in the strain energy; `null` where no spring is bent. Half a share is by how many per cent the frequency rises where the
     /// stiffness of these springs rises by one.
     pub strain: Option<StrainShares>,
+    /// What the bodies do: sun, ring, carrier, planets. Of several modes the one with the most of the first of these that moves.
+    pub shape: Vec<BodyMotion>,
+}
+
+/// What a body does in a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct BodyMotion {
+    /// Which.
+    pub body: Member,
+    /// Number of a planet, from 1; `null` of the others.
+    pub planet: Option<u32>,
+    /// Displacement of its centre along `x`, towards the first planet, over the largest of the mode.
+    pub x: f64,
+    /// Displacement along `y`.
+    pub y: f64,
+    /// Its rotation times its radius.
+    pub u: f64,
 }
 
 /// Shares in the kinetic energy of a mode; they add up to 1.
@@ -267,6 +285,72 @@ pub struct NotCalculated {
     pub missing: Vec<String>,
 }
 
+/// Torsional modes of the whole gearbox in a gear.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TorsionalModes {
+    /// The gear.
+    pub gear: String,
+    /// How many modes have no frequency: the freedoms that the gear keeps.
+    pub freedoms: u32,
+    /// The modes in ascending order of frequency.
+    pub modes: Vec<TorsionalMode>,
+}
+
+/// Torsional modes of one frequency.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TorsionalMode {
+    /// Its number, from 1.
+    pub mode: u32,
+    /// How many modes have this frequency and move the links, or do not.
+    pub multiplicity: u32,
+    /// Natural frequency.
+    pub frequency_hz: f64,
+    /// Shares in the kinetic energy.
+    pub kinetic: Vec<TorsionalKinetic>,
+    /// Shares in the strain energy; empty where no spring is twisted.
+    pub strain: Vec<TorsionalStrain>,
+}
+
+/// Share of links that turn as one piece, or of the planets of a set about their axes, in the kinetic energy.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TorsionalKinetic {
+    /// The links; a member on a support of its own by name and set; empty of planets.
+    pub links: Vec<String>,
+    /// The set of the planets; `null` of links.
+    pub planets_of: Option<String>,
+    /// The share.
+    pub share: f64,
+}
+
+/// Share of springs in the strain energy.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TorsionalStrain {
+    /// What springs.
+    pub part: StrainPart,
+    /// The set of the meshes, the name of the shaft, or what stands on the support.
+    pub of: String,
+    /// The share.
+    pub share: f64,
+}
+
+/// What springs in a torsional mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StrainPart {
+    /// The meshes of a sun.
+    SunMeshes,
+    /// The meshes of a ring.
+    RingMeshes,
+    /// A shaft.
+    Shaft,
+    /// What holds a member.
+    Support,
+}
+
 /// What is not calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -275,6 +359,8 @@ pub enum What {
     Modes,
     /// Orders and resonances.
     Resonances,
+    /// Torsional modes of the whole gearbox, for want of this set.
+    Torsional,
 }
 
 /// Why something is not calculated.

@@ -30,6 +30,21 @@ const LOSSES: &[&str] = &["losses", "--speed", "2000 rpm", "--torque", "300 N·m
 const OVER_DUTY: &[&str] = &["strength"];
 const SHEET: &[&str] = &["sheet"];
 const VIBRATE: &[&str] = &["vibrate"];
+/// The torsional vibration of two simple sets with what the file says of the whole gearbox.
+const TRAIN: &[&str] = &["train"];
+const TWO_SETS: &str = "\
+gearbox: train
+input: engine
+output: wheels
+links: [turbine]
+sets:
+  - { id: A, sun: engine, ring: ground, carrier: ring, teeth: [24, 84], planets: 4, module: 3 mm, face_width: 30 mm,
+      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
+  - { id: B, sun: shaft, ring: ground, carrier: wheels, teeth: [24, 84], planets: 4, module: 3 mm, face_width: 30 mm,
+      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
+ties: [[ring, shaft], [wheels, turbine]]
+gears: [{ name: only }]
+";
 /// The auxiliary set with its sun held, or its carrier, in place of its ring.
 const SUN_HELD: &[(&str, &str)] =
     &[("    sun: engine\n    ring: ground", "    sun: ground\n    ring: engine")];
@@ -128,6 +143,10 @@ const GEARBOX: &[Key] = &[
     key("sets.data_sheet.ball_diameters", "ball_diameters: [8 mm", "ball_diameters: [9 mm", SHEET),
     key("sets.data_sheet.thickness_allowances", "allowances: [[-90 µm", "allowances: [[-100 µm", SHEET),
     key("sets.data_sheet.centre_distance_deviations", "[-0.02 mm, 0.02 mm]", "[-0.02 mm, 0.03 mm]", SHEET),
+    key("vibration.link_inertias", "engine: 0.15 kg·m²", "engine: 0.16 kg·m²", TRAIN),
+    key("vibration.shafts.id", "id: middle shaft", "id: another", TRAIN),
+    key("vibration.shafts.between", "between: [ring, shaft]", "between: [wheels, turbine]", TRAIN),
+    key("vibration.shafts.stiffness", "stiffness: 30 kN·m/rad", "stiffness: 31 kN·m/rad", TRAIN),
     key("sets.vibration.planet_bearing", "planet_bearing: 400", "planet_bearing: 410", VIBRATE),
     key("sets.vibration.mesh_stiffness", "mesh_stiffness: [1200", "mesh_stiffness: [1300", VIBRATE),
     key("sets.vibration.pressure_angles", "pressure_angles: [24 deg", "pressure_angles: [25 deg", VIBRATE),
@@ -501,6 +520,14 @@ const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
 
 /// What is seen of a file, or why it is refused.
 fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
+    let train = |block: &str| {
+        let (block, _) = block.split_once("\n\n").unwrap();
+        format!("{TWO_SETS}vibration:{block}\n")
+    };
+    let (file, more) = match more {
+        ["train"] => (train(file.split_once("\nvibration:").unwrap().1), VIBRATE),
+        _ => (file.to_owned(), more),
+    };
     fs::write(folder.join("box.yaml"), file).unwrap();
     let (command, more) = match more.split_first() {
         Some((&command @ ("strength" | "losses" | "sheet" | "vibrate"), more)) => (command, more),

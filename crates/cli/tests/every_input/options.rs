@@ -119,6 +119,7 @@ vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --format json
   --speeds 0rpm..3000rpm/3
   --harmonics 1
   --campbell campbell.svg
+  --shapes modes.svg
   --format csv
   --output modes.json
 vibrate: every-gearbox-key.yaml

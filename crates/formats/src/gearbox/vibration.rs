@@ -1,12 +1,38 @@
 //! What a gearbox file says for the vibration of its sets: bodies, bearings, supports, stiffness of meshes.
 
 use crate::Quantity;
+use crate::quantity::TorsionalStiffness;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use uom::si::f64::{Angle, Length, Mass, MomentOfInertia, SurfaceTension};
 
 /// A stiffness, N/m.
 pub type Stiffness = SurfaceTension;
+
+/// What the torsional vibration of the whole gearbox asks for beyond its sets.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VibrationOfGearbox {
+    /// Inertias of links beside the members of sets: of motors, machines, couplings.
+    #[serde(default)]
+    pub link_inertias: BTreeMap<String, Quantity<MomentOfInertia>>,
+    /// Ties that are springs.
+    #[serde(default)]
+    pub shafts: Vec<ShaftEntry>,
+}
+
+/// A tie that is a shaft.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShaftEntry {
+    /// Its name.
+    pub id: String,
+    /// The two links, which `ties` join.
+    pub between: [String; 2],
+    /// Its torsional stiffness.
+    pub stiffness: Quantity<TorsionalStiffness>,
+}
 
 /// What the vibration of a simple set asks for beyond its teeth, module, face width and planets.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]

@@ -69,6 +69,32 @@ physical! {
     Time in second is Time;
 }
 
+/// A torque per angle, of which `uom` has no quantity of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TorsionalStiffness(si::Torque);
+
+impl TorsionalStiffness {
+    /// The torque at one radian.
+    #[must_use]
+    pub fn per_radian(self) -> si::Torque {
+        self.0
+    }
+}
+
+impl sealed::Sealed for TorsionalStiffness {}
+
+impl Physical for TorsionalStiffness {
+    const DIMENSION: Dimension = Dimension::TorsionalStiffness;
+
+    fn from_si(value: f64) -> Self {
+        Self(Physical::from_si(value))
+    }
+
+    fn si(self) -> f64 {
+        self.0.si()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use uom::si::{

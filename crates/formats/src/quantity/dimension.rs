@@ -41,6 +41,8 @@ pub enum Dimension {
     Stiffness,
     /// SI unit: N·m.
     Torque,
+    /// Torque per angle that a shaft is twisted. SI unit: N·m/rad.
+    TorsionalStiffness,
     /// SI unit: W.
     Power,
     /// Pressure and stress. SI unit: Pa.
@@ -55,7 +57,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::Dimensionless,
         Self::Length,
         Self::Area,
@@ -72,6 +74,7 @@ impl Dimension {
         Self::Force,
         Self::Stiffness,
         Self::Torque,
+        Self::TorsionalStiffness,
         Self::Power,
         Self::Pressure,
         Self::Viscosity,
@@ -99,6 +102,7 @@ impl Dimension {
             Self::Force => "force",
             Self::Stiffness => "stiffness",
             Self::Torque => "torque",
+            Self::TorsionalStiffness => "torsional stiffness",
             Self::Power => "power",
             Self::Pressure => "pressure",
             Self::Viscosity => "kinematic viscosity",
@@ -131,6 +135,7 @@ impl Dimension {
             | Self::Inertia
             | Self::Stiffness
             | Self::Torque
+            | Self::TorsionalStiffness
             | Self::Power
             | Self::Pressure => 1e12,
             Self::Energy => 1e15,

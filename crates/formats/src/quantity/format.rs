@@ -92,6 +92,7 @@ const fn scale(dimension: Dimension) -> &'static [&'static str] {
         Dimension::Force => &["N", "kN", "MN"],
         Dimension::Stiffness => &["N/m", "N/µm"],
         Dimension::Torque => &["mN·m", "N·m", "kN·m", "MN·m"],
+        Dimension::TorsionalStiffness => &["N·m/rad", "kN·m/rad", "MN·m/rad"],
         Dimension::Power => &["mW", "W", "kW", "MW"],
         Dimension::Pressure => &["Pa", "kPa", "MPa", "GPa"],
         Dimension::Energy => &["mJ", "J", "kJ", "MJ"],

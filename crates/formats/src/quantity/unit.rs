@@ -154,6 +154,13 @@ const TORQUE: &[Unit] = &[
     unit(Torque, "kgf·m", GRAVITY, &["kgf·m", "kgfm"]),
 ];
 
+const TORSIONAL_STIFFNESS: &[Unit] = &[
+    unit(TorsionalStiffness, "N·m/rad", 1.0, &["N·m/rad", "Nm/rad"]),
+    unit(TorsionalStiffness, "kN·m/rad", 1e3, &["kN·m/rad", "kNm/rad"]),
+    unit(TorsionalStiffness, "MN·m/rad", 1e6, &["MN·m/rad", "MNm/rad"]),
+    unit(TorsionalStiffness, "N·m/deg", 180.0 / PI, &["N·m/deg", "Nm/deg", "N·m/°"]),
+];
+
 const POWER: &[Unit] = &[
     unit(Power, "kW", 1e3, &["kW"]),
     unit(Power, "mW", 1e-3, &["mW"]),
@@ -220,6 +227,7 @@ impl Dimension {
             Force => FORCE,
             Stiffness => STIFFNESS,
             Torque => TORQUE,
+            TorsionalStiffness => TORSIONAL_STIFFNESS,
             Power => POWER,
             Pressure => PRESSURE,
             Viscosity => VISCOSITY,

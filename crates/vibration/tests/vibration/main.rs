@@ -7,5 +7,6 @@ mod gyroscopic;
 mod modal;
 mod phasing;
 mod published;
+mod response;
 mod torsional;
 mod train;

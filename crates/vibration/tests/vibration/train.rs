@@ -14,7 +14,12 @@ fn inertia(value: f64) -> MomentOfInertia {
 fn links(held: &[bool]) -> Vec<Link> {
     held.iter()
         .enumerate()
-        .map(|(index, held)| Link { name: format!("link {index}"), inertia: inertia(0.0), held: *held })
+        .map(|(index, held)| Link {
+            name: format!("link {index}"),
+            inertia: inertia(0.0),
+            support: Torque::default(),
+            held: *held,
+        })
         .collect()
 }
 
@@ -143,4 +148,20 @@ fn links_without_inertia_and_places_of_no_link_are_refused() {
     let shaft = Shaft { name: "s".to_owned(), links: [0, 1], stiffness: Torque::new::<newton_meter>(-1.0) };
     let fault = torsional(&links(&[false; 3]), &[placed("P", &set, [0, 1, 2])], &[shaft]).unwrap_err();
     assert_eq!(fault.name(), "negative");
+}
+
+/// A support that becomes rigid holds the link.
+#[test]
+fn a_link_on_a_stiff_support_is_held() {
+    let set = geared(1e8);
+    let of = |held: bool, stiffness: f64| {
+        let mut links = links(&[false, held, false]);
+        links[1].support = Torque::new::<newton_meter>(stiffness);
+        frequencies(&links, &[placed("P", &set, [0, 1, 2])], &[])
+    };
+    let (held, stiff) = (of(true, 0.0), of(false, 1e14));
+    assert_eq!((held.0, stiff.0, stiff.1.len()), (1, 1, held.1.len() + 1));
+    for (held, stiff) in held.1.iter().zip(&stiff.1) {
+        assert!((held / stiff - 1.0).abs() < 1e-6, "{held} {stiff}");
+    }
 }
