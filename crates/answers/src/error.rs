@@ -247,6 +247,20 @@ pub enum Error {
         /// Why not, set by set.
         sets: Vec<String>,
     },
+    /// No set whose vibration can be calculated.
+    #[error("no set can be calculated: {}", sets.join("; "))]
+    NothingVibrates {
+        /// Why not, set by set.
+        sets: Vec<String>,
+    },
+    /// No harmonic of the meshes, or too many.
+    #[error("{harmonics} harmonics: 1 to {most} are allowed")]
+    Harmonics {
+        /// How many were wanted.
+        harmonics: u32,
+        /// The most there can be.
+        most: u32,
+    },
     /// A set that does not exist.
     #[error("no set `{name}`: there are {}", sets.join(", "))]
     NoSet {
@@ -320,6 +334,8 @@ impl Error {
             Self::OfOnePoint => "of-one-point",
             Self::NothingRated { .. } => "nothing-rated",
             Self::NothingDescribed { .. } => "nothing-described",
+            Self::NothingVibrates { .. } => "nothing-vibrates",
+            Self::Harmonics { .. } => "harmonics",
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
             Self::NothingToSize { .. } => "nothing-to-size",

@@ -25,6 +25,7 @@
 //! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
 //! | [`strength`] | the strength of teeth: stresses, safeties, damage over a duty |
 //! | [`sheet`] | data sheets of gears: circles, thickness, measures, meshes |
+//! | [`vibration`] | natural frequencies and modes of sets, their excitation and resonances |
 //! | [`size`] | modules, face widths, planets, centre distances and bearings of simple sets that hold over a duty |
 //! | [`shared`] | records that several answers share |
 //! | [`number`] | numbers of an answer |
@@ -81,6 +82,7 @@ mod tolerance;
 mod toothed;
 pub mod transmissions;
 mod units;
+pub mod vibration;
 
 pub use answer::{Answer, SCHEMA_VERSION, Warning};
 pub use error::Error;

@@ -58,7 +58,8 @@ impl<T: Physical> Places<T> {
         }
     }
 
-    fn values(&self) -> Vec<T> {
+    /// The places in their order.
+    pub(crate) fn values(&self) -> Vec<T> {
         let (from, to, steps) = (self.from.si(), self.to.si(), f64::from(self.places - 1));
         (0..self.places).map(|step| T::from_si(from + (to - from) * (f64::from(step) / steps))).collect()
     }

@@ -8,6 +8,8 @@
 //! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
 //! | `OBJECTIVE` | a difference of two objectives | the order compares on a grid of this size |
 //! | `AT_EDGE` | a ring-to-sun ratio's distance from the end of its range, over that end | the best ratio is known to 1e-4 |
+//! | `MET` | the distance of an order from the frequency it meets, over this | far below what any stiffness is known to, far above rounding |
+//! | `STILL` | the displacement of a body in a mode, over the largest | the error of a vector beside a neighbouring frequency |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
 
 /// A sum of balanced terms below this is zero.
@@ -30,6 +32,12 @@ pub(crate) const OBJECTIVE: f64 = 2e-12;
 
 /// Ring-to-sun ratios nearer to an end of their range are at it.
 pub(crate) const AT_EDGE: f64 = 1e-4;
+
+/// An order meets a natural frequency where it is this near, over it.
+pub(crate) const MET: f64 = 1e-12;
+
+/// A body that moves by less of the largest displacement of a mode is at rest.
+pub(crate) const STILL: f64 = 1e-6;
 
 /// The least module where none is given, in m.
 pub(crate) const LEAST_MODULE_M: f64 = 1e-6;

@@ -112,6 +112,7 @@ mod tests {
             "sheet <FILE>",
             "size <FILE>",
             "strength <FILE>",
+            "vibrate <FILE>",
         ];
         let of_sizes = ["design --basis <FILE>", "design --bearings <FILE>", "size --bearings <FILE>"];
         let of_synthesis = ["synthesize --explain <FILE>", "synthesize --merge <PART>..."];
@@ -123,6 +124,8 @@ mod tests {
         let drawings = [
             "draw --dxf <FILE>",
             "draw --svg <FILE>",
+            "vibrate --campbell <FILE>",
+            "vibrate --shapes <FILE>",
             "motor --csv <FILE>",
             "motor --dxf <FILE>",
             "motor --svg <FILE>",

@@ -99,6 +99,14 @@ pub(crate) struct Range<T> {
     places: u32,
 }
 
+impl<T: Physical> Range<T> {
+    /// The places, which an option gives.
+    pub(crate) fn places(&self, option: &'static str) -> Result<Places<T>, Failure> {
+        let refused = |error: Error| Failure::Option { option, message: error.to_string() };
+        Places::new(self.from, self.to, self.places).map_err(refused)
+    }
+}
+
 impl<T: Physical> FromStr for Range<T> {
     type Err = String;
 
@@ -145,9 +153,6 @@ impl Map {
     /// The places of the map, if one is asked for.
     pub(crate) fn places(&self) -> Result<Option<Ranges>, Failure> {
         let (Some(speeds), Some(torques)) = (self.speeds, self.torques) else { return Ok(None) };
-        let refused = |option| move |error: Error| Failure::Option { option, message: error.to_string() };
-        let speeds = Places::new(speeds.from, speeds.to, speeds.places).map_err(refused("--speeds"))?;
-        let torques = Places::new(torques.from, torques.to, torques.places).map_err(refused("--torques"))?;
-        Ok(Some((speeds, torques)))
+        Ok(Some((speeds.places("--speeds")?, torques.places("--torques")?)))
     }
 }

@@ -21,6 +21,7 @@
 //! | [`sheet`] | the command `sheet`: data sheets of gears |
 //! | [`sizing`] | the command `size`: sizes of sets that hold over a duty |
 //! | [`losses`] | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
+//! | [`vibrate`] | the command `vibrate`: natural frequencies, modes and resonances of sets |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -74,6 +75,7 @@ mod sizing;
 mod strength;
 mod synthesize;
 mod teeth;
+mod vibrate;
 mod writing;
 
 use clap::error::{ContextKind, ContextValue};
@@ -101,6 +103,7 @@ enum Command {
     Size(Box<sizing::Args>),
     Design(Box<design::Args>),
     Losses(losses::Args),
+    Vibrate(vibrate::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -185,6 +188,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Size(args) => sizing::run(&args),
         Command::Design(args) => design::run(&args),
         Command::Losses(args) => losses::run(&args),
+        Command::Vibrate(args) => vibrate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

@@ -30,6 +30,7 @@ use epicyclic_answers::teeth::Teeth;
 use epicyclic_answers::teeth::double_planet::DoublePlanetTeeth;
 use epicyclic_answers::teeth::shifted::ShiftedTeeth;
 use epicyclic_answers::transmissions::Transmissions;
+use epicyclic_answers::vibration::Vibration;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
@@ -108,6 +109,8 @@ enum Of {
     AnswerLosses,
     /// The answer of `epicyclic losses` with a map.
     AnswerLossesMap,
+    /// The answer of `epicyclic vibrate`.
+    AnswerVibrate,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -162,6 +165,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerDesign => schema::<Design>(),
         Of::AnswerLosses => schema::<Losses>(),
         Of::AnswerLossesMap => schema::<LossMap>(),
+        Of::AnswerVibrate => schema::<Vibration>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

@@ -30,6 +30,7 @@ fn help_says_what_there_is() {
             &["analyze", "--help"],
             &["strength", "--help"],
             &["losses", "--help"],
+            &["vibrate", "--help"],
             &["compare", "--help"],
             &["select", "--help"],
             &["schemes", "--help"],

@@ -213,6 +213,9 @@ const RUNS: &[(&str, &[&str])] = &[
             "5N·m..60N·m/2",
         ],
     ),
+    ("vibrate", &["vibrate", "vibration.yaml", "--speeds", "0rpm..6000rpm/3"]),
+    ("vibrate", &["vibrate", "every-gearbox-key.yaml"]),
+    ("vibrate", &["vibrate", "sun-held.yaml"]),
     ("compare", &["compare", "ravigneaux.yaml", "real-transmissions.yaml", "--transmission", "8HP"]),
     ("compare", &["compare", "II-3", "scheme-ii-3.yaml", "--ratio1", "1.5", "--ratio2", "2.56"]),
     ("select", &["select", "--speeds", WHEEL, "--power", "75 kW", "--input", "1475 rpm"]),
@@ -649,6 +652,22 @@ fn drive() -> String {
     std::fs::read_to_string(examples().join("travel-drive-duty.yaml")).unwrap()
 }
 
+/// The fan drive with its sun held in one gear and its carrier in another, and a set without `vibration`.
+fn members_held() -> String {
+    let drive = std::fs::read_to_string(examples().join("vibration.yaml")).unwrap();
+    let drive = drive.replace("support: 20 N/µm", "support: 20 N/µm, tangential_support: 50 N/µm");
+    let drive = drive.replace("support: 250 N/µm", "support: 250 N/µm, tangential_support: 60 N/µm");
+    let drive = drive.replace(", engaged: [K1] }", ", engaged: [K1], input: ring }");
+    let held = "brakes:\n  - { id: K3, link: motor }\n  - { id: K4, link: fan }\n";
+    let drive = drive.replace("brakes:\n", held);
+    let drive = drive.replace(
+        "gears:\n",
+        "gears:\n  - { name: a, engaged: [K3], input: ring }\n  - { name: b, engaged: [K4], output: ring }\n",
+    );
+    let other = "  - { id: Q, sun: fan, ring: ground, carrier: after, k: 3 }\nties:";
+    drive.replace("ties:", other)
+}
+
 fn wind_stage() -> String {
     std::fs::read_to_string(examples().join("wind-stage.yaml")).unwrap()
 }
@@ -671,6 +690,7 @@ fn folder() -> tempfile::TempDir {
     std::fs::write(folder.path().join("one-way.yaml"), ONE_WAY).unwrap();
     std::fs::write(folder.path().join("redundant.yaml"), REDUNDANT).unwrap();
     std::fs::write(folder.path().join("apart.yaml"), APART).unwrap();
+    std::fs::write(folder.path().join("sun-held.yaml"), members_held()).unwrap();
     std::fs::write(folder.path().join("thirteen.yaml"), thirteen()).unwrap();
     std::fs::write(folder.path().join("cosine.yaml"), COSINE).unwrap();
     std::fs::write(folder.path().join("tips.yaml"), TIPS).unwrap();

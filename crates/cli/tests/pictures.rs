@@ -55,8 +55,14 @@ fn written() -> Vec<(&'static str, String)> {
          --limit 1 --save found.yaml",
     );
     run("draw found.yaml -o synthesized.svg");
+    let fan = console::root().join("examples/vibration.yaml");
+    let speeds = "--gear slow --speeds 0rpm..6000rpm/31";
+    run(&format!(
+        "vibrate {} {speeds} --campbell campbell.svg --shapes modes.svg -o modes.csv",
+        fan.display()
+    ));
     let read = |name| (name, fs::read_to_string(folder.path().join(name)).unwrap());
-    vec![read("motor-chambers.svg"), read("synthesized.svg")]
+    vec![read("campbell.svg"), read("modes.svg"), read("motor-chambers.svg"), read("synthesized.svg")]
 }
 
 fn printed(command: &str) -> String {
@@ -110,7 +116,7 @@ fn each_picture_is_shown() {
     let mut shown = String::new();
     read(&console::root().join("docs/src"), &mut shown);
     let names = DRAWN.iter().map(|(name, _)| name).chain(ON_PAGES.iter().map(|(name, ..)| name));
-    for name in names.chain(&["motor-chambers.svg", "synthesized.svg"]) {
+    for name in names.chain(&["campbell.svg", "modes.svg", "motor-chambers.svg", "synthesized.svg"]) {
         assert!(shown.contains(&format!("pictures/{name})")), "{name} is on no page of the book");
     }
 }

@@ -47,14 +47,11 @@
 //! # }
 //! ```
 
-use crate::{Number, Physical, Quantity};
-use epicyclic_gears::rack::BasicRack;
+use crate::{Number, Quantity};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
-use epicyclic_train::planet_set::{Mesh, MeshKind};
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_train::{GROUND, GearSpec, Gearbox, Named, PlanetSet};
+use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -66,8 +63,10 @@ mod drag;
 mod kind;
 mod losses;
 mod place;
+mod size;
 mod strength;
 mod transmissions;
+mod vibration;
 mod written;
 pub use compound::{CompoundEntry, MeshEntry, Note, PlanetSizeEntry};
 pub use data_sheet::DataSheetEntry;
@@ -80,6 +79,9 @@ pub use strength::{
     ShaperEntry, StrengthEntry,
 };
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
+pub use vibration::{
+    CarrierEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry, VibrationEntry, VibrationOfGearbox,
+};
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
 
 /// A description that is no gearbox.
@@ -252,7 +254,7 @@ pub struct GearboxFile {
     /// The gears.
     #[serde(default)]
     pub gears: Vec<GearEntry>,
-    /// Density of the planets, for their mass. Default 7850 kg/m³, steel.
+    /// Density of the gears, for their mass. Default 7850 kg/m³, steel.
     #[serde(default)]
     pub density: Option<Quantity<MassDensity>>,
     /// Pressure angle, for the radial forces on planets and the checks of teeth. Default 20 deg.
@@ -273,6 +275,9 @@ pub struct GearboxFile {
     /// The oil, for the strength of teeth.
     #[serde(default)]
     pub oil: Option<OilEntry>,
+    /// Inertias of links and stiffness of shafts, for the torsional vibration of the whole gearbox.
+    #[serde(default)]
+    pub vibration: Option<VibrationOfGearbox>,
     /// Required life, for the strength of teeth and bearings.
     #[serde(default)]
     pub life: Option<Quantity<Time>>,
@@ -373,6 +378,9 @@ pub struct SetEntry {
     /// Of a simple set, for its data sheet: measuring balls, allowances.
     #[serde(default)]
     pub data_sheet: Option<DataSheetEntry>,
+    /// Of a simple set, for its vibration: bodies, bearings, supports, stiffness of meshes.
+    #[serde(default)]
+    pub vibration: Option<VibrationEntry>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,
@@ -498,66 +506,6 @@ impl GearboxFile {
     }
 }
 
-impl GearboxFile {
-    /// The planet bearings of each set that has any, as far as their size is known.
-    ///
-    /// # Errors
-    /// [`DescriptionError::Set`] for an invalid size.
-    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
-        planet_bearings(gearbox, |set| self.size(set))
-    }
-
-    /// The basic rack that the teeth are checked by.
-    ///
-    /// # Errors
-    /// That of [`BasicRack::check`].
-    pub fn rack(&self) -> Result<BasicRack, epicyclic_gears::Error> {
-        let usual = BasicRack::default();
-        let rack = BasicRack {
-            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
-            addendum: self.addendum.map_or(usual.addendum, Number::get),
-            ..usual
-        };
-        rack.check()?;
-        Ok(rack)
-    }
-
-    /// What the file says of the size of a set.
-    fn size(&self, set: &PlanetSet) -> SetSize {
-        let usual = SetSize::default();
-        let usual = SetSize {
-            density: self.density.map_or(usual.density, |density| density.0),
-            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
-            ..usual
-        };
-        if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
-            // Shifts move the planets from where their teeth alone would have them.
-            let rack = self.rack().ok();
-            let shifted = set.short().zip(rack).and_then(|(spec, rack)| spec.involute_set(&rack)?.ok());
-            let by_shifts =
-                shifted.as_ref().zip(entry.module).map(|(set, module)| module.0 * set.centre_distance());
-            let working_angle = |mesh: &Mesh| {
-                let pairs = shifted.as_ref().map(|set| [set.sun_mesh(), set.ring_mesh()])?;
-                let pair = pairs[usize::from(mesh.kind == MeshKind::Internal)];
-                Some(Angle::from_si(pair.working_angle_rad()))
-            };
-            let mesh = |mesh: &Mesh| MeshSize { pressure_angle: working_angle(mesh), ..MeshSize::default() };
-            return SetSize {
-                module: entry.module.map(|module| module.0),
-                carrier_radius: entry.carrier_radius.map(|radius| radius.0).or(by_shifts),
-                face_width: entry.face_width.map(|width| width.0),
-                planet_bore: entry.planet_bore.map(|bore| bore.0),
-                planet_mass: entry.planet_mass.map(|mass| mass.0),
-                bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
-                meshes: set.meshes().iter().map(mesh).collect(),
-                ..usual
-            };
-        }
-        let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
-        entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
-    }
-}
-
 impl SetEntry {
     fn spec(&self) -> Result<SetSpec, DescriptionError> {
         let set = || self.id.clone();
@@ -598,21 +546,6 @@ impl SetEntry {
         let tips = self.tip_alterations.map_or([0.0; 3], |tips| tips.map(Number::get));
         Ok(spec.shifted(Shifts { profile: profile.map(Number::get), tips }))
     }
-}
-
-/// The planets of each set that has any, with what is known of its size.
-fn planet_bearings(
-    gearbox: &Gearbox,
-    size: impl Fn(&PlanetSet) -> SetSize,
-) -> Result<Vec<PlanetBearing>, DescriptionError> {
-    let mut all = vec![];
-    for (place, set) in gearbox.sets().iter().enumerate() {
-        if let Some(bearings) = gearbox.planet_bearings(place, &size(set)) {
-            let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
-            all.extend(bearings.map_err(refuse)?);
-        }
-    }
-    Ok(all)
 }
 
 #[cfg(test)]

@@ -39,11 +39,11 @@
 
 use crate::factor::{Document, Factor, Reference};
 use crate::material::{Class, Material};
-use crate::units::{kg_m3, mm, mpa, not_negative, positive, radians, um};
+use crate::units::{kg_m3, mm, mpa, n_per_um, not_negative, positive, radians, um};
 use crate::{Error, Quantity};
 use epicyclic_gears::involute::{InvoluteGear, Pair};
 use std::f64::consts::PI;
-use uom::si::f64::Length;
+use uom::si::f64::{Length, SurfaceTension};
 
 /// `K_γ` of a number of planets where nothing better is known: to 3 planets 1.0, 4: 1.2, 5: 1.3, 6 and more 1.4.
 ///
@@ -179,6 +179,58 @@ fn most_running_in(speed: f64, at_ten: f64) -> f64 {
     }
 }
 
+/// `c'` of Young's moduli, N/mm².
+fn single_stiffness(pair: &Pair, moduli: [f64; 2], base_helix: f64, blank_factor: f64) -> Result<f64, Error> {
+    let blank = positive(Quantity::BlankFactor, blank_factor, "")?;
+    let [first, second] = pair.gears();
+    let profile = first.profile();
+    let helix = radians(profile.helix_angle);
+    let narrowing = base_helix.cos().powi(2) * helix.cos();
+    let (x1, x2) = (first.shift(), second.shift());
+    let per_z1 = narrowing / first.teeth().as_f64();
+    let per_z2 = if pair.is_internal() { 0.0 } else { narrowing / second.teeth().as_f64() };
+    let q = 0.04723 + 0.15551 * per_z1 + 0.25791 * per_z2
+        - 0.00635 * x1
+        - 0.11654 * x1 * per_z1
+        - 0.00193 * x2
+        - 0.24188 * x2 * per_z2
+        + 0.00529 * x1 * x1
+        + 0.00182 * x2 * x2;
+    let rack = |gear: &InvoluteGear| {
+        let rack = &gear.profile().rack;
+        let depth = rack.addendum + rack.clearance;
+        (1.0 + 0.5 * (1.2 - depth)) * (1.0 - 0.02 * (20.0 - radians(rack.pressure_angle).to_degrees()))
+    };
+    let [e1, e2] = moduli;
+    let elasticity = 2.0 * e1 * e2 / (e1 + e2) / STEEL;
+    Ok(0.8 * blank * f64::midpoint(rack(first), rack(second)) * helix.cos() / q * elasticity)
+}
+
+/// `c_γα` of `c'` and `ε_α`.
+fn whole_stiffness(single: f64, transverse: f64) -> f64 {
+    single * (0.75 * transverse + 0.25)
+}
+
+/// Mean stiffness of a mesh of two steel gears along its line of action, `c_γα·b`.
+///
+/// | symbol | argument | meaning | unit |
+/// |---|---|---|---|
+/// | `b` | `face_width` | common face width | m |
+///
+/// It holds from a line load of 100 N/mm; below, the standard takes less. Gears are solid discs, `C_R = 1`.
+///
+/// # Errors
+/// [`Error::NotPositive`] for the face width.
+///
+/// # Source
+/// ISO 6336-1:2006, clause 9: see the [module](self).
+pub fn mesh_stiffness(pair: &Pair, face_width: Length) -> Result<SurfaceTension, Error> {
+    let width_mm = positive(Quantity::FaceWidth, mm(face_width), "mm")?;
+    let base_helix = pair.gears()[0].profile().base_helix_rad();
+    let single = single_stiffness(pair, [STEEL; 2], base_helix, 1.0)?;
+    Ok(n_per_um(whole_stiffness(single, pair.transverse_contact_ratio()) * width_mm))
+}
+
 impl Swinging<'_> {
     /// What running-in leaves of a deviation of the mesh, µm.
     fn left(&self, deviations: [Length; 2], quantity: Quantity) -> Result<f64, Error> {
@@ -190,34 +242,13 @@ impl Swinging<'_> {
 
     /// `c'`.
     pub(crate) fn single_stiffness(&self, blank_factor: f64) -> Result<f64, Error> {
-        let blank = positive(Quantity::BlankFactor, blank_factor, "")?;
-        let [first, second] = self.pair.gears();
-        let profile = first.profile();
-        let helix = radians(profile.helix_angle);
-        let narrowing = self.base_helix.cos().powi(2) * helix.cos();
-        let (x1, x2) = (first.shift(), second.shift());
-        let per_z1 = narrowing / first.teeth().as_f64();
-        let per_z2 = if self.pair.is_internal() { 0.0 } else { narrowing / second.teeth().as_f64() };
-        let q = 0.04723 + 0.15551 * per_z1 + 0.25791 * per_z2
-            - 0.00635 * x1
-            - 0.11654 * x1 * per_z1
-            - 0.00193 * x2
-            - 0.24188 * x2 * per_z2
-            + 0.00529 * x1 * x1
-            + 0.00182 * x2 * x2;
-        let rack = |gear: &InvoluteGear| {
-            let rack = &gear.profile().rack;
-            let depth = rack.addendum + rack.clearance;
-            (1.0 + 0.5 * (1.2 - depth)) * (1.0 - 0.02 * (20.0 - radians(rack.pressure_angle).to_degrees()))
-        };
-        let [e1, e2] = self.materials.map(|material| mpa(material.youngs_modulus));
-        let elasticity = 2.0 * e1 * e2 / (e1 + e2) / STEEL;
-        Ok(0.8 * blank * f64::midpoint(rack(first), rack(second)) * helix.cos() / q * elasticity)
+        let moduli = self.materials.map(|material| mpa(material.youngs_modulus));
+        single_stiffness(self.pair, moduli, self.base_helix, blank_factor)
     }
 
     /// `c_γα`.
     fn mesh_stiffness(&self, single: f64) -> f64 {
-        single * (0.75 * self.transverse + 0.25)
+        whole_stiffness(single, self.transverse)
     }
 
     /// `m_red`.

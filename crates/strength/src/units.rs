@@ -6,8 +6,8 @@ use crate::{Error, Quantity, tolerance};
 use uom::si::angle::radian;
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::f64::{
-    Angle, AngularVelocity, Force, KinematicViscosity, Length, Mass, MassDensity, Power, Pressure, Time,
-    Torque, Velocity,
+    Angle, AngularVelocity, Force, KinematicViscosity, Length, Mass, MassDensity, Power, Pressure,
+    SurfaceTension, Time, Torque, Velocity,
 };
 use uom::si::force::newton;
 use uom::si::kinematic_viscosity::square_millimeter_per_second;
@@ -16,6 +16,7 @@ use uom::si::mass::kilogram;
 use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::power::watt;
 use uom::si::pressure::megapascal;
+use uom::si::surface_tension::newton_per_meter;
 use uom::si::time::hour;
 use uom::si::torque::newton_meter;
 use uom::si::velocity::meter_per_second;
@@ -46,6 +47,11 @@ pub(crate) fn n_m(value: Torque) -> f64 {
 
 pub(crate) fn force(value_n: f64) -> Force {
     Force::new::<newton>(value_n)
+}
+
+/// A stiffness of so many N/µm.
+pub(crate) fn n_per_um(value: f64) -> SurfaceTension {
+    SurfaceTension::new::<newton_per_meter>(value * 1e6)
 }
 
 pub(crate) fn newtons(value: Force) -> f64 {

@@ -5,10 +5,13 @@
 //! | module | answers |
 //! |---|---|
 //! | [`planetary`] | a simple set as bodies and springs, planar or torsional |
+//! | [`train`] | several sets on common links, torsional |
 //! | [`model`] | any bodies and springs, supports, shafts |
 //! | [`modes`] | natural frequencies and modes, in groups by frequency and kind |
 //! | [`gyroscopic`] | modes while the carrier turns |
+//! | [`phasing`] | which modes the teeth of equally spaced planets excite |
 //! | [`kahraman`] | torsional frequencies in closed form |
+//! | [`response`] | forced vibration by transmission errors |
 //! | [`energy`] | modal energy of each body and spring, sensitivities |
 //!
 //! Bodies are rigid, springs linear, displacements small; the stiffness of a mesh is given. The axes turn with the carrier. All
@@ -28,8 +31,11 @@ pub mod kahraman;
 mod kernel;
 pub mod model;
 pub mod modes;
+pub mod phasing;
 pub mod planetary;
+pub mod response;
 mod tolerance;
+pub mod train;
 mod units;
 
 pub use energy::{InertiaKind, KineticShare, ModalEnergy, StrainShare};

@@ -52,6 +52,8 @@ pub enum Freedom {
     Planar,
     /// It rotates about its centre, which is at rest.
     Rotation,
+    /// It moves in the plane and does not rotate.
+    Translation,
     /// It is held.
     Held,
 }
@@ -140,17 +142,24 @@ impl Model {
     /// Adds a body.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a mass, inertia or radius that is not above 0.
+    /// [`Error::NotPositive`] for a radius that is not above 0, and for such a mass or inertia of a coordinate that is free.
     pub fn body(&mut self, name: &str, body: &Body, freedom: Freedom) -> Result<BodyId, Error> {
-        let mass = positive(|| format!("mass of {name}"), kilograms(body.mass), "kg")?;
-        let inertia = positive(|| format!("inertia of {name}"), kg_m2(body.inertia), "kg·m²")?;
-        let radius = positive(|| format!("radius of {name}"), meters(body.radius), "m")?;
-        let rotary = positive(|| format!("I/r² of {name}"), inertia / (radius * radius), "kg")?;
         let free = match freedom {
             Freedom::Planar => [true; 3],
             Freedom::Rotation => [false, false, true],
+            Freedom::Translation => [true, true, false],
             Freedom::Held => [false; 3],
         };
+        let radius = positive(|| format!("radius of {name}"), meters(body.radius), "m")?;
+        let mut mass = kilograms(body.mass);
+        if free[0] {
+            mass = positive(|| format!("mass of {name}"), mass, "kg")?;
+        }
+        let mut rotary = kg_m2(body.inertia) / (radius * radius);
+        if free[2] {
+            positive(|| format!("inertia of {name}"), kg_m2(body.inertia), "kg·m²")?;
+            rotary = positive(|| format!("I/r² of {name}"), rotary, "kg")?;
+        }
         let coordinates = free.map(|free| {
             free.then(|| {
                 self.size += 1;

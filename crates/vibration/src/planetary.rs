@@ -51,7 +51,7 @@ pub struct Central {
     pub body: Body,
     /// Its springs to the ground.
     pub support: Support,
-    /// What it can do. A torsional model takes [`Freedom::Planar`] as [`Freedom::Rotation`].
+    /// What it can do. A torsional model takes [`Freedom::Planar`] as [`Freedom::Rotation`], and [`Freedom::Translation`] as held.
     pub freedom: Freedom,
 }
 
@@ -239,6 +239,7 @@ impl PlanetarySet {
         self.check_planets()?;
         let freedom = |given| match given {
             Freedom::Planar if torsional => Freedom::Rotation,
+            Freedom::Translation if torsional => Freedom::Held,
             other => other,
         };
         let mut add = |name: &str, central: &Central| {
@@ -250,12 +251,15 @@ impl PlanetarySet {
                 central.support
             };
             // A held coordinate has no use for a spring.
-            let springs = match (central.freedom, torsional) {
-                (Freedom::Held, _) => Vec::new(),
-                (Freedom::Rotation, false) => {
+            let springs = match freedom(central.freedom) {
+                Freedom::Held => Vec::new(),
+                Freedom::Rotation => {
                     model.support(body, Support { radial: Support::default().radial, ..support })?
                 }
-                _ => model.support(body, support)?,
+                Freedom::Translation => {
+                    model.support(body, Support { tangential: Support::default().tangential, ..support })?
+                }
+                Freedom::Planar => model.support(body, support)?,
             };
             Ok((body, springs))
         };
@@ -265,7 +269,9 @@ impl PlanetarySet {
         if torsional {
             let r_c = meters(carrier.body.radius);
             let planets: f64 = self.planets.iter().map(|planet| kilograms(planet.body.mass)).sum();
-            positive(|| format!("inertia of {prefix}carrier"), kg_m2(carrier.body.inertia), "kg·m²")?;
+            if freedom(carrier.freedom) == Freedom::Rotation {
+                positive(|| format!("inertia of {prefix}carrier"), kg_m2(carrier.body.inertia), "kg·m²")?;
+            }
             carrier.body.inertia += moment_of_inertia(planets * r_c * r_c);
         }
         let (carrier, of_carrier) = add("carrier", &carrier)?;
@@ -286,7 +292,7 @@ impl PlanetarySet {
         })
     }
 
-    fn check_planets(&self) -> Result<(), Error> {
+    pub(crate) fn check_planets(&self) -> Result<(), Error> {
         if self.planets.is_empty() {
             return Err(Error::TooFew { of: "planets", count: 0, least: 1 });
         }
@@ -303,7 +309,7 @@ impl PlanetarySet {
         Ok(())
     }
 
-    fn pressure_angles(&self) -> Result<[f64; 2], Error> {
+    pub(crate) fn pressure_angles(&self) -> Result<[f64; 2], Error> {
         let checked = |name: &str, angle| {
             let field = || format!("pressure angle of the {name}'s meshes");
             within(field, radians(angle), [0.0, FRAC_PI_2], "rad")

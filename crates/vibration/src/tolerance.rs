@@ -9,6 +9,7 @@
 //! | `ASYMMETRY` | the difference of two elements across the diagonal, over the largest element | the rounding of sums in another order |
 //! | `SAME_ANGLE` | the distance of two planets, rad | rounding of an angle; real planets are a tooth apart at least |
 //! | `BALANCE` | the resultant of planets' centrifugal forces, over their sum | angles in degrees with nine digits |
+//! | `RESONANT` | `|ω_r² − ω² + 2·i·ζ·ω_r·ω|`, over `ω²` | the rounding of `ω_r²`; less would be a response of rounding alone |
 //! | `ROUNDING` | a computation's convergence | one unit of rounding |
 
 /// A mode is a zero mode where its `ω²` is below this part of the largest.
@@ -31,6 +32,9 @@ pub(crate) const SAME_ANGLE: f64 = 1e-9;
 
 /// Centrifugal forces balance where their resultant is below this part of their sum.
 pub(crate) const BALANCE: f64 = 1e-9;
+
+/// A mode that is driven this near to its frequency, with no more damping, has no response that means anything.
+pub(crate) const RESONANT: f64 = 1e-12;
 
 /// Convergence of eigenvalue iterations.
 pub(crate) const ROUNDING: f64 = f64::EPSILON;

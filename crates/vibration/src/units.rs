@@ -60,6 +60,10 @@ pub(crate) fn n_per_m(stiffness: Stiffness) -> f64 {
     (stiffness * Length::new::<meter>(1.0)).get::<newton>()
 }
 
+pub(crate) fn force(newtons: f64) -> Force {
+    Force::new::<newton>(newtons)
+}
+
 /// The frequency of a circular frequency, Hz for rad/s.
 pub(crate) fn frequency(omega_rad_s: f64) -> Frequency {
     Frequency::new::<hertz>(omega_rad_s / std::f64::consts::TAU)

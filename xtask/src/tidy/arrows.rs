@@ -31,6 +31,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
             "schemes",
             "train",
             "strength",
+            "vibration",
             "gears",
             "hydromotor",
         ],

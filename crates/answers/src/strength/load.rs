@@ -10,7 +10,7 @@ use epicyclic_strength::planets::loads;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
 /// A share, 0 where it is only the rounding that balances and differences of speeds leave.
-fn rounded(share: f64) -> f64 {
+pub(crate) fn rounded(share: f64) -> f64 {
     if share.abs() < ROUNDED { 0.0 } else { share }
 }
 

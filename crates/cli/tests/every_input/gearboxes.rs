@@ -29,6 +29,27 @@ const STRENGTH: &[&str] =
 const LOSSES: &[&str] = &["losses", "--speed", "2000 rpm", "--torque", "300 N·m"];
 const OVER_DUTY: &[&str] = &["strength"];
 const SHEET: &[&str] = &["sheet"];
+const VIBRATE: &[&str] = &["vibrate"];
+/// The torsional vibration of two simple sets with what the file says of the whole gearbox.
+const TRAIN: &[&str] = &["train"];
+const TWO_SETS: &str = "\
+gearbox: train
+input: engine
+output: wheels
+links: [turbine]
+sets:
+  - { id: A, sun: engine, ring: ground, carrier: ring, teeth: [24, 84], planets: 4, module: 3 mm, face_width: 30 mm,
+      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
+  - { id: B, sun: shaft, ring: ground, carrier: wheels, teeth: [24, 84], planets: 4, module: 3 mm, face_width: 30 mm,
+      vibration: { planet_bearing: 300 N/µm, carrier: { mass: 5 kg, inertia: 0.03 kg·m² } } }
+ties: [[ring, shaft], [wheels, turbine]]
+gears: [{ name: only }]
+";
+/// The auxiliary set with its sun held, or its carrier, in place of its ring.
+const SUN_HELD: &[(&str, &str)] =
+    &[("    sun: engine\n    ring: ground", "    sun: ground\n    ring: engine")];
+const CARRIER_HELD: &[(&str, &str)] =
+    &[("    ring: ground\n    carrier: auxiliary", "    ring: auxiliary\n    carrier: ground")];
 const WITH_WINCH: &[(&str, &str)] =
     &[("\ngears:\n", "\ngears:\n  - { name: winch, engaged: [LU, PTO], output: winch }\n")];
 
@@ -122,6 +143,92 @@ const GEARBOX: &[Key] = &[
     key("sets.data_sheet.ball_diameters", "ball_diameters: [8 mm", "ball_diameters: [9 mm", SHEET),
     key("sets.data_sheet.thickness_allowances", "allowances: [[-90 µm", "allowances: [[-100 µm", SHEET),
     key("sets.data_sheet.centre_distance_deviations", "[-0.02 mm, 0.02 mm]", "[-0.02 mm, 0.03 mm]", SHEET),
+    key("vibration.link_inertias", "engine: 0.15 kg·m²", "engine: 0.16 kg·m²", TRAIN),
+    key("vibration.shafts.id", "id: middle shaft", "id: another", TRAIN),
+    key("vibration.shafts.between", "between: [ring, shaft]", "between: [wheels, turbine]", TRAIN),
+    key("vibration.shafts.stiffness", "stiffness: 30 kN·m/rad", "stiffness: 31 kN·m/rad", TRAIN),
+    key("sets.vibration.planet_bearing", "planet_bearing: 400", "planet_bearing: 410", VIBRATE),
+    key("sets.vibration.mesh_stiffness", "mesh_stiffness: [1200", "mesh_stiffness: [1300", VIBRATE),
+    key("sets.vibration.pressure_angles", "pressure_angles: [24 deg", "pressure_angles: [25 deg", VIBRATE),
+    key("sets.vibration.base_radii", "base_radii: [33 mm", "base_radii: [34 mm", VIBRATE),
+    key("sets.vibration.sun.mass", "mass: 2.1 kg", "mass: 2.2 kg", VIBRATE),
+    key("sets.vibration.sun.inertia", "inertia: 18 kg·cm²", "inertia: 19 kg·cm²", VIBRATE),
+    Key {
+        path: "sets.vibration.sun.rotary_mass",
+        first: &[("inertia: 18 kg·cm²", "rotary_mass: 2 kg")],
+        from: "rotary_mass: 2 kg",
+        to: "rotary_mass: 2.1 kg",
+        seen: VIBRATE,
+    },
+    Key {
+        path: "sets.vibration.sun.bore",
+        first: &[("mass: 2.1 kg, inertia: 18 kg·cm²", "bore: 20 mm")],
+        from: "sun: { bore: 20 mm",
+        to: "sun: { bore: 22 mm",
+        seen: VIBRATE,
+    },
+    key("sets.vibration.sun.support", "support: 30 N/µm", "support: 31 N/µm", VIBRATE),
+    Key {
+        path: "sets.vibration.sun.tangential_support",
+        first: SUN_HELD,
+        from: "tangential_support: 110 N/µm",
+        to: "tangential_support: 120 N/µm",
+        seen: VIBRATE,
+    },
+    Key {
+        path: "sets.vibration.ring.mass",
+        first: &[("outside_diameter: 440 mm", "mass: 30 kg, inertia: 1 kg·m²")],
+        from: "mass: 30 kg",
+        to: "mass: 31 kg",
+        seen: VIBRATE,
+    },
+    Key {
+        path: "sets.vibration.ring.inertia",
+        first: &[("outside_diameter: 440 mm", "mass: 30 kg, inertia: 1 kg·m²")],
+        from: "inertia: 1 kg·m²",
+        to: "inertia: 1.1 kg·m²",
+        seen: VIBRATE,
+    },
+    Key {
+        path: "sets.vibration.ring.rotary_mass",
+        first: &[("outside_diameter: 440 mm", "mass: 30 kg, rotary_mass: 25 kg")],
+        from: "rotary_mass: 25 kg",
+        to: "rotary_mass: 26 kg",
+        seen: VIBRATE,
+    },
+    key("sets.vibration.ring.outside_diameter", "diameter: 440 mm", "diameter: 445 mm", VIBRATE),
+    key("sets.vibration.ring.support", "support: 900 N/µm", "support: 910 N/µm", VIBRATE),
+    key(
+        "sets.vibration.ring.tangential_support",
+        "tangential_support: 2000",
+        "tangential_support: 2100",
+        VIBRATE,
+    ),
+    key("sets.vibration.carrier.mass", "mass: 40 kg", "mass: 41 kg", VIBRATE),
+    key("sets.vibration.carrier.inertia", "inertia: 0.6 kg·m²", "inertia: 0.7 kg·m²", VIBRATE),
+    Key {
+        path: "sets.vibration.carrier.rotary_mass",
+        first: &[("inertia: 0.6 kg·m²", "rotary_mass: 45 kg")],
+        from: "rotary_mass: 45 kg",
+        to: "rotary_mass: 46 kg",
+        seen: VIBRATE,
+    },
+    key("sets.vibration.carrier.support", "support: 300 N/µm", "support: 310 N/µm", VIBRATE),
+    Key {
+        path: "sets.vibration.carrier.tangential_support",
+        first: CARRIER_HELD,
+        from: "tangential_support: 510 N/µm",
+        to: "tangential_support: 520 N/µm",
+        seen: VIBRATE,
+    },
+    key("sets.vibration.planet.rotary_mass", "rotary_mass: 6 kg", "rotary_mass: 6.1 kg", VIBRATE),
+    Key {
+        path: "sets.vibration.planet.inertia",
+        first: &[("rotary_mass: 6 kg", "inertia: 0.03 kg·m²")],
+        from: "inertia: 0.03 kg·m²",
+        to: "inertia: 0.031 kg·m²",
+        seen: VIBRATE,
+    },
     key("sets.friction", "friction: [0.037", "friction: [0.05", OVERVIEW),
     key("sets.strength.materials", "[18CrNiMo7-6, 18CrNiMo7-6", "[34CrNiMo6, 18CrNiMo7-6", STRENGTH),
     key("sets.strength.flank_roughness", "flank_roughness: [4 µm", "flank_roughness: [5 µm", STRENGTH),
@@ -419,9 +526,17 @@ const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
 
 /// What is seen of a file, or why it is refused.
 fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
+    let train = |block: &str| {
+        let (block, _) = block.split_once("\n\n").unwrap();
+        format!("{TWO_SETS}vibration:{block}\n")
+    };
+    let (file, more) = match more {
+        ["train"] => (train(file.split_once("\nvibration:").unwrap().1), VIBRATE),
+        _ => (file.to_owned(), more),
+    };
     fs::write(folder.join("box.yaml"), file).unwrap();
     let (command, more) = match more.split_first() {
-        Some((&command @ ("strength" | "losses" | "sheet"), more)) => (command, more),
+        Some((&command @ ("strength" | "losses" | "sheet" | "vibrate"), more)) => (command, more),
         _ => ("analyze", more),
     };
     let mut args = vec![command, "box.yaml"];

@@ -114,6 +114,16 @@ losses: drags.yaml --speed '1475 rpm' --torque '60 N·m' --format json
   --speed '1400 rpm'
   --format csv
   --output losses.json
+vibrate: vibration.yaml --speeds 0rpm..6000rpm/3 --format json
+  --gear slow
+  --speeds 0rpm..3000rpm/3
+  --harmonics 1
+  --campbell campbell.svg
+  --shapes modes.svg
+  --format csv
+  --output modes.json
+vibrate: every-gearbox-key.yaml
+  --set auxiliary
 losses: drags.yaml --torque '60 N·m'
   --input '1400 rpm'
 losses: drags.yaml --speed '1475 rpm'
@@ -728,6 +738,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "sheet",
         "size",
         "losses",
+        "vibrate",
         "compare",
         "schemes",
         "draw",

@@ -281,7 +281,7 @@ impl Transmission {
     /// # Errors
     /// [`DescriptionError::Set`] for an invalid size.
     pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
-        super::planet_bearings(gearbox, |set| {
+        super::size::planet_bearings(gearbox, |set| {
             let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
             entry.map_or_else(SetSize::default, |entry| entry.size(set, &SetSize::default()))
         })

@@ -5,8 +5,8 @@ use uom::si::{
     area::square_meter, energy::joule, f64 as si, force::newton, frequency::hertz,
     kinematic_viscosity::square_meter_per_second, length::meter, mass::kilogram,
     mass_density::kilogram_per_cubic_meter, moment_of_inertia::kilogram_square_meter, power::watt,
-    pressure::pascal, ratio::ratio, time::second, torque::newton_meter, velocity::meter_per_second,
-    volume::cubic_meter, volume_rate::cubic_meter_per_second,
+    pressure::pascal, ratio::ratio, surface_tension::newton_per_meter, time::second, torque::newton_meter,
+    velocity::meter_per_second, volume::cubic_meter, volume_rate::cubic_meter_per_second,
 };
 
 use super::dimension::Dimension;
@@ -60,12 +60,39 @@ physical! {
     Angle in radian is Angle;
     Frequency in hertz is Frequency;
     Force in newton is Force;
+    SurfaceTension in newton_per_meter is Stiffness;
     Torque in newton_meter is Torque;
     Power in watt is Power;
     Pressure in pascal is Pressure;
     KinematicViscosity in square_meter_per_second is Viscosity;
     Energy in joule is Energy;
     Time in second is Time;
+}
+
+/// A torque per angle, of which `uom` has no quantity of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TorsionalStiffness(si::Torque);
+
+impl TorsionalStiffness {
+    /// The torque at one radian.
+    #[must_use]
+    pub fn per_radian(self) -> si::Torque {
+        self.0
+    }
+}
+
+impl sealed::Sealed for TorsionalStiffness {}
+
+impl Physical for TorsionalStiffness {
+    const DIMENSION: Dimension = Dimension::TorsionalStiffness;
+
+    fn from_si(value: f64) -> Self {
+        Self(Physical::from_si(value))
+    }
+
+    fn si(self) -> f64 {
+        self.0.si()
+    }
 }
 
 #[cfg(test)]

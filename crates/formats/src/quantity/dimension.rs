@@ -37,8 +37,12 @@ pub enum Dimension {
     Frequency,
     /// SI unit: N.
     Force,
+    /// Force per length that a spring is bent. SI unit: N/m.
+    Stiffness,
     /// SI unit: N·m.
     Torque,
+    /// Torque per angle that a shaft is twisted. SI unit: N·m/rad.
+    TorsionalStiffness,
     /// SI unit: W.
     Power,
     /// Pressure and stress. SI unit: Pa.
@@ -53,7 +57,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 22] = [
         Self::Dimensionless,
         Self::Length,
         Self::Area,
@@ -68,7 +72,9 @@ impl Dimension {
         Self::Angle,
         Self::Frequency,
         Self::Force,
+        Self::Stiffness,
         Self::Torque,
+        Self::TorsionalStiffness,
         Self::Power,
         Self::Pressure,
         Self::Viscosity,
@@ -94,7 +100,9 @@ impl Dimension {
             Self::Angle => "angle",
             Self::Frequency => "frequency",
             Self::Force => "force",
+            Self::Stiffness => "stiffness",
             Self::Torque => "torque",
+            Self::TorsionalStiffness => "torsional stiffness",
             Self::Power => "power",
             Self::Pressure => "pressure",
             Self::Viscosity => "kinematic viscosity",
@@ -123,7 +131,13 @@ impl Dimension {
             | Self::Frequency
             | Self::Force
             | Self::Time => 1e9,
-            Self::Dimensionless | Self::Inertia | Self::Torque | Self::Power | Self::Pressure => 1e12,
+            Self::Dimensionless
+            | Self::Inertia
+            | Self::Stiffness
+            | Self::Torque
+            | Self::TorsionalStiffness
+            | Self::Power
+            | Self::Pressure => 1e12,
             Self::Energy => 1e15,
         }
     }

@@ -8,7 +8,7 @@ mod number;
 mod typed;
 mod unit;
 
-pub use conversion::Physical;
+pub use conversion::{Physical, TorsionalStiffness};
 pub use dimension::Dimension;
 pub use error::QuantityError;
 pub(crate) use error::with_article;

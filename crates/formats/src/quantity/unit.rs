@@ -136,6 +136,14 @@ const FORCE: &[Unit] = &[
     unit(Force, "kgf", GRAVITY, &["kgf"]),
 ];
 
+const STIFFNESS: &[Unit] = &[
+    unit(Stiffness, "N/µm", 1e6, &["N/um"]),
+    unit(Stiffness, "N/m", 1.0, &["N/m", "N·m-1"]),
+    unit(Stiffness, "N/mm", 1e3, &["N/mm"]),
+    unit(Stiffness, "kN/mm", 1e6, &["kN/mm"]),
+    unit(Stiffness, "MN/m", 1e6, &["MN/m"]),
+];
+
 const TORQUE: &[Unit] = &[
     unit(Torque, "N·m", 1.0, &["N·m", "Nm"]),
     unit(Torque, "mN·m", 1e-3, &["mN·m", "mNm"]),
@@ -144,6 +152,13 @@ const TORQUE: &[Unit] = &[
     unit(Torque, "kN·m", 1e3, &["kN·m", "kNm"]),
     unit(Torque, "MN·m", 1e6, &["MN·m", "MNm"]),
     unit(Torque, "kgf·m", GRAVITY, &["kgf·m", "kgfm"]),
+];
+
+const TORSIONAL_STIFFNESS: &[Unit] = &[
+    unit(TorsionalStiffness, "N·m/rad", 1.0, &["N·m/rad", "Nm/rad"]),
+    unit(TorsionalStiffness, "kN·m/rad", 1e3, &["kN·m/rad", "kNm/rad"]),
+    unit(TorsionalStiffness, "MN·m/rad", 1e6, &["MN·m/rad", "MNm/rad"]),
+    unit(TorsionalStiffness, "N·m/deg", 180.0 / PI, &["N·m/deg", "Nm/deg", "N·m/°"]),
 ];
 
 const POWER: &[Unit] = &[
@@ -210,7 +225,9 @@ impl Dimension {
             Angle => ANGLE,
             Frequency => FREQUENCY,
             Force => FORCE,
+            Stiffness => STIFFNESS,
             Torque => TORQUE,
+            TorsionalStiffness => TORSIONAL_STIFFNESS,
             Power => POWER,
             Pressure => PRESSURE,
             Viscosity => VISCOSITY,

@@ -5,5 +5,8 @@ mod common;
 mod energy;
 mod gyroscopic;
 mod modal;
+mod phasing;
 mod published;
+mod response;
 mod torsional;
+mod train;

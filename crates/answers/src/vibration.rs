@@ -1,0 +1,379 @@
+//! Free vibration of the simple sets of a gearbox: natural frequencies and modes, what excites them, resonances over the speed.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`records`] | modes, orders, resonances |
+//! | `prepared` | a set of a file as bodies and springs |
+//! | `orders` | what excites a set in a gear |
+//! | `torsional` | all sets on the links of a gear, torsional |
+//! | `shapes` | what the bodies do in a mode |
+//! | `branches` | natural frequencies over the speed, and where orders meet them |
+//!
+//! Each set stands alone, planar, on its supports. A member whose link is held in a gear does not rotate, or rotates against its
+//! tangential support; any other member is free to rotate.
+
+mod branches;
+mod orders;
+mod prepared;
+pub mod records;
+mod shapes;
+mod torsional;
+
+use crate::analyze::{analysis, warnings};
+use crate::gearbox::{Subject, alone};
+use crate::losses::Places;
+use crate::strength::load::rounded;
+use crate::toothed::simple_sets;
+use crate::{Answer, Error, Warning};
+use branches::Branches;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::{Document, Physical};
+use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
+use epicyclic_vibration::{BodyId, Group, Model, SetParts, SpringId};
+use prepared::{Of, Prepared};
+use records::{
+    Campbell, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Reason, Resonance, SetModes,
+    StrainShares, TorsionalModes, What,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+use torsional::{Train, TrainSet};
+use uom::si::f64::AngularVelocity;
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// One gear; all without.
+    pub gear: Option<String>,
+    /// One set; all without.
+    pub set: Option<String>,
+    /// Speeds of the input, for resonances and frequencies over the speed.
+    pub speeds: Option<Places<AngularVelocity>>,
+    /// How many harmonics of the meshes are told.
+    pub harmonics: u32,
+}
+
+impl Wanted {
+    /// More harmonics than the teeth of real gears have.
+    pub const MOST_HARMONICS: u32 = 20;
+}
+
+/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole, and at given speeds what excites them.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Vibration {
+    /// Name of the gearbox.
+    pub gearbox: String,
+    /// Modes of each set, once for all gears that hold the same of its members.
+    pub sets: Vec<SetModes>,
+    /// Orders of excitation; empty without speeds.
+    pub orders: Vec<Order>,
+    /// Resonances within the speeds, ascending in each gear; empty without speeds.
+    pub resonances: Vec<Resonance>,
+    /// Natural frequencies over the speeds; empty without speeds.
+    pub campbell: Vec<Campbell>,
+    /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks something.
+    pub torsional: Vec<TorsionalModes>,
+    /// What is not calculated.
+    pub not_calculated: Vec<NotCalculated>,
+    /// What the reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl Answer for Vibration {
+    const NAME: &'static str = "vibrate";
+}
+
+/// The gearbox of a file whose vibration is asked.
+///
+/// # Errors
+/// Those of [`one`](crate::gearbox::one), and [`Error::Document`] for a list of transmissions.
+pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+    alone(document, "vibrate", "no masses and no stiffness")
+}
+
+/// The vibration of the sets of a gearbox.
+///
+/// # Errors
+/// - [`Error::NoGear`], [`Error::NoSet`], [`Error::Harmonics`], [`Error::NothingVibrates`] where no set says enough.
+/// - [`Error::Document`] for what the file says wrong, with its place.
+pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
+    if !(1..=Wanted::MOST_HARMONICS).contains(&wanted.harmonics) {
+        return Err(Error::Harmonics { harmonics: wanted.harmonics, most: Wanted::MOST_HARMONICS });
+    }
+    let found = vibrating(subject, wanted)?;
+    if found.sets.is_empty() && found.torsional.is_empty() {
+        let why = |one: &NotCalculated| {
+            let gear = one.gear.as_ref().map_or_else(String::new, |gear| format!(" in gear {gear}"));
+            format!("set {}{gear}: {}", one.set, one.why())
+        };
+        let modes = found.not_calculated.iter().filter(|one| one.what == What::Modes);
+        return Err(Error::NothingVibrates { sets: modes.map(why).collect() });
+    }
+    Ok(found)
+}
+
+fn vibrating(subject: &Subject<'_>, wanted: &Wanted) -> Result<Vibration, Error> {
+    let file: GearboxFile = subject.document.read()?;
+    let gearbox = &subject.gearbox;
+    let ids = || gearbox.sets().iter().map(PlanetSet::id);
+    if let Some(name) = wanted.set.as_ref().filter(|name| ids().all(|id| id != *name)) {
+        return Err(Error::NoSet { name: name.clone(), sets: ids().map(str::to_owned).collect() });
+    }
+    if let Some(name) = &wanted.gear {
+        analysis(gearbox, name)?;
+    }
+    let is_wanted = |gear: &&Gear| wanted.gear.as_ref().is_none_or(|name| name == gear.name());
+    let gears: Vec<&Gear> = gearbox.gears().iter().filter(is_wanted).collect();
+    let mut all = Vibration {
+        gearbox: gearbox.name().to_owned(),
+        sets: vec![],
+        orders: vec![],
+        resonances: vec![],
+        campbell: vec![],
+        torsional: vec![],
+        not_calculated: vec![],
+        warnings: warnings::of_gearbox(subject),
+    };
+    let train = Train::new(subject, &file)?;
+    let mut in_train: Vec<TrainSet<'_>> = vec![];
+    for (place, (set, simple)) in simple_sets(subject, &file).enumerate() {
+        if wanted.set.as_ref().is_some_and(|name| name != set.id()) {
+            continue;
+        }
+        let mut without = |gear: Option<&str>, what, reason, missing| {
+            let (set, gear) = (set.id().to_owned(), gear.map(str::to_owned));
+            all.not_calculated.push(NotCalculated { set, gear, what, reason, missing });
+        };
+        let Some((path, entry, spec)) = simple else {
+            without(None, What::Modes, Reason::NotSimple, vec![]);
+            continue;
+        };
+        let of = Of { subject, file: &file, path, entry, spec };
+        let prepared = match of.prepared()? {
+            Ok(prepared) => prepared,
+            Err(missing) => {
+                without(None, What::Modes, Reason::KeysMissing, missing);
+                continue;
+            }
+        };
+        if prepared.teeth.is_some_and(|[sun, _, ring]| !(sun + ring).is_multiple_of(prepared.planets.max(1)))
+        {
+            without(None, What::Modes, Reason::UnequalPlanets, vec![]);
+            continue;
+        }
+        for (held, names) in holdings(gearbox, set, &gears, |gear| {
+            without(Some(gear), What::Modes, Reason::DoesNotRoll, vec![]);
+        }) {
+            let found = match Found::of(&of, &prepared, held)? {
+                Ok(found) => found,
+                Err(missing) => {
+                    let before =
+                        all.not_calculated.iter().any(|one| one.set == set.id() && one.missing == missing);
+                    if !before {
+                        let set = set.id().to_owned();
+                        let (what, reason) = (What::Modes, Reason::KeysMissing);
+                        all.not_calculated.push(NotCalculated { set, gear: None, what, reason, missing });
+                    }
+                    continue;
+                }
+            };
+            if let Some(speeds) = &wanted.speeds {
+                for gear in &names {
+                    over_speeds(&of, &prepared, &found, (place, gear), speeds, wanted.harmonics, &mut all)?;
+                }
+            }
+            all.sets.push(found.told(&of, &prepared, held, names)?);
+        }
+        in_train.push(TrainSet { of, set, prepared });
+    }
+    if in_train.len() == gearbox.sets().len() {
+        for gear in gears {
+            match train.modes(gear, &in_train)? {
+                Ok(modes) => all.torsional.push(modes),
+                Err(missing) => all.not_calculated.push(missing),
+            }
+        }
+    }
+    Ok(all)
+}
+
+/// Orders, resonances and branches of a set in a gear.
+fn over_speeds(
+    of: &Of<'_>,
+    prepared: &Prepared,
+    found: &Found,
+    (place, gear): (usize, &str),
+    speeds: &Places<AngularVelocity>,
+    harmonics: u32,
+    all: &mut Vibration,
+) -> Result<(), Error> {
+    let set = of.entry.id.clone();
+    let analysis = analysis(&of.subject.gearbox, gear)?;
+    let members = &analysis.sets()[place].members;
+    let [Some(sun), Some(ring), Some(carrier)] = members[..] else {
+        all.not_calculated.push(NotCalculated {
+            set,
+            gear: Some(gear.to_owned()),
+            what: What::Resonances,
+            reason: Reason::NoSpeeds,
+            missing: vec![],
+        });
+        return Ok(());
+    };
+    let speeds: Vec<f64> = speeds.values().into_iter().map(Physical::si).collect();
+    let branches =
+        Branches::new(found, carrier, &speeds).map_err(|error| of.refused(&["vibration"], &error))?;
+    if let Some(teeth) = prepared.teeth {
+        let orders = orders::all(&set, gear, teeth, prepared.planets, [sun, ring, carrier], harmonics);
+        for order in &orders {
+            let met =
+                branches.resonances(found, order).map_err(|error| of.refused(&["vibration"], &error))?;
+            all.resonances.extend(met);
+        }
+        all.orders.extend(orders);
+    } else {
+        all.not_calculated.push(NotCalculated {
+            set: set.clone(),
+            gear: Some(gear.to_owned()),
+            what: What::Resonances,
+            reason: Reason::KeysMissing,
+            missing: vec!["teeth".to_owned()],
+        });
+    }
+    let of_gear = |one: &Resonance| one.gear == gear && one.set == set;
+    let first = all.resonances.iter().position(of_gear).unwrap_or(all.resonances.len());
+    all.resonances[first..].sort_by(|a, b| a.input_speed_rad_s.total_cmp(&b.input_speed_rad_s));
+    all.campbell.push(branches.told(&set, gear, carrier));
+    Ok(())
+}
+
+/// What of sun, ring and carrier a set has held, with the gears in which it is so. A gear in which no mesh turns is told to `locked`.
+fn holdings(
+    gearbox: &Gearbox,
+    set: &PlanetSet,
+    gears: &[&Gear],
+    mut locked: impl FnMut(&str),
+) -> Vec<([bool; 3], Vec<String>)> {
+    let mut all: Vec<([bool; 3], Vec<String>)> = vec![];
+    let roots = |gear: Option<&Gear>| {
+        let joined = joined(gearbox, gear, &[]);
+        [0, 1, 2].map(|member| joined[set.members()[member].index()])
+    };
+    if gears.is_empty() {
+        let [sun, ring, carrier] = roots(None);
+        let housing = LinkId::GROUND.index();
+        return vec![([sun, ring, carrier].map(|root| root == housing), vec![])];
+    }
+    for gear in gears {
+        let [sun, ring, carrier] = roots(Some(gear));
+        if sun == ring || ring == carrier || sun == carrier {
+            locked(gear.name());
+            continue;
+        }
+        let held = [sun, ring, carrier].map(|root| root == LinkId::GROUND.index());
+        let name = gear.name().to_owned();
+        match all.iter_mut().find(|(same, _)| *same == held) {
+            Some((_, names)) => names.push(name),
+            None => all.push((held, vec![name])),
+        }
+    }
+    all
+}
+
+/// For every link the first of those it turns as one piece with in a gear, by [`LinkId::index`], where these ties are springs.
+fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Vec<usize> {
+    let mut roots: Vec<usize> = (0..gearbox.links().len()).collect();
+    let engaged = gear.map_or(&[][..], Gear::engaged).iter();
+    let engaged = engaged.map(|&place| gearbox.shift_elements()[place].links());
+    let is_rigid = |tie: &&[LinkId; 2]| !springs.iter().any(|spring| torsional::is_same(**tie, *spring));
+    let rigid = gearbox.permanent().iter().filter(is_rigid).copied();
+    for [first, second] in rigid.chain(engaged) {
+        let [one, other] = [first, second].map(|link| roots[link.index()]);
+        let (low, high) = (one.min(other), one.max(other));
+        roots.iter_mut().filter(|root| **root == high).for_each(|root| *root = low);
+    }
+    roots
+}
+
+/// A set in some gears, solved.
+struct Found {
+    model: Model,
+    parts: SetParts,
+    groups: Vec<Group>,
+    built: prepared::Built,
+}
+
+impl Found {
+    fn of(of: &Of<'_>, prepared: &Prepared, held: [bool; 3]) -> Result<Result<Self, Vec<String>>, Error> {
+        let built = match prepared.built(held) {
+            Ok(built) => built,
+            Err(missing) => return Ok(Err(missing)),
+        };
+        let refuse = |error| of.refused(&["vibration"], &error);
+        let (model, parts) = built.set.planar().map_err(refuse)?;
+        let groups = model.groups(&parts.central()).map_err(refuse)?;
+        Ok(Ok(Self { model, parts, groups, built }))
+    }
+
+    fn told(
+        self,
+        of: &Of<'_>,
+        prepared: &Prepared,
+        held: [bool; 3],
+        gears: Vec<String>,
+    ) -> Result<SetModes, Error> {
+        let mode = |(index, group): (usize, &Group)| {
+            let energy =
+                self.model.modal_energy(group).map_err(|error| of.refused(&["vibration"], &error))?;
+            let of_body = |body: BodyId| {
+                let own = energy.kinetic.iter().filter(|share| share.body == body);
+                rounded(own.map(|share| share.translation + share.rotation).sum::<f64>())
+            };
+            let of_springs = |springs: &mut dyn Iterator<Item = SpringId>| {
+                let own =
+                    springs.flat_map(|spring| energy.strain.iter().filter(move |one| one.spring == spring));
+                rounded(own.map(|one| one.share).sum())
+            };
+            let parts = &self.parts;
+            let strain = || StrainShares {
+                sun_meshes: of_springs(&mut parts.sun_meshes.iter().copied()),
+                ring_meshes: of_springs(&mut parts.ring_meshes.iter().copied()),
+                planet_bearings: of_springs(&mut parts.bearings.iter().flatten().copied()),
+                supports: of_springs(&mut parts.supports.iter().flatten().copied()),
+            };
+            Ok(Mode {
+                mode: number(index),
+                kind: ModeKind::of(group.kind),
+                multiplicity: group.multiplicity() as u32,
+                frequency_hz: group.frequency.si(),
+                kinetic: KineticShares {
+                    sun: of_body(parts.sun),
+                    ring: of_body(parts.ring),
+                    carrier: of_body(parts.carrier),
+                    planets: rounded(parts.planets.iter().map(|planet| of_body(*planet)).sum()),
+                },
+                strain: (!group.is_zero()).then(strain),
+                shape: shapes::of(&self, group),
+            })
+        };
+        let modes: Result<Vec<Mode>, Error> = self.groups.iter().enumerate().map(mode).collect();
+        let names = [Member::Sun, Member::Ring, Member::Carrier];
+        Ok(SetModes {
+            set: of.entry.id.clone(),
+            gears,
+            held: names.into_iter().zip(held).filter(|(_, held)| *held).map(|(name, _)| name).collect(),
+            planets: prepared.planets,
+            bodies: self.built.bodies,
+            stiffness: self.built.stiffness,
+            sun_pressure_angle_rad: self.built.set.sun_pressure_angle.si(),
+            ring_pressure_angle_rad: self.built.set.ring_pressure_angle.si(),
+            modes: modes?,
+        })
+    }
+}
+
+/// The number of a mode, from 1.
+fn number(index: usize) -> u32 {
+    u32::try_from(index + 1).unwrap_or(u32::MAX)
+}

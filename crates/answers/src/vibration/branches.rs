@@ -1,0 +1,164 @@
+//! Natural frequencies over the speed of the input, and where orders of excitation meet them.
+//!
+//! In axes on the carrier the frequencies change with its speed by the gyroscopic effect ([`epicyclic_vibration::gyroscopic`]). A mode keeps its kind, so
+//! those of one kind are told apart by their order. A meeting is found between two speeds by the false position, with the modes solved at each.
+
+use super::records::{Branch, Campbell, ModeKind, Order, Resonance};
+use super::{Found, number};
+use crate::tolerance::MET;
+use epicyclic_formats::Physical;
+use epicyclic_vibration::{Centripetal, Error};
+use std::f64::consts::TAU;
+use uom::si::f64::AngularVelocity;
+
+/// Steps of the false position; some eight are usual.
+const STEPS: u32 = 100;
+
+/// A mode: its number at rest, from 1, and its kind.
+type Label = (u32, ModeKind);
+
+/// The frequencies over the speeds.
+pub(super) struct Branches {
+    /// Speed of the carrier over that of the input.
+    carrier: f64,
+    labels: Vec<Label>,
+    /// Speeds of the input, rad/s, with the frequencies, Hz.
+    places: Vec<(f64, Vec<f64>)>,
+}
+
+impl Branches {
+    /// At these speeds of the input, rad/s.
+    pub(super) fn new(found: &Found, carrier: f64, speeds: &[f64]) -> Result<Self, Error> {
+        let mut labels: Vec<Label> = vec![];
+        for (index, group) in found.groups.iter().enumerate() {
+            labels.extend(group.shapes.iter().map(|_| (number(index), ModeKind::of(group.kind))));
+        }
+        let mut all = Self { carrier, labels, places: vec![] };
+        for &speed in speeds {
+            let at = all.at(found, speed)?;
+            all.places.push((speed, at));
+        }
+        Ok(all)
+    }
+
+    /// Frequencies at a speed of the input, Hz, in the order of the labels.
+    fn at(&self, found: &Found, speed: f64) -> Result<Vec<f64>, Error> {
+        let turning = AngularVelocity::from_si(self.carrier * speed);
+        if self.carrier == 0.0 {
+            return Ok(found
+                .groups
+                .iter()
+                .flat_map(|group| group.shapes.iter().map(|_| group.frequency.si()))
+                .collect());
+        }
+        let central = found.parts.central();
+        let modes = found.model.whirl_modes(turning, Centripetal::WithBearingLoad, &central)?;
+        let of_kind = |kind: ModeKind| -> Vec<f64> {
+            let own = modes.iter().filter(|mode| ModeKind::of(mode.kind) == kind);
+            own.map(|mode| mode.frequency.si()).collect()
+        };
+        let mut frequencies = vec![0.0; self.labels.len()];
+        let kinds = [ModeKind::Rotational, ModeKind::Translational, ModeKind::Planet, ModeKind::Mixed];
+        let mut is_sorted_by_kind = true;
+        for kind in kinds {
+            let places: Vec<usize> =
+                (0..self.labels.len()).filter(|&place| self.labels[place].1 == kind).collect();
+            let own = of_kind(kind);
+            is_sorted_by_kind &= own.len() == places.len();
+            places.into_iter().zip(own).for_each(|(place, frequency)| frequencies[place] = frequency);
+        }
+        // Where two kinds meet in one frequency they are told as mixed; there all modes are in one order.
+        if !is_sorted_by_kind {
+            let mut order: Vec<usize> = (0..self.labels.len()).collect();
+            if let Some((_, before)) = self.places.last() {
+                order.sort_by(|a, b| before[*a].total_cmp(&before[*b]));
+            }
+            for (place, mode) in order.into_iter().zip(&modes) {
+                frequencies[place] = mode.frequency.si();
+            }
+        }
+        Ok(frequencies)
+    }
+
+    /// Speeds at which an order meets a mode that it can excite.
+    pub(super) fn resonances(&self, found: &Found, order: &Order) -> Result<Vec<Resonance>, Error> {
+        let mut all = vec![];
+        for (place, &(mode, kind)) in self.labels.iter().enumerate() {
+            if order.excites.is_some_and(|excited| excited != kind) && kind != ModeKind::Mixed {
+                continue;
+            }
+            let above = |speed: f64, frequency: f64| frequency - order.of_input * speed.abs() / TAU;
+            for pair in self.places.windows(2) {
+                let [(low, at_low), (high, at_high)] = pair else { continue };
+                let ends = [(*low, above(*low, at_low[place])), (*high, above(*high, at_high[place]))];
+                // A zero mode meets every order at rest.
+                if at_low[place] == 0.0 && at_high[place] == 0.0
+                    || ends[0].1 * ends[1].1 > 0.0
+                    || ends[0].1 == 0.0
+                {
+                    continue;
+                }
+                let (speed, frequency) = self.meeting(found, place, ends, &above)?;
+                all.push(Resonance {
+                    set: order.set.clone(),
+                    gear: order.gear.clone(),
+                    input_speed_rad_s: speed,
+                    source: order.source,
+                    harmonic: order.harmonic,
+                    mode,
+                    kind,
+                    frequency_hz: frequency,
+                });
+            }
+        }
+        // Modes of one frequency that the speed does not part are one.
+        all.dedup_by(|b, a| {
+            let near = (a.input_speed_rad_s - b.input_speed_rad_s).abs();
+            a.mode == b.mode && near <= MET.sqrt() * a.input_speed_rad_s.abs()
+        });
+        Ok(all)
+    }
+
+    /// Where a function of speed and frequency that changes its sign is 0: the speed and the frequency, by the false position (Illinois).
+    fn meeting(
+        &self,
+        found: &Found,
+        place: usize,
+        [mut one, mut other]: [(f64, f64); 2],
+        above: &impl Fn(f64, f64) -> f64,
+    ) -> Result<(f64, f64), Error> {
+        let mut last = (other.0, 0.0);
+        for _ in 0..STEPS {
+            let speed = (one.0 * other.1 - other.0 * one.1) / (other.1 - one.1);
+            let frequency = self.at(found, speed)?[place];
+            let error = above(speed, frequency);
+            last = (speed, frequency);
+            if error.abs() <= MET * frequency.abs() || (one.0 - other.0).abs() <= MET * speed.abs() {
+                break;
+            }
+            if error * other.1 < 0.0 {
+                one = other;
+            } else {
+                one.1 /= 2.0;
+            }
+            other = (speed, error);
+        }
+        Ok(last)
+    }
+
+    /// The frequencies over the speeds as a record.
+    pub(super) fn told(&self, set: &str, gear: &str, carrier: f64) -> Campbell {
+        let branch = |(place, &(mode, kind)): (usize, &Label)| Branch {
+            mode,
+            kind,
+            frequencies_hz: self.places.iter().map(|(_, frequencies)| frequencies[place]).collect(),
+        };
+        Campbell {
+            set: set.to_owned(),
+            gear: gear.to_owned(),
+            carrier_speed_of_input: carrier,
+            input_speeds_rad_s: self.places.iter().map(|(speed, _)| *speed).collect(),
+            branches: self.labels.iter().enumerate().map(branch).collect(),
+        }
+    }
+}

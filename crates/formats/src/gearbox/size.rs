@@ -1,0 +1,90 @@
+//! What a gearbox file says of the size of its sets: planets and their bearings, the basic rack, the density.
+
+use super::{DescriptionError, GearboxFile};
+use crate::{Number, Physical};
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
+use epicyclic_train::planet_set::{Mesh, MeshKind};
+use epicyclic_train::{Gearbox, PlanetSet};
+use uom::si::f64::{Angle, MassDensity};
+
+impl GearboxFile {
+    /// The planet bearings of each set that has any, as far as their size is known.
+    ///
+    /// # Errors
+    /// [`DescriptionError::Set`] for an invalid size.
+    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
+        planet_bearings(gearbox, |set| self.size(set))
+    }
+
+    /// The basic rack that the teeth are checked by.
+    ///
+    /// # Errors
+    /// That of [`BasicRack::check`].
+    pub fn rack(&self) -> Result<BasicRack, epicyclic_gears::Error> {
+        let usual = BasicRack::default();
+        let rack = BasicRack {
+            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            addendum: self.addendum.map_or(usual.addendum, Number::get),
+            ..usual
+        };
+        rack.check()?;
+        Ok(rack)
+    }
+
+    /// Density of the gears, that of steel unless given.
+    #[must_use]
+    pub fn gear_density(&self) -> MassDensity {
+        self.density.map_or(SetSize::default().density, |density| density.0)
+    }
+
+    /// What the file says of the size of a set.
+    fn size(&self, set: &PlanetSet) -> SetSize {
+        let usual = SetSize::default();
+        let usual = SetSize {
+            density: self.gear_density(),
+            pressure_angle: self.pressure_angle.map_or(usual.pressure_angle, |angle| angle.0),
+            ..usual
+        };
+        if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
+            // Shifts move the planets from where their teeth alone would have them.
+            let rack = self.rack().ok();
+            let shifted = set.short().zip(rack).and_then(|(spec, rack)| spec.involute_set(&rack)?.ok());
+            let by_shifts =
+                shifted.as_ref().zip(entry.module).map(|(set, module)| module.0 * set.centre_distance());
+            let working_angle = |mesh: &Mesh| {
+                let pairs = shifted.as_ref().map(|set| [set.sun_mesh(), set.ring_mesh()])?;
+                let pair = pairs[usize::from(mesh.kind == MeshKind::Internal)];
+                Some(Angle::from_si(pair.working_angle_rad()))
+            };
+            let mesh = |mesh: &Mesh| MeshSize { pressure_angle: working_angle(mesh), ..MeshSize::default() };
+            return SetSize {
+                module: entry.module.map(|module| module.0),
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0).or(by_shifts),
+                face_width: entry.face_width.map(|width| width.0),
+                planet_bore: entry.planet_bore.map(|bore| bore.0),
+                planet_mass: entry.planet_mass.map(|mass| mass.0),
+                bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
+                meshes: set.meshes().iter().map(mesh).collect(),
+                ..usual
+            };
+        }
+        let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
+        entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
+    }
+}
+
+/// The planets of each set that has any, with what is known of its size.
+pub(super) fn planet_bearings(
+    gearbox: &Gearbox,
+    size: impl Fn(&PlanetSet) -> SetSize,
+) -> Result<Vec<PlanetBearing>, DescriptionError> {
+    let mut all = vec![];
+    for (place, set) in gearbox.sets().iter().enumerate() {
+        if let Some(bearings) = gearbox.planet_bearings(place, &size(set)) {
+            let refuse = |source| DescriptionError::Set { set: set.id().to_owned(), source };
+            all.extend(bearings.map_err(refuse)?);
+        }
+    }
+    Ok(all)
+}

@@ -1,0 +1,145 @@
+//! What a gearbox file says for the vibration of its sets: bodies, bearings, supports, stiffness of meshes.
+
+use crate::Quantity;
+use crate::quantity::TorsionalStiffness;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use uom::si::f64::{Angle, Length, Mass, MomentOfInertia, SurfaceTension};
+
+/// A stiffness, N/m.
+pub type Stiffness = SurfaceTension;
+
+/// What the torsional vibration of the whole gearbox asks for beyond its sets.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VibrationOfGearbox {
+    /// Inertias of links beside the members of sets: of motors, machines, couplings.
+    #[serde(default)]
+    pub link_inertias: BTreeMap<String, Quantity<MomentOfInertia>>,
+    /// Ties that are springs.
+    #[serde(default)]
+    pub shafts: Vec<ShaftEntry>,
+}
+
+/// A tie that is a shaft.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShaftEntry {
+    /// Its name.
+    pub id: String,
+    /// The two links, which `ties` join.
+    pub between: [String; 2],
+    /// Its torsional stiffness.
+    pub stiffness: Quantity<TorsionalStiffness>,
+}
+
+/// What the vibration of a simple set asks for beyond its teeth, module, face width and planets.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VibrationEntry {
+    /// The sun.
+    #[serde(default)]
+    pub sun: SunEntry,
+    /// The ring.
+    #[serde(default)]
+    pub ring: RingEntry,
+    /// The carrier without planets.
+    #[serde(default)]
+    pub carrier: CarrierEntry,
+    /// A planet; its mass is `planet_mass` of the set, or that of its shape.
+    #[serde(default)]
+    pub planet: PlanetEntry,
+    /// Radial stiffness of the bearings of one planet together.
+    pub planet_bearing: Quantity<Stiffness>,
+    /// Stiffness of one mesh of the sun and of one of the ring along the line of action. Default: `c_γα·b` by ISO 6336.
+    #[serde(default)]
+    pub mesh_stiffness: Option<[Quantity<Stiffness>; 2]>,
+    /// Transverse working pressure angles of the meshes of sun and ring. Default: those of the teeth.
+    #[serde(default)]
+    pub pressure_angles: Option<[Quantity<Angle>; 2]>,
+    /// Base radii of sun, planets and ring. Default: those of the teeth.
+    #[serde(default)]
+    pub base_radii: Option<[Quantity<Length>; 3]>,
+}
+
+/// The sun as a body.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SunEntry {
+    /// Its mass; by its shape unless given.
+    #[serde(default)]
+    pub mass: Option<Quantity<Mass>>,
+    /// Its inertia, with what turns with it; by its shape unless given.
+    #[serde(default)]
+    pub inertia: Option<Quantity<MomentOfInertia>>,
+    /// In place of the inertia: the inertia over the square of the base radius, `I/r_b²`.
+    #[serde(default)]
+    pub rotary_mass: Option<Quantity<Mass>>,
+    /// Diameter of its bore, for its shape. Default: solid.
+    #[serde(default)]
+    pub bore: Option<Quantity<Length>>,
+    /// Radial stiffness of its bearings; 0 of a floating sun. Default: rigid.
+    #[serde(default)]
+    pub support: Option<Quantity<Stiffness>>,
+    /// Stiffness of what holds it against rotation in gears in which its link is held: torsional stiffness over `r_b²`. Default: rigid.
+    #[serde(default)]
+    pub tangential_support: Option<Quantity<Stiffness>>,
+}
+
+/// The ring as a body.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RingEntry {
+    /// Its mass; by its shape unless given.
+    #[serde(default)]
+    pub mass: Option<Quantity<Mass>>,
+    /// Its inertia, with what turns with it; by its shape unless given.
+    #[serde(default)]
+    pub inertia: Option<Quantity<MomentOfInertia>>,
+    /// In place of the inertia: `I/r_b²`.
+    #[serde(default)]
+    pub rotary_mass: Option<Quantity<Mass>>,
+    /// Its outside diameter, for its shape.
+    #[serde(default)]
+    pub outside_diameter: Option<Quantity<Length>>,
+    /// Radial stiffness of its bearings or fixing; 0 of a floating ring. Default: rigid.
+    #[serde(default)]
+    pub support: Option<Quantity<Stiffness>>,
+    /// Stiffness of what holds it against rotation in gears in which its link is held: torsional stiffness over `r_b²`. Default: rigid.
+    #[serde(default)]
+    pub tangential_support: Option<Quantity<Stiffness>>,
+}
+
+/// The carrier as a body, without planets.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CarrierEntry {
+    /// Its mass.
+    #[serde(default)]
+    pub mass: Option<Quantity<Mass>>,
+    /// Its inertia, with what turns with it.
+    #[serde(default)]
+    pub inertia: Option<Quantity<MomentOfInertia>>,
+    /// In place of the inertia: the inertia over the square of the radius of the planets' circle.
+    #[serde(default)]
+    pub rotary_mass: Option<Quantity<Mass>>,
+    /// Radial stiffness of its bearings; 0 of a floating carrier. Default: rigid.
+    #[serde(default)]
+    pub support: Option<Quantity<Stiffness>>,
+    /// Stiffness of what holds it against rotation in gears in which its link is held, over the square of that radius. Default: rigid.
+    #[serde(default)]
+    pub tangential_support: Option<Quantity<Stiffness>>,
+}
+
+/// A planet as a body.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlanetEntry {
+    /// Its inertia; by its shape unless given.
+    #[serde(default)]
+    pub inertia: Option<Quantity<MomentOfInertia>>,
+    /// In place of the inertia: `I/r_b²`.
+    #[serde(default)]
+    pub rotary_mass: Option<Quantity<Mass>>,
+}

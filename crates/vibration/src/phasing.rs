@@ -1,0 +1,55 @@
+//! Planet phasing: which modes of a set of equally spaced planets an excitation can drive.
+//!
+//! Planet `n` stands at `ψ_n = 2π·n/N`. What goes around the set with `p` periods a turn meets it with the phase `p·ψ_n`: the harmonic
+//! `l` of the meshes of a gear with `z` teeth has `p = l·z`, and a deviation of sun or ring that has `h` periods on its circumference has
+//! `p = h`. Let the meshes of planet `n` have the force `f·exp(i·(ω·t + p·ψ_n))`. A mode in which what planet `n` does follows from planet
+//! 0 by the factor `exp(−i·j·ψ_n)` takes the work
+//!
+//! ```text
+//! Σ exp(i·(p − j)·ψ_n) = N where p ≡ j (mod N), else 0
+//! ```
+//!
+//! In rotational modes all planets do the same, `j = 0`; in translational ones `j = ±1`; in planet modes `j` is any other. So with
+//! `k = p mod N`
+//!
+//! | `k` | modes that are excited |
+//! |---|---|
+//! | 0 | rotational |
+//! | 1, `N − 1` | translational |
+//! | other | planet |
+//!
+//! Where sun and ring have `z_s + z_r` divisible by `N`, the meshes of both have the same or the opposite `k`, so one rule holds for both.
+//!
+//! # Source
+//! R. G. Parker, A physical explanation for the effectiveness of planet phasing to suppress planetary gear vibration, Journal of Sound
+//! and Vibration 236 (2000) 561–573; D. L. Seager, Conditions for the neutralization of excitation by the teeth in epicyclic gearing,
+//! Journal of Mechanical Engineering Science 17 (1975) 293–298.
+
+use crate::Error;
+use crate::modes::Kind;
+
+/// The modes that an excitation of `periods` a turn can drive in a set of equally spaced planets.
+///
+/// ```
+/// use epicyclic_vibration::{Kind, phasing};
+///
+/// // 27 teeth of the sun, four planets: harmonics 1, 2 and 4 of the meshes.
+/// assert_eq!(phasing::excited(27, 4)?, Kind::Translational);
+/// assert_eq!(phasing::excited(2 * 27, 4)?, Kind::Planet);
+/// assert_eq!(phasing::excited(4 * 27, 4)?, Kind::Rotational);
+/// # Ok::<(), epicyclic_vibration::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::TooFew`] below three planets, which have no such kinds of modes.
+pub fn excited(periods: u64, planets: u32) -> Result<Kind, Error> {
+    if planets < 3 {
+        return Err(Error::TooFew { of: "planets", count: planets as usize, least: 3 });
+    }
+    let planets = u64::from(planets);
+    Ok(match periods % planets {
+        0 => Kind::Rotational,
+        k if k == 1 || k == planets - 1 => Kind::Translational,
+        _ => Kind::Planet,
+    })
+}

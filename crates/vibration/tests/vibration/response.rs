@@ -1,0 +1,171 @@
+//! Forced vibration: against a direct solution of the equations of motion, and in the limits of low and high frequency.
+
+use crate::common::{body, lin_parker, n_m};
+use epicyclic_vibration::response::{Displacement, Response};
+use epicyclic_vibration::{Axis, Error, Freedom, Model, SetParts};
+use nalgebra::{Complex, DMatrix, DVector};
+use std::f64::consts::TAU;
+use uom::si::angle::radian;
+use uom::si::angular_velocity::radian_per_second;
+use uom::si::f64::{Angle, AngularVelocity, Length};
+use uom::si::force::newton;
+use uom::si::length::meter;
+
+fn at(omega: f64) -> AngularVelocity {
+    AngularVelocity::new::<radian_per_second>(omega)
+}
+
+/// Transmission errors of the meshes of the sun with the phases of `teeth`.
+fn errors(parts: &SetParts, teeth: f64) -> Vec<Displacement> {
+    let count = parts.sun_meshes.len() as f64;
+    let of = |(index, spring): (usize, &epicyclic_vibration::SpringId)| Displacement {
+        spring: *spring,
+        amplitude: Length::new::<meter>(5e-6),
+        phase: Angle::new::<radian>(teeth * TAU * index as f64 / count),
+    };
+    parts.sun_meshes.iter().enumerate().map(of).collect()
+}
+
+/// `(K + i·ω·C − ω²·M)·q = F` by elimination; the damping matrix from the matrix square root, `C = 2·ζ·M^½·(M^-½·K·M^-½)^½·M^½`, not from modes one by one.
+fn direct(model: &Model, displacements: &[Displacement], omega: f64, zeta: f64) -> Vec<Complex<f64>> {
+    let size = model.size();
+    let rows = model.stiffness_matrix_n_per_m();
+    let stiffness = DMatrix::from_fn(size, size, |row, column| rows[row][column]);
+    let masses = DVector::from_vec(model.mass_matrix_diagonal_kg());
+    let roots = masses.map(f64::sqrt);
+    let scaled = DMatrix::from_fn(size, size, |row, column| rows[row][column] / (roots[row] * roots[column]));
+    // Denman and Beavers' iteration for the root of a positive definite matrix.
+    let mut y = scaled;
+    let mut z = DMatrix::identity(size, size);
+    for _ in 0..40 {
+        let (y_inverse, z_inverse) = (y.clone().try_inverse().unwrap(), z.clone().try_inverse().unwrap());
+        (y, z) = ((y + z_inverse) * 0.5, (z + y_inverse) * 0.5);
+    }
+    let damping = DMatrix::from_fn(size, size, |row, column| {
+        2.0 * zeta * roots[row] * y[(row, column)] * roots[column]
+    });
+    let system = DMatrix::from_fn(size, size, |row, column| {
+        let mass = if row == column { masses[row] } else { 0.0 };
+        Complex::new(stiffness[(row, column)] - omega * omega * mass, omega * damping[(row, column)])
+    });
+    // The drive as the force that the displacement of a spring alone has at the coordinates: K of this spring on a unit of it.
+    let mut drive = DVector::from_element(size, Complex::new(0.0, 0.0));
+    let springs: Vec<_> = model.springs().collect();
+    for displacement in displacements {
+        assert!(springs.contains(&displacement.spring));
+        let error = Complex::from_polar(5e-6, displacement.phase.get::<radian>());
+        for place in 0..size {
+            drive[place] += error * gradient(model, displacement.spring, place) * 5e8;
+        }
+    }
+    system.lu().solve(&drive).unwrap().iter().copied().collect()
+}
+
+/// By how much a coordinate bends a spring.
+fn gradient(model: &Model, spring: epicyclic_vibration::SpringId, place: usize) -> f64 {
+    // Modes are a basis: b = Σ (bᵀ·φ)·M·φ.
+    let modes = model.modes().unwrap().modes;
+    let masses = model.mass_matrix_diagonal_kg();
+    let along = |mode: &epicyclic_vibration::Mode| {
+        let q: Vec<f64> = model.bodies().flat_map(|body| mode.shape.of(body).unwrap()).collect();
+        model.elongation(spring, &mode.shape).unwrap() * masses[place] * q[place]
+    };
+    modes.iter().map(along).sum()
+}
+
+fn flat(model: &Model, response: &Response) -> Vec<Complex<f64>> {
+    model
+        .bodies()
+        .flat_map(|body| {
+            let (cosine, sine) = (response.cosine.of(body).unwrap(), response.sine.of(body).unwrap());
+            [0, 1, 2].map(|axis| Complex::new(cosine[axis], -sine[axis]))
+        })
+        .collect()
+}
+
+#[test]
+fn superposed_modes_are_the_direct_solution() {
+    let mut set = lin_parker(4);
+    // Nothing turns freely, so that the stiffness is positive definite.
+    for central in [&mut set.sun, &mut set.carrier] {
+        central.support.tangential = n_m(1e8);
+    }
+    let (model, parts) = set.planar().unwrap();
+    let modes = model.modes().unwrap();
+    for teeth in [1.0, 2.0, 4.0] {
+        let drive = errors(&parts, teeth);
+        for hertz in [100.0, 727.0, 1500.0, 1808.0, 5000.0, 13_000.0] {
+            let omega = TAU * hertz;
+            let found = flat(&model, &model.response(&modes, &drive, at(omega), 0.02).unwrap());
+            let wanted = direct(&model, &drive, omega, 0.02);
+            let size = wanted.iter().map(|part| part.norm()).fold(0.0, f64::max);
+            for (found, wanted) in found.iter().zip(&wanted) {
+                assert!((found - wanted).norm() < 1e-8 * size, "{teeth} {hertz}: {found} {wanted}");
+            }
+        }
+    }
+}
+
+/// One mass on one spring: the magnification of a textbook.
+#[test]
+fn one_mass_follows_its_closed_form() {
+    let mut model = Model::new();
+    let mass = model.body("mass", &body(2.0, 3.0, 0.1), Freedom::Rotation).unwrap();
+    let spring = model.spring("spring", n_m(1200.0), &[(mass, Axis::Rotation, 1.0)]).unwrap();
+    let modes = model.modes().unwrap();
+    let amplitude = Length::new::<meter>(1e-3);
+    let drive = [Displacement { spring, amplitude, phase: Angle::default() }];
+    for (ratio, zeta) in [(0.1, 0.05), (1.0, 0.05), (2.0, 0.3), (1.0, 0.01)] {
+        let omega_0 = (1200.0_f64 / 3.0).sqrt();
+        let response = model.response(&modes, &drive, at(ratio * omega_0), zeta).unwrap();
+        let (cosine, sine) = (response.cosine.of(mass).unwrap()[2], response.sine.of(mass).unwrap()[2]);
+        let wanted = 1e-3 / ((1.0 - ratio * ratio).powi(2) + (2.0 * zeta * ratio).powi(2)).sqrt();
+        assert!((cosine.hypot(sine) / wanted - 1.0).abs() < 1e-12, "{ratio} {zeta}");
+        // What holds the mass: k·(q − e) = m·ω²·q less the damping.
+        let (re, im) = (1200.0 * (cosine - 1e-3), -1200.0 * sine);
+        assert!((response.forces[0].get::<newton>() / re.hypot(im) - 1.0).abs() < 1e-12);
+    }
+    let resonant = model.response(&modes, &drive, modes.modes[0].omega, 0.0).unwrap_err();
+    assert!(matches!(resonant, Error::OutOfRange { .. }), "{resonant}");
+}
+
+/// What the phases do not excite stays at rest at its own frequency, and what they excite does not.
+#[test]
+fn phases_choose_what_resonates() {
+    let (model, parts) = lin_parker(4).planar().unwrap();
+    let modes = model.modes().unwrap();
+    let groups = model.groups(&parts.central()).unwrap();
+    for group in groups.iter().filter(|group| !group.is_zero()) {
+        let most = |teeth: f64, zeta: f64| {
+            let response = model.response(&modes, &errors(&parts, teeth), group.omega, zeta).unwrap();
+            response.forces.iter().map(|force| force.get::<newton>()).fold(0.0, f64::max)
+        };
+        for (teeth, kind) in [
+            (4.0, epicyclic_vibration::Kind::Rotational),
+            (1.0, epicyclic_vibration::Kind::Translational),
+            (2.0, epicyclic_vibration::Kind::Planet),
+        ] {
+            // A tenth of the damping raises a resonance tenfold, and nothing else.
+            let growth = most(teeth, 1e-5) / most(teeth, 1e-4);
+            if group.kind == kind {
+                assert!(growth > 3.0, "{teeth} {:?} {growth}", group.kind);
+            } else {
+                assert!(growth < 1.1, "{teeth} {:?} {growth}", group.kind);
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_is_driven_without_a_frequency_or_with_too_much_damping() {
+    let (model, parts) = lin_parker(3).planar().unwrap();
+    let modes = model.modes().unwrap();
+    for (omega, zeta, field) in
+        [(0.0, 0.1, "frequency"), (f64::NAN, 0.1, "frequency"), (1.0, 1.1, "damping ratio")]
+    {
+        let refused = model.response(&modes, &errors(&parts, 1.0), at(omega), zeta).unwrap_err();
+        assert!(refused.to_string().starts_with(field), "{refused}");
+    }
+    let other = lin_parker(4).planar().unwrap().0.modes().unwrap();
+    assert_eq!(model.response(&other, &errors(&parts, 1.0), at(1.0), 0.1).unwrap_err().name(), "count");
+}
