@@ -258,6 +258,9 @@ pub enum Error {
     /// What a search for a size refuses of its space.
     #[error(transparent)]
     Sizing(#[from] epicyclic_strength::Error),
+    /// What a simulated motion refuses.
+    #[error(transparent)]
+    Motion(#[from] epicyclic_motion::Error),
     /// No set whose size can be sought.
     #[error("no set can be sized: {}", sets.join("; "))]
     NothingToSize {
@@ -322,6 +325,7 @@ impl Error {
             Self::NothingDescribed { .. } => "nothing-described",
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
+            Self::Motion(error) => error.name(),
             Self::NothingToSize { .. } => "nothing-to-size",
             Self::NoSize { .. } => "no-size",
             Self::NoChute => "no-chute",

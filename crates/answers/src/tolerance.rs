@@ -9,6 +9,7 @@
 //! | `OBJECTIVE` | a difference of two objectives | the order compares on a grid of this size |
 //! | `AT_EDGE` | a ring-to-sun ratio's distance from the end of its range, over that end | the best ratio is known to 1e-4 |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
+//! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
 
 /// A sum of balanced terms below this is zero.
 pub(crate) const ROUNDED: f64 = 1e-12;
@@ -33,3 +34,6 @@ pub(crate) const AT_EDGE: f64 = 1e-4;
 
 /// The least module where none is given, in m.
 pub(crate) const LEAST_MODULE_M: f64 = 1e-6;
+
+/// Energies of a motion that miss more, over the largest of them, are warned of.
+pub(crate) const RESIDUAL: f64 = 1e-9;

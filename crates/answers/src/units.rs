@@ -1,7 +1,8 @@
 //! Conversions to units other than the SI's, which [`Physical`](epicyclic_formats::Physical) has.
 
-use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::f64::{AngularVelocity, Length};
+use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
+use uom::si::f64::{AngularVelocity, Frequency, Length};
+use uom::si::frequency::hertz;
 use uom::si::length::millimeter;
 
 pub(crate) fn millimetres(length: Length) -> f64 {
@@ -14,4 +15,9 @@ pub(crate) fn rpm(speed: AngularVelocity) -> f64 {
 
 pub(crate) fn of_millimetres(millimetres: f64) -> Length {
     Length::new::<millimeter>(millimetres)
+}
+
+/// The angular frequency of a frequency, `2π·f`.
+pub(crate) fn per_second(frequency: Frequency) -> AngularVelocity {
+    AngularVelocity::new::<radian_per_second>(std::f64::consts::TAU * frequency.get::<hertz>())
 }

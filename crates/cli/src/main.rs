@@ -21,6 +21,7 @@
 //! | [`sheet`] | the command `sheet`: data sheets of gears |
 //! | [`sizing`] | the command `size`: sizes of sets that hold over a duty |
 //! | [`losses`] | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
+//! | [`simulate`] | the command `simulate`: a gearbox in motion, by a scenario |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
 //! | [`motor`] | the command `motor`: a hydromotor and its drawings |
@@ -69,6 +70,7 @@ mod schemes;
 mod select;
 mod shards;
 mod sheet;
+mod simulate;
 mod size;
 mod sizing;
 mod strength;
@@ -101,6 +103,7 @@ enum Command {
     Size(Box<sizing::Args>),
     Design(Box<design::Args>),
     Losses(losses::Args),
+    Simulate(simulate::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
     Synthesize(Box<synthesize::Args>),
@@ -185,6 +188,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Size(args) => sizing::run(&args),
         Command::Design(args) => design::run(&args),
         Command::Losses(args) => losses::run(&args),
+        Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Synthesize(args) => synthesize::run(&args),

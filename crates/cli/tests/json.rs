@@ -178,6 +178,7 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("strength", &["strength", "lacks.yaml", "--torque", "2000 kN·m", "--speed", "47.8 rpm"]),
+    ("simulate", &["simulate", "every-scenario-key.yaml"]),
     ("losses", &["losses", "drags.yaml", "--torque", "60 N·m", "--speed", "1475 rpm"]),
     ("losses", &["losses", "drags.yaml", "--power", "9 kW", "--speed", "1475 rpm"]),
     ("losses", &["losses", "drags.yaml", "--load-torque", "150 N·m", "--speed", "1475 rpm"]),

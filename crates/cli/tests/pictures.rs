@@ -55,8 +55,13 @@ fn written() -> Vec<(&'static str, String)> {
          --limit 1 --save found.yaml",
     );
     run("draw found.yaml -o synthesized.svg");
+    for file in ["shift-two-three.yaml", "real-transmissions.yaml"] {
+        fs::copy(console::root().join("examples").join(file), folder.path().join(file)).unwrap();
+    }
+    run("simulate shift-two-three.yaml -o shift-speeds.svg");
+    run("simulate shift-two-three.yaml --view torques -o shift-torques.svg");
     let read = |name| (name, fs::read_to_string(folder.path().join(name)).unwrap());
-    vec![read("motor-chambers.svg"), read("synthesized.svg")]
+    ["motor-chambers.svg", "synthesized.svg", "shift-speeds.svg", "shift-torques.svg"].map(read).to_vec()
 }
 
 fn printed(command: &str) -> String {

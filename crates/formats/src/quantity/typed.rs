@@ -99,7 +99,8 @@ const fn token(dimension: Dimension) -> &'static str {
     }
     tokens!(
         Dimensionless Length Area Volume VolumeRate Mass Density Inertia Speed AngularSpeed AngularAcceleration Angle
-        Frequency Force Torque Power Pressure Viscosity Energy Time
+        Frequency Force Torque Power Pressure Viscosity Energy Time TemperatureDifference
+        HeatCapacity ThermalConductance PowerPerArea EnergyPerArea
     )
 }
 
