@@ -258,6 +258,12 @@ pub enum Error {
     /// What a search for a size refuses of its space.
     #[error(transparent)]
     Sizing(#[from] epicyclic_strength::Error),
+    /// A key of a scenario that cannot be swept, or a value that it does not take.
+    #[error("{why}")]
+    Sweep {
+        /// Why.
+        why: String,
+    },
     /// What a simulated motion refuses.
     #[error(transparent)]
     Motion(#[from] epicyclic_motion::Error),
@@ -325,6 +331,7 @@ impl Error {
             Self::NothingDescribed { .. } => "nothing-described",
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
+            Self::Sweep { .. } => "sweep",
             Self::Motion(error) => error.name(),
             Self::NothingToSize { .. } => "nothing-to-size",
             Self::NoSize { .. } => "no-size",

@@ -29,6 +29,10 @@ mod elements;
 mod program;
 mod samples;
 mod shifts;
+pub mod sweep;
+#[cfg(test)]
+mod tests;
+mod threads;
 
 use crate::gearbox::{self, Choice};
 use crate::tolerance::RESIDUAL;
@@ -36,14 +40,14 @@ use crate::{Answer, Error, Warning};
 use build::Built;
 pub use elements::{ElementKind, ElementResult};
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
-use epicyclic_formats::{Document, Path, Physical, Problem};
+use epicyclic_formats::{Document, Path, Physical, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_motion::{self as motion, Change, Run};
 pub use samples::{ElementSamples, LinkSamples, Samples, TorqueSamples};
 use schemars::JsonSchema;
 use serde::Serialize;
 pub use shifts::ShiftResult;
-use uom::si::f64::Energy;
+use uom::si::f64::{Energy, Time};
 
 /// Even instants at which peaks are looked for, at least.
 const INSTANTS: f64 = 2000.0;
@@ -224,7 +228,7 @@ pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Resu
     let subject = match &beside.gearbox {
         Some(other) => {
             let choice = Choice { transmission: file.transmission.clone(), efficiency };
-            gearbox::one(other, &choice)?
+            gearbox::one(other, &choice).map_err(|why| of_choice(document, file, why))?
         }
         None => *gearbox::gearbox(document, root("gearbox"), efficiency)?,
     };
@@ -344,8 +348,10 @@ fn warnings(
     let mut all = vec![];
     for shift in shifts.iter().filter(|shift| shift.locked_s.is_none()) {
         let message = format!(
-            "the shift from {} to {} at {} s does not end: what it applies does not hold at the end, or when the next begins",
-            shift.from, shift.to, shift.at_s
+            "the shift from {} to {} at {} does not end: what it applies does not hold at the end, or when the next begins",
+            shift.from,
+            shift.to,
+            Quantity(Time::from_si(shift.at_s))
         );
         all.push(Warning { name: "not-locked", message });
     }
@@ -356,8 +362,8 @@ fn warnings(
     let samples = run.samples.iter().chain(run.events.iter().map(|event| &event.after));
     if let Some(sample) = samples.into_iter().find(|sample| !sample.is_split_unique) {
         let message = format!(
-            "at {} s more elements hold than the motion needs: their torques are then split evenly, and rigid bodies leave it open how",
-            sample.time.si()
+            "at {} more elements hold than the motion needs: their torques are then split evenly, and rigid bodies leave it open how",
+            Quantity(sample.time)
         );
         all.push(Warning { name: "even-split", message });
     }
@@ -366,6 +372,17 @@ fn warnings(
         all.push(Warning { name: "drags", message });
     }
     all
+}
+
+/// A refusal of the choice in a list, at its place in the scenario; the gearbox's own faults are at theirs.
+fn of_choice(document: &Document, file: &ScenarioFile, why: Error) -> Error {
+    let key = match &why {
+        Error::Document(_) | Error::Placed { .. } => return why,
+        _ if file.transmission.is_some() => "transmission",
+        _ => "gearbox_file",
+    };
+    let at = document.error(&root(key), Problem::Refused { message: why.to_string() });
+    Error::Placed { at: Box::new(at), why: Box::new(why) }
 }
 
 /// A key at the root.

@@ -24,6 +24,7 @@ use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::sheet::DataSheets;
 use epicyclic_answers::simulate::Simulation;
+use epicyclic_answers::simulate::sweep::Sweep;
 use epicyclic_answers::size::Size;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::synthesize::Synthesis;
@@ -114,6 +115,8 @@ enum Of {
     AnswerLossesMap,
     /// The answer of `epicyclic simulate`.
     AnswerSimulate,
+    /// The answer of `epicyclic simulate --sweep`.
+    AnswerSimulateSweep,
     /// The answer of `epicyclic synthesize`.
     AnswerSynthesize,
     /// The answer of `epicyclic schemes`.
@@ -170,6 +173,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerLosses => schema::<Losses>(),
         Of::AnswerLossesMap => schema::<LossMap>(),
         Of::AnswerSimulate => schema::<Simulation>(),
+        Of::AnswerSimulateSweep => schema::<Sweep>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),
         Of::AnswerScheme => schema::<Scheme>(),

@@ -3,13 +3,18 @@
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::input;
+use crate::interrupt::Hearing;
 use crate::output::OutputArgs;
+use crate::progress::Progress;
 use crate::writing::Content;
+use epicyclic_answers::simulate::sweep::{self, Wanted};
 use epicyclic_answers::simulate::{self as answers, Beside, Simulation};
 use epicyclic_formats::scenario::{self, ScenarioFile};
-use epicyclic_formats::{Document, Number, Path as Place, Problem};
+use epicyclic_formats::visible::one_line;
+use epicyclic_formats::{Dimension, Document, Measured, Number, Path as Place, Problem, quantity};
 use epicyclic_views::simulate::{PlotView, picture, samples};
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 /// A gearbox in motion by a scenario: how it shifts, how hot its clutches get, whether the drive starts.
 ///
@@ -31,6 +36,7 @@ Example:
   epicyclic simulate start.yaml
   epicyclic simulate start.yaml --csv start.csv
   epicyclic simulate start.yaml -o start.svg
+  epicyclic simulate start.yaml --sweep 'torques[motor].constant=15N·m..30N·m'
 
 Keys of the file:
   scenario: its name
@@ -52,6 +58,14 @@ pub(crate) struct Args {
     /// File for speeds and torques over time as comma-separated values.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+
+    /// Other values of one key, a run for each: shifts[0].overlap=0ms..300ms, elements[C].holding='300 N·m..600 N·m'.
+    #[arg(long, value_name = "KEY=FROM..TO", conflicts_with_all = ["csv", "view", "dpi"])]
+    sweep: Option<Range>,
+
+    /// How many values, 2 to 1000. Default: 11.
+    #[arg(long, value_name = "COUNT", requires = "sweep")]
+    steps: Option<u32>,
 
     /// What a drawing shows, with --output. Default: speeds.
     #[arg(long, value_enum)]
@@ -87,6 +101,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::Option { option: "--view", message });
     }
     let read = Read::of(&args.file)?;
+    if let Some(range) = &args.sweep {
+        return swept(args, &read, range);
+    }
     let simulation = answers::answer(&read.document, &read.file, &read.beside)?;
     let mut files: Vec<Content> = vec![];
     if let Some(file) = &args.csv {
@@ -101,6 +118,65 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         files.push((file.to_owned(), drawing_file::content(&scene, format, args.dpi)?));
     }
     args.output.but_for_drawings().deliver_with(files, &simulation)
+}
+
+/// Runs with several values of a key. The first Ctrl-C keeps what is done.
+fn swept(args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
+    if let Some((file, _)) = args.output.drawing() {
+        let message = format!("{}: a sweep has tables; leave --sweep out for a drawing", file.display());
+        return Err(Failure::Option { option: "--output", message });
+    }
+    let (from, to) = (&range.from, &range.to);
+    let wanted = Wanted {
+        key: range.key.clone(),
+        from: from.value,
+        to: to.value,
+        unit: (from.dimension() != Dimension::Dimensionless || from.unit.symbol != "1")
+            .then(|| from.unit.symbol.to_owned()),
+        steps: args.steps.unwrap_or(11),
+    };
+    let (hearing, shown) = (Hearing::new(), Progress::of_runs());
+    let goes_on = |share: f64| {
+        shown.at(share);
+        !hearing.is_asked()
+    };
+    let found = sweep::sweep(&read.document, &read.beside, &wanted, goes_on);
+    drop(shown);
+    let found = found.map_err(|error| match error {
+        epicyclic_answers::Error::Places { .. } => {
+            Failure::Option { option: "--steps", message: error.to_string() }
+        }
+        epicyclic_answers::Error::Sweep { why } => Failure::Option { option: "--sweep", message: why },
+        error => error.into(),
+    })?;
+    let is_whole = found.runs.len() == wanted.steps as usize;
+    args.output.deliver(&found)?;
+    if is_whole { Ok(()) } else { Err(Failure::Interrupted("interrupted".to_owned())) }
+}
+
+/// A key and its values.
+#[derive(Debug, Clone)]
+struct Range {
+    key: String,
+    from: Measured,
+    to: Measured,
+}
+
+impl FromStr for Range {
+    type Err = String;
+
+    fn from_str(written: &str) -> Result<Self, String> {
+        let form =
+            || format!("{}: write a key and two values, as shifts[0].overlap=0ms..300ms", one_line(written));
+        let (key, values) = written.split_once('=').ok_or_else(form)?;
+        let (from, to) = values.split_once("..").ok_or_else(form)?;
+        let value = |text: &str| quantity::parse(text.trim()).map_err(|error| error.to_string());
+        let (from, to) = (value(from)?, value(to)?);
+        if from.unit != to.unit {
+            return Err(format!("{}: both values in one unit", one_line(written)));
+        }
+        Ok(Self { key: key.trim().to_owned(), from, to })
+    }
 }
 
 fn plot(simulation: &Simulation, view: Option<View>) -> Result<epicyclic_drawing::Scene, Failure> {
@@ -118,19 +194,23 @@ fn plot(simulation: &Simulation, view: Option<View>) -> Result<epicyclic_drawing
 /// A scenario, and what it names.
 pub(crate) struct Read {
     pub(crate) document: Document,
-    /// The text of the document.
-    pub(crate) bytes: Vec<u8>,
     pub(crate) file: ScenarioFile,
     pub(crate) beside: Beside,
 }
 
 impl Read {
     /// The scenario of a file, with the files beside it.
-    pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
-        let (document, bytes) = input::with_bytes(path)?;
+    fn of(path: &Path) -> Result<Self, Failure> {
+        Self::beside(input::document(path)?, path)
+    }
+
+    /// The same of a document that is read already.
+    pub(crate) fn beside(document: Document, path: &Path) -> Result<Self, Failure> {
         let file = scenario::read(&document)?;
         let mut beside = Beside::default();
-        let near = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
+        // A file of this name, where the name alone would be standard input.
+        let file_of = |name: &str| if name == "-" { "./-".to_owned() } else { name.to_owned() };
+        let near = |name: &str| path.parent().unwrap_or(Path::new("")).join(file_of(name));
         let refused = |place: &Place, failure: Failure| match failure {
             failure @ Failure::Read { .. } => {
                 Failure::from(document.error(place, Problem::Refused { message: failure.to_string() }))
@@ -146,6 +226,6 @@ impl Read {
             let text = input::text(&other).map_err(|failure| refused(&place, failure))?;
             beside.texts.insert(name.to_owned(), (other.display().to_string(), text));
         }
-        Ok(Self { document, bytes, file, beside })
+        Ok(Self { document, file, beside })
     }
 }

@@ -95,3 +95,106 @@ fn the_parts_of_the_excavators_drive_have_its_equivalent_inertia() {
     let due = 193.23 * (1.0 - (-12.0 / tau).exp());
     close(&answer["end"][0]["speed_rad_s"], due, 1e-7);
 }
+
+/// A file, a change that makes it wrong, and nothing else.
+const WRONG: &[(&str, &str)] = &[
+    ("", "engaged: [K9]\n"),
+    ("inertias: { carrier:", "inertias: { arm:"),
+    ("inertias: { carrier: 12.59532 kg·m² }", "inertias: { carrier: 0 kg·m² }"),
+    ("link: sun, constant", "link: shaft, constant"),
+    ("constant: 21.47 N·m", "constant: 21.47"),
+    ("constant: 21.47 N·m", "constant: 21.47 N·m, resistance: 1 N·m"),
+    (", constant: 21.47 N·m", ""),
+    ("id: load", "id: motor"),
+    ("constant: 21.47 N·m", "over_time: { times: [0 s, 1 s], torques: [1 N·m] }"),
+    ("constant: 21.47 N·m", "over_time: { times: [1 s, 0 s], torques: [1 N·m, 2 N·m] }"),
+    ("constant: 21.47 N·m", "over_time: { csv: none.csv }"),
+    ("constant: 21.47 N·m", "over_time: { csv: wrong.csv }"),
+    ("viscous: { torque: 4 N·m, at: 1 rad/s }", "viscous: { torque: 4 N·m, at: 0 rad/s }"),
+    ("3.3276 s", "0 s"),
+    ("3.3276 s", "3 s\nsample_every: 1 µs"),
+    ("3.3276 s", "3 s\nsample_every: 0.01 ms"),
+    ("", "elements: [{ id: K9, holding: 1 N·m }]\n"),
+    ("", "gear: high\n"),
+    ("", "start: { speeds: { sun: 100 rpm, carrier: 100 rpm } }\n"),
+    ("", "start: { input_speed: 100 rpm }\n"),
+    ("", "start: {}\n"),
+    ("", "gearbox_file: box.yaml\n"),
+    ("", "transmission: 8HP\n"),
+    ("", "efficiency: 110 %\n"),
+    ("", "shifts: [{ at: 1 s, to: high, release: 1 s, apply: 1 s }]\n"),
+    ("", "torque: 1\n"),
+];
+
+#[test]
+fn scenarios_that_are_refused() {
+    let folder = here();
+    fs::write(folder.path().join("wrong.csv"), "s,N·m\n0,1\n1,2,3\n").unwrap();
+    let mut seen = String::new();
+    for (from, to) in WRONG {
+        let wrong = if from.is_empty() { format!("{VISCOUS}{to}") } else { VISCOUS.replacen(from, to, 1) };
+        assert!(wrong != VISCOUS, "{from}");
+        fs::write(folder.path().join("scenario.yaml"), wrong).unwrap();
+        let output = output(folder.path(), &["simulate", "scenario.yaml"]);
+        assert_eq!(output.status.code(), Some(2), "{to}");
+        assert!(output.stdout.is_empty());
+        seen += &text(&output.stderr);
+    }
+    insta::assert_snapshot!(seen);
+}
+
+/// The shift of the example with something wrong in its program.
+const WRONG_SHIFTS: &[(&str, &str)] = &[
+    ("gear: \"2\"\n", ""),
+    ("to: \"3\"", "to: \"2\""),
+    ("to: \"3\"", "to: \"9\""),
+    ("to: \"3\"", "to: \"4\""),
+    ("release: 150 ms", "release: 0 ms"),
+    ("overlap: 200 ms }", "overlap: 200 ms }\n  - { at: 0.3 s, to: \"2\", release: 1 ms, apply: 1 ms }"),
+    ("holding: 400 N·m,", "holding: 400 N·m, capacity: { times: [0 s], torques: [1 N·m] },"),
+    ("holding: 400 N·m,", "holding: -400 N·m,"),
+    ("holding: 400 N·m,", "holding: 400 N·m, static_ratio: 0.9,"),
+    ("holding: 400 N·m, friction_area: 900 cm², heat_capacity: 0.8 kJ/K,", "holding: 400 N·m,"),
+    ("friction_area: 900 cm²", "friction_area: 0 cm²"),
+    ("transmission: 8HP", "transmission: 9HP"),
+    ("transmission: 8HP\n", ""),
+    ("real-transmissions.yaml", "no.yaml"),
+    ("n_in: 0.2 kg·m²", "ground: 0.2 kg·m²"),
+];
+
+#[test]
+fn shifts_that_are_refused() {
+    let folder = here();
+    let read = |name: &str| fs::read_to_string(examples().join(name)).unwrap();
+    fs::write(folder.path().join("real-transmissions.yaml"), read("real-transmissions.yaml")).unwrap();
+    let right = read("shift-two-three.yaml");
+    // The comment names the file of the gearbox, too.
+    let right = right.split_once("\nscenario").unwrap().1;
+    let mut seen = String::new();
+    for (from, to) in WRONG_SHIFTS {
+        assert!(right.contains(from), "{from}");
+        let wrong = format!("scenario{}", right.replacen(from, to, 1));
+        fs::write(folder.path().join("scenario.yaml"), wrong).unwrap();
+        let output = output(folder.path(), &["simulate", "scenario.yaml"]);
+        assert_eq!(output.status.code(), Some(2), "{to}");
+        seen += &text(&output.stderr);
+    }
+    insta::assert_snapshot!(seen);
+}
+
+#[test]
+fn samples_are_a_table_over_time() {
+    let folder = here();
+    fs::copy(examples().join("power-shift.yaml"), folder.path().join("shift.yaml")).unwrap();
+    let output = output(folder.path(), &["simulate", "shift.yaml", "--csv", "samples.csv"]);
+    assert!(output.status.success());
+    let table = fs::read_to_string(folder.path().join("samples.csv")).unwrap();
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next().unwrap(),
+        "time_s,sun_speed_rpm,ring_speed_rpm,carrier_speed_rpm,engine_torque_n_m,load_torque_n_m,brake_torque_n_m,brake_slip_rpm,\
+         brake_heat_j,clutch_torque_n_m,clutch_capacity_n_m,clutch_slip_rpm,clutch_heat_j,output_torque_n_m"
+    );
+    assert_eq!(lines.clone().count(), 201);
+    assert!(lines.next().unwrap().starts_with("0.0,1909.85931710") || table.contains("\n0,1909.8593171"));
+}

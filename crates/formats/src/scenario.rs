@@ -17,10 +17,12 @@
 //! is enough. Torques on links are positive along the axis, as speeds are, so that a load has a minus. A [`ScenarioFile`] says what was
 //! written; what is meant by it is made where it is simulated.
 
+mod change;
 mod elements;
 mod tables;
 mod torques;
 
+pub use change::{changed, path_of};
 pub use elements::{CapacityEntry, ElementEntry, PressureEntry, ShiftEntry};
 pub use tables::{Points, TableFault, Texts, read_csv};
 pub use torques::{

@@ -1,6 +1,7 @@
 //! A gearbox in motion as tables, CSV and plots.
 
 mod plots;
+mod sweep;
 
 use crate::AsReport;
 use crate::figure::{Figure, text};

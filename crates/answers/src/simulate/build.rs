@@ -366,7 +366,7 @@ impl<'s> Scenario<'s> {
             return Err(refused(self.document, &path, &message));
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 2000")]
-        let kept = (INSTANTS / samples.max(1.0)).ceil().max(1.0) as usize;
+        let kept = (INSTANTS / samples).ceil().max(1.0) as usize;
         Ok(Sampling { inner: Time::from_si(every / kept as f64), kept })
     }
 

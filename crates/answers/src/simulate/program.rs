@@ -10,8 +10,8 @@
 use super::build::Scenario;
 use super::{refused, root};
 use crate::Error;
-use epicyclic_formats::Physical;
 use epicyclic_formats::scenario::{ElementEntry, ShiftEntry};
+use epicyclic_formats::{Physical, Quantity};
 use epicyclic_motion::{self as motion, Course};
 use uom::si::f64::{Time, Torque};
 
@@ -64,8 +64,9 @@ impl Program {
                 && at < before.end()
             {
                 let message = format!(
-                    "at {at} s the shift before is not over: its ramps end at {} s, and shifts do not overlap",
-                    before.end()
+                    "at {} the shift before is not over: its ramps end at {}, and shifts do not overlap",
+                    Quantity(Time::from_si(at)),
+                    Quantity(Time::from_si(before.end()))
                 );
                 return Err(refused(document, &path.key("at"), &message));
             }

@@ -105,9 +105,12 @@ const KEYS: &[Key] = &[
     key("torques.resistance", "resistance: 12 N·m", "resistance: 13 N·m"),
     Key {
         path: "elements.id",
-        first: &[("shifts:\n  - { at", "no_shifts: # - { at"), ("gear: \"1\"", "gear: free")],
+        first: &[(
+            "{ id: W, links: [pto, winch] }",
+            "{ id: W, links: [pto, winch] }\n    - { id: X, links: [out, fan] }",
+        )],
         from: "id: F\n",
-        to: "id: C\n",
+        to: "id: X\n",
     },
     key("elements.holding", "holding: 400 N·m", "holding: 420 N·m"),
     key("elements.capacity.times", "times: [0 s, 1 s]", "times: [0 s, 0.9 s]"),
@@ -165,7 +168,7 @@ fn with_files(folder: &Path, example: &str) {
             "- name: {name}\n  sets: [{{ id: P, planet: simple, sun: S, ring: R, carrier: H, z_s: 20, z_r: {ring} }}]\n  \
              links: {{ in: [S], drum: [R], out: [H], pto: [], fan: [], winch: [] }}\n  input: in\n  output: out\n  \
              shift_elements: {{ B: [drum, ground], C: [in, out], PTO: [out, pto], F: [pto, fan], W: [pto, winch] }}\n  \
-             gears: [{{ name: '1', engaged: [B] }}, {{ name: '2', engaged: [C] }}]\n"
+             gears: [{{ name: '1', engaged: [B], published_ratio: 4.5, printed_decimals: 1 }}, {{ name: '2', engaged: [C], published_ratio: 1.0, printed_decimals: 1 }}]\n"
         )
     };
     fs::write(

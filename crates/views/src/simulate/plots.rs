@@ -56,7 +56,10 @@ fn marked(simulation: &Simulation, plot: Plot) -> Plot {
 #[must_use]
 pub fn speeds(simulation: &Simulation) -> Plot {
     let plot = Plot::new(format!("{}: speeds", simulation.scenario), "time, s", "speed, rpm");
-    let curves = simulation.samples.links.iter().enumerate().map(|(place, link)| {
+    let mut links: Vec<_> = simulation.samples.links.iter().enumerate().collect();
+    // Input and output in the first colours.
+    links.sort_by_key(|(_, link)| (link.link != simulation.input, link.link != simulation.output));
+    let curves = links.into_iter().map(|(place, link)| {
         let values: Vec<f64> = link.speeds_rad_s.iter().map(|speed| rpm(*speed)).collect();
         let at = |event: &EventRecord| event.speeds_rad_s.get(place).map(|speed| rpm(*speed));
         Curve::new(&link.link, with_events(simulation, &values, at))
