@@ -12,7 +12,7 @@ use epicyclic_formats::scenario::{
 };
 use epicyclic_formats::{Document, Number, Path, Physical};
 use epicyclic_motion::{self as motion, Course, Mechanism, Model, Start, TorqueLaw};
-use epicyclic_train::GROUND;
+use epicyclic_train::{GROUND, ShiftElement};
 use uom::si::f64::{Angle, AngularVelocity, Pressure, Time, Torque};
 
 /// A scenario and what it speaks of.
@@ -84,7 +84,7 @@ impl<'s> Scenario<'s> {
             masses.links.push((link.clone(), inertia.0));
         }
         for (place, entry) in self.file.planets.iter().enumerate() {
-            masses.planets.push((entry.set.clone(), self.planets(root("planets").index(place), entry)?));
+            masses.planets.push((entry.set.clone(), self.planets(&root("planets").index(place), entry)?));
         }
         let engaged: Vec<&str> = self.file.engaged.iter().map(String::as_str).collect();
         let found = Mechanism::of(gearbox, &engaged, &masses);
@@ -112,7 +112,7 @@ impl<'s> Scenario<'s> {
     }
 
     /// Planets of a set; what is not given, the gearbox says.
-    fn planets(&self, path: Path, entry: &PlanetsEntry) -> Result<PlanetMasses, Error> {
+    fn planets(&self, path: &Path, entry: &PlanetsEntry) -> Result<PlanetMasses, Error> {
         let known = self.subject.planet_bearings.iter().filter(|bearing| {
             self.subject.gearbox.sets().get(bearing.set).is_some_and(|set| set.id() == entry.set)
         });
@@ -121,7 +121,7 @@ impl<'s> Scenario<'s> {
             refused(self.document, path, &format!("the gearbox does not say {what}: write it here"))
         };
         let count = entry.count.or(known.iter().find_map(|bearing| bearing.planets));
-        let count = count.ok_or_else(|| lacks("how many planets there are, count", &path))?;
+        let count = count.ok_or_else(|| lacks("how many planets there are, count", path))?;
         let mut each = vec![];
         for (place, planet) in entry.each.iter().enumerate() {
             let of_gearbox = known.iter().find(|bearing| bearing.planet == place);
@@ -230,7 +230,7 @@ impl<'s> Scenario<'s> {
         let found = gearbox.shift_elements().iter().find(|one| one.id() == entry.id && !one.is_one_way());
         let Some(found) = found else {
             let names = gearbox.shift_elements().iter().filter(|one| !one.is_one_way());
-            let names: Vec<&str> = names.map(|one| one.id()).collect();
+            let names: Vec<&str> = names.map(ShiftElement::id).collect();
             let message =
                 format!("no brake or clutch is called {}: there are {}", entry.id, names.join(", "));
             return Err(refused(document, &path.key("id"), &message));

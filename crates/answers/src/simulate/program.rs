@@ -49,12 +49,12 @@ impl Program {
                 None => Ok(Self { engaged: vec![], shifts: vec![] }),
             };
         };
-        let mut engaged = Self::engaged(scenario, gear, root("gear"))?;
+        let mut engaged = Self::engaged(scenario, gear, &root("gear"))?;
         let (first, mut from) = (engaged.clone(), gear.clone());
         let mut shifts: Vec<Ramps> = vec![];
         for (place, entry) in file.shifts.iter().enumerate() {
             let path = root("shifts").index(place);
-            let next = Self::engaged(scenario, &entry.to, path.clone().key("to"))?;
+            let next = Self::engaged(scenario, &entry.to, &path.clone().key("to"))?;
             let without = |all: &[String], others: &[String]| {
                 all.iter().filter(|one| !others.contains(one)).cloned().collect::<Vec<_>>()
             };
@@ -93,10 +93,10 @@ impl Program {
     fn engaged(
         scenario: &Scenario<'_>,
         gear: &str,
-        path: epicyclic_formats::Path,
+        path: &epicyclic_formats::Path,
     ) -> Result<Vec<String>, Error> {
         let (document, file, gearbox) = (scenario.document, scenario.file, &scenario.subject.gearbox);
-        let found = gearbox.gear(gear).map_err(|why| refused(document, &path, &why))?;
+        let found = gearbox.gear(gear).map_err(|why| refused(document, path, &why))?;
         let mut all = vec![];
         for &place in found.engaged() {
             let element = &gearbox.shift_elements()[place];
@@ -111,7 +111,7 @@ impl Program {
                     let message = format!(
                         "gear {gear} engages {id}: give it an entry in elements, or name it in engaged"
                     );
-                    return Err(refused(document, &path, &message));
+                    return Err(refused(document, path, &message));
                 }
             }
         }
