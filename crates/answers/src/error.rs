@@ -272,6 +272,15 @@ pub enum Error {
     /// What a search for a size refuses of its space.
     #[error(transparent)]
     Sizing(#[from] epicyclic_strength::Error),
+    /// A key of a scenario that cannot be swept, or a value that it does not take.
+    #[error("{why}")]
+    Sweep {
+        /// Why.
+        why: String,
+    },
+    /// What a simulated motion refuses.
+    #[error(transparent)]
+    Motion(#[from] epicyclic_motion::Error),
     /// No set whose size can be sought.
     #[error("no set can be sized: {}", sets.join("; "))]
     NothingToSize {
@@ -338,6 +347,8 @@ impl Error {
             Self::Harmonics { .. } => "harmonics",
             Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
+            Self::Sweep { .. } => "sweep",
+            Self::Motion(error) => error.name(),
             Self::NothingToSize { .. } => "nothing-to-size",
             Self::NoSize { .. } => "no-size",
             Self::NoChute => "no-chute",

@@ -147,17 +147,22 @@ pub fn read<'d>(document: &'d Document, choice: &Choice) -> Result<Content<'d>, 
         let place = Path::root().key("shared_ring_meshes");
         return Err(document.error(&place, Problem::Refused { message }).into());
     }
-    gearbox(document, choice.efficiency).map(Content::One)
+    gearbox(document, Path::root(), choice.efficiency).map(Content::One)
 }
 
-fn gearbox(document: &Document, efficiency: Option<MeshEfficiency>) -> Result<Box<Subject<'_>>, Error> {
-    let file: GearboxFile = document.read()?;
-    let at = |error: DescriptionError| located(document, &Path::root(), &error);
+/// A gearbox that stands within a file.
+pub(crate) fn gearbox(
+    document: &Document,
+    base: Path,
+    efficiency: Option<MeshEfficiency>,
+) -> Result<Box<Subject<'_>>, Error> {
+    let file: GearboxFile = document.read_at(&base)?;
+    let at = |error: DescriptionError| located(document, &base, &error);
     let gearbox = with_losses(file.gearbox().map_err(at)?, efficiency)?;
     let rack = file.rack().map_err(|error| at(DescriptionError::Rack(error)))?;
     let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
     let drags = file.drags(&gearbox).map_err(at)?;
-    let (source, published, base) = (None, vec![], Path::root());
+    let (source, published) = (None, vec![]);
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
         (gear.name.clone(), inputs)

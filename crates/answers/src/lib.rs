@@ -25,6 +25,7 @@
 //! | [`report`] | the record behind a page about a gearbox, a drive or a hydromotor |
 //! | [`strength`] | the strength of teeth: stresses, safeties, damage over a duty |
 //! | [`sheet`] | data sheets of gears: circles, thickness, measures, meshes |
+//! | [`simulate`] | a gearbox in motion: shifts, starts, heat of shift elements |
 //! | [`vibration`] | natural frequencies and modes of sets, their excitation and resonances |
 //! | [`size`] | modules, face widths, planets, centre distances and bearings of simple sets that hold over a duty |
 //! | [`shared`] | records that several answers share |
@@ -74,6 +75,7 @@ pub mod schemes;
 pub mod select;
 pub mod shared;
 pub mod sheet;
+pub mod simulate;
 pub mod size;
 pub mod strength;
 pub mod synthesize;

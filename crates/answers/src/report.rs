@@ -20,7 +20,7 @@ use serde::Serialize;
 pub struct Report {
     /// The file as it was written.
     pub file: String,
-    /// What it describes: the one key here says whether a gearbox, a drive or a hydromotor.
+    /// What it describes: the one key here says whether a gearbox, a drive, a scenario or a hydromotor.
     pub about: About,
 }
 
@@ -32,6 +32,8 @@ pub enum About {
     Gearbox(Box<gearbox::GearboxReport>),
     /// A planetary drive.
     Drive(Box<drive::DriveReport>),
+    /// A gearbox in motion.
+    Scenario(Box<crate::simulate::Simulation>),
     /// A hydromotor.
     Motor(Box<motor::MotorReport>),
 }

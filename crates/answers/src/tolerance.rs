@@ -11,6 +11,7 @@
 //! | `MET` | the distance of an order from the frequency it meets, over this | far below what any stiffness is known to, far above rounding |
 //! | `STILL` | the displacement of a body in a mode, over the largest | the error of a vector beside a neighbouring frequency |
 //! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
+//! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
 
 /// A sum of balanced terms below this is zero.
 pub(crate) const ROUNDED: f64 = 1e-12;
@@ -41,3 +42,6 @@ pub(crate) const STILL: f64 = 1e-6;
 
 /// The least module where none is given, in m.
 pub(crate) const LEAST_MODULE_M: f64 = 1e-6;
+
+/// Energies of a motion that miss more, over the largest of them, are warned of.
+pub(crate) const RESIDUAL: f64 = 1e-9;

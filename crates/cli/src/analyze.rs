@@ -13,6 +13,7 @@ use epicyclic_answers::gearbox::{self, Content, Subject};
 use epicyclic_answers::transmissions;
 use epicyclic_formats::{Document, Number, Quantity};
 use epicyclic_train::{Analysis, Gearbox, InputLoad};
+use std::path::Path;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Torque};
 
 /// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of its gears.
@@ -124,6 +125,11 @@ impl Choice {
     pub(crate) fn given(&self) -> Option<&'static str> {
         let transmission = self.transmission.as_ref().map(|_| "--transmission");
         transmission.or(self.efficiency.map(|_| "--efficiency")).or(self.sizes.given())
+    }
+
+    /// The file, as it was named.
+    pub(crate) fn file(&self) -> &Path {
+        Path::new(&self.gearbox)
     }
 
     /// One gearbox of a file, all of it as its options would say.

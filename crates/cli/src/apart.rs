@@ -110,6 +110,7 @@ mod tests {
             "losses <FILE>",
             "report <FILE>",
             "sheet <FILE>",
+            "simulate <FILE>",
             "size <FILE>",
             "strength <FILE>",
             "vibrate <FILE>",
@@ -133,7 +134,8 @@ mod tests {
         let saved =
             ["select --save <FILE>", "size --save <FILE>", "synthesize --save <FILE>", "teeth --save <FILE>"];
         let of_search = ["search --csv <FILE>", "search --dxf <FILE>", "search --svg <FILE>"];
-        let mut expected = [&drawings[..], &of_search, &saved, &["design --save <FILE>"]].concat();
+        let mut expected =
+            [&drawings[..], &of_search, &saved, &["design --save <FILE>", "simulate --csv <FILE>"]].concat();
         expected.sort_unstable();
         assert_eq!(options, expected);
     }

@@ -21,6 +21,7 @@
 //! | [`sheet`] | the command `sheet`: data sheets of gears |
 //! | [`sizing`] | the command `size`: sizes of sets that hold over a duty |
 //! | [`losses`] | the command `losses`: what heats a gearbox, and its efficiency over speed and torque |
+//! | [`simulate`] | the command `simulate`: a gearbox in motion, by a scenario |
 //! | [`vibrate`] | the command `vibrate`: natural frequencies, modes and resonances of sets |
 //! | [`schema`] | the command `schema`: JSON Schemas of the files |
 //! | [`completions`], [`man`] | the commands of these names, for shells and `man` |
@@ -70,6 +71,7 @@ mod schemes;
 mod select;
 mod shards;
 mod sheet;
+mod simulate;
 mod size;
 mod sizing;
 mod strength;
@@ -103,6 +105,7 @@ enum Command {
     Size(Box<sizing::Args>),
     Design(Box<design::Args>),
     Losses(losses::Args),
+    Simulate(simulate::Args),
     Vibrate(vibrate::Args),
     Compare(compare::Args),
     Select(Box<select::Args>),
@@ -188,6 +191,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Size(args) => sizing::run(&args),
         Command::Design(args) => design::run(&args),
         Command::Losses(args) => losses::run(&args),
+        Command::Simulate(args) => simulate::run(&args),
         Command::Vibrate(args) => vibrate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Select(args) => select::run(&args),

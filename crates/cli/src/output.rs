@@ -98,7 +98,7 @@ impl OutputArgs {
         let Some(end) = self.end().filter(|_| self.format() == Format::Table) else { return Ok(()) };
         let remedy = match end.as_str() {
             "html" | "htm" => {
-                "no page is made of this answer; `report` makes one of a gearbox, drive or motor, and compare, drive, motor, select and \
+                "no page is made of this answer; `report` makes one of a gearbox, drive, motor or scenario, and compare, drive, motor, select and \
                  synthesize of theirs in a file that ends in .html"
             }
             "pdf" => "no PDF is made of it; print a page in a browser",

@@ -1,4 +1,4 @@
-//! The command `report`: a page about a gearbox, a drive or a motor.
+//! The command `report`: a page about a gearbox, a drive, a motor or a scenario.
 
 use crate::analyze::{Choice, Load, refuse, subject};
 use crate::draw::to_scale;
@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::imprint::PageArgs;
 use crate::named::Read;
 use crate::output::Target;
+use crate::simulate;
 use epicyclic_answers as answers;
 use epicyclic_answers::answer::to_json;
 use epicyclic_answers::report::drive::DriveReport;
@@ -14,10 +15,11 @@ use epicyclic_formats::document::Segment;
 use epicyclic_formats::{Document, Path, Problem, visible};
 use epicyclic_views::page::{self, Sheet};
 
-/// A page about a gearbox, a drive or a motor: the answer, then tables, drawings, plots, checks, sources, the input.
+/// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks, sources, the input.
 ///
 /// One HTML file that needs no network, to be read in a browser and printed. What the file describes shows in its keys: power and
-/// ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a motor.
+/// ratio a drive; gearbox, or a list of transmissions, gearboxes; stator and rotor a motor; scenario a gearbox
+/// in motion.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -77,7 +79,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         }
         None => Ok(()),
     };
-    let text = if has("gearbox") || has("transmissions") {
+    let text = if has("scenario") {
+        for_gearboxes("scenario")?;
+        of_scenario(args, document, text)?
+    } else if has("gearbox") || has("transmissions") {
         of_gearbox(args, &document, text)?
     } else if has("power") {
         for_gearboxes("drive")?;
@@ -86,8 +91,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         for_gearboxes("motor")?;
         of_motor(args, &document, text).map_err(|failure| failure.in_file(&document, &Path::root()))?
     } else {
-        let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, and no motor, \
-                       which has stator and rotor";
+        let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
+                       which has stator and rotor, and no scenario, which has scenario";
         let problem = Problem::Refused { message: message.to_owned() };
         return Err(document.error(&Path::root(), problem).into());
     };
@@ -135,6 +140,16 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
     }
     let count = next.map_or(usize::MAX, |next| next - first);
     file.lines().skip(first.saturating_sub(1)).take(count).flat_map(|line| [line, "\n"]).collect()
+}
+
+fn of_scenario(args: &Args, document: Document, file: String) -> Result<String, Failure> {
+    let read = simulate::Read::beside(document, args.choice.file())?;
+    let simulation = answers::simulate::answer(&read.document, &read.file, &read.beside)?;
+    match args.format {
+        Format::Json => json(file, About::Scenario(Box::new(simulation))),
+        Format::Html => html(args, page::scenario::sheet(&simulation, file)),
+    }
+    .map_err(|failure| failure.in_file(&read.document, &Path::root()))
 }
 
 fn of_drive(args: &Args, document: &Document, file: String) -> Result<String, Failure> {

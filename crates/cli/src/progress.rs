@@ -51,6 +51,11 @@ impl Progress {
         Self::of("writing", 0.0)
     }
 
+    /// Runs of a sweep.
+    pub(crate) fn of_runs() -> Self {
+        Self::of("running", 0.0)
+    }
+
     /// A search of which this share is done already.
     pub(crate) fn from(before: f64) -> Self {
         Self::of("searching", before)

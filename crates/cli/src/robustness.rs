@@ -340,7 +340,7 @@ fn cases(usual: u32) -> u32 {
 }
 
 /// Examples, and the commands that read them.
-const READ: [(&str, &[&str]); 15] = [
+const READ: [(&str, &[&str]); 17] = [
     ("every-gearbox-key.yaml", GEARBOXES),
     ("ravigneaux.yaml", GEARBOXES),
     ("simpson.yaml", GEARBOXES),
@@ -353,6 +353,8 @@ const READ: [(&str, &[&str]); 15] = [
     ("scheme-ii-3.yaml", GEARBOXES),
     ("self-crossing.yaml", GEARBOXES),
     ("every-drive-key.yaml", &["drive", "report"]),
+    ("every-scenario-key.yaml", &["simulate", "simulate --format=json"]),
+    ("power-shift.yaml", &["simulate", "simulate --format=csv"]),
     ("minimal-drive.yaml", &["drive", "report"]),
     ("motor-5x3.yaml", &["report", "draw --view=teeth", "draw --view=chambers"]),
     (

@@ -23,6 +23,8 @@ use epicyclic_answers::schemes::{Scheme, Schemes};
 use epicyclic_answers::select::Select;
 use epicyclic_answers::select::teeth::SelectTeeth;
 use epicyclic_answers::sheet::DataSheets;
+use epicyclic_answers::simulate::Simulation;
+use epicyclic_answers::simulate::sweep::Sweep;
 use epicyclic_answers::size::Size;
 use epicyclic_answers::strength::Strength;
 use epicyclic_answers::synthesize::Synthesis;
@@ -34,6 +36,7 @@ use epicyclic_answers::vibration::Vibration;
 use epicyclic_formats::drive::DriveFile;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
+use epicyclic_formats::scenario::ScenarioFile;
 
 /// The JSON Schema of a file that the program reads, or of an answer in JSON.
 #[derive(Debug, clap::Args)]
@@ -63,6 +66,8 @@ enum Of {
     Transmissions,
     /// Of `epicyclic report`: a hydromotor.
     Motor,
+    /// Of `epicyclic simulate`.
+    Scenario,
     /// The answer of `epicyclic analyze`: all gears.
     AnswerAnalyze,
     /// The answer of `epicyclic analyze --gear`.
@@ -109,6 +114,10 @@ enum Of {
     AnswerLosses,
     /// The answer of `epicyclic losses` with a map.
     AnswerLossesMap,
+    /// The answer of `epicyclic simulate`.
+    AnswerSimulate,
+    /// The answer of `epicyclic simulate --sweep`.
+    AnswerSimulateSweep,
     /// The answer of `epicyclic vibrate`.
     AnswerVibrate,
     /// The answer of `epicyclic synthesize`.
@@ -142,6 +151,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::Gearbox => schema_of_file::<GearboxFile>("gearbox"),
         Of::Transmissions => schema_of_file::<TransmissionsFile>("transmissions"),
         Of::Motor => schema_of_file::<MotorFile>("motor"),
+        Of::Scenario => schema_of_file::<ScenarioFile>("scenario"),
         Of::AnswerAnalyze => schema::<Overview>(),
         Of::AnswerAnalyzeGear => schema::<OneGear>(),
         Of::AnswerAnalyzeInputs => schema::<Inputs>(),
@@ -165,6 +175,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Of::AnswerDesign => schema::<Design>(),
         Of::AnswerLosses => schema::<Losses>(),
         Of::AnswerLossesMap => schema::<LossMap>(),
+        Of::AnswerSimulate => schema::<Simulation>(),
+        Of::AnswerSimulateSweep => schema::<Sweep>(),
         Of::AnswerVibrate => schema::<Vibration>(),
         Of::AnswerSynthesize => schema::<Synthesis>(),
         Of::AnswerSchemes => schema::<Schemes>(),

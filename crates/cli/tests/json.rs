@@ -182,6 +182,25 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("strength", &["strength", "lacks.yaml", "--torque", "2000 kN·m", "--speed", "47.8 rpm"]),
+    ("simulate", &["simulate", "every-scenario-key.yaml"]),
+    ("simulate", &["simulate", "short.yaml"]),
+    (
+        "simulate",
+        &["simulate", "every-scenario-key.yaml", "--sweep", "shifts[0].overlap=0ms..150ms", "--steps", "2"],
+    ),
+    ("report", &["report", "short.yaml"]),
+    (
+        "simulate",
+        &[
+            "simulate",
+            "every-scenario-key.yaml",
+            "--sweep",
+            "elements[B].static_ratio=0.9..1.2",
+            "--steps",
+            "2",
+        ],
+    ),
+    ("report", &["report", "every-scenario-key.yaml"]),
     ("losses", &["losses", "drags.yaml", "--torque", "60 N·m", "--speed", "1475 rpm"]),
     ("losses", &["losses", "drags.yaml", "--power", "9 kW", "--speed", "1475 rpm"]),
     ("losses", &["losses", "drags.yaml", "--load-torque", "150 N·m", "--speed", "1475 rpm"]),
@@ -693,6 +712,10 @@ fn folder() -> tempfile::TempDir {
     std::fs::write(folder.path().join("sun-held.yaml"), members_held()).unwrap();
     std::fs::write(folder.path().join("thirteen.yaml"), thirteen()).unwrap();
     std::fs::write(folder.path().join("cosine.yaml"), COSINE).unwrap();
+    let scenario = std::fs::read_to_string(examples().join("every-scenario-key.yaml")).unwrap();
+    // It ends before its shift does.
+    let short = scenario.replace("duration: 2 s", "duration: 0.7 s");
+    std::fs::write(folder.path().join("short.yaml"), short).unwrap();
     std::fs::write(folder.path().join("tips.yaml"), TIPS).unwrap();
     folder
 }

@@ -61,8 +61,14 @@ fn written() -> Vec<(&'static str, String)> {
         "vibrate {} {speeds} --campbell campbell.svg --shapes modes.svg -o modes.csv",
         fan.display()
     ));
-    let read = |name| (name, fs::read_to_string(folder.path().join(name)).unwrap());
-    vec![read("campbell.svg"), read("modes.svg"), read("motor-chambers.svg"), read("synthesized.svg")]
+    for file in ["shift-two-three.yaml", "real-transmissions.yaml"] {
+        fs::copy(console::root().join("examples").join(file), folder.path().join(file)).unwrap();
+    }
+    run("simulate shift-two-three.yaml -o shift-speeds.svg");
+    run("simulate shift-two-three.yaml --view torques -o shift-torques.svg");
+    let names = ["campbell", "modes", "motor-chambers", "synthesized", "shift-speeds", "shift-torques"];
+    let read = |name| fs::read_to_string(folder.path().join(format!("{name}.svg"))).unwrap();
+    names.map(|name| (name, read(name))).to_vec()
 }
 
 fn printed(command: &str) -> String {

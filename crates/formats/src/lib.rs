@@ -8,6 +8,7 @@
 //! | [`wanted_ratio`] | what `4.714±0.5%` and `(-3.295)` mean in a list of ratios |
 //! | [`drive`] | what a drive file asks for |
 //! | [`motor`] | what a motor file asks for |
+//! | [`scenario`] | what is simulated: a gearbox with masses, torques, shifts |
 //! | [`visible`] | how a name with control characters is shown |
 //! | [`yaml`] | values without positions |
 //! | [`gearbox`] | gearboxes as files: our format, and lists of real transmissions |
@@ -46,6 +47,7 @@ pub mod gearbox;
 pub mod motor;
 pub mod quantity;
 pub mod range;
+pub mod scenario;
 pub mod visible;
 pub mod wanted_ratio;
 pub mod yaml;

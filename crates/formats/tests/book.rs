@@ -4,6 +4,7 @@ use epicyclic_formats::drive::{self, DriveFile};
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::motor::MotorFile;
 use epicyclic_formats::quantity::find_unit;
+use epicyclic_formats::scenario::{self, ScenarioFile};
 use epicyclic_formats::{Dimension, Document};
 use schemars::schema_for;
 use serde_json::Value;
@@ -61,12 +62,28 @@ fn the_example_of_a_gearbox_has_every_key() {
 }
 
 #[test]
+fn the_example_of_a_scenario_has_every_key_and_stands_in_the_book() {
+    let (name, found) = ("examples/every-scenario-key.yaml", text("examples/every-scenario-key.yaml"));
+    let gearbox = keys_of(&schema_for!(GearboxFile));
+    // These stand in the place of others.
+    let instead = ["gearbox_file", "transmission", "csv"];
+    for key in keys_of(&schema_for!(ScenarioFile)) {
+        let is_own = !gearbox.contains(&key) && !instead.contains(&key.as_str());
+        assert!(!is_own || found.contains(&format!("{key}:")), "{key}");
+    }
+    let document = Document::parse_one(name, found.as_bytes()).expect("the example is YAML");
+    scenario::read(&document).expect("the example reads");
+    assert!(text("docs/src/reference/files.md").contains(&found));
+}
+
+#[test]
 fn the_book_names_every_key() {
     let chapter = text("docs/src/reference/files.md");
     let mut all = keys_of(&schema_for!(DriveFile));
     all.extend(keys_of(&schema_for!(GearboxFile)));
     all.extend(keys_of(&schema_for!(TransmissionsFile)));
     all.extend(keys_of(&schema_for!(MotorFile)));
+    all.extend(keys_of(&schema_for!(ScenarioFile)));
     for key in all {
         let named = [format!("{key}:"), format!("`{key}`")].iter().any(|text| chapter.contains(text));
         assert!(named, "{key}");

@@ -297,6 +297,14 @@ impl Mechanism {
         if mobility > 0.0 { Ok(inertia(1.0 / mobility)) } else { Err(Error::NoFreedom) }
     }
 
+    /// Whether two links are one piece: joined for ever, or by an engaged shift element that never slips.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn is_one_piece(&self, first: &str, second: &str) -> Result<bool, Error> {
+        Ok(self.place(first)? == self.place(second)?)
+    }
+
     /// Node of a link.
     pub(crate) fn place(&self, link: &str) -> Result<Place, Error> {
         let found = self.links.iter().position(|name| name == link);

@@ -52,6 +52,8 @@ pub struct Sample {
     pub elements: Vec<Torque>,
     /// What each element does.
     pub states: Vec<State>,
+    /// Heat of each element from the start on.
+    pub heats: Vec<Energy>,
     /// Whether the torques of the stuck elements follow; otherwise they are the even split, see [`Model`](crate::Model).
     pub is_split_unique: bool,
     /// Torques on the members of each set from outside it, the carrier last, without what the planets' mass takes.
@@ -109,6 +111,7 @@ impl Sample {
             torques: torques(&field.applied),
             elements: torques(&field.elements),
             states: states(field),
+            heats: y[field.parts.heat..field.parts.loss].iter().map(|&value| energy(value)).collect(),
             is_split_unique: field.system.independent.others.is_empty(),
             sets: sets.collect(),
             mesh_powers: mechanism.meshes.iter().enumerate().map(mesh_power).collect(),

@@ -239,6 +239,9 @@ pub const fn suffix(dimension: Dimension) -> &'static str {
         Dimension::Viscosity => "_mm2_s",
         Dimension::Energy => "_j",
         Dimension::Time => "_s",
+        Dimension::TemperatureDifference => "_k",
+        Dimension::PowerPerArea => "_w_mm2",
+        Dimension::EnergyPerArea => "_j_mm2",
         _ => "",
     }
 }

@@ -8,7 +8,7 @@
 //! | [`quantities`] | figures of the SI numbers in a record |
 //! | [`page`] | pages of answers, pictures and words |
 //! | [`drawability`] | why a gearbox cannot be drawn, in words |
-//! | [`analyze`], [`compare`], [`design`], [`draw`], [`drive`], [`losses`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`size`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`], [`vibration`] | the views of these answers |
+//! | [`analyze`], [`compare`], [`design`], [`draw`], [`drive`], [`losses`], [`machine`], [`motor`], [`motor_search`], [`schemes`], [`select`], [`sheet`], [`simulate`], [`size`], [`strength`], [`synthesize`], [`teeth`], [`transmissions`], [`vibration`] | the views of these answers |
 //!
 //! Nothing is calculated here: a figure that an answer lacks cannot be shown.
 
@@ -29,6 +29,7 @@ pub mod report;
 pub mod schemes;
 pub mod select;
 pub mod sheet;
+pub mod simulate;
 pub mod size;
 pub mod strength;
 pub mod synthesize;

@@ -27,6 +27,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
             "selection",
             "synthesis",
             "dynamics",
+            "motion",
             "layout",
             "schemes",
             "train",

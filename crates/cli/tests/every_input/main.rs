@@ -9,6 +9,7 @@
 mod common;
 mod gearboxes;
 mod options;
+mod scenarios;
 
 use common::{examples, here, output, text};
 use serde_json::Value;

@@ -141,6 +141,17 @@ losses: II-3 --k1 2.15 --k2 2.35 --speed '100 rpm' --torque '60 N·m'
 losses: II-3 --ratio1 1.465 --ratio2 2.56 --speed '100 rpm' --torque '60 N·m'
   --ratio1 1.5
   --ratio2 2.5
+simulate: excavator-start.yaml --format json
+  --csv samples.csv
+  --format csv
+  --output start.svg
+simulate: every-scenario-key.yaml --output start.png
+  --view torques
+  --dpi 150
+simulate: excavator-start.yaml
+  --sweep 'torques[0].constant=20N·m..22N·m'
+simulate: excavator-start.yaml --sweep 'torques[0].constant=20N·m..22N·m'
+  --steps 3
 draw: drags.yaml --view map --gear slow --speeds 100rpm..3000rpm/9 --torques 1N·m..60N·m/9
   --speeds 100rpm..2000rpm/9
   --torques 1N·m..40N·m/9
@@ -574,6 +585,14 @@ strength: wind-stage.yaml --gear only | torque or power
 strength: wind-stage.yaml --speed '47.8 rpm' | torque or power
 strength: wind-stage.yaml --torque '1000 kN·m' | give it, too
 losses: drags.yaml --speed '100 rpm' | a load is due
+simulate: excavator-start.yaml --view torques | .svg
+simulate: excavator-start.yaml --sweep gearbox.sets[0].k=2..3 | no such key
+simulate: every-scenario-key.yaml --sweep gearbox.sets[0].planets=2..3 | stays as it is
+simulate: every-scenario-key.yaml --sweep elements[C].holding=2s..3s | torque
+simulate: every-scenario-key.yaml --sweep elements[X].holding=2N·m..3N·m | no entry
+simulate: every-scenario-key.yaml --sweep elements[C].holding=2N·m..3N·m --steps 1 | --steps
+simulate: every-scenario-key.yaml --sweep elements[C].holding=2N·m..3N·m -o sweep.svg | tables
+simulate: excavator-start.yaml -o start.svg --view temperatures | heat_capacity
 draw: drags.yaml --gear slow --speeds 1rpm..2rpm/2 --torques 1N·m..2N·m/2 | only the view map
 draw: drags.yaml --gear slow --view map | give both
 draw: II-3 --k1 2 --k2 2 --gear 2 --view map --speeds 1rpm..2rpm/2 --torques 1N·m..2N·m/2 | a gearbox's file
@@ -738,6 +757,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "sheet",
         "size",
         "losses",
+        "simulate",
         "vibrate",
         "compare",
         "schemes",

@@ -5,7 +5,7 @@ use std::fmt;
 /// What a quantity is a quantity of.
 ///
 /// Torque and energy have the same base units but are different things here: `520 N·m` is a torque, `520 J` an energy.
-/// Temperatures are left out, since their units have offsets.
+/// Of temperatures there are differences only, since their units have no offsets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Dimension {
@@ -53,11 +53,21 @@ pub enum Dimension {
     Energy,
     /// SI unit: s.
     Time,
+    /// A difference of temperatures. SI unit: K.
+    TemperatureDifference,
+    /// SI unit: J/K.
+    HeatCapacity,
+    /// Heat flow over a difference of temperatures. SI unit: W/K.
+    ThermalConductance,
+    /// Power over an area. SI unit: W/m².
+    PowerPerArea,
+    /// Energy over an area. SI unit: J/m².
+    EnergyPerArea,
 }
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 27] = [
         Self::Dimensionless,
         Self::Length,
         Self::Area,
@@ -80,6 +90,11 @@ impl Dimension {
         Self::Viscosity,
         Self::Energy,
         Self::Time,
+        Self::TemperatureDifference,
+        Self::HeatCapacity,
+        Self::ThermalConductance,
+        Self::PowerPerArea,
+        Self::EnergyPerArea,
     ];
 
     /// Its name in a sentence: `torque`, `moment of inertia`.
@@ -108,6 +123,11 @@ impl Dimension {
             Self::Viscosity => "kinematic viscosity",
             Self::Energy => "energy",
             Self::Time => "time",
+            Self::TemperatureDifference => "temperature difference",
+            Self::HeatCapacity => "heat capacity",
+            Self::ThermalConductance => "thermal conductance",
+            Self::PowerPerArea => "power per area",
+            Self::EnergyPerArea => "energy per area",
         }
     }
 
@@ -123,14 +143,17 @@ impl Dimension {
             | Self::Angle
             | Self::VolumeRate
             | Self::Viscosity
-            | Self::Density => 1e6,
+            | Self::Density
+            | Self::TemperatureDifference => 1e6,
             Self::Area
             | Self::Volume
             | Self::Mass
             | Self::AngularAcceleration
             | Self::Frequency
             | Self::Force
-            | Self::Time => 1e9,
+            | Self::Time
+            | Self::HeatCapacity
+            | Self::ThermalConductance => 1e9,
             Self::Dimensionless
             | Self::Inertia
             | Self::Stiffness
@@ -138,7 +161,7 @@ impl Dimension {
             | Self::TorsionalStiffness
             | Self::Power
             | Self::Pressure => 1e12,
-            Self::Energy => 1e15,
+            Self::Energy | Self::PowerPerArea | Self::EnergyPerArea => 1e15,
         }
     }
 }

@@ -98,6 +98,8 @@ const fn scale(dimension: Dimension) -> &'static [&'static str] {
         Dimension::Energy => &["mJ", "J", "kJ", "MJ"],
         Dimension::Time => &["ms", "s", "min", "h"],
         Dimension::Frequency => &["Hz", "kHz"],
+        Dimension::HeatCapacity => &["J/K", "kJ/K"],
+        Dimension::ThermalConductance => &["W/K", "kW/K"],
         _ => &[],
     }
 }

@@ -199,6 +199,26 @@ const TIME: &[Unit] = &[
     unit(Time, "h", 3600.0, &["h"]),
 ];
 
+const TEMPERATURE_DIFFERENCE: &[Unit] = &[unit(TemperatureDifference, "K", 1.0, &["K"])];
+
+const HEAT_CAPACITY: &[Unit] =
+    &[unit(HeatCapacity, "kJ/K", 1e3, &["kJ/K"]), unit(HeatCapacity, "J/K", 1.0, &["J/K"])];
+
+const THERMAL_CONDUCTANCE: &[Unit] =
+    &[unit(ThermalConductance, "W/K", 1.0, &["W/K"]), unit(ThermalConductance, "kW/K", 1e3, &["kW/K"])];
+
+const POWER_PER_AREA: &[Unit] = &[
+    unit(PowerPerArea, "W/mm²", 1e6, &["W/mm2"]),
+    unit(PowerPerArea, "W/cm²", 1e4, &["W/cm2"]),
+    unit(PowerPerArea, "W/m²", 1.0, &["W/m2"]),
+];
+
+const ENERGY_PER_AREA: &[Unit] = &[
+    unit(EnergyPerArea, "J/mm²", 1e6, &["J/mm2"]),
+    unit(EnergyPerArea, "J/cm²", 1e4, &["J/cm2"]),
+    unit(EnergyPerArea, "J/m²", 1.0, &["J/m2"]),
+];
+
 /// Spellings that engineers use for different things; a reader must not choose between them.
 const AMBIGUOUS: &[(&str, &str)] = &[
     ("hp", "PS (metric, 735.49875 W) or hp(I) (550 ft·lbf/s, 745.69987 W)"),
@@ -233,6 +253,11 @@ impl Dimension {
             Viscosity => VISCOSITY,
             Energy => ENERGY,
             Time => TIME,
+            TemperatureDifference => TEMPERATURE_DIFFERENCE,
+            HeatCapacity => HEAT_CAPACITY,
+            ThermalConductance => THERMAL_CONDUCTANCE,
+            PowerPerArea => POWER_PER_AREA,
+            EnergyPerArea => ENERGY_PER_AREA,
         }
     }
 

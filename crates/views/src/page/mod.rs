@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`gearbox`] | a gearbox: all gears, each gear in full, and what another `k` would change |
 //! | [`drive`] | a planetary drive |
+//! | [`scenario`] | a scenario: a gearbox in motion |
 //! | [`motor`] | a hydromotor |
 //! | [`selection`] | the choice of a gearbox |
 //! | [`synthesis`] | a search for gearboxes |
@@ -20,6 +21,7 @@ pub mod gearbox;
 pub mod imprint;
 pub mod motor;
 pub(crate) mod paper;
+pub mod scenario;
 pub mod selection;
 pub mod sheet;
 mod side_by_side;

@@ -1,0 +1,126 @@
+//! Heat, powers, temperature and slip of each element.
+
+use super::build::{Built, Element};
+use epicyclic_formats::Physical;
+use epicyclic_motion::{Run, Sample, State};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What a shift element or resistance goes through.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ElementResult {
+    /// Its name.
+    pub id: String,
+    /// Of what kind it is.
+    pub kind: ElementKind,
+    /// Its links, the housing as `ground`.
+    pub links: [String; 2],
+    /// What it does at the end.
+    pub at_end: super::State,
+    /// How long it slips and carries; of a one-way clutch: how long it overruns.
+    pub slip_time_s: f64,
+    /// Heat from start to end.
+    pub heat_j: f64,
+    /// Greatest power of friction.
+    pub peak_power_w: f64,
+    /// Greatest torque that it carries, holding or slipping.
+    pub peak_torque_n_m: f64,
+    /// Heat over the friction area, where one is given.
+    pub heat_per_area_j_m2: Option<f64>,
+    /// Greatest power over the friction area, where one is given.
+    pub peak_power_per_area_w_m2: Option<f64>,
+    /// Greatest temperature over the oil, where a heat capacity is given.
+    pub peak_temperature_rise_k: Option<f64>,
+    /// Temperature over the oil at the end.
+    pub end_temperature_rise_k: Option<f64>,
+}
+
+/// What carries between two links.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ElementKind {
+    /// A brake.
+    Brake,
+    /// A clutch.
+    Clutch,
+    /// A one-way clutch or brake.
+    OneWayClutch,
+    /// A load against the motion of a link.
+    Resistance,
+}
+
+/// Samples and what stands right after events, in order of time.
+pub(super) fn instants(run: &Run) -> Vec<&Sample> {
+    let mut all: Vec<&Sample> =
+        run.samples.iter().chain(run.events.iter().map(|event| &event.after)).collect();
+    // What has one time keeps its order: sample, then event.
+    all.sort_by(|one, other| one.time.si().total_cmp(&other.time.si()));
+    all
+}
+
+/// `ω_1 − ω_2` of an element.
+pub(super) fn slip(run: &Run, element: &Element, sample: &Sample) -> f64 {
+    let [first, second] =
+        element.links.each_ref().map(|link| run.link(link).map_or(0.0, |place| sample.speeds[place].si()));
+    first - second
+}
+
+pub(super) fn results(built: &Built, run: &Run) -> Vec<ElementResult> {
+    let instants = instants(run);
+    let result = |(place, id): (usize, &String)| {
+        let element = built.elements.iter().find(|one| one.id == *id)?;
+        Some(of(element, place, run, &instants))
+    };
+    run.elements.iter().enumerate().filter_map(result).collect()
+}
+
+fn of(element: &Element, place: usize, run: &Run, instants: &[&Sample]) -> ElementResult {
+    let most =
+        |of: &dyn Fn(&Sample) -> f64| instants.iter().map(|sample| of(sample).abs()).fold(0.0, f64::max);
+    let power = most(&|sample| match sample.states[place] {
+        State::Forward | State::Backward => sample.elements[place].si() * slip(run, element, sample),
+        State::Open | State::Stuck => 0.0,
+    });
+    let rises = temperature_rises(element, place, instants);
+    let heat = run.audit.heat[place].si();
+    let slips = |sample: &Sample| matches!(sample.states[place], State::Forward | State::Backward);
+    // States change at events alone.
+    let ends = instants.iter().skip(1).map(|next| next.time.si());
+    let slip_time = instants.iter().zip(ends).filter(|(sample, _)| slips(sample));
+    ElementResult {
+        id: element.id.clone(),
+        kind: element.kind,
+        links: element.links.clone(),
+        at_end: super::State::of(run.end().states[place]),
+        slip_time_s: slip_time.map(|(sample, end)| end - sample.time.si()).sum(),
+        heat_j: heat,
+        peak_power_w: power,
+        peak_torque_n_m: most(&|sample| sample.elements[place].si()),
+        heat_per_area_j_m2: element.friction_area_m2.map(|area| heat / area),
+        peak_power_per_area_w_m2: element.friction_area_m2.map(|area| power / area),
+        peak_temperature_rise_k: rises.as_ref().map(|rises| rises.iter().copied().fold(0.0, f64::max)),
+        end_temperature_rise_k: rises.as_ref().and_then(|rises| rises.last().copied()),
+    }
+}
+
+/// Temperature over the oil at each instant, by the heat between two of them; nothing without a heat capacity.
+pub(super) fn temperature_rises(element: &Element, place: usize, instants: &[&Sample]) -> Option<Vec<f64>> {
+    let capacity = element.heat_capacity_j_per_k?;
+    let conductance = element.conductance_w_per_k;
+    let mut rise = 0.0;
+    let mut rises = vec![rise];
+    for pair in instants.windows(2) {
+        let heat = pair[1].heats[place].si() - pair[0].heats[place].si();
+        let time = pair[1].time.si() - pair[0].time.si();
+        rise = if conductance > 0.0 && time > 0.0 {
+            let left = -conductance * time / capacity;
+            // exp_m1 keeps its digits where little time passes.
+            rise * left.exp() - heat / (time * conductance) * left.exp_m1()
+        } else {
+            rise + heat / capacity
+        };
+        rises.push(rise);
+    }
+    Some(rises)
+}

@@ -1,0 +1,110 @@
+//! Speeds and torques over time, as lists.
+
+use super::build::Built;
+use super::elements::{instants, slip, temperature_rises};
+use epicyclic_formats::Physical;
+use epicyclic_motion::{Run, Sample};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Speeds and torques over time; all lists have the length of `times_s`.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Samples {
+    /// The times: the start, even ones, the end.
+    pub times_s: Vec<f64>,
+    /// Each link.
+    pub links: Vec<LinkSamples>,
+    /// Each torque.
+    pub torques: Vec<TorqueSamples>,
+    /// Each element.
+    pub elements: Vec<ElementSamples>,
+    /// Torque that sets and shift elements exert on the output.
+    pub output_torques_n_m: Vec<f64>,
+}
+
+/// A link over time.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LinkSamples {
+    /// Its name.
+    pub link: String,
+    /// Its speeds.
+    pub speeds_rad_s: Vec<f64>,
+}
+
+/// A torque over time.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TorqueSamples {
+    /// Its name.
+    pub id: String,
+    /// What it is.
+    pub torques_n_m: Vec<f64>,
+}
+
+/// An element over time.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ElementSamples {
+    /// Its name.
+    pub id: String,
+    /// Speed of its first link less that of its second.
+    pub slips_rad_s: Vec<f64>,
+    /// Torque on its first link.
+    pub torques_n_m: Vec<f64>,
+    /// What it could carry while slipping; `null` of a one-way clutch.
+    pub capacities_n_m: Option<Vec<f64>>,
+    /// Heat from the start on.
+    pub heats_j: Vec<f64>,
+    /// Temperature over the oil; `null` without a heat capacity.
+    pub temperature_rises_k: Option<Vec<f64>>,
+}
+
+/// One of so many samples of a run, and the last.
+pub(super) fn of(built: &Built, run: &Run, kept: usize) -> Samples {
+    let last = run.samples.len() - 1;
+    let places: Vec<usize> = (0..last).step_by(kept).chain([last]).collect();
+    let samples: Vec<&Sample> = places.iter().map(|&place| &run.samples[place]).collect();
+    let list = |of: &dyn Fn(&Sample) -> f64| samples.iter().map(|sample| of(sample)).collect::<Vec<f64>>();
+    let instants = instants(run);
+    let links = run.links.iter().enumerate().skip(1).map(|(place, link)| LinkSamples {
+        link: link.clone(),
+        speeds_rad_s: list(&|sample| sample.speeds[place].si()),
+    });
+    let torques = run.torques.iter().enumerate().map(|(place, id)| TorqueSamples {
+        id: id.clone(),
+        torques_n_m: list(&|sample| sample.torques[place].si()),
+    });
+    let elements = run.elements.iter().enumerate().filter_map(|(place, id)| {
+        let element = built.elements.iter().find(|one| one.id == *id)?;
+        let rises = temperature_rises(element, place, &instants);
+        // The rise at a sample stands at its place among the instants.
+        let at = |rises: &[f64]| {
+            let mut rises = instants.iter().zip(rises);
+            let mut found = vec![];
+            for &sample in &samples {
+                found.extend(rises.find(|(one, _)| std::ptr::eq(**one, sample)).map(|(_, rise)| *rise));
+            }
+            found
+        };
+        Some(ElementSamples {
+            id: id.clone(),
+            slips_rad_s: list(&|sample| slip(run, element, sample)),
+            torques_n_m: list(&|sample| sample.elements[place].si()),
+            capacities_n_m: element
+                .capacity
+                .as_ref()
+                .map(|course| list(&|sample| course.at(sample.time).si())),
+            heats_j: list(&|sample| sample.heats[place].si()),
+            temperature_rises_k: rises.as_deref().map(at),
+        })
+    });
+    Samples {
+        times_s: list(&|sample| sample.time.si()),
+        links: links.collect(),
+        torques: torques.collect(),
+        elements: elements.collect(),
+        output_torques_n_m: list(&|sample| built.output.torque(sample)),
+    }
+}

@@ -1,0 +1,26 @@
+//! Work on many items: on all threads with the feature `parallel`, else on one. Results come in the order of the items.
+
+/// The answer to each item.
+#[cfg(feature = "parallel")]
+pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+    use rayon::prelude::*;
+    items.par_iter().map(work).collect()
+}
+
+/// The answer to each item.
+#[cfg(not(feature = "parallel"))]
+pub(crate) fn map<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
+    items.iter().map(work).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_come_in_the_order_of_the_items_with_threads_and_without() {
+        let items: Vec<u64> = (0..5000).collect();
+        let squares: Vec<u64> = items.iter().map(|item| item * item).collect();
+        assert_eq!(map(&items, |item| item * item), squares);
+    }
+}

@@ -1,0 +1,351 @@
+//! A gearbox in motion as tables, CSV and plots.
+
+mod plots;
+mod sweep;
+
+use crate::AsReport;
+use crate::figure::{Figure, text};
+use crate::quantities::{column, quantity};
+use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use epicyclic_answers::simulate::{
+    ChangeKind, ChangeRecord, ElementKind, ElementResult, ShiftResult, Simulation, State,
+};
+use epicyclic_formats::Dimension::{
+    self, AngularSpeed, Energy, EnergyPerArea, Power, PowerPerArea, TemperatureDifference, Time, Torque,
+};
+pub use plots::{capacities, picture, speeds, temperatures, torques};
+
+/// What a picture shows over time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlotView {
+    /// Speeds of all links.
+    Speeds,
+    /// Torques of the elements and of the output.
+    Torques,
+    /// Capacities of brakes and clutches.
+    Capacities,
+    /// Temperatures over the oil.
+    Temperatures,
+}
+
+fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Column {
+    Column { heading: heading.into(), ..Column::quantity(name, dimension) }
+}
+
+impl AsReport for Simulation {
+    fn report(&self) -> Report {
+        let mut parts = vec![];
+        if !self.events.is_empty() {
+            parts.push(Part::Records(events(self)));
+        }
+        if !self.shifts.is_empty() {
+            parts.push(Part::Records(shifts(&self.shifts)));
+        }
+        if !self.elements.is_empty() {
+            parts.push(Part::Records(elements(&self.elements)));
+        }
+        parts.push(Part::Records(end(self)));
+        parts.push(Part::Facts(energies(self)));
+        let warnings = self.warnings.iter().map(|one| (one.name, one.message.clone())).collect();
+        Report {
+            title: Some(format!("{}: {} in motion", self.scenario, self.gearbox)),
+            parts,
+            warnings: Some(warnings),
+        }
+    }
+}
+
+/// What an element or a set does, in words.
+#[must_use]
+pub fn state(state: State) -> &'static str {
+    match state {
+        State::Open => "open",
+        State::SlipsForward => "slips +",
+        State::SlipsBackward => "slips −",
+        State::Holds => "holds",
+    }
+}
+
+/// How a set with losses rolls, in words.
+fn rolling(state: State) -> &'static str {
+    match state {
+        State::Open | State::Holds => "turns as a block",
+        State::SlipsForward => "rolls +",
+        State::SlipsBackward => "rolls −",
+    }
+}
+
+/// What changes, in words: `clutch: open → slips +`.
+#[must_use]
+pub fn change(change: &ChangeRecord) -> String {
+    match (change.from.zip(change.to), change.is_rising) {
+        (Some((from, to)), _) if change.kind == ChangeKind::Set => {
+            format!("{}: {} → {}", change.id, rolling(from), rolling(to))
+        }
+        (Some((from, to)), _) => format!("{}: {} → {}", change.id, state(from), state(to)),
+        (None, Some(true)) => format!("{}: passed upwards", change.id),
+        (None, _) => format!("{}: passed downwards", change.id),
+    }
+}
+
+fn kind(kind: ChangeKind) -> &'static str {
+    match kind {
+        ChangeKind::Element => "element",
+        ChangeKind::Set => "set",
+        ChangeKind::Threshold => "threshold",
+    }
+}
+
+fn events(simulation: &Simulation) -> Records {
+    let speed = |speeds: &[f64], link: &str| {
+        let place = simulation.end.iter().position(|one| one.link == link);
+        column(AngularSpeed, place.and_then(|place| speeds.get(place).copied()))
+    };
+    let rows = simulation.events.iter().flat_map(|event| {
+        event.changes.iter().map(move |one| {
+            vec![
+                column(Time, Some(event.time_s)),
+                text(change(one)),
+                Figure::choice(one.kind, kind(one.kind)),
+                text(&one.id),
+                one.from.map_or(Figure::None, |from| Figure::choice(from, state(from))),
+                one.to.map_or(Figure::None, |to| Figure::choice(to, state(to))),
+                one.is_rising.map_or(Figure::None, Figure::YesNo),
+                speed(&event.speeds_rad_s, &simulation.input),
+                speed(&event.speeds_rad_s, &simulation.output),
+            ]
+        })
+    });
+    Records {
+        name: "events",
+        columns: vec![
+            headed("time", "t, s", Time),
+            Column::words("change", "what changes").for_people(),
+            Column::words("kind", "kind"),
+            Column::words("id", "of"),
+            Column::words("from", "from"),
+            Column::words("to", "to"),
+            Column::words("is_rising", "upwards"),
+            headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
+            headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
+        ],
+        rows: rows.collect(),
+        views: vec![View::new("Events", &["time", "change", "input_speed", "output_speed"])],
+        is_answer: false,
+    }
+}
+
+fn per_cent(share: Option<f64>) -> Figure {
+    share.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))
+}
+
+fn shifts(all: &[ShiftResult]) -> Records {
+    let row = |shift: &ShiftResult| {
+        vec![
+            text(format!("{} → {}", shift.from, shift.to)),
+            column(Time, Some(shift.at_s)),
+            column(Time, shift.shift_time_s),
+            column(Time, shift.torque_phase_s),
+            column(Time, shift.inertia_phase_s),
+            column(Torque, Some(shift.output_torque_before_n_m)),
+            column(Torque, Some(shift.output_torque_least_n_m)),
+            column(Torque, Some(shift.output_torque_greatest_n_m)),
+            per_cent(shift.torque_hole),
+            per_cent(shift.torque_surge),
+            column(Energy, Some(shift.heat_j)),
+            column(Time, shift.locked_s),
+            Figure::Texts(shift.released.clone()),
+            Figure::Texts(shift.applied.clone()),
+        ]
+    };
+    Records {
+        name: "shifts",
+        columns: vec![
+            Column::words("shift", "shift"),
+            headed("at", "at, s", Time),
+            headed("shift_time", "takes, s", Time),
+            headed("torque_phase", "torque phase", Time),
+            headed("inertia_phase", "inertia phase", Time),
+            headed("output_torque_before", "T before, N·m", Torque),
+            headed("output_torque_least", "least", Torque),
+            headed("output_torque_greatest", "greatest", Torque),
+            Column::number("torque_hole_percent", "hole, %"),
+            Column::number("torque_surge_percent", "surge, %"),
+            headed("heat", "heat, J", Energy),
+            headed("locked", "locked, s", Time),
+            Column::words("released", "released"),
+            Column::words("applied", "applied"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![
+            View::new(
+                "Shifts",
+                &["shift", "at", "shift_time", "torque_phase", "inertia_phase", "heat", "released", "applied"],
+            ),
+            View {
+                note: "T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.".to_owned(),
+                ..View::new(
+                    "Torque of the output while it shifts",
+                    &[
+                        "shift",
+                        "output_torque_before",
+                        "output_torque_least",
+                        "output_torque_greatest",
+                        "torque_hole_percent",
+                        "torque_surge_percent",
+                    ],
+                )
+            },
+        ],
+        is_answer: false,
+    }
+}
+
+fn kind_of(kind: ElementKind) -> &'static str {
+    match kind {
+        ElementKind::Brake => "brake",
+        ElementKind::Clutch => "clutch",
+        ElementKind::OneWayClutch => "one-way",
+        ElementKind::Resistance => "resistance",
+    }
+}
+
+fn elements(all: &[ElementResult]) -> Records {
+    let has = |of: fn(&ElementResult) -> Option<f64>| all.iter().any(|one| of(one).is_some());
+    let row = |one: &ElementResult| {
+        vec![
+            text(&one.id),
+            Figure::choice(one.kind, kind_of(one.kind)),
+            text(format!("{}–{}", one.links[0], one.links[1])),
+            Figure::choice(one.at_end, state(one.at_end)),
+            column(Time, Some(one.slip_time_s)),
+            column(Energy, Some(one.heat_j)),
+            column(Power, Some(one.peak_power_w)),
+            column(Torque, Some(one.peak_torque_n_m)),
+            column(EnergyPerArea, one.heat_per_area_j_m2),
+            column(PowerPerArea, one.peak_power_per_area_w_m2),
+            column(TemperatureDifference, one.peak_temperature_rise_k),
+            column(TemperatureDifference, one.end_temperature_rise_k),
+        ]
+    };
+    let mut views = vec![View {
+        note: "P, T: the greatest power of friction and torque. + and −: the first link is faster, slower."
+            .to_owned(),
+        ..View::new(
+            "Shift elements and resistances",
+            &["id", "kind", "at_end", "slip_time", "heat", "peak_power", "peak_torque"],
+        )
+    }];
+    if has(|one| one.heat_per_area_j_m2) || has(|one| one.peak_temperature_rise_k) {
+        views.push(View {
+            note: "K: over the temperature of the oil, greatest and at the end.".to_owned(),
+            ..View::new(
+                "Load of the friction surfaces",
+                &[
+                    "id",
+                    "heat_per_area",
+                    "peak_power_per_area",
+                    "peak_temperature_rise",
+                    "end_temperature_rise",
+                ],
+            )
+        });
+    }
+    Records {
+        name: "elements",
+        columns: vec![
+            Column::words("id", "element"),
+            Column::words("kind", "kind"),
+            Column::words("links", "between"),
+            Column::words("at_end", "at the end"),
+            headed("slip_time", "slips, s", Time),
+            headed("heat", "heat, J", Energy),
+            headed("peak_power", "P, kW", Power),
+            headed("peak_torque", "T, N·m", Torque),
+            headed("heat_per_area", "J/mm²", EnergyPerArea),
+            headed("peak_power_per_area", "W/mm²", PowerPerArea),
+            headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
+            headed("end_temperature_rise", "end, K", TemperatureDifference),
+        ],
+        rows: all.iter().map(row).collect(),
+        views,
+        is_answer: false,
+    }
+}
+
+fn end(simulation: &Simulation) -> Records {
+    let row = |one: &epicyclic_answers::simulate::LinkAtEnd| {
+        vec![
+            text(&one.link),
+            column(AngularSpeed, Some(one.speed_rad_s)),
+            column(Dimension::AngularAcceleration, Some(one.acceleration_rad_s2)),
+        ]
+    };
+    Records {
+        name: "end",
+        columns: vec![
+            Column::words("link", "link"),
+            headed("speed", "n, rpm", AngularSpeed),
+            headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
+        ],
+        rows: simulation.end.iter().map(row).collect(),
+        views: vec![View::new("At the end", &["link", "speed", "acceleration"])],
+        is_answer: false,
+    }
+}
+
+fn energies(simulation: &Simulation) -> Section {
+    let energies = &simulation.energies;
+    let one = |name, label, si| Row::new(name, label, "", [quantity(Energy, si)]);
+    Section {
+        name: "energies",
+        title: "Energies",
+        columns: &[],
+        rows: vec![
+            one("kinetic_before", "kinetic, at the start", energies.kinetic_before_j),
+            one("work", "work of the torques", energies.work_j),
+            one("element_heat", "heat of elements", energies.element_heat_j),
+            one("mesh_loss", "loss of meshes", energies.mesh_loss_j),
+            one("kinetic_after", "kinetic, at the end", energies.kinetic_after_j),
+        ],
+        note: "",
+    }
+}
+
+/// Speeds and torques over time as a table: a line for each time.
+#[must_use]
+pub fn samples(simulation: &Simulation) -> Report {
+    let all = &simulation.samples;
+    let mut columns = vec![headed("time", "t, s", Time)];
+    let mut lists: Vec<(&[f64], Dimension)> = vec![(&all.times_s, Time)];
+    for link in &all.links {
+        columns.push(Column::quantity("speed", AngularSpeed).of(&link.link));
+        lists.push((&link.speeds_rad_s, AngularSpeed));
+    }
+    for torque in &all.torques {
+        columns.push(Column::quantity("torque", Torque).of(&torque.id));
+        lists.push((&torque.torques_n_m, Torque));
+    }
+    for element in &all.elements {
+        let mut add = |name, list, dimension| {
+            columns.push(Column::quantity(name, dimension).of(&element.id));
+            lists.push((list, dimension));
+        };
+        add("torque", &element.torques_n_m, Torque);
+        if let Some(capacities) = &element.capacities_n_m {
+            add("capacity", capacities, Torque);
+        }
+        add("slip", &element.slips_rad_s, AngularSpeed);
+        add("heat", &element.heats_j, Energy);
+        if let Some(rises) = &element.temperature_rises_k {
+            add("temperature_rise", rises, TemperatureDifference);
+        }
+    }
+    columns.push(Column::quantity("output_torque", Torque));
+    lists.push((&all.output_torques_n_m, Torque));
+    let rows = (0..all.times_s.len()).map(|place| {
+        lists.iter().map(|(list, dimension)| column(*dimension, list.get(place).copied())).collect()
+    });
+    let records = Records { name: "samples", columns, rows: rows.collect(), views: vec![], is_answer: true };
+    Report { title: None, parts: vec![Part::Records(records)], warnings: None }
+}
