@@ -3,10 +3,12 @@
 //! | module | is |
 //! |---|---|
 //! | [`records`] | gears, meshes, sets |
+//! | `output` | backlash and torsional stiffness at the output, gear by gear |
 //!
 //! Names and signs are those of ISO 21771; all figures come from [`epicyclic_gears::involute`]. Diameters and centre distances of internal gears are positive. Root and form
 //! circles are those that a rack leaves.
 
+mod output;
 pub mod records;
 
 use crate::gearbox::{Subject, alone};
@@ -19,7 +21,8 @@ use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
-use records::{Allowed, LeftOut, Limits, SetSheet};
+use output::Known;
+use records::{Allowed, AtOutput, LeftOut, Limits, SetSheet};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
@@ -32,6 +35,8 @@ pub struct DataSheets {
     pub gearbox: String,
     /// The sets, each with its gears and meshes.
     pub sets: Vec<SetSheet>,
+    /// Backlash and torsional stiffness at the output in each gear; empty where one set is asked for.
+    pub at_output: Vec<AtOutput>,
     /// Sets without data sheets.
     pub left_out: Vec<LeftOut>,
     /// What the reader should know.
@@ -83,7 +88,7 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
         return Err(Error::NoSet { name: name.to_owned(), sets });
     }
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
-    let (mut sets, mut left_out) = (vec![], vec![]);
+    let (mut sets, mut left_out, mut known) = (vec![], vec![], vec![]);
     for (set, simple) in simple_sets(subject, &file).filter(|(set, _)| is_wanted(set.id())) {
         let Some((path, entry, spec)) = simple else {
             left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] });
@@ -95,7 +100,19 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
             Fault::Fillet(error) => place.refused(&["strength", "shaper", "fillet"], &error),
         })?;
         match (toothed, entry.module) {
-            (Some(toothed), Some(module)) => sets.push(sheet(&place, entry, &toothed, module.0)?),
+            (Some(toothed), Some(module)) => {
+                let (sheet, allowed) = sheet(&place, entry, &toothed, module.0)?;
+                sets.push(sheet);
+                let face_width = entry.face_width.filter(|_| entry.planets.is_some()).map(|width| width.0);
+                let place = subject.gearbox.sets().iter().position(|one| one.id() == set.id());
+                known.extend(place.map(|place| Known {
+                    place,
+                    set: toothed,
+                    module: module.0,
+                    face_width,
+                    allowed,
+                }));
+            }
             (toothed, module) => {
                 let missing =
                     lacking(&[(missing_teeth(entry), toothed.is_some()), ("module", module.is_some())]);
@@ -109,7 +126,9 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
     let checks = subject.gearbox.tooth_checks(&subject.rack).into_iter();
     let warnings = checks.filter(|warning| !warning.is_note() && of_set(warning));
     let warnings = warnings.map(|warning| Warning { name: "teeth", message: warning.to_string() }).collect();
-    Ok(DataSheets { gearbox: subject.gearbox.name().to_owned(), sets, left_out, warnings })
+    let at_output =
+        if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
+    Ok(DataSheets { gearbox: subject.gearbox.name().to_owned(), sets, at_output, left_out, warnings })
 }
 
 /// A set in a file.
@@ -125,7 +144,12 @@ impl Place<'_> {
     }
 }
 
-fn sheet(place: &Place<'_>, entry: &SetEntry, set: &ToothedSet, module: Length) -> Result<SetSheet, Error> {
+fn sheet(
+    place: &Place<'_>,
+    entry: &SetEntry,
+    set: &ToothedSet,
+    module: Length,
+) -> Result<(SetSheet, Option<Allowed>), Error> {
     let module_m = module.si();
     if !(module_m.is_finite() && module_m > 0.0) {
         return Err(place.refused(&["module"], &"the module must be above 0"));
@@ -154,11 +178,12 @@ fn sheet(place: &Place<'_>, entry: &SetEntry, set: &ToothedSet, module: Length) 
         place.refused(&["data_sheet", key], &error)
     };
     let sheet = SetSheet::of(entry, set, module_m, balls, allowed.as_ref()).map_err(fault)?;
-    Ok(SetSheet {
+    let sheet = SetSheet {
         thickness_allowances_m: allowances.map(|all| all.map(Limits::of).to_vec()),
         centre_distance_deviations_m: centre.map(Limits::of),
         ..sheet
-    })
+    };
+    Ok((sheet, allowed))
 }
 
 /// Diameters of balls, in metres.

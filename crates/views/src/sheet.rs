@@ -4,7 +4,9 @@ use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::report::{Column, Part, Records, Report, View};
 use epicyclic_answers::sheet::DataSheets;
-use epicyclic_answers::sheet::records::{GearInMesh, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Tool};
+use epicyclic_answers::sheet::records::{
+    AtOutput, GearInMesh, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Tool,
+};
 use epicyclic_formats::Dimension;
 
 /// An end of limits.
@@ -19,6 +21,9 @@ const MICROMETRES: usize = 3;
 impl AsReport for DataSheets {
     fn report(&self) -> Report {
         let mut parts: Vec<Part> = self.sets.iter().flat_map(set).map(Part::Records).collect();
+        if !self.at_output.is_empty() {
+            parts.push(Part::Records(at_output(&self.at_output)));
+        }
         if !self.left_out.is_empty() {
             parts.push(Part::Records(left_out(&self.left_out)));
         }
@@ -36,7 +41,41 @@ pub(crate) fn for_page(sheets: &DataSheets) -> Vec<Report> {
     let report = |parts| Report { title: None, parts, warnings: None };
     let sets = sheets.sets.iter().map(|one| report(set(one).into_iter().map(Part::Records).collect()));
     let rest = (!sheets.left_out.is_empty()).then(|| report(vec![Part::Records(left_out(&sheets.left_out))]));
-    sets.chain(rest).collect()
+    let output =
+        (!sheets.at_output.is_empty()).then(|| report(vec![Part::Records(at_output(&sheets.at_output))]));
+    sets.chain(output).chain(rest).collect()
+}
+
+/// Backlash and stiffness at the output.
+fn at_output(all: &[AtOutput]) -> Records {
+    let backlash = |limits: Option<Limits>, end: End| limits.map_or(Figure::None, |of| angle(end(of)));
+    let row = |one: &AtOutput| {
+        vec![
+            text(&one.gear),
+            backlash(one.backlash_rad, LOWER),
+            backlash(one.backlash_rad, UPPER),
+            one.stiffness_n_m.map_or(Figure::None, Figure::Number),
+            Figure::Texts(one.missing.clone()),
+        ]
+    };
+    let is_whole = all.iter().all(|one| one.missing.is_empty());
+    let shown = ["gear", "least_backlash", "greatest_backlash", "stiffness", "missing"];
+    Records {
+        name: "at_output",
+        columns: vec![
+            Column::words("gear", "gear"),
+            Column::number("least_backlash", "backlash"),
+            Column::number("greatest_backlash", "to"),
+            Column::number("stiffness", "N·m/rad"),
+            Column::words("missing", "missing"),
+        ],
+        rows: all.iter().map(row).collect(),
+        views: vec![View {
+            note: "While the input is held: angle by which the output turns freely, with allowances and deviations; stiffness of the meshes alone, by ISO 6336-1 for steel gears.".to_owned(),
+            ..View::new("At the output", &shown[..if is_whole { 4 } else { 5 }])
+        }],
+        is_answer: false,
+    }
 }
 
 /// A line of a table: key, words, symbol, figures.

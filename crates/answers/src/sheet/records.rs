@@ -31,6 +31,20 @@ pub(super) struct Allowed {
     pub(super) centre_distance: Deviation,
 }
 
+/// What the output feels of all meshes in a gear while the input is held.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct AtOutput {
+    /// The gear.
+    pub gear: String,
+    /// Angle by which the output turns freely, with the least and the greatest play that the file allows; `null` where the teeth of a set with torque are not known.
+    pub backlash_rad: Option<Limits>,
+    /// Torsional stiffness of the meshes per radian; `null` where planets or face width of a set with torque are missing, and where no set has torque.
+    pub stiffness_n_m: Option<f64>,
+    /// What is missing.
+    pub missing: Vec<String>,
+}
+
 /// A set with its gears and meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
