@@ -67,7 +67,7 @@ impl Of<'_> {
             Fault::Teeth(error) => self.refused(&["profile_shifts"], &error),
             Fault::Fillet(error) => self.refused(&["strength", "shaper", "fillet"], &error),
         })?;
-        if let Some(module) = entry.module.filter(|module| !(module.0.si() > 0.0)) {
+        if let Some(module) = entry.module.filter(|module| module.0.si() <= 0.0) {
             return Err(
                 self.refused(&["module"], &format!("module is {} m; it must be above 0", module.0.si()))
             );
@@ -119,21 +119,13 @@ impl Of<'_> {
             }));
         }
         let teeth = missing_teeth(entry);
-        let has = |is_known: bool, without_teeth| match (is_known, toothed.is_some(), entry.module.is_some())
-        {
-            (true, ..) => None,
-            (false, false, _) if without_teeth == "" => Some(teeth.to_owned()),
-            (false, false, _) => Some(format!("{teeth} (or {without_teeth})")),
-            (false, true, false) => Some(if without_teeth == "" {
-                "module".to_owned()
-            } else {
-                format!("module (or {without_teeth})")
-            }),
-            (false, true, true) => Some(if without_teeth == "" {
-                "face_width".to_owned()
-            } else {
-                format!("face_width (or {without_teeth})")
-            }),
+        let has = |is_known: bool, in_their_place: &str| {
+            let missing = match (toothed.is_some(), entry.module.is_some()) {
+                (false, _) => teeth,
+                (true, false) => "module",
+                (true, true) => "face_width",
+            };
+            (!is_known).then(|| format!("{missing} (or {in_their_place})"))
         };
         let mut missing: Vec<String> = [
             entry.planets.is_none().then(|| "planets".to_owned()),

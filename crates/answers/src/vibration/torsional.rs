@@ -70,7 +70,7 @@ impl<'a> Train<'a> {
                 let message = format!("shaft `{}`: `ties` do not join `{first}` and `{second}`", shaft.id);
                 return Err(at(&["shafts"], Some(index), message));
             }
-            if !(shaft.stiffness.0.si() > 0.0) {
+            if shaft.stiffness.0.si() <= 0.0 {
                 let message = format!("shaft `{}`: its stiffness must be above 0", shaft.id);
                 return Err(at(&["shafts"], Some(index), message));
             }
@@ -78,7 +78,7 @@ impl<'a> Train<'a> {
         }
         for (name, inertia) in entry.into_iter().flat_map(|entry| &entry.link_inertias) {
             link(name, None, &["link_inertias"])?;
-            if !(inertia.0.si() >= 0.0) {
+            if inertia.0.si() < 0.0 {
                 let message = format!("the inertia of `{name}` must not be below 0");
                 return Err(at(&["link_inertias", name], None, message));
             }

@@ -138,7 +138,7 @@ fn phases_choose_what_resonates() {
     for group in groups.iter().filter(|group| !group.is_zero()) {
         let most = |teeth: f64, zeta: f64| {
             let response = model.response(&modes, &errors(&parts, teeth), group.omega, zeta).unwrap();
-            response.forces.iter().map(|force| force.get::<newton>()).fold(0.0, f64::max)
+            response.forces.iter().fold(0.0_f64, |most, force| most.max(force.get::<newton>()))
         };
         for (teeth, kind) in [
             (4.0, epicyclic_vibration::Kind::Rotational),
