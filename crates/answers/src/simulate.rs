@@ -26,6 +26,7 @@
 
 mod build;
 mod elements;
+mod parts;
 mod program;
 mod samples;
 mod shifts;
@@ -37,12 +38,12 @@ mod threads;
 use crate::gearbox::{self, Choice};
 use crate::tolerance::RESIDUAL;
 use crate::{Answer, Error, Warning};
-use build::Built;
 pub use elements::{ElementKind, ElementResult};
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
 use epicyclic_formats::{Document, Path, Physical, Problem, Quantity};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_motion::{self as motion, Change, Run};
+use parts::Built;
 pub use samples::{ElementSamples, LinkSamples, Samples, TorqueSamples};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -232,7 +233,7 @@ pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Resu
         }
         None => *gearbox::gearbox(document, root("gearbox"), efficiency)?,
     };
-    let scenario = build::Scenario { document, file, subject: &subject, texts: &beside.texts };
+    let scenario = parts::Scenario { document, file, subject: &subject, texts: &beside.texts };
     let built = scenario.built()?;
     let every = scenario.sampling()?;
     let run = built.model.run(&built.start, file.duration.0, Some(every.inner));
@@ -240,7 +241,7 @@ pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Resu
     Ok(told(&scenario, &built, &run, every.kept))
 }
 
-fn told(scenario: &build::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
+fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
     let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
     let shifts = shifts::results(scenario, built, run);
     let elements = elements::results(built, run);
@@ -340,7 +341,7 @@ impl ChangeRecord {
 }
 
 fn warnings(
-    scenario: &build::Scenario<'_>,
+    scenario: &parts::Scenario<'_>,
     run: &Run,
     shifts: &[ShiftResult],
     energies: &Energies,

@@ -1,49 +1,16 @@
 //! The model of a scenario, with the place of every fault.
 
-use super::program::{Program, Ramps};
-use super::shifts::Output;
+use super::parts::{Built, Element, Output, Scenario};
+use super::program::Program;
 use super::{INSTANTS, MOST_SAMPLES, placed, refused, root};
 use crate::Error;
-use crate::gearbox::Subject;
 use crate::units::per_second;
 use epicyclic_dynamics::gearbox::{Masses, PlanetMass, PlanetMasses};
-use epicyclic_formats::scenario::{
-    ElementEntry, PlanetsEntry, PressureEntry, ScenarioFile, TableFault, Texts, TorqueEntry,
-};
-use epicyclic_formats::{Document, Number, Path, Physical};
+use epicyclic_formats::scenario::{ElementEntry, PlanetsEntry, PressureEntry, TableFault, TorqueEntry};
+use epicyclic_formats::{Number, Path, Physical};
 use epicyclic_motion::{self as motion, Course, Mechanism, Model, Start, TorqueLaw};
 use epicyclic_train::{GROUND, ShiftElement};
 use uom::si::f64::{Angle, AngularVelocity, Pressure, Time, Torque};
-
-/// A scenario and what it speaks of.
-pub(super) struct Scenario<'s> {
-    pub(super) document: &'s Document,
-    pub(super) file: &'s ScenarioFile,
-    pub(super) subject: &'s Subject<'s>,
-    pub(super) texts: &'s Texts,
-}
-
-/// The model, and what is known of its elements by name.
-pub(super) struct Built {
-    pub(super) model: Model,
-    pub(super) start: Start,
-    pub(super) elements: Vec<Element>,
-    pub(super) shifts: Vec<Ramps>,
-    pub(super) output: Output,
-}
-
-/// An element of the model, in its order.
-#[derive(Debug, Clone)]
-pub(super) struct Element {
-    pub(super) id: String,
-    pub(super) kind: super::ElementKind,
-    pub(super) links: [String; 2],
-    /// Its capacity over time; none of a one-way clutch.
-    pub(super) capacity: Option<Course>,
-    pub(super) friction_area_m2: Option<f64>,
-    pub(super) heat_capacity_j_per_k: Option<f64>,
-    pub(super) conductance_w_per_k: f64,
-}
 
 /// How finely a run is sampled.
 pub(super) struct Sampling {
@@ -53,7 +20,7 @@ pub(super) struct Sampling {
     pub(super) kept: usize,
 }
 
-impl<'s> Scenario<'s> {
+impl Scenario<'_> {
     pub(super) fn built(&self) -> Result<Built, Error> {
         let mechanism = self.mechanism()?;
         let program = Program::of(self)?;
@@ -380,20 +347,6 @@ impl<'s> Scenario<'s> {
             _ => Path::root(),
         };
         placed(self.document, &path, why)
-    }
-}
-
-impl Element {
-    fn new(id: &str, kind: super::ElementKind, links: [String; 2], capacity: Option<Course>) -> Self {
-        Self {
-            id: id.to_owned(),
-            kind,
-            links,
-            capacity,
-            friction_area_m2: None,
-            heat_capacity_j_per_k: None,
-            conductance_w_per_k: 0.0,
-        }
     }
 }
 

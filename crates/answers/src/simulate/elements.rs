@@ -1,6 +1,6 @@
 //! Heat, powers, temperature and slip of each element.
 
-use super::build::{Built, Element};
+use super::parts::{Built, Element};
 use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample, State};
 use schemars::JsonSchema;

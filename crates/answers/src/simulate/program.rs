@@ -7,7 +7,7 @@
 //! o > r   released from t + o − r to t + o      applied from t to t + a
 //! ```
 
-use super::build::Scenario;
+use super::parts::{Ramps, Scenario};
 use super::{refused, root};
 use crate::Error;
 use epicyclic_formats::scenario::{ElementEntry, ShiftEntry};
@@ -19,20 +19,6 @@ use uom::si::f64::{Time, Torque};
 pub(super) struct Program {
     engaged: Vec<String>,
     pub(super) shifts: Vec<Ramps>,
-}
-
-/// One shift.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Ramps {
-    pub(super) at: f64,
-    pub(super) from: String,
-    pub(super) to: String,
-    /// What it releases, and from when to when.
-    pub(super) released: Vec<String>,
-    pub(super) release: [f64; 2],
-    /// What it applies.
-    pub(super) applied: Vec<String>,
-    pub(super) apply: [f64; 2],
 }
 
 impl Program {
@@ -141,13 +127,6 @@ impl Program {
             }
         }
         Course::table(&points)
-    }
-}
-
-impl Ramps {
-    /// When both ramps are over.
-    pub(super) fn end(&self) -> f64 {
-        self.release[1].max(self.apply[1])
     }
 }
 

@@ -1,7 +1,7 @@
 //! Speeds and torques over time, as lists.
 
-use super::build::Built;
 use super::elements::{instants, slip, temperature_rises};
+use super::parts::Built;
 use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample};
 use schemars::JsonSchema;

@@ -1,10 +1,9 @@
 //! What each shift does: its phases, and the torque of the output.
 
-use super::build::{Built, Element, Scenario};
 use super::elements::instants;
-use super::program::Ramps;
+use super::parts::{Built, Ramps, Scenario};
 use epicyclic_formats::Physical;
-use epicyclic_motion::{Model, Run, Sample, State};
+use epicyclic_motion::{Run, Sample, State};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -42,49 +41,6 @@ pub struct ShiftResult {
     pub torque_surge: Option<f64>,
     /// Heat of all elements from its beginning to the lock.
     pub heat_j: f64,
-}
-
-/// What stands on the output.
-pub(super) struct Output {
-    /// Its place among the links.
-    place: usize,
-    /// Inertia of the links that are one piece with it.
-    inertia_kg_m2: f64,
-    /// Places of the torques on them.
-    torques: Vec<usize>,
-    /// Places of resistances on them.
-    resistances: Vec<usize>,
-}
-
-impl Output {
-    /// `elements` are those of the model, in its order.
-    pub(super) fn of(scenario: &Scenario<'_>, model: &Model, elements: &[Element]) -> Self {
-        let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
-        let output = gearbox.link_name(gearbox.output());
-        let is_it = |link: &str| model.mechanism().is_one_piece(output, link).unwrap_or(false);
-        let inertias = file.inertias.iter().filter(|(link, _)| is_it(link));
-        let torques = file.torques.iter().filter(|one| one.resistance.is_none()).enumerate();
-        let is_resistance =
-            |one: &Element| one.kind == super::ElementKind::Resistance && is_it(&one.links[0]);
-        Self {
-            place: gearbox.output().index(),
-            inertia_kg_m2: inertias.map(|(_, inertia)| inertia.0.si()).sum(),
-            torques: torques.filter(|(_, one)| is_it(&one.link)).map(|(place, _)| place).collect(),
-            resistances: elements
-                .iter()
-                .enumerate()
-                .filter(|(_, one)| is_resistance(one))
-                .map(|(place, _)| place)
-                .collect(),
-        }
-    }
-
-    /// `J·ω̇ − Σ T_applied`.
-    pub(super) fn torque(&self, sample: &Sample) -> f64 {
-        let applied: f64 = self.torques.iter().map(|&place| sample.torques[place].si()).sum();
-        let resisting: f64 = self.resistances.iter().map(|&place| sample.elements[place].si()).sum();
-        self.inertia_kg_m2 * sample.accelerations[self.place].si() - applied - resisting
-    }
 }
 
 pub(super) fn results(scenario: &Scenario<'_>, built: &Built, run: &Run) -> Vec<ShiftResult> {

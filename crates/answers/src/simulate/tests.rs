@@ -1,6 +1,6 @@
 //! What the records say, by other ways.
 
-use super::build::Scenario;
+use super::parts::Scenario;
 use super::*;
 use epicyclic_formats::scenario;
 

@@ -1,0 +1,114 @@
+//! What the parts of a simulation share: the scenario, its elements, shifts and output.
+
+use super::ElementKind;
+use crate::gearbox::Subject;
+use epicyclic_formats::scenario::{ScenarioFile, Texts};
+use epicyclic_formats::{Document, Physical};
+use epicyclic_motion::{Course, Model, Sample, Start};
+
+/// A scenario and what it speaks of.
+pub(super) struct Scenario<'s> {
+    pub(super) document: &'s Document,
+    pub(super) file: &'s ScenarioFile,
+    pub(super) subject: &'s Subject<'s>,
+    pub(super) texts: &'s Texts,
+}
+
+/// The model, and what is known of its elements by name.
+pub(super) struct Built {
+    pub(super) model: Model,
+    pub(super) start: Start,
+    pub(super) elements: Vec<Element>,
+    pub(super) shifts: Vec<Ramps>,
+    pub(super) output: Output,
+}
+
+/// An element of the model, in its order.
+#[derive(Debug, Clone)]
+pub(super) struct Element {
+    pub(super) id: String,
+    pub(super) kind: ElementKind,
+    pub(super) links: [String; 2],
+    /// Its capacity over time; none of a one-way clutch.
+    pub(super) capacity: Option<Course>,
+    pub(super) friction_area_m2: Option<f64>,
+    pub(super) heat_capacity_j_per_k: Option<f64>,
+    pub(super) conductance_w_per_k: f64,
+}
+
+impl Element {
+    pub(super) fn new(id: &str, kind: ElementKind, links: [String; 2], capacity: Option<Course>) -> Self {
+        Self {
+            id: id.to_owned(),
+            kind,
+            links,
+            capacity,
+            friction_area_m2: None,
+            heat_capacity_j_per_k: None,
+            conductance_w_per_k: 0.0,
+        }
+    }
+}
+
+/// One shift.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Ramps {
+    pub(super) at: f64,
+    pub(super) from: String,
+    pub(super) to: String,
+    /// What it releases, and from when to when.
+    pub(super) released: Vec<String>,
+    pub(super) release: [f64; 2],
+    /// What it applies.
+    pub(super) applied: Vec<String>,
+    pub(super) apply: [f64; 2],
+}
+
+impl Ramps {
+    /// When both ramps are over.
+    pub(super) fn end(&self) -> f64 {
+        self.release[1].max(self.apply[1])
+    }
+}
+
+/// What stands on the output.
+pub(super) struct Output {
+    /// Its place among the links.
+    place: usize,
+    /// Inertia of the links that are one piece with it.
+    inertia_kg_m2: f64,
+    /// Places of the torques on them.
+    torques: Vec<usize>,
+    /// Places of resistances on them.
+    resistances: Vec<usize>,
+}
+
+impl Output {
+    /// `elements` are those of the model, in its order.
+    pub(super) fn of(scenario: &Scenario<'_>, model: &Model, elements: &[Element]) -> Self {
+        let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
+        let output = gearbox.link_name(gearbox.output());
+        let is_it = |link: &str| model.mechanism().is_one_piece(output, link).unwrap_or(false);
+        let inertias = file.inertias.iter().filter(|(link, _)| is_it(link));
+        let torques = file.torques.iter().filter(|one| one.resistance.is_none()).enumerate();
+        let is_resistance = |one: &Element| one.kind == ElementKind::Resistance && is_it(&one.links[0]);
+        Self {
+            place: gearbox.output().index(),
+            inertia_kg_m2: inertias.map(|(_, inertia)| inertia.0.si()).sum(),
+            torques: torques.filter(|(_, one)| is_it(&one.link)).map(|(place, _)| place).collect(),
+            resistances: elements
+                .iter()
+                .enumerate()
+                .filter(|(_, one)| is_resistance(one))
+                .map(|(place, _)| place)
+                .collect(),
+        }
+    }
+
+    /// `J·ω̇ − Σ T_applied`.
+    pub(super) fn torque(&self, sample: &Sample) -> f64 {
+        let applied: f64 = self.torques.iter().map(|&place| sample.torques[place].si()).sum();
+        let resisting: f64 = self.resistances.iter().map(|&place| sample.elements[place].si()).sum();
+        self.inertia_kg_m2 * sample.accelerations[self.place].si() - applied - resisting
+    }
+}
