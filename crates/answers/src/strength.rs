@@ -12,6 +12,7 @@
 //!
 //! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are relative to the carrier.
 
+mod bearing_records;
 pub(crate) mod bearings;
 pub(crate) mod duty;
 pub(crate) mod load;

@@ -59,8 +59,13 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
 
-    /// Other values of one key, a run for each: shifts[0].overlap=0ms..300ms, elements[C].holding='300 N·m..600 N·m'.
-    #[arg(long, value_name = "KEY=FROM..TO", conflicts_with_all = ["csv", "view", "dpi"])]
+    /// Other values of one key, a run for each.
+    #[arg(
+        long,
+        value_name = "KEY=FROM..TO",
+        conflicts_with_all = ["csv", "view", "dpi"],
+        help = "Other values of one key, a run for each: shifts[0].overlap=0ms..300ms, elements[C].holding='300 N·m..600 N·m'"
+    )]
     sweep: Option<Range>,
 
     /// How many values, 2 to 1000. Default: 11.

@@ -87,16 +87,16 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     })?;
     let mut files = vec![];
     if let Some(file) = &args.campbell {
-        files.push(drawn(file, "--campbell", campbell(&answer)?)?);
+        files.push(drawn(file, "--campbell", &campbell(&answer)?)?);
     }
     if let Some(file) = &args.shapes {
-        files.push(drawn(file, "--shapes", shapes(&answer)?)?);
+        files.push(drawn(file, "--shapes", &shapes(&answer)?)?);
     }
     args.output.deliver_with(files, &answer)
 }
 
 /// A picture as a file.
-fn drawn(file: &Path, option: &'static str, scene: Scene) -> Result<Content, Failure> {
+fn drawn(file: &Path, option: &'static str, scene: &Scene) -> Result<Content, Failure> {
     let format = match drawing_file::end_of(file) {
         None => FileFormat::Svg,
         Some(end) => drawing_file::format_of(&end).ok_or_else(|| Failure::Option {
@@ -104,7 +104,7 @@ fn drawn(file: &Path, option: &'static str, scene: Scene) -> Result<Content, Fai
             message: format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}"),
         })?,
     };
-    Ok((file.to_owned(), drawing_file::content(&scene, format, None)?))
+    Ok((file.to_owned(), drawing_file::content(scene, format, None)?))
 }
 
 /// Refuses a picture of none.

@@ -66,9 +66,17 @@ fn written() -> Vec<(&'static str, String)> {
     }
     run("simulate shift-two-three.yaml -o shift-speeds.svg");
     run("simulate shift-two-three.yaml --view torques -o shift-torques.svg");
-    let names = ["campbell", "modes", "motor-chambers", "synthesized", "shift-speeds", "shift-torques"];
-    let read = |name| fs::read_to_string(folder.path().join(format!("{name}.svg"))).unwrap();
-    names.map(|name| (name, read(name))).to_vec()
+    let read = |name: &'static str| (name, fs::read_to_string(folder.path().join(name)).unwrap());
+    [
+        "campbell.svg",
+        "modes.svg",
+        "motor-chambers.svg",
+        "synthesized.svg",
+        "shift-speeds.svg",
+        "shift-torques.svg",
+    ]
+    .map(read)
+    .to_vec()
 }
 
 fn printed(command: &str) -> String {

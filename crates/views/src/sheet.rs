@@ -55,7 +55,7 @@ fn at_output(all: &[AtOutput]) -> Records {
             backlash(one.backlash_rad, LOWER),
             backlash(one.backlash_rad, UPPER),
             one.stiffness_n_m.map_or(Figure::None, Figure::Number),
-            Figure::Texts(one.missing.clone()),
+            if one.missing.is_empty() { Figure::None } else { text(one.missing.join(", ")) },
         ]
     };
     let is_whole = all.iter().all(|one| one.missing.is_empty());
@@ -64,8 +64,8 @@ fn at_output(all: &[AtOutput]) -> Records {
         name: "at_output",
         columns: vec![
             Column::words("gear", "gear"),
-            Column::number("least_backlash", "backlash"),
-            Column::number("greatest_backlash", "to"),
+            Column::number("least_backlash", "backlash, °"),
+            Column::number("greatest_backlash", "to, °"),
             Column::number("stiffness", "N·m/rad"),
             Column::words("missing", "missing"),
         ],

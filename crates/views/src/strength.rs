@@ -311,8 +311,7 @@ fn bearings(all: &[BearingOverDuty]) -> Records {
 /// What is missing for a bearing, or why nothing follows; none where nothing is.
 fn bearings_missing(all: &[BearingOverDuty]) -> Option<Records> {
     let lacking = all.iter().filter(|one| !one.missing.is_empty());
-    let row =
-        |one: &BearingOverDuty| vec![text(&one.set), text(&one.planet), Figure::Texts(one.missing.clone())];
+    let row = |one: &BearingOverDuty| vec![text(&one.set), text(&one.planet), text(one.missing.join(", "))];
     let rows: Vec<_> = lacking.map(row).collect();
     (!rows.is_empty()).then(|| Records {
         name: "bearings_missing",

@@ -114,7 +114,7 @@ impl Scenario<'_> {
         let slips =
             |links: &[String; 2]| !model.mechanism().is_one_piece(&links[0], &links[1]).unwrap_or(true);
         all.filter(|(_, links)| slips(links))
-            .map(|(id, links)| Element::new(id, super::ElementKind::OneWayClutch, links, None))
+            .map(|(id, links)| Element::new(id, super::parts::ElementKind::OneWayClutch, links, None))
             .collect()
     }
 
@@ -142,7 +142,12 @@ impl Scenario<'_> {
             added.map_err(|why| placed(self.document, &either(path, at_law.clone(), &why), why))?;
             let course = Course::constant(torque.0).map_err(|why| placed(self.document, &at_law, why))?;
             let links = [entry.link.clone(), GROUND.to_owned()];
-            elements.push(Element::new(&entry.id, super::ElementKind::Resistance, links, Some(course)));
+            elements.push(Element::new(
+                &entry.id,
+                super::parts::ElementKind::Resistance,
+                links,
+                Some(course),
+            ));
             return Ok(());
         }
         let law = self.law(entry, &at_law)?;
@@ -248,7 +253,8 @@ impl Scenario<'_> {
             };
             placed(document, &path.clone().key(key), why)
         })?;
-        let kind = if found.is_brake() { super::ElementKind::Brake } else { super::ElementKind::Clutch };
+        let kind =
+            if found.is_brake() { super::parts::ElementKind::Brake } else { super::ElementKind::Clutch };
         let links = found.links().map(|link| gearbox.link_name(link).to_owned());
         Ok(Element {
             friction_area_m2: entry.friction_area.map(|one| one.0.si()),

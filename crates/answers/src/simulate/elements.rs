@@ -1,6 +1,6 @@
 //! Heat, powers, temperature and slip of each element.
 
-use super::parts::{Built, Element};
+use super::parts::{Built, Element, ElementKind};
 use epicyclic_formats::Physical;
 use epicyclic_motion::{Run, Sample, State};
 use schemars::JsonSchema;
@@ -34,20 +34,6 @@ pub struct ElementResult {
     pub peak_temperature_rise_k: Option<f64>,
     /// Temperature over the oil at the end.
     pub end_temperature_rise_k: Option<f64>,
-}
-
-/// What carries between two links.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ElementKind {
-    /// A brake.
-    Brake,
-    /// A clutch.
-    Clutch,
-    /// A one-way clutch or brake.
-    OneWayClutch,
-    /// A load against the motion of a link.
-    Resistance,
 }
 
 /// Samples and what stands right after events, in order of time.

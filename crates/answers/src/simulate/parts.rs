@@ -1,10 +1,25 @@
 //! What the parts of a simulation share: the scenario, its elements, shifts and output.
 
-use super::ElementKind;
 use crate::gearbox::Subject;
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
 use epicyclic_formats::{Document, Physical};
 use epicyclic_motion::{Course, Model, Sample, Start};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What carries between two links.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ElementKind {
+    /// A brake.
+    Brake,
+    /// A clutch.
+    Clutch,
+    /// A one-way clutch or brake.
+    OneWayClutch,
+    /// A load against the motion of a link.
+    Resistance,
+}
 
 /// A scenario and what it speaks of.
 pub(super) struct Scenario<'s> {

@@ -56,7 +56,7 @@ fn result(built: &Built, run: &Run, shift: &Ramps, end: f64) -> ShiftResult {
     let instants = instants(run);
     let places = |ids: &[String]| -> Vec<usize> { ids.iter().filter_map(|id| run.element(id)).collect() };
     let (released, applied) = (places(&shift.released), places(&shift.applied));
-    let one_way = built.elements.iter().filter(|one| one.kind == super::ElementKind::OneWayClutch);
+    let one_way = built.elements.iter().filter(|one| one.kind == super::parts::ElementKind::OneWayClutch);
     let lets_go: Vec<usize> =
         released.iter().copied().chain(one_way.filter_map(|one| run.element(&one.id))).collect();
     let within: Vec<&Sample> =

@@ -393,10 +393,11 @@ mod tests {
             prop_assert!((again.working_angle_rad() - pair.working_angle_rad()).abs() < 1e-7);
             let [from, to] = pair.contact();
             let tips = [pair.of_mate(second.curvature_radius(second.tip_diameter())), first.curvature_radius(first.tip_diameter())];
-            // Where fillets cut contact short there is less of it.
-            let by_tips = contact_by_coordinates(&pair);
-            prop_assert!(pair.transverse_contact_ratio() <= by_tips.max(0.0) + 1e-9);
+            // Tips of a ring within its base circle never meet the line of action.
             let second_has_involute_tip = !ring || second.tip_diameter() > second.base_diameter();
+            let by_tips = contact_by_coordinates(&pair);
+            // Where fillets cut contact short there is less of it.
+            prop_assert!(!second_has_involute_tip || pair.transverse_contact_ratio() <= by_tips.max(0.0) + 1e-9);
             if from == tips[0] && to == tips[1] && second_has_involute_tip {
                 prop_assert!((pair.transverse_contact_ratio() - by_tips.max(0.0)).abs() < 1e-9, "{by_tips}");
             }

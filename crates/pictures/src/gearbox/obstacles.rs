@@ -33,7 +33,8 @@ pub(super) struct Obstacles {
 impl Obstacles {
     /// None yet, with cells over an area.
     pub(super) fn over(area: Bounds) -> Self {
-        let count = |length: f64| (length / CELL_MM).ceil().max(1.0).min(MOST_CELLS) as usize;
+        // NaN would give 0.
+        let count = |length: f64| ((length / CELL_MM).ceil().clamp(1.0, MOST_CELLS) as usize).max(1);
         let (columns, rows) = (count(area.right - area.left), count(area.top - area.bottom));
         Self { all: vec![], area, columns, rows, cells: vec![vec![]; columns * rows], last: Cell::new(0) }
     }

@@ -122,8 +122,9 @@ impl SetSize {
         }
         // The angles' own limits.
         let own = self.meshes.iter().filter_map(|mesh| mesh.pressure_angle);
-        own.chain([self.pressure_angle])
-            .try_for_each(|angle| planet_bearing::radial_force(&[], 1, angle).map(|_| ()))
-            .map_err(Into::into)
+        for angle in own.chain([self.pressure_angle]) {
+            planet_bearing::radial_force(&[], 1, angle)?;
+        }
+        Ok(())
     }
 }
