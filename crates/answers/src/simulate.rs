@@ -113,6 +113,12 @@ pub struct EventRecord {
     pub accelerations_rad_s2: Vec<f64>,
     /// Torque of each element on its first link right after it, in the order of `elements`.
     pub element_torques_n_m: Vec<f64>,
+    /// The same right before it.
+    pub element_torques_before_n_m: Vec<f64>,
+    /// Torque of sets and shift elements on the output right before it.
+    pub output_torque_before_n_m: f64,
+    /// The same right after it.
+    pub output_torque_n_m: f64,
     /// Heat of each element up to it.
     pub element_heats_j: Vec<f64>,
 }
@@ -255,7 +261,7 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
         output: gearbox.link_name(gearbox.output()).to_owned(),
         gear: file.gear.clone(),
         duration_s: file.duration.0.si(),
-        events: run.events.iter().map(EventRecord::of).collect(),
+        events: run.events.iter().map(|event| EventRecord::of(built, event)).collect(),
         shifts,
         elements,
         end: at_end(run),
@@ -304,14 +310,18 @@ impl Energies {
 }
 
 impl EventRecord {
-    fn of(event: &motion::Event) -> Self {
-        let after = &event.after;
+    fn of(built: &Built, event: &motion::Event) -> Self {
+        let motion::Event { before, after, .. } = event;
+        let torques = |sample: &motion::Sample| sample.elements.iter().map(|one| one.si()).collect();
         Self {
             time_s: after.time.si(),
             changes: event.changes.iter().filter_map(ChangeRecord::of).collect(),
             speeds_rad_s: after.speeds.iter().skip(1).map(|one| one.si()).collect(),
             accelerations_rad_s2: after.accelerations.iter().skip(1).map(|one| one.si()).collect(),
-            element_torques_n_m: after.elements.iter().map(|one| one.si()).collect(),
+            element_torques_n_m: torques(after),
+            element_torques_before_n_m: torques(before),
+            output_torque_before_n_m: built.output.torque(before),
+            output_torque_n_m: built.output.torque(after),
             element_heats_j: after.heats.iter().map(|one| one.si()).collect(),
         }
     }

@@ -172,6 +172,8 @@ pub enum Change {
 pub struct Event {
     /// What changes, all at once.
     pub changes: Vec<Change>,
+    /// Everything right before it: torques jump where elements lock, and speeds where dog clutches engage.
+    pub before: Sample,
     /// Everything right after it.
     pub after: Sample,
 }

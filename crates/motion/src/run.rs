@@ -285,13 +285,15 @@ impl<'m> Runner<'m> {
         self.transitions += usize::from(!fired.is_empty());
         self.watch_accumulation(fired)?;
         let before = (self.field.pattern.clone(), states(&self.field));
+        let held = self.field.elements.clone();
+        let just_before = self.now();
         let mut loosed: Vec<Loosed> = vec![];
         let mut changes = vec![];
         let mut passing = vec![];
         for trigger in fired {
             match *trigger {
                 Trigger::Exceeds(place) | Trigger::LetsGo(place) => {
-                    loosed.push((place, Way::of(-self.field.elements[place])));
+                    loosed.push((place, Way::of(-held[place])));
                 }
                 Trigger::Segment(place, true) => self.field.pattern.segments[place] += 1,
                 Trigger::Segment(place, false) => self.field.pattern.segments[place] -= 1,
@@ -328,7 +330,7 @@ impl<'m> Runner<'m> {
         self.note_changes(&before, &mut changes);
         if !changes.is_empty() {
             let after = Sample::of(&self.field, t, &self.stepper.y);
-            self.events.push(Event { changes, after });
+            self.events.push(Event { changes, before: just_before, after });
         }
         Ok(())
     }
@@ -417,11 +419,16 @@ impl<'m> Runner<'m> {
         }
     }
 
-    /// A sample of where the run is.
-    fn sample(&mut self) {
+    /// Where the run is.
+    fn now(&mut self) -> Sample {
         let Self { field, stepper, .. } = self;
         stepper.begin(|t, y, dy| field.evaluate(t, y, dy));
-        let sample = Sample::of(&self.field, self.stepper.t, &self.stepper.y);
+        Sample::of(&self.field, self.stepper.t, &self.stepper.y)
+    }
+
+    /// A sample of where the run is.
+    fn sample(&mut self) {
+        let sample = self.now();
         self.samples.push(sample);
     }
 }

@@ -36,11 +36,11 @@ pub struct ElementResult {
     pub end_temperature_rise_k: Option<f64>,
 }
 
-/// Samples and what stands right after events, in order of time.
+/// Samples and what stands right before and after events, in order of time.
 pub(super) fn instants(run: &Run) -> Vec<&Sample> {
     let mut all: Vec<&Sample> =
-        run.samples.iter().chain(run.events.iter().map(|event| &event.after)).collect();
-    // What has one time keeps its order: sample, then event.
+        run.samples.iter().chain(run.events.iter().flat_map(|event| [&event.before, &event.after])).collect();
+    // What has one time keeps its order: sample, before, after.
     all.sort_by(|one, other| one.time.si().total_cmp(&other.time.si()));
     all
 }

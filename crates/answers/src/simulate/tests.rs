@@ -142,7 +142,8 @@ fn the_torque_of_the_output_is_what_its_set_gives() {
     let scenario = Scenario { document: &document, file: &file, subject: &subject, texts: &texts };
     let built = scenario.built().unwrap();
     let run = built.model.run(&built.start, Time::from_si(1.0), Some(Time::from_si(1e-3))).unwrap();
-    for sample in run.samples.iter().chain(run.events.iter().map(|event| &event.after)) {
+    for sample in run.samples.iter().chain(run.events.iter().flat_map(|event| [&event.before, &event.after]))
+    {
         let given = -sample.sets[0][2].si();
         assert!(
             (built.output.torque(sample) - given).abs() < 1e-9,

@@ -11,17 +11,17 @@ fn over(times: &[f64], values: impl IntoIterator<Item = f64>) -> Vec<[f64; 2]> {
     times.iter().zip(values).map(|(time, value)| [*time, value]).collect()
 }
 
-/// The same with the instants after events among the samples, where a value jumps.
+/// The same with the instants before and after events among the samples, where a value jumps.
 fn with_events(
     simulation: &Simulation,
     values: &[f64],
-    at: impl Fn(&EventRecord) -> Option<f64>,
+    at: impl Fn(&EventRecord) -> Option<[f64; 2]>,
 ) -> Vec<[f64; 2]> {
     let mut points = over(&simulation.samples.times_s, values.iter().copied());
     for event in &simulation.events {
-        if let Some(value) = at(event) {
+        if let Some(both) = at(event) {
             let place = points.partition_point(|point| point[0] < event.time_s);
-            points.insert(place, [event.time_s, value]);
+            points.splice(place..place, both.map(|value| [event.time_s, value]));
         }
     }
     points
@@ -61,7 +61,7 @@ pub fn speeds(simulation: &Simulation) -> Plot {
     links.sort_by_key(|(_, link)| (link.link != simulation.input, link.link != simulation.output));
     let curves = links.into_iter().map(|(place, link)| {
         let values: Vec<f64> = link.speeds_rad_s.iter().map(|speed| rpm(*speed)).collect();
-        let at = |event: &EventRecord| event.speeds_rad_s.get(place).map(|speed| rpm(*speed));
+        let at = |event: &EventRecord| event.speeds_rad_s.get(place).map(|speed| [rpm(*speed); 2]);
         Curve::new(&link.link, with_events(simulation, &values, at))
     });
     marked(simulation, curves.fold(plot, Plot::with))
@@ -72,11 +72,15 @@ pub fn speeds(simulation: &Simulation) -> Plot {
 pub fn torques(simulation: &Simulation) -> Plot {
     let plot = Plot::new(format!("{}: torques", simulation.scenario), "time, s", "torque, N·m");
     let curves = simulation.samples.elements.iter().enumerate().map(|(place, element)| {
-        let at = |event: &EventRecord| event.element_torques_n_m.get(place).copied();
+        let at = |event: &EventRecord| {
+            let both = [&event.element_torques_before_n_m, &event.element_torques_n_m];
+            both[0].get(place).zip(both[1].get(place)).map(|(before, after)| [*before, *after])
+        };
         Curve::new(&element.id, with_events(simulation, &element.torques_n_m, at))
     });
     let plot = curves.fold(plot, Plot::with);
-    let output = over(&simulation.samples.times_s, simulation.samples.output_torques_n_m.iter().copied());
+    let at = |event: &EventRecord| Some([event.output_torque_before_n_m, event.output_torque_n_m]);
+    let output = with_events(simulation, &simulation.samples.output_torques_n_m, at);
     marked(simulation, plot.with(Curve::new(format!("output {}", simulation.output), output)))
 }
 
