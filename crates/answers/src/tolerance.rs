@@ -16,6 +16,11 @@
 /// A sum of balanced terms below this is zero.
 pub(crate) const ROUNDED: f64 = 1e-12;
 
+/// A share, 0 where it is only the rounding that balances and differences of speeds leave.
+pub(crate) fn rounded(share: f64) -> f64 {
+    if share.abs() < ROUNDED { 0.0 } else { share }
+}
+
 /// Members of a series that differ by less are the right ones.
 pub(crate) const SAME: f64 = 1e-9;
 

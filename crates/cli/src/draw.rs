@@ -209,7 +209,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let scene = scene?;
     let mut files: Vec<(&Path, FileFormat)> = vec![];
     if let Some(file) = args.output.as_deref() {
-        files.push((file, format_of(file)?));
+        files.push((file, drawing_file::format_by_name(file, "--output")?));
     }
     drawing_file::check_dpi(args.dpi, files.iter().map(|(_, format)| *format))?;
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
@@ -231,15 +231,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     write_files(&written)?;
     say(&told)
-}
-
-/// What the end of a file's name asks for.
-fn format_of(file: &Path) -> Result<FileFormat, Failure> {
-    let Some(end) = drawing_file::end_of(file) else { return Ok(FileFormat::Svg) };
-    drawing_file::format_of(&end).ok_or_else(|| {
-        let message = format!("a drawing ends in .svg, .dxf, .pdf or .png, not .{end}");
-        Failure::Option { option: "--output", message }
-    })
 }
 
 /// The drawing that the options describe, before it is made.

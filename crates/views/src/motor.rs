@@ -6,7 +6,7 @@ pub(crate) use lists::subject;
 
 use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked, words};
-use crate::report::{Part, Report, Row, Section, Text};
+use crate::report::{Part, Report, Row, Section, Text, warned};
 use crate::{AsReport, Error, text};
 use epicyclic_answers::motor::{
     Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Motor, Numbers, Wheel,
@@ -61,8 +61,7 @@ impl AsReport for Motor {
             paragraphs: vec![NEGLECTED.to_owned()],
             ..Text::default()
         }));
-        let warnings = self.warnings.iter().map(|warning| (warning.name, warning.message.clone()));
-        Report { title: Some(title(&self.numbers)), parts, warnings: Some(warnings.collect()) }
+        Report { title: Some(title(&self.numbers)), parts, warnings: warned(&self.warnings) }
     }
 }
 

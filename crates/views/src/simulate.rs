@@ -6,7 +6,7 @@ mod sweep;
 use crate::AsReport;
 use crate::figure::{Figure, text};
 use crate::quantities::{column, quantity};
-use crate::report::{Column, Part, Records, Report, Row, Section, View};
+use crate::report::{Column, Part, Records, Report, Row, Section, View, warned};
 use epicyclic_answers::simulate::{
     ChangeKind, ChangeRecord, ElementKind, ElementResult, ShiftResult, Simulation, State,
 };
@@ -28,10 +28,6 @@ pub enum PlotView {
     Temperatures,
 }
 
-fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Column {
-    Column { heading: heading.into(), ..Column::quantity(name, dimension) }
-}
-
 impl AsReport for Simulation {
     fn report(&self) -> Report {
         let mut parts = vec![];
@@ -46,11 +42,10 @@ impl AsReport for Simulation {
         }
         parts.push(Part::Records(end(self)));
         parts.push(Part::Facts(energies(self)));
-        let warnings = self.warnings.iter().map(|one| (one.name, one.message.clone())).collect();
         Report {
             title: Some(format!("{}: {} in motion", self.scenario, self.gearbox)),
             parts,
-            warnings: Some(warnings),
+            warnings: warned(&self.warnings),
         }
     }
 }
@@ -119,15 +114,15 @@ fn events(simulation: &Simulation) -> Records {
     Records {
         name: "events",
         columns: vec![
-            headed("time", "t, s", Time),
+            Column::headed("time", "t, s", Time),
             Column::words("change", "what changes").for_people(),
             Column::words("kind", "kind"),
             Column::words("id", "of"),
             Column::words("from", "from"),
             Column::words("to", "to"),
             Column::words("is_rising", "upwards"),
-            headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
-            headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
+            Column::headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
+            Column::headed("output_speed", format!("{}, rpm", simulation.output), AngularSpeed),
         ],
         rows: rows.collect(),
         views: vec![View::new("Events", &["time", "change", "input_speed", "output_speed"])],
@@ -162,17 +157,17 @@ fn shifts(all: &[ShiftResult]) -> Records {
         name: "shifts",
         columns: vec![
             Column::words("shift", "shift"),
-            headed("at", "at, s", Time),
-            headed("shift_time", "takes, s", Time),
-            headed("torque_phase", "torque phase", Time),
-            headed("inertia_phase", "inertia phase", Time),
-            headed("output_torque_before", "T before, N·m", Torque),
-            headed("output_torque_least", "least", Torque),
-            headed("output_torque_greatest", "greatest", Torque),
+            Column::headed("at", "at, s", Time),
+            Column::headed("shift_time", "takes, s", Time),
+            Column::headed("torque_phase", "torque phase", Time),
+            Column::headed("inertia_phase", "inertia phase", Time),
+            Column::headed("output_torque_before", "T before, N·m", Torque),
+            Column::headed("output_torque_least", "least", Torque),
+            Column::headed("output_torque_greatest", "greatest", Torque),
             Column::number("torque_hole_percent", "hole, %"),
             Column::number("torque_surge_percent", "surge, %"),
-            headed("heat", "heat, J", Energy),
-            headed("locked", "locked, s", Time),
+            Column::headed("heat", "heat, J", Energy),
+            Column::headed("locked", "locked, s", Time),
             Column::words("released", "released"),
             Column::words("applied", "applied"),
         ],
@@ -258,14 +253,14 @@ fn elements(all: &[ElementResult]) -> Records {
             Column::words("kind", "kind"),
             Column::words("links", "between"),
             Column::words("at_end", "at the end"),
-            headed("slip_time", "slips, s", Time),
-            headed("heat", "heat, J", Energy),
-            headed("peak_power", "P, kW", Power),
-            headed("peak_torque", "T, N·m", Torque),
-            headed("heat_per_area", "J/mm²", EnergyPerArea),
-            headed("peak_power_per_area", "W/mm²", PowerPerArea),
-            headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
-            headed("end_temperature_rise", "end, K", TemperatureDifference),
+            Column::headed("slip_time", "slips, s", Time),
+            Column::headed("heat", "heat, J", Energy),
+            Column::headed("peak_power", "P, kW", Power),
+            Column::headed("peak_torque", "T, N·m", Torque),
+            Column::headed("heat_per_area", "J/mm²", EnergyPerArea),
+            Column::headed("peak_power_per_area", "W/mm²", PowerPerArea),
+            Column::headed("peak_temperature_rise", "greatest, K", TemperatureDifference),
+            Column::headed("end_temperature_rise", "end, K", TemperatureDifference),
         ],
         rows: all.iter().map(row).collect(),
         views,
@@ -285,8 +280,8 @@ fn end(simulation: &Simulation) -> Records {
         name: "end",
         columns: vec![
             Column::words("link", "link"),
-            headed("speed", "n, rpm", AngularSpeed),
-            headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
+            Column::headed("speed", "n, rpm", AngularSpeed),
+            Column::headed("acceleration", "rad/s²", Dimension::AngularAcceleration),
         ],
         rows: simulation.end.iter().map(row).collect(),
         views: vec![View::new("At the end", &["link", "speed", "acceleration"])],
@@ -316,7 +311,7 @@ fn energies(simulation: &Simulation) -> Section {
 #[must_use]
 pub fn samples(simulation: &Simulation) -> Report {
     let all = &simulation.samples;
-    let mut columns = vec![headed("time", "t, s", Time)];
+    let mut columns = vec![Column::headed("time", "t, s", Time)];
     let mut lists: Vec<(&[f64], Dimension)> = vec![(&all.times_s, Time)];
     for link in &all.links {
         columns.push(Column::quantity("speed", AngularSpeed).of(&link.link));

@@ -14,7 +14,7 @@ use epicyclic_pictures::plot::Plot;
 /// [`Error::Picture`] for speeds or torques that no plot holds.
 pub fn sheet(simulation: &Simulation, file: String) -> Result<Sheet, Error> {
     let picture = |plot: Plot, caption: &str| {
-        let scene = plot.sized(PLOT_MM).scene().map_err(|error| Error::Picture(error.into()))?;
+        let scene = plot.sized(PLOT_MM).untitled().scene().map_err(|error| Error::Picture(error.into()))?;
         Ok::<_, Error>(Block::picture(scene, caption))
     };
     let report = simulation.report();

@@ -107,7 +107,7 @@ pub fn capacities(simulation: &Simulation) -> Option<Plot> {
 #[must_use]
 pub fn temperatures(simulation: &Simulation) -> Option<Plot> {
     let title = format!("{}: temperature over the oil", simulation.scenario);
-    let plot = Plot::new(title, "time, s", "temperature over the oil, K");
+    let plot = Plot::new(title, "time, s", "over the oil, K");
     let times = &simulation.samples.times_s;
     let curves: Vec<Curve> = (simulation.samples.elements.iter().enumerate())
         .filter_map(|(place, element)| {
