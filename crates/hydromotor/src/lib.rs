@@ -62,6 +62,7 @@ pub mod forces;
 pub mod junction;
 pub mod motor;
 pub mod numbers;
+pub mod ports;
 pub mod profile;
 pub mod quantity;
 mod real;
