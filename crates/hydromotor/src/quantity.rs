@@ -66,6 +66,8 @@ words! {
         Fillet "fillet"
         SatelliteTooth "tooth of the satellite"
         WheelTooth "tooth of the wheels"
+        StatorOffset "offset of the contact on the stator"
+        RotorOffset "offset of the contact on the rotor"
         StatorLobes "stator lobes"
         RotorLobes "rotor lobes"
         StatorTeeth "stator teeth"
