@@ -62,6 +62,7 @@ pub mod flanks;
 pub mod flow;
 pub mod forces;
 pub mod junction;
+pub mod leakage;
 pub mod motor;
 pub mod numbers;
 pub mod ports;

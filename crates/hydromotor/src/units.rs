@@ -13,7 +13,7 @@ use uom::si::f64::{
     TemperatureCoefficient, TemperatureInterval, Torque, Volume, VolumeRate,
 };
 use uom::si::force::newton;
-use uom::si::length::{meter, millimeter};
+use uom::si::length::{meter, micrometer, millimeter};
 use uom::si::mass_density::kilogram_per_cubic_meter;
 use uom::si::power::watt;
 use uom::si::pressure::{megapascal, pascal};
@@ -286,4 +286,8 @@ pub(crate) fn finite_kelvins(value: TemperatureInterval) -> Result<f64, Error> {
     } else {
         Err(Error::NotFinite { quantity: Quantity::TemperatureDifference, value, unit: "K" })
     }
+}
+
+pub(crate) fn micrometres(value: Length) -> f64 {
+    value.get::<micrometer>()
 }
