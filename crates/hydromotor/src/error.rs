@@ -326,6 +326,9 @@ pub enum Error {
         /// A rotation of the rotor at which it is so, degrees.
         rotation_deg: f64,
     },
+    /// Ports that were made for another motor.
+    #[error("the ports are those of another motor: give ports of the same numbers, module and shape")]
+    OtherMotor,
     /// A gap in which the flow is not laminar.
     #[error(
         "the Reynolds number in the gap of the {wheel} is {reynolds:.0}: the laminar law holds up to {most}, here up to a gap \
@@ -393,6 +396,7 @@ impl Error {
             Self::PortNeverOpens { .. } => "port-never-opens",
             Self::PortNeverCloses { .. } => "port-never-closes",
             Self::NoOpening { .. } => "no-opening",
+            Self::OtherMotor => "other-motor",
             Self::NotLaminar { .. } => "not-laminar",
             Self::PlayClosed { .. } => "play-closed",
         }

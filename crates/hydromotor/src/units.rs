@@ -291,3 +291,26 @@ pub(crate) fn finite_kelvins(value: TemperatureInterval) -> Result<f64, Error> {
 pub(crate) fn micrometres(value: Length) -> f64 {
     value.get::<micrometer>()
 }
+
+pub(crate) fn newtons(value: Force) -> f64 {
+    value.get::<newton>()
+}
+
+/// A speed that is finite and not below 0, in radians a second.
+pub(crate) fn speed_from_zero(value: AngularVelocity) -> Result<f64, Error> {
+    ranging(Quantity::Speed, value.get::<radian_per_second>(), [0.0, f64::INFINITY], "rad/s")
+}
+
+/// A radian a second.
+pub(crate) fn speed_of_one() -> AngularVelocity {
+    AngularVelocity::new::<radian_per_second>(1.0)
+}
+
+pub(crate) fn watts(value: Power) -> f64 {
+    value.get::<watt>()
+}
+
+/// Cubic metres a second.
+pub(crate) fn volume_flow(value: VolumeRate) -> f64 {
+    value.get::<cubic_meter_per_second>()
+}
