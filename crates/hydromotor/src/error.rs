@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::quantity::{ArcsFault, OpenPair, Quantity, WheelKind};
+use crate::quantity::{ArcsFault, OpenPair, PortSide, Quantity, WheelKind};
 
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -228,6 +228,17 @@ pub enum Error {
         /// The wheel concerned.
         wheel: WheelKind,
     },
+    /// A satellite that the flanks cannot hold against the pressure.
+    #[error(
+        "the flanks cannot hold a satellite where the centrode slopes by {slope_deg:.4}° against its push: with this pressure angle \
+         by less than {most_deg:.4}°"
+    )]
+    CannotHold {
+        /// Slope `σ·μ`, degrees.
+        slope_deg: f64,
+        /// The slope at which the lines of action lie along the ray, `90° − α`, degrees.
+        most_deg: f64,
+    },
     /// A search without a module to choose from.
     #[error("no modules to choose from: give at least one, or a width, or a width over the diameter")]
     NoModules,
@@ -250,6 +261,101 @@ pub enum Error {
         sets: u64,
         /// The greatest number allowed.
         most: u64,
+    },
+    /// A port where no chamber ever is.
+    #[error(
+        "the {side} port lies from {from_mm:.4} to {to_mm:.4} mm from the axis, where no chamber ever is: \
+         chambers lie between {low_mm:.4} and {high_mm:.4} mm"
+    )]
+    PortOutside {
+        /// Which ports.
+        side: PortSide,
+        /// Its least distance from the axis, mm.
+        from_mm: f64,
+        /// Its greatest distance from the axis, mm.
+        to_mm: f64,
+        /// The rotor's least radius, mm.
+        low_mm: f64,
+        /// The stator's greatest radius, mm.
+        high_mm: f64,
+    },
+    /// Ports of both pressures that share an area.
+    #[error("a high-pressure and a low-pressure port overlap: move them apart, or make them smaller")]
+    PortsOverlap,
+    /// Centrodes steeper than 45°, or a satellite that reaches across the ray through its neighbour's contacts.
+    #[error(
+        "ports of this motor: its centrodes are steeper than 45°, or a satellite reaches across the ray through its neighbour's contacts, so that \
+         the rays do not part the chambers; choose an l or numbers with less steep centrodes"
+    )]
+    SatelliteAcrossRay,
+    /// A port that stays covered.
+    #[error(
+        "the {side} ports never open: satellites, rotor or stator cover them at every angle; a port that opens \
+         lies about {radius_mm:.4} mm from the axis at {angle_deg:.4}° from a crest"
+    )]
+    PortNeverOpens {
+        /// Which ports.
+        side: PortSide,
+        /// Distance of the ideal port's centre from the axis, mm.
+        radius_mm: f64,
+        /// Its polar angle from the crest, degrees.
+        angle_deg: f64,
+    },
+    /// A port that a chamber always sees.
+    #[error(
+        "the {side} ports never close: every chamber is open to them at every angle; a hole closes up to a diameter \
+         of {most_mm:.4} mm at {radius_mm:.4} mm from the axis and {angle_deg:.4}° from a crest"
+    )]
+    PortNeverCloses {
+        /// Which ports.
+        side: PortSide,
+        /// The greatest diameter of a hole that closes, mm.
+        most_mm: f64,
+        /// Distance of the ideal port's centre from the axis, mm.
+        radius_mm: f64,
+        /// Its polar angle from the crest, degrees.
+        angle_deg: f64,
+    },
+    /// Ports that leave no opening at some angle.
+    #[error(
+        "all {side} ports are closed at a rotation of {rotation_deg:.4}°: a flow through them needs one open at every angle"
+    )]
+    NoOpening {
+        /// Which ports.
+        side: PortSide,
+        /// A rotation of the rotor at which it is so, degrees.
+        rotation_deg: f64,
+    },
+    /// Ports that were made for another motor.
+    #[error("the ports are those of another motor: give ports of the same numbers, module and shape")]
+    OtherMotor,
+    /// A gap in which the flow is not laminar.
+    #[error(
+        "the Reynolds number in the gap of the {wheel} is {reynolds:.0}: the laminar law holds up to {most}, here up to a gap \
+         of {gap_most_um:.2} µm; a turbulent law needs its factor and exponent"
+    )]
+    NotLaminar {
+        /// The wheel at whose faces the gap is.
+        wheel: WheelKind,
+        /// The Reynolds number by the laminar law.
+        reynolds: f64,
+        /// The greatest of the laminar range.
+        most: f64,
+        /// The gap at which it is reached, µm.
+        gap_most_um: f64,
+    },
+    /// A play that heat takes up.
+    #[error(
+        "an axial play of {play_um:.2} µm: the expansion takes up {closed_um:.2} µm; the play must be greater, or the satellite at most \
+         {most_k:.2} K warmer than the housing"
+    )]
+    PlayClosed {
+        /// The play when cold, µm.
+        play_um: f64,
+        /// What the expansion takes up, µm.
+        closed_um: f64,
+        /// The difference of temperatures that takes up all, K.
+        most_k: f64,
     },
 }
 
@@ -280,9 +386,19 @@ impl Error {
             Self::FilletTooLarge { .. } => "fillet-too-large",
             Self::NoTip { .. } => "no-tip",
             Self::NoFlank { .. } => "no-flank",
+            Self::CannotHold { .. } => "cannot-hold",
             Self::NoModules => "no-modules",
             Self::EmptyLimits { .. } => "empty-limits",
             Self::TooManySets { .. } => "too-many-sets",
+            Self::PortOutside { .. } => "port-outside",
+            Self::PortsOverlap => "ports-overlap",
+            Self::SatelliteAcrossRay => "satellite-across-ray",
+            Self::PortNeverOpens { .. } => "port-never-opens",
+            Self::PortNeverCloses { .. } => "port-never-closes",
+            Self::NoOpening { .. } => "no-opening",
+            Self::OtherMotor => "other-motor",
+            Self::NotLaminar { .. } => "not-laminar",
+            Self::PlayClosed { .. } => "play-closed",
         }
     }
 }

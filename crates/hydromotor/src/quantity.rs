@@ -66,11 +66,40 @@ words! {
         Fillet "fillet"
         SatelliteTooth "tooth of the satellite"
         WheelTooth "tooth of the wheels"
+        StatorOffset "offset of the contact on the stator"
+        RotorOffset "offset of the contact on the rotor"
         StatorLobes "stator lobes"
         RotorLobes "rotor lobes"
         StatorTeeth "stator teeth"
         RotorTeeth "rotor teeth"
         SatelliteTeeth "satellite teeth"
+        HoleDiameter "diameter of the hole"
+        PitchCircleRadius "pitch circle radius of the hole"
+        PortAngle "angle of the port"
+        KidneyInnerRadius "inner radius of the kidney"
+        KidneyOuterRadius "outer radius of the kidney"
+        KidneySpan "span of the kidney"
+        KidneyCorner "corner radius of the kidney"
+        ClosedAngle "closed angle"
+        ChamberArea "area of the chamber"
+        ChamberBend "second derivative of the chamber's area"
+        DeadArea "dead area"
+        BulkModulus "bulk modulus"
+        Density "density"
+        Viscosity "viscosity"
+        DischargeCoefficient "discharge coefficient"
+        TrappedPressure "trapped pressure allowed"
+        Gap "gap"
+        SatelliteGap "gap of the satellites"
+        RotorGap "gap of the rotor"
+        SealedAngle "sealed angle"
+        AxialPlay "axial play"
+        Expansion "coefficient of thermal expansion"
+        TemperatureDifference "temperature difference"
+        TurbulentFactor "factor of the turbulent law"
+        TurbulentExponent "exponent of the turbulent law"
+        FrictionCoefficient "friction coefficient"
+        BoreRadius "bore radius of the rotor"
     }
 }
 
@@ -82,6 +111,14 @@ words! {
         Satellite "satellite"
         WheelCutter "cutter of the wheels"
         SatelliteRack "rack of the satellite"
+    }
+}
+
+words! {
+    /// The ports of one pressure.
+    PortSide {
+        High "high-pressure"
+        Low "low-pressure"
     }
 }
 

@@ -19,6 +19,8 @@
 //! | `LEVEL` | a deviation above the level one, over it | it is the greatest then |
 //! | `NOISE` | a share in the exchange | the difference quotients' own noise |
 //! | `EXTREME` | the growth of a chamber, over the greatest among the chambers | what rounding leaves at an extreme |
+//! | `OPEN` | the area that a port and a chamber share, over the port's | the sums of both outlines leave less |
+//! | `INSTANT` | a stretch of rotation | a satellite that just covers a port touches its edge: opened and closed at once |
 //! | `SINGULAR` | a pivot | equations with it have no solution |
 
 /// Ends of intervals are left by this part of them.
@@ -74,3 +76,9 @@ pub(crate) const SINGULAR: f64 = 1e-12;
 
 /// A chamber that grows less is at an extreme.
 pub(crate) const EXTREME: f64 = 1e-6;
+
+/// A port that shares less with a chamber is closed to it.
+pub(crate) const OPEN: f64 = 1e-10;
+
+/// A shorter stretch of rotation is an instant.
+pub(crate) const INSTANT: f64 = 1e-5;

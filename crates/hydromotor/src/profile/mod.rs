@@ -40,6 +40,7 @@ pub mod clearance;
 mod cut;
 pub mod form;
 pub mod limits;
+mod paths;
 mod satellite;
 mod track;
 
@@ -55,10 +56,13 @@ use crate::motor::Motor;
 use crate::quantity::Quantity;
 use crate::satellites::Point;
 use cut::Cut;
-use form::Teeth;
+
+pub(crate) use form::Teeth;
+pub(crate) use paths::FlankPath;
 use satellite::SatelliteTooth;
 use std::f64::consts::PI;
-use track::{Side, Track};
+pub(crate) use track::Side;
+use track::Track;
 
 /// The most points of an outline.
 pub const MOST_POINTS: u32 = 10_000_000;
