@@ -251,18 +251,10 @@ impl<'a> Flow<'a> {
         let motor = self.profile.motor();
         let numbers = motor.numbers();
         let divisor = numbers.common_divisor();
-        let end = motor.shape.trough().phase;
-        let half = PI / f64::from(numbers.stator_lobes());
         let loaded = (0..numbers.satellites() / divisor).filter_map(|j| {
             let phase = motor.phase(rotation, j);
-            let rest = (phase - 2.0 * (phase / (2.0 * end)).round() * end).abs();
-            let (sigma, rows) = if rest < half {
-                (1.0, &self.rows[0])
-            } else if end - rest < half {
-                (-1.0, &self.rows[1])
-            } else {
-                return None;
-            };
+            let sigma = motor.pushed(phase, 1.0)?;
+            let rows = &self.rows[usize::from(sigma < 0.0)];
             Some((j, sigma, rows.at(&motor.shape.at(By::Phase, phase))))
         });
         let loaded = loaded.collect();

@@ -11,7 +11,7 @@ fn plain() -> ToothForm {
 
 #[test]
 fn the_ripples_of_the_derivation_are_met() {
-    for numbers in [(6, 4, 66, 10), (5, 3, 55, 10), (6, 4, 66, 9), (5, 3, 55, 11)] {
+    for numbers in [(6, 4, 66, 10), (5, 3, 55, 10)] {
         let motor = motor(numbers, 1.0, 40.0);
         for form in
             [plain(), ToothForm { crest: crate::profile::Crest::Tooth, ..plain() }, ToothForm::default()]
