@@ -39,5 +39,5 @@ pub mod third;
 pub use forces::{BearingLoad, FlankForce, GreatestFlankForce, Push};
 pub use root::{AllowedPressure, Governing, MaterialLimits, RootStress};
 pub use sealing::{FlankRipple, SealingContact};
-pub use stress::{ContactStress, Mesh, PeakPressure, effective_modulus};
+pub use stress::{ContactStress, LoadedPath, Mesh, PeakPressure, effective_modulus};
 pub use third::{ForceBound, ThirdContact, ThirdContactBounds};

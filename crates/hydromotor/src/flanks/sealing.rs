@@ -261,6 +261,15 @@ impl<'a> Flow<'a> {
         Piece { motor, cos: self.profile.teeth().cos, times: f64::from(divisor), loaded }
     }
 
+    /// `Q′/b` at any rotation; where it jumps, the value behind the jump.
+    fn at(&self, rotation: f64) -> f64 {
+        let period = self.profile.motor().period();
+        let rest = rotation.rem_euclid(period);
+        let last = self.ends.len() - 2;
+        let piece = (self.ends.partition_point(|&end| end <= rest).max(1) - 1).min(last);
+        self.piece(0.5 * (self.ends[piece] + self.ends[piece + 1])).at(rest).0
+    }
+
     fn pieces(&self) -> impl Iterator<Item = ([f64; 2], Piece<'a>)> {
         self.ends.windows(2).map(|pair| ([pair[0], pair[1]], self.piece(0.5 * (pair[0] + pair[1]))))
     }
@@ -300,14 +309,14 @@ impl Motor {
 
 impl Profile {
     /// Flow over width a radian of the rotor with the flanks as seals, for a pressure that drives the rotor counter-clockwise; the other
-    /// way it is that at the opposite rotation.
+    /// way it is that at the opposite rotation. Where it jumps, the value behind the jump.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn flank_flow_per_width(&self, rule: SealingContact, rotation: Angle) -> Result<Area, Error> {
         let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let flow = Flow::new(self, rule);
-        Ok(area(flow.piece(rotation).at(rotation).0, self.motor().module()))
+        Ok(area(flow.at(rotation), self.motor().module()))
     }
 
     /// Flow over width at the flanks at many rotations, as [`flank_flow_per_width`](Self::flank_flow_per_width) at each.
@@ -322,7 +331,7 @@ impl Profile {
         let flow = Flow::new(self, rule);
         let at = |&rotation: &Angle| {
             let rotation = finite_angle(Quantity::Rotation, rotation)?;
-            Ok(area(flow.piece(rotation).at(rotation).0, self.motor().module()))
+            Ok(area(flow.at(rotation), self.motor().module()))
         };
         rotations.iter().map(at).collect()
     }

@@ -60,6 +60,16 @@ impl Mesh {
     }
 }
 
+/// Which part of the path of contact a stress is taken on, with the whole load on one pair of flanks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum LoadedPath {
+    /// The whole path: a bound for rigid teeth, whichever pair carries.
+    #[default]
+    Whole,
+    /// Where one pair alone is in mesh, and the pitch point: no load is shared there.
+    SingleContact,
+}
+
 /// The greatest pressure of Hertz of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PeakPressure {
@@ -260,12 +270,16 @@ impl Profile {
         Ok(stresses)
     }
 
-    /// The greatest `p_H²/(Δp·E*)` on the whole paths.
-    pub(super) fn greatest_severity(&self) -> Result<f64, Error> {
+    /// The greatest `p_H²/(Δp·E*)` of all meshes.
+    pub(super) fn greatest_severity(&self, path: LoadedPath) -> Result<f64, Error> {
         let mut greatest = 0.0_f64;
         for side in Side::BOTH {
             for crest in [true, false] {
-                let peaks = self.peaks(side, Motor::push(crest, 1.0), crest)?;
+                let [at_pitch, alone, whole] = self.peaks(side, Motor::push(crest, 1.0), crest)?;
+                let peaks = match path {
+                    LoadedPath::Whole => [at_pitch, whole],
+                    LoadedPath::SingleContact => [at_pitch, alone],
+                };
                 greatest = peaks.into_iter().flatten().map(|peak| peak.severity).fold(greatest, f64::max);
             }
         }
@@ -347,4 +361,4 @@ pub fn effective_modulus(moduli: [Pressure; 2], poisson: [f64; 2]) -> Result<Pre
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -106,7 +106,7 @@ pub struct Profile {
     motor: Motor,
     form: ToothForm,
     teeth: Teeth,
-    satellite: SatelliteTooth,
+    pub(crate) satellite: SatelliteTooth,
     /// Of stator and rotor.
     cuts: [Cut; 2],
 }
