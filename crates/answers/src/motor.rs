@@ -2,11 +2,22 @@
 
 mod centrodes;
 mod design;
+mod flanks;
+mod made;
 mod over_angle;
 mod teeth;
 
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
 pub use design::{Chosen, Designed, Place, Question, design, of_file};
+pub use flanks::{
+    AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
+};
+pub(crate) use made::Point;
+pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
+pub use made::ports::{
+    ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
+};
+pub use made::{Groups, Made};
 pub use over_angle::{OverAngle, over_angle};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
 
@@ -39,8 +50,14 @@ pub struct Motor {
     pub rotor: Rotor,
     /// Displacement, torque and flow.
     pub work: Work,
+    /// Flanks under load: where they seal, forces, stresses; null where there are no teeth.
+    pub flanks: Option<Flanks>,
     /// Ideal ports in the cover.
     pub ports: Ports,
+    /// Ports as made; null where none are described.
+    pub made_ports: Option<MadePorts>,
+    /// Leaks, friction, efficiencies; null where neither gaps nor friction are given.
+    pub losses: Option<Losses>,
     /// Size of the centrodes.
     pub size: Size,
     /// Curvatures and distances of the centrodes against satellites and tooth heights.
@@ -386,6 +403,29 @@ pub struct Satellite {
     pub pressure_in_front_pa: Option<f64>,
     /// Force of the pressures on it, positive counter-clockwise across the ray from the axis.
     pub force_n: Option<f64>,
+    /// Which way the pressure pushes it; null while it is idle.
+    pub push: Option<Push>,
+    /// Force on each of its two flanks that carry, with contacts at the pitch points.
+    pub flank_force_n: Option<f64>,
+}
+
+/// Which way the pressure pushes a satellite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Push {
+    /// Counter-clockwise: it is by a crest.
+    Crest,
+    /// Clockwise: it is by a trough.
+    Trough,
+}
+
+impl Push {
+    const fn of(push: hydromotor::flanks::Push) -> Self {
+        match push {
+            hydromotor::flanks::Push::Forward => Self::Crest,
+            hydromotor::flanks::Push::Back => Self::Trough,
+        }
+    }
 }
 
 impl Answer for Motor {
@@ -417,6 +457,17 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
         }
         None => None,
     };
+    let flanks = match designed.profile.as_ref().map(|profile| Flanks::of(designed, profile)) {
+        Ok(Ok(flanks)) => Some(flanks),
+        Ok(Err(Error::Motor(why @ hydromotor::Error::CannotHold { .. }))) => {
+            warnings.push(Warning { name: "cannot-hold", message: why.to_string() });
+            None
+        }
+        Ok(Err(why)) => return Err(why),
+        Err(_) => None,
+    };
+    let made = &designed.made;
+    warnings.extend(made.port_warnings());
     Ok(Motor {
         numbers: Numbers::of(motor),
         arcs,
@@ -427,7 +478,10 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
         }),
         rotor: Rotor::of(motor),
         work: Work::of(designed)?,
+        flanks,
         ports: Ports::of(motor),
+        made_ports: made.port_figures.clone(),
+        losses: made.losses.clone(),
         size: Size::of(motor),
         checks,
         tooth_limits,
@@ -653,8 +707,17 @@ fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
         }
         _ => None,
     };
+    let alpha = designed.form.pressure_angle;
+    let on_flanks = match (designed.width, designed.pressure, &designed.profile) {
+        // What the flanks cannot hold is told of the motor.
+        (Some(width), Some(pressure), Ok(_)) => {
+            motor.flank_forces(alpha, designed.angle, width, pressure).unwrap_or_default()
+        }
+        _ => vec![],
+    };
     let record = |(i, satellite): (usize, &hydromotor::satellites::Satellite)| {
         let force = forces.as_ref().and_then(|forces| forces.get(i));
+        let on_flank = on_flanks.get(i);
         Satellite {
             satellite: satellite.index,
             x_m: si(satellite.centre.x),
@@ -663,6 +726,8 @@ fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
             pressure_behind_pa: force.map(|force| si(force.pressure_behind)),
             pressure_in_front_pa: force.map(|force| si(force.pressure_in_front)),
             force_n: force.map(|force| si(force.force)),
+            push: on_flank.and_then(|one| one.push).map(Push::of),
+            flank_force_n: on_flank.map(|one| si(one.force)),
         }
     };
     Ok(satellites.iter().enumerate().map(record).collect())
@@ -689,6 +754,7 @@ mod tests {
             pressure: Some(Pressure::new::<megapascal>(20.0)),
             speed: None,
             angle: Angle::default(),
+            made: Groups::default(),
         }
     }
 

@@ -15,6 +15,10 @@
 //!
 //! The numbers and the module are needed. The keys are the options of `epicyclic motor`.
 
+mod made;
+
+pub use made::{GapsGroup, Keys, MaterialGroup, OilGroup, PortGroup, PortsGroup, TurbulenceGroup};
+
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity as Of, WheelKind};
@@ -23,7 +27,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-use crate::{Document, Error, Number, Path, Problem, Quantity};
+use crate::{Document, Error, Number, Path, Problem, Quantity, Span};
 
 /// A hydromotor: a ring with arches, a sun with lobes, floating satellites.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -59,6 +63,16 @@ pub struct MotorFile {
     pub angle: Option<Quantity<Angle>>,
     /// Form of the teeth. Default: one that keeps every limit of usual motors.
     pub teeth: Option<TeethForm>,
+    /// Material of all teeth. Default: steel, without limits.
+    pub material: Option<MaterialGroup>,
+    /// The fluid.
+    pub oil: Option<OilGroup>,
+    /// Gaps at the end faces, for the leaks.
+    pub gaps: Option<GapsGroup>,
+    /// Coefficient of friction of the flanks: one number, or a range `0.05..0.1` from the least to the greatest.
+    pub friction: Option<Span<f64>>,
+    /// Ports as made. Default: ideal ones.
+    pub ports: Option<PortsGroup>,
 }
 
 /// Form of the teeth; lengths in modules.
@@ -127,6 +141,18 @@ impl MotorFile {
         Ok((Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family)))
     }
 
+    /// What it says beside the geometry.
+    #[must_use]
+    pub fn made(&self) -> Keys {
+        Keys {
+            material: self.material.clone(),
+            oil: self.oil.clone(),
+            gaps: self.gaps.clone(),
+            friction: self.friction,
+            ports: self.ports.clone(),
+        }
+    }
+
     /// Whether it says which motor of its family is meant.
     #[must_use]
     pub fn places(&self) -> bool {
@@ -192,6 +218,15 @@ pub fn place(error: &MotorError) -> Path {
         }
         MotorError::OutsideFamily { .. } => "l",
         MotorError::OutsideFamilyByCrest { .. } => "a",
+        MotorError::CannotHold { .. } => "teeth.pressure_angle",
+        MotorError::PortOutside { .. }
+        | MotorError::PortsOverlap
+        | MotorError::SatelliteAcrossRay
+        | MotorError::PortNeverOpens { .. }
+        | MotorError::PortNeverCloses { .. }
+        | MotorError::NoOpening { .. } => "ports",
+        MotorError::NotLaminar { wheel, .. } => of_wheel(wheel, "gaps", "gaps.rotor", "gaps.satellites"),
+        MotorError::PlayClosed { .. } => "gaps.temperature_rise",
         MotorError::NotPositive { quantity, .. }
         | MotorError::NotFinite { quantity, .. }
         | MotorError::OutOfRange { quantity, .. } => of_quantity(*quantity),
@@ -217,6 +252,32 @@ fn of_quantity(quantity: Of) -> &'static str {
         Of::ProfileShift => "teeth.shift",
         Of::Backlash => "teeth.backlash",
         Of::Fillet => "teeth.fillet",
+        Of::ElasticModulus | Of::ContactModulus => "material.youngs_modulus",
+        Of::PoissonRatio => "material.poissons_ratio",
+        Of::ContactLimit => "material.contact_limit",
+        Of::RootLimit => "material.root_limit",
+        Of::Viscosity => "oil.viscosity",
+        Of::Density => "oil.density",
+        Of::BulkModulus => "oil.bulk_modulus",
+        Of::TurbulentFactor => "oil.turbulence.factor",
+        Of::TurbulentExponent => "oil.turbulence.exponent",
+        Of::SatelliteGap => "gaps.satellites",
+        Of::RotorGap => "gaps.rotor",
+        Of::AxialPlay => "gaps",
+        Of::BoreRadius => "gaps.rotor_bore",
+        Of::Expansion => "gaps.expansion",
+        Of::TemperatureDifference => "gaps.temperature_rise",
+        Of::FrictionCoefficient => "friction",
+        Of::HoleDiameter
+        | Of::PitchCircleRadius
+        | Of::PortAngle
+        | Of::KidneyInnerRadius
+        | Of::KidneyOuterRadius
+        | Of::KidneySpan
+        | Of::KidneyCorner => "ports",
+        Of::DeadArea => "ports.dead_volume",
+        Of::DischargeCoefficient => "ports.discharge",
+        Of::TrappedPressure => "ports.most_trapped",
         _ => "",
     }
 }

@@ -230,10 +230,6 @@ pub(crate) fn finite_pascals(quantity: Quantity, value: Pressure) -> Result<f64,
     Ok(finite_pressure(quantity, value)?.get::<pascal>())
 }
 
-pub(crate) fn pressure_of_pascals(value: f64) -> Pressure {
-    Pressure::new::<pascal>(value)
-}
-
 /// An area that is finite and not below 0, in square metres.
 pub(crate) fn area_from_zero(quantity: Quantity, value: Area) -> Result<f64, Error> {
     ranging(quantity, value.get::<square_millimeter>(), [0.0, f64::INFINITY], "mm²")?;

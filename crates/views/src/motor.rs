@@ -1,6 +1,7 @@
 //! A hydromotor, as tables; its drawings, and its centrodes as CSV.
 
 mod lists;
+mod made;
 
 pub(crate) use lists::subject;
 
@@ -17,10 +18,6 @@ use epicyclic_formats::Dimension::{
 };
 use epicyclic_formats::quantity::format::trimmed;
 use epicyclic_pictures::motor as pictures;
-
-const NEGLECTED: &str = "Leaks, friction and what they cost of flow, torque and power; the compression of the fluid, \
-                         and the real ports, which open by and by; inertia; contact forces and the strength of teeth, \
-                         wheels and housing.";
 
 impl AsReport for Motor {
     fn report(&self) -> Report {
@@ -40,7 +37,16 @@ impl AsReport for Motor {
         }
         parts.push(section("rotor", "Rotor: the exact curve, and arcs laid to it", rotor(self)));
         parts.push(section("work", "Displacement, torque and flow, without losses", work(self)));
+        if let Some(flanks) = &self.flanks {
+            parts.extend(made::flanks(flanks));
+        }
         parts.push(section("ports", "Ideal ports in the cover", ports(self)));
+        if let Some(ports) = &self.made_ports {
+            parts.extend(made::ports(ports));
+        }
+        if let Some(losses) = &self.losses {
+            parts.extend(made::losses(losses));
+        }
         parts.push(section("size", "Size of the centrodes", size(self)));
         parts.push(Part::Records(lists::checks(self)));
         match (&self.tooth_limits, &self.clearances) {
@@ -58,7 +64,7 @@ impl AsReport for Motor {
         parts.push(Part::Records(lists::satellites(self)));
         parts.push(Part::Text(Text {
             heading: Some("Left out".to_owned()),
-            paragraphs: vec![NEGLECTED.to_owned()],
+            paragraphs: vec![made::neglected(self.made_ports.is_some(), self.losses.as_ref())],
             ..Text::default()
         }));
         Report { title: Some(title(&self.numbers)), parts, warnings: warned(&self.warnings) }

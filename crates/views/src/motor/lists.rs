@@ -205,6 +205,10 @@ pub(super) fn satellites(motor: &Motor) -> Records {
         columns.push(Column::headed("pressure_in_front", "in front, MPa", Pressure));
         columns.push(Column::headed("force", "force, N", Force));
     }
+    let has_flanks = motor.satellites.iter().any(|satellite| satellite.flank_force_n.is_some());
+    if has_flanks {
+        columns.push(Column::headed("flank_force", "on a flank", Force));
+    }
     let rows = motor.satellites.iter().map(|satellite| {
         let mut row = vec![
             Figure::Count(satellite.satellite),
@@ -216,6 +220,9 @@ pub(super) fn satellites(motor: &Motor) -> Records {
             row.push(column(Pressure, satellite.pressure_behind_pa));
             row.push(column(Pressure, satellite.pressure_in_front_pa));
             row.push(column(Force, satellite.force_n));
+        }
+        if has_flanks {
+            row.push(column(Force, satellite.flank_force_n));
         }
         row
     });
@@ -231,7 +238,16 @@ pub(super) fn satellites(motor: &Motor) -> Records {
             note: note.to_owned(),
             ..View::new(
                 format!("Satellites, rotor turned by {}", words(Angle, motor.angle_rad, 6)),
-                &["satellite", "x", "y", "rotation", "pressure_behind", "pressure_in_front", "force"],
+                &[
+                    "satellite",
+                    "x",
+                    "y",
+                    "rotation",
+                    "pressure_behind",
+                    "pressure_in_front",
+                    "force",
+                    "flank_force",
+                ],
             )
         }],
         columns,
