@@ -98,14 +98,14 @@ impl Instant {
 }
 
 /// The bare numbers of a load.
-struct Load {
-    alpha: f64,
+pub(super) struct Load {
+    pub(super) alpha: f64,
     width: Length,
     pressure_drop: Pressure,
 }
 
 impl Load {
-    fn new(alpha: Angle, width: Length, pressure_drop: Pressure) -> Result<Self, Error> {
+    pub(super) fn new(alpha: Angle, width: Length, pressure_drop: Pressure) -> Result<Self, Error> {
         Ok(Self {
             alpha: pressure_angle(alpha)?,
             width: positive_length(Quantity::Width, width)?,
@@ -113,12 +113,12 @@ impl Load {
         })
     }
 
-    fn sign(&self) -> f64 {
+    pub(super) fn sign(&self) -> f64 {
         if self.pressure_drop < Pressure::default() { -1.0 } else { 1.0 }
     }
 
     /// The force of so many `Δp·b·m`, by the drop's magnitude.
-    fn force(&self, motor: &Motor, number: f64) -> Force {
+    pub(super) fn force(&self, motor: &Motor, number: f64) -> Force {
         force(motor.length(number), self.width, self.pressure_drop.abs())
     }
 }

@@ -77,6 +77,18 @@ impl Motor {
         if pressure_drop < 0.0 { -forward } else { forward }
     }
 
+    /// The sign of the force on a satellite at a phase for a pressure drop of this sign; none while it is idle.
+    pub(super) fn pushed(&self, phase: f64, pressure_drop: f64) -> Option<f64> {
+        let end = self.shape.trough().phase;
+        let half = PI / f64::from(self.numbers().stator_lobes());
+        let rest = (phase - 2.0 * (phase / (2.0 * end)).round() * end).abs();
+        if rest < half {
+            Some(Self::push(true, pressure_drop))
+        } else {
+            (end - rest < half).then(|| Self::push(false, pressure_drop))
+        }
+    }
+
     /// Places within a range of phases where the motion has a kink, and both its ends, in order.
     pub(super) fn smooth_ends(&self, [from, to]: [f64; 2], more: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let period = 2.0 * self.shape.trough().phase;

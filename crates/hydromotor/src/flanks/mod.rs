@@ -6,6 +6,9 @@
 //! |---|---|
 //! | [`forces`] | the forces on the flanks of each satellite, the rotor's bearing |
 //! | [`sealing`] | where the flanks seal: flow and ripple there |
+//! | [`third`] | the third contact that holds a satellite |
+//! | [`stress`] | pressures of Hertz |
+//! | [`root`] | bending at the roots, the pressure that a shape allows |
 //!
 //! # Frame and signs
 //! A satellite is looked at in the frame of its ray: x along the ray from the axis, y across it counter-clockwise, the origin in
@@ -28,7 +31,13 @@
 
 pub mod forces;
 mod kernel;
+pub mod root;
 pub mod sealing;
+pub mod stress;
+pub mod third;
 
 pub use forces::{BearingLoad, FlankForce, GreatestFlankForce, Push};
+pub use root::{AllowedPressure, Governing, MaterialLimits, RootStress};
 pub use sealing::{FlankRipple, SealingContact};
+pub use stress::{ContactStress, LoadedPath, Mesh, PeakPressure, effective_modulus};
+pub use third::{ForceBound, ThirdContact, ThirdContactBounds};

@@ -12,8 +12,8 @@
 //! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and `|PK₁|² = c² − 2·c·e₁·cos ψ + e₁²`.
 //!
 //! # The contacts
-//! A satellite pushed forward presses on the stator's flanks behind the middles of the spaces and on the rotor's before them; pushed
-//! back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
+//! A satellite pushed forward presses on the stator's flanks at the front of the spaces and on the rotor's at their back, as seen along the
+//! tracks ([`crate::profile`]); pushed back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
 //! space, `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
 //!
 //! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes over, `f′` has a kink if
@@ -73,7 +73,7 @@ pub struct FlankRipple {
 /// A contact on a flank that seals between two arc lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Seal {
-    /// `±1`: behind or before the middle of its space.
+    /// `±1`: at the front or at the back of its space along the track.
     pub(super) sign: f64,
     /// `s₀`.
     pub(super) pitch: f64,
@@ -251,22 +251,23 @@ impl<'a> Flow<'a> {
         let motor = self.profile.motor();
         let numbers = motor.numbers();
         let divisor = numbers.common_divisor();
-        let end = motor.shape.trough().phase;
-        let half = PI / f64::from(numbers.stator_lobes());
         let loaded = (0..numbers.satellites() / divisor).filter_map(|j| {
             let phase = motor.phase(rotation, j);
-            let rest = (phase - 2.0 * (phase / (2.0 * end)).round() * end).abs();
-            let (sigma, rows) = if rest < half {
-                (1.0, &self.rows[0])
-            } else if end - rest < half {
-                (-1.0, &self.rows[1])
-            } else {
-                return None;
-            };
+            let sigma = motor.pushed(phase, 1.0)?;
+            let rows = &self.rows[usize::from(sigma < 0.0)];
             Some((j, sigma, rows.at(&motor.shape.at(By::Phase, phase))))
         });
         let loaded = loaded.collect();
         Piece { motor, cos: self.profile.teeth().cos, times: f64::from(divisor), loaded }
+    }
+
+    /// `Q′/b` at any rotation; where it jumps, the value behind the jump.
+    fn at(&self, rotation: f64) -> f64 {
+        let period = self.profile.motor().period();
+        let rest = rotation.rem_euclid(period);
+        let last = self.ends.len() - 2;
+        let piece = (self.ends.partition_point(|&end| end <= rest).max(1) - 1).min(last);
+        self.piece(0.5 * (self.ends[piece] + self.ends[piece + 1])).at(rest).0
     }
 
     fn pieces(&self) -> impl Iterator<Item = ([f64; 2], Piece<'a>)> {
@@ -308,14 +309,14 @@ impl Motor {
 
 impl Profile {
     /// Flow over width a radian of the rotor with the flanks as seals, for a pressure that drives the rotor counter-clockwise; the other
-    /// way it is that at the opposite rotation.
+    /// way it is that at the opposite rotation. Where it jumps, the value behind the jump.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn flank_flow_per_width(&self, rule: SealingContact, rotation: Angle) -> Result<Area, Error> {
         let rotation = finite_angle(Quantity::Rotation, rotation)?;
         let flow = Flow::new(self, rule);
-        Ok(area(flow.piece(rotation).at(rotation).0, self.motor().module()))
+        Ok(area(flow.at(rotation), self.motor().module()))
     }
 
     /// Flow over width at the flanks at many rotations, as [`flank_flow_per_width`](Self::flank_flow_per_width) at each.
@@ -330,7 +331,7 @@ impl Profile {
         let flow = Flow::new(self, rule);
         let at = |&rotation: &Angle| {
             let rotation = finite_angle(Quantity::Rotation, rotation)?;
-            Ok(area(flow.piece(rotation).at(rotation).0, self.motor().module()))
+            Ok(area(flow.at(rotation), self.motor().module()))
         };
         rotations.iter().map(at).collect()
     }

@@ -42,6 +42,7 @@ pub mod form;
 pub mod limits;
 mod paths;
 mod satellite;
+mod tooth;
 mod track;
 
 #[cfg(test)]
@@ -61,6 +62,7 @@ pub(crate) use form::Teeth;
 pub(crate) use paths::FlankPath;
 use satellite::SatelliteTooth;
 use std::f64::consts::PI;
+pub(crate) use tooth::{Loading, Tooth};
 pub(crate) use track::Side;
 use track::Track;
 
@@ -104,7 +106,7 @@ pub struct Profile {
     motor: Motor,
     form: ToothForm,
     teeth: Teeth,
-    satellite: SatelliteTooth,
+    pub(crate) satellite: SatelliteTooth,
     /// Of stator and rotor.
     cuts: [Cut; 2],
 }
