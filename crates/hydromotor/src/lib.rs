@@ -20,6 +20,10 @@
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
 //! | [`flanks`] | the flanks under load: forces, the rotor's bearing |
+//! | [`ports`] | ports as made: openings, timing, trapped pressure, throttling |
+//! | [`leakage`] | leakage through the gaps at the end faces |
+//! | [`friction`] | friction of flanks and end gaps, starting torque |
+//! | [`efficiency`] | volumetric, mechanical, total efficiency over speed and pressure |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
 //! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
@@ -27,7 +31,8 @@
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-//! Drawings; leaks, friction, contact forces, strength.
+//! Drawings; leaks at the flanks, the friction of bearings and seals, the pressure in a chamber while it opens or closes, the change of
+//! viscosity.
 //!
 //! # Example
 //!

@@ -12,8 +12,8 @@
 //! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and `|PK₁|² = c² − 2·c·e₁·cos ψ + e₁²`.
 //!
 //! # The contacts
-//! A satellite pushed forward presses on the stator's flanks behind the middles of the spaces and on the rotor's before them; pushed
-//! back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
+//! A satellite pushed forward presses on the stator's flanks at the front of the spaces and on the rotor's at their back, as seen along the
+//! tracks ([`crate::profile`]); pushed back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
 //! space, `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
 //!
 //! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes over, `f′` has a kink if
@@ -73,7 +73,7 @@ pub struct FlankRipple {
 /// A contact on a flank that seals between two arc lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Seal {
-    /// `±1`: behind or before the middle of its space.
+    /// `±1`: at the front or at the back of its space along the track.
     pub(super) sign: f64,
     /// `s₀`.
     pub(super) pitch: f64,

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`centrodes`] | stator, rotor, satellites; centres, distances, radii, angles and junctions of the arcs |
 //! | [`whole`] | the motor at an angle in its housing, with its ports |
+//! | [`plate`] | ports as they are made, with the motor behind them and their timing |
 //! | [`chambers`] | the motor at an angle, chambers coloured by pressure |
 //! | [`dimensions`] | the motor with its dimensions and a table of wheel data, for a drawing office |
 //! | [`teeth`] | outlines of all teeth in mesh at an angle |
@@ -30,6 +31,7 @@ mod centrodes;
 mod chambers;
 mod curve;
 mod dimensions;
+mod plate;
 mod sheet;
 mod teeth;
 mod whole;
@@ -38,5 +40,6 @@ pub use centrodes::centrodes;
 pub use chambers::{STEPS, chambers};
 pub use curve::{Outline, TOLERANCE_MM, outline};
 pub use dimensions::dimensions;
+pub use plate::plate;
 pub use teeth::{SIDES, teeth};
 pub use whole::whole;
