@@ -18,7 +18,7 @@ pub use made::ports::{
     ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
 };
 pub use made::{Groups, Made};
-pub use over_angle::{OverAngle, over_angle};
+pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
 
 use crate::number::{maybe_si, plain, si};
@@ -788,7 +788,7 @@ mod tests {
 
     #[test]
     fn the_mean_of_the_flow_over_a_lobe_is_that_of_the_ripple() {
-        let over_angle = over_angle(&design(&question()).unwrap().motor).unwrap();
+        let over_angle = over_angle(&design(&question()).unwrap()).unwrap();
         let flow = &over_angle.flow_per_width_m2[1..];
         let mean = flow.iter().sum::<f64>() / flow.len() as f64;
         assert!((mean / over_angle.mean_flow_per_width_m2 - 1.0).abs() < 1e-4, "{mean}");

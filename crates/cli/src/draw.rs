@@ -150,6 +150,16 @@ enum View {
     Chambers,
     /// Of a motor: its dimensions and a table of wheel data, for a drawing office.
     Dimensions,
+    /// Of a motor: forces on its satellites and on the rotor's bearing.
+    Forces,
+    /// Of a motor: its ports as made.
+    Ports,
+    /// Of a motor: pressure in a chamber over its cycle.
+    Pressure,
+    /// Of a motor: contact stress of a satellite over its cycle.
+    Stress,
+    /// Of a motor: total efficiency over speed and pressure.
+    Efficiency,
 }
 
 impl View {
@@ -162,6 +172,11 @@ impl View {
             Self::Motor => Some(motor::View::Motor),
             Self::Chambers => Some(motor::View::Chambers),
             Self::Dimensions => Some(motor::View::Dimensions),
+            Self::Forces => Some(motor::View::Forces),
+            Self::Ports => Some(motor::View::Ports),
+            Self::Pressure => Some(motor::View::Pressure),
+            Self::Stress => Some(motor::View::Stress),
+            Self::Efficiency => Some(motor::View::Efficiency),
         }
     }
 
@@ -177,6 +192,11 @@ impl View {
             Self::Motor => answers::View::Motor,
             Self::Chambers => answers::View::Chambers,
             Self::Dimensions => answers::View::Dimensions,
+            Self::Forces => answers::View::Forces,
+            Self::Ports => answers::View::Ports,
+            Self::Pressure => answers::View::Pressure,
+            Self::Stress => answers::View::Stress,
+            Self::Efficiency => answers::View::Efficiency,
         }
     }
 }

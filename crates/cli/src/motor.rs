@@ -203,6 +203,16 @@ pub(crate) enum View {
     Chambers,
     /// Dimensions and a table of wheel data, for a drawing office.
     Dimensions,
+    /// Forces on the satellites and on the rotor's bearing, with --width and --pressure.
+    Forces,
+    /// The ports as made, with --ports.
+    Ports,
+    /// Pressure in a chamber over its cycle, with --ports and the bulk modulus of --oil.
+    Pressure,
+    /// Contact stress of a satellite over its cycle, with --pressure.
+    Stress,
+    /// Total efficiency over speed and pressure, with --gaps, --oil and --friction.
+    Efficiency,
 }
 
 /// Runs the command.

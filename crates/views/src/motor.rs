@@ -2,6 +2,7 @@
 
 mod lists;
 mod made;
+pub(crate) mod plots;
 
 pub(crate) use lists::subject;
 
@@ -9,6 +10,7 @@ use crate::figure::Figure;
 use crate::quantities::{optional, quantity, remarked, words};
 use crate::report::{Part, Report, Row, Section, Text, warned};
 use crate::{AsReport, Error, text};
+use epicyclic_answers::motor;
 use epicyclic_answers::motor::{
     Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Motor, Numbers, Wheel,
 };
@@ -307,6 +309,16 @@ pub enum View {
     Chambers,
     /// Dimensions and a table of wheel data.
     Dimensions,
+    /// Forces on satellites and bearing.
+    Forces,
+    /// The ports as made.
+    Ports,
+    /// Pressure in a chamber over its cycle.
+    Pressure,
+    /// Contact stress of a satellite over its cycle.
+    Stress,
+    /// Total efficiency over speed and pressure.
+    Efficiency,
 }
 
 /// A drawing of a motor at its angle.
@@ -321,6 +333,35 @@ pub fn scene(view: View, designed: &Designed) -> Result<Scene, Error> {
         View::Chambers => pictures::chambers(motor, *angle),
         View::Dimensions => {
             pictures::dimensions(motor, designed.profile.as_ref().ok(), designed.width, *angle)
+        }
+        View::Forces => {
+            let lacking = || Error::Lacking("width and pressure".to_owned());
+            let (width, drop) = designed.width.zip(designed.pressure).ok_or_else(lacking)?;
+            pictures::forces(motor, designed.form.pressure_angle, *angle, width, drop)
+        }
+        View::Ports => {
+            let lacking = || Error::Lacking("ports as made, with the key or option ports".to_owned());
+            let plate = designed.made.ports.as_ref().ok_or_else(lacking)?;
+            let timing = plate.timing().map_err(epicyclic_pictures::Error::from)?;
+            pictures::plate(plate, &timing, *angle)
+        }
+        View::Pressure | View::Stress => {
+            let cycle = motor::over_cycle(designed).map_err(|why| Error::Answer(Box::new(why)))?;
+            let (plot, lacking) = if view == View::Pressure {
+                (plots::pressure(&cycle), "ports as made, the oil's bulk modulus, and pressure")
+            } else {
+                (plots::stress(&cycle), "teeth and a pressure")
+            };
+            let plot = plot.ok_or_else(|| Error::Lacking(lacking.to_owned()))?;
+            return Ok(plot.scene().map_err(epicyclic_pictures::Error::from)?);
+        }
+        View::Efficiency => {
+            let losses = designed
+                .made
+                .losses()
+                .ok_or_else(|| Error::Lacking("gaps, oil, friction, width, pressure and speed".to_owned()))?;
+            let map = losses.map.as_ref().ok_or_else(|| Error::Lacking(losses.missing.join(", ")))?;
+            return Ok(plots::efficiency(map).scene().map_err(epicyclic_pictures::Error::from)?);
         }
         View::Teeth => match &designed.profile {
             Ok(profile) => pictures::teeth(profile, *angle),

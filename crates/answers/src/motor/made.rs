@@ -39,6 +39,8 @@ pub struct Made {
     pub ports: Option<PortPlate>,
     pub(super) port_figures: Option<MadePorts>,
     most_trapped: Option<Pressure>,
+    pub(super) bulk_modulus: Option<Pressure>,
+    pub(super) dead_area: Area,
     pub(super) losses: Option<Losses>,
 }
 
@@ -76,7 +78,14 @@ impl Made {
         let ports = groups.ports.as_ref().map(|group| plate(motor, group)).transpose()?;
         let port_figures = ports.as_ref().map(|plate| MadePorts::of(plate, &inputs, point)).transpose()?;
         let losses = Losses::of(motor, ports.as_ref(), &inputs, point)?;
-        Ok(Self { modulus, limits, ports, port_figures, most_trapped: inputs.most_trapped, losses })
+        let Inputs { most_trapped, bulk_modulus, dead_area, .. } = inputs;
+        Ok(Self { modulus, limits, ports, port_figures, most_trapped, bulk_modulus, dead_area, losses })
+    }
+
+    /// Leaks, friction, efficiencies.
+    #[must_use]
+    pub fn losses(&self) -> Option<&Losses> {
+        self.losses.as_ref()
     }
 
     /// What the ports as made have against them.

@@ -30,9 +30,10 @@ use crate::motor::Motor;
 use crate::ports::PortPlate;
 use crate::ports::timing::{AtExtreme, Closed, Stretch, Timing};
 use crate::quantity::Quantity;
+use crate::tolerance::WITHIN;
 use crate::units::{
-    angle, area, area_from_zero, finite_pascals, positive, positive_area, positive_length, positive_pascals,
-    pressure_of_pascals, radians, ranging, square_metres, volume_of_cubic_metres,
+    angle, area, area_from_zero, finite_angle, finite_pascals, positive, positive_area, positive_length,
+    positive_pascals, pressure_of_pascals, radians, ranging, square_metres, volume_of_cubic_metres,
 };
 
 /// A chamber at its greatest or least.
@@ -185,6 +186,47 @@ impl PortPlate {
             Ok(Trapped { stretch, extreme, change: pressure_of_pascals(change) })
         };
         timing.closed.iter().map(of).collect()
+    }
+
+    /// The pressure over the low one in a chamber at a phase, 0 where it is greatest: what it is open to, and while it is closed what
+    /// compression makes of that before; none in a short circuit.
+    ///
+    /// # Errors
+    /// As [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure drop, [`Error::NotFinite`] for the phase.
+    pub fn chamber_pressure(
+        &self,
+        timing: &Timing,
+        phase: Angle,
+        pressure_drop: Pressure,
+        bulk_modulus: Pressure,
+        dead_area: Area,
+    ) -> Result<Option<Pressure>, Error> {
+        let drop = positive_pascals(Quantity::PressureDrop, pressure_drop)?;
+        let modulus = positive_pascals(Quantity::BulkModulus, bulk_modulus)?;
+        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let (phase, cycle) = (finite_angle(Quantity::Rotation, phase)?, radians(timing.cycle));
+        // Angles by which a phase stands behind the beginning of a stretch that it is within.
+        let behind = |stretch: &Stretch| {
+            let behind = (phase - radians(stretch.from)).rem_euclid(cycle);
+            (behind <= radians(stretch.to) - radians(stretch.from)).then_some(behind)
+        };
+        let is_in = |all: &[Stretch]| all.iter().any(|stretch| behind(stretch).is_some());
+        if is_in(&timing.short_circuits) {
+            return Ok(None);
+        }
+        for closed in &timing.closed {
+            let Some(behind) = behind(&closed.stretch) else { continue };
+            let from = radians(closed.stretch.from);
+            let ends_here = |stretch: &Stretch| {
+                let gap = (radians(stretch.to) - from).rem_euclid(cycle);
+                gap.min(cycle - gap) < WITHIN
+            };
+            let before = if timing.high.iter().any(ends_here) { drop } else { 0.0 };
+            let (then, now) = (self.chamber_area(from)?, self.chamber_area(from + behind)?);
+            return Ok(Some(pressure_of_pascals(before + modulus * (then - now) / (now + dead))));
+        }
+        let pressure = if is_in(&timing.high) { drop } else { 0.0 };
+        Ok(Some(pressure_of_pascals(pressure)))
     }
 
     /// What a revolution has against the ports: short circuits, and stretches that change the pressure by more than is allowed.

@@ -13,7 +13,7 @@ use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Pressure};
 
 /// Parts of the speed and of the pressure given, at which the map stands.
-const PARTS: u32 = 10;
+const PARTS: u32 = 20;
 
 /// Losses by models of gaps and friction from what is given of them; nothing is measured.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -25,7 +25,7 @@ pub struct Losses {
     pub friction: Option<Friction>,
     /// At the speed and pressure given, with all losses; null where something is missing.
     pub at_point: Option<Efficiency>,
-    /// Over tenths of the speed and of the pressure given; null with it.
+    /// Over twentieths of the speed and of the pressure given; null with it.
     pub map: Option<EfficiencyMap>,
     /// What is missing for the efficiencies, by its key.
     pub missing: Vec<String>,
