@@ -192,6 +192,28 @@ pub enum Error {
         /// What the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
     },
+    /// An amplitude of the second harmonic with which no rotor closes without cusps.
+    #[error(
+        "ε₂ = {second}: a second-harmonic rotor of these numbers closes without cusps for ε₂ between \
+         {low:.6} and {high:.6}"
+    )]
+    OutsideHarmonic {
+        /// The amplitude given.
+        second: f64,
+        /// The range's lower end.
+        low: f64,
+        /// Its upper end.
+        high: f64,
+    },
+    /// Numbers for which no second-harmonic rotor closes without cusps.
+    #[error(
+        "no second-harmonic rotor closes with these numbers without cusps: where the stator gets them, its \
+         half-lobe still spans at least {excess_deg:.6}° too much; take more satellite teeth"
+    )]
+    NoSecondHarmonicRotor {
+        /// What the stator's half-lobe spans too much there at least, degrees.
+        excess_deg: f64,
+    },
     /// A tooth whose flanks meet below its tip.
     #[error("a tooth of the {wheel} is pointed at an addendum of {addendum} modules: below {most:.4}")]
     PointedTip {
@@ -276,6 +298,8 @@ impl Error {
             Self::OutsideFamilyByCrest { .. } => "outside-family-by-crest",
             Self::NoFamily => "no-family",
             Self::NoCosineRotor { .. } => "no-cosine-rotor",
+            Self::OutsideHarmonic { .. } => "outside-harmonic",
+            Self::NoSecondHarmonicRotor { .. } => "no-second-harmonic-rotor",
             Self::PointedTip { .. } => "pointed-tip",
             Self::FilletTooLarge { .. } => "fillet-too-large",
             Self::NoTip { .. } => "no-tip",

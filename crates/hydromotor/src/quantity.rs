@@ -54,6 +54,7 @@ words! {
         Resolution "resolution"
         Steps "steps"
         Points "points"
+        SecondAmplitude "ε₂"
         PressureAngle "pressure angle"
         Addendum "addendum"
         Dedendum "dedendum"

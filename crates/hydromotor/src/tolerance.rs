@@ -6,6 +6,7 @@
 //! | `EDGE_ANGLE` | the same of the angle `B`, over `θ₃` | the residual is smooth there: some steps of rounding suffice |
 //! | `BESIDE_JUMP` | a distance from a jump of a slope, over the piece | the slope's own error stays below the jump |
 //! | `EDGE` | the part of a family's interval that is left out at either end | its ends are no motors |
+//! | `BESIDE_ROOT` | the step of a secant's first two places, over the root | its error and rounding's are both far below what the step corrects |
 //! | `SERIES` | `√z` of the integral `A(z)` | the next term of the series is below rounding |
 //! | `SLACK` | a size beyond a limit, over the limit | what is asked for to the last digit is not refused by rounding |
 //! | `ALONGSIDE` | the determinant of two tangents | curves along each other have no crossing |
@@ -29,6 +30,9 @@ pub(crate) const EDGE_ANGLE: f64 = 1e-12;
 
 /// A slope is taken so far from its jump.
 pub(crate) const BESIDE_JUMP: f64 = 1e-7;
+
+/// The secant starts so far beside its root.
+pub(crate) const BESIDE_ROOT: f64 = 1e-5;
 
 /// The outer points of a search lie this part of the interval within it.
 pub(crate) const EDGE: f64 = 1e-6;
