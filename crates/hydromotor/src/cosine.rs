@@ -37,28 +37,28 @@ use crate::Error;
 use crate::arcs::half_length;
 use crate::contact::{By, Conjugate, Contact, conjugate_curvature, inverse};
 use crate::numbers::MotorNumbers;
-use crate::roots::{bracketed, golden, quadrature, quadratures};
-use crate::tolerance::{BESIDE_ROOT, WITHIN};
+use crate::roots::{bracketed, few_quadratures, golden, quadrature, quadratures};
+use crate::tolerance::{BESIDE_ROOT, LAST_STEP, WITHIN};
 use crate::units::degrees;
 
 const PANELS: u32 = 48;
 
 /// Panels where a root is only bracketed.
-const FEW_PANELS: u32 = 12;
+const FEW_PANELS: u32 = 6;
 
 /// Places of the half-lobe at which curvatures are looked at before their extremes are refined.
 const CURVATURE_PLACES: usize = 256;
 
 /// Places of the half-lobe at which an extreme is looked at before it is refined.
-const PLACES: u32 = 32;
+const PLACES: u32 = 16;
 
 /// A half-lobe of a cosine-law rotor and its stator.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cosine {
     law: Law,
     trough: Contact,
-    /// `s₁`, `Φ`, `G` at the ends of the panels.
-    edges: Vec<[f64; 3]>,
+    /// At the ends of the panels.
+    edges: Vec<Contact>,
 }
 
 /// The rotor's law.
@@ -144,7 +144,7 @@ impl Law {
             // Even about crest and trough.
             return least;
         }
-        golden(place(i - 1), place(i + 1), 32, |theta| self.stretch_at(theta)).1.min(least)
+        golden(place(i - 1), place(i + 1), 28, |theta| self.stretch_at(theta)).1.min(least)
     }
 }
 
@@ -246,15 +246,15 @@ impl Cosine {
     /// The half-lobe of a law that closes.
     pub(crate) fn of_law(law: Law) -> Self {
         let width = PI / law.n / f64::from(PANELS);
-        let mut edges = vec![[0.0; 3]];
         let mut sum = [0.0; 3];
+        let mut edges = vec![contact(&law, 0.0, sum)];
         for panel in 0..PANELS {
             let from = width * f64::from(panel);
             let more = quadratures(from, from + width, |theta| law.rates(theta));
             for (sum, more) in sum.iter_mut().zip(more) {
                 *sum += more;
             }
-            edges.push(sum);
+            edges.push(contact(&law, from + width, sum));
         }
         let trough = contact(&law, PI / law.n, sum);
         Self { law, trough: Contact { mu: 0.0, s3: trough.s1, ..trough }, edges }
@@ -276,8 +276,9 @@ impl Cosine {
         let width = PI / self.law.n / f64::from(PANELS);
         let panel = ((theta1 / width) as usize).min(PANELS as usize - 1);
         let from = width * panel as f64;
-        let mut sums = self.edges[panel];
-        let rest = quadratures(from, theta1, |theta| self.law.rates(theta));
+        let Contact { s1, phase, swept, .. } = self.edges[panel];
+        let mut sums = [s1, phase, swept];
+        let rest = few_quadratures(from, theta1, |theta| self.law.rates(theta));
         for (sum, rest) in sums.iter_mut().zip(rest) {
             *sum += rest;
         }
@@ -343,20 +344,23 @@ impl Conjugate for Cosine {
         if by == By::RotorAngle {
             return self.on_rotor(value);
         }
-        let start = match by {
-            By::Phase | By::RotorArc => {
-                // Between the ends of the panel that holds the value.
-                let of = if by == By::Phase { 1 } else { 0 };
-                let panel =
-                    self.edges.partition_point(|edge| edge[of] <= value).clamp(1, self.edges.len() - 1);
-                let (low, high) = (self.edges[panel - 1][of], self.edges[panel][of]);
-                end / f64::from(PANELS) * (panel as f64 - 1.0 + (value - low) / (high - low))
+        // Between the ends of the panel that holds the value, by Newton's method from the chord: each step squares what is left.
+        let panel = self.edges.partition_point(|edge| edge.get(by) <= value).clamp(1, self.edges.len() - 1);
+        let (low, high) = (&self.edges[panel - 1], &self.edges[panel]);
+        let share = (value - low.get(by)) / (high.get(by) - low.get(by));
+        let start = low.theta1 + share * (high.theta1 - low.theta1);
+        let r = self.law.r;
+        let mut theta1 = start;
+        for _ in 0..4 {
+            let here = self.on_rotor(theta1);
+            let step = (value - here.get(by)) * here.slope(By::RotorAngle, r) / here.slope(by, r);
+            theta1 = (theta1 + step).clamp(low.theta1, high.theta1);
+            if step.abs() <= LAST_STEP * end {
+                return self.on_rotor(theta1);
             }
-            _ => end * value / self.trough.get(by),
-        };
+        }
         let theta1 = inverse(value, end, start, |theta1| {
             let contact = self.on_rotor(theta1);
-            let r = self.law.r;
             (contact.get(by), contact.slope(by, r) / contact.slope(By::RotorAngle, r))
         });
         self.on_rotor(theta1)

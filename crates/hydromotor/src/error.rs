@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::quantity::{ArcsFault, OpenPair, Quantity, WheelKind};
+use crate::quantity::{ArcsFault, Choice, OpenPair, Quantity, WheelKind};
 
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -265,6 +265,40 @@ pub enum Error {
         /// Unit of both.
         unit: &'static str,
     },
+    /// Steps that lead nowhere.
+    #[error(
+        "{quantity} from {from} to {to} in steps of {step}{}: write the smaller end first, and a step above 0 where they differ",
+        spaced(.unit)
+    )]
+    EmptySteps {
+        /// What is stepped.
+        quantity: Quantity,
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
+        /// Step.
+        step: f64,
+        /// Unit of the three.
+        unit: &'static str,
+    },
+    /// More tooth forms than a search takes.
+    #[error("{forms} tooth forms within the steps: a search takes at most {most}; take greater steps")]
+    TooManyForms {
+        /// Forms within the steps.
+        forms: u64,
+        /// The greatest number allowed.
+        most: u64,
+    },
+    /// A search without something to choose from.
+    #[error("no {what} to choose from: give at least one")]
+    NothingToChoose {
+        /// What there is none of.
+        what: Choice,
+    },
+    /// A search that its observer ended.
+    #[error("the search was cancelled")]
+    Cancelled,
     /// More sets of numbers than a search takes.
     #[error("{sets} sets of numbers within the bounds: a search takes at most {most}; narrow the bounds")]
     TooManySets {
@@ -306,6 +340,10 @@ impl Error {
             Self::NoFlank { .. } => "no-flank",
             Self::NoModules => "no-modules",
             Self::EmptyLimits { .. } => "empty-limits",
+            Self::EmptySteps { .. } => "empty-steps",
+            Self::TooManyForms { .. } => "too-many-forms",
+            Self::NothingToChoose { .. } => "nothing-to-choose",
+            Self::Cancelled => "cancelled",
             Self::TooManySets { .. } => "too-many-sets",
         }
     }

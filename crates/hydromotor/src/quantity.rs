@@ -50,6 +50,7 @@ words! {
         OuterDiameter "outer diameter"
         Ripple "ripple"
         LeastRadius "least radius"
+        ContactRatio "contact ratio"
         FamilyPoints "points of a family"
         Resolution "resolution"
         Steps "steps"
@@ -83,6 +84,15 @@ words! {
         Satellite "satellite"
         WheelCutter "cutter of the wheels"
         SatelliteRack "rack of the satellite"
+    }
+}
+
+words! {
+    /// What a search chooses from.
+    Choice {
+        Families "families"
+        Objectives "objectives"
+        Crests "crests"
     }
 }
 

@@ -174,11 +174,20 @@ pub(crate) fn part_ends(kernel: &Numbers) -> Result<[f64; 2], f64> {
         }
     }
     if peak.1 <= 0.0 {
+        // By golden section, as far as to anything above 0.
         let (low, high) = (place(i.saturating_sub(1)), place((i + 1).min(PLACES)));
-        let (part, least) = golden(low, high, 40, |part| -margin(part));
-        if -least > peak.1 {
-            peak = (part, -least);
-        }
+        let best = std::cell::Cell::new(peak);
+        golden(low, high, 32, |part| {
+            if best.get().1 <= 0.0 {
+                let here = margin(part);
+                if here > best.get().1 {
+                    best.set((part, here));
+                }
+                return -here;
+            }
+            0.0
+        });
+        peak = best.get();
     }
     if peak.1 <= 0.0 {
         return Err(-peak.1);
