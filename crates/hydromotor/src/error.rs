@@ -250,6 +250,17 @@ pub enum Error {
         /// The wheel concerned.
         wheel: WheelKind,
     },
+    /// A satellite that the flanks cannot hold against the pressure.
+    #[error(
+        "the flanks cannot hold a satellite where the centrode slopes by {slope_deg:.4}° against its push: with this pressure angle \
+         by less than {most_deg:.4}°"
+    )]
+    CannotHold {
+        /// Slope `σ·μ`, degrees.
+        slope_deg: f64,
+        /// The slope at which the lines of action lie along the ray, `90° − α`, degrees.
+        most_deg: f64,
+    },
     /// A search without a module to choose from.
     #[error("no modules to choose from: give at least one, or a width, or a width over the diameter")]
     NoModules,
@@ -338,6 +349,7 @@ impl Error {
             Self::FilletTooLarge { .. } => "fillet-too-large",
             Self::NoTip { .. } => "no-tip",
             Self::NoFlank { .. } => "no-flank",
+            Self::CannotHold { .. } => "cannot-hold",
             Self::NoModules => "no-modules",
             Self::EmptyLimits { .. } => "empty-limits",
             Self::EmptySteps { .. } => "empty-steps",

@@ -20,6 +20,7 @@
 //! | [`chambers`] | areas and outlines of the chambers, displacement |
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
+//! | [`flanks`] | the flanks under load: forces, the rotor's bearing |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
 //! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
@@ -58,6 +59,7 @@ pub mod closure;
 mod contact;
 pub mod cosine;
 pub mod error;
+pub mod flanks;
 pub mod flow;
 pub mod forces;
 pub mod junction;

@@ -132,6 +132,24 @@ pub(crate) fn finite_pressure(quantity: Quantity, value: Pressure) -> Result<Pre
     }
 }
 
+/// A pressure that is finite and above 0.
+pub(crate) fn positive_pressure(quantity: Quantity, value: Pressure) -> Result<Pressure, Error> {
+    let value_mpa = megapascals(value);
+    if value_mpa.is_finite() && value_mpa > 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::NotPositive { quantity, value: value_mpa, unit: "MPa" })
+    }
+}
+
+pub(crate) fn pascals(value: Pressure) -> f64 {
+    value.get::<pascal>()
+}
+
+pub(crate) fn pressure_of_pascals(value: f64) -> Pressure {
+    Pressure::new::<pascal>(value)
+}
+
 /// A speed that is finite.
 pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Error> {
     let value_rad_s = value.get::<radian_per_second>();

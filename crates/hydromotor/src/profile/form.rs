@@ -76,18 +76,18 @@ pub(super) fn involute(t: f64) -> f64 {
 /// The satellite and the cutters in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Teeth {
-    pub(super) sin: f64,
-    pub(super) cos: f64,
-    pub(super) tan: f64,
+    pub(crate) sin: f64,
+    pub(crate) cos: f64,
+    pub(crate) tan: f64,
     /// Pitch and base radius of satellite and cutter.
-    pub(super) r: f64,
-    pub(super) base: f64,
+    pub(crate) r: f64,
+    pub(crate) base: f64,
     /// Half the satellite's tooth on its pitch circle, `w/2`, and its tip and root radius.
-    pub(super) half_tooth: f64,
-    pub(super) tip: f64,
+    pub(crate) half_tooth: f64,
+    pub(crate) tip: f64,
     pub(super) root: f64,
     /// Half the cutter's tooth on the pitch circle, `e/2`, and its addendum.
-    pub(super) half_space: f64,
+    pub(crate) half_space: f64,
     pub(super) cutter_addendum: f64,
     /// Centre of the cutter's rounded tip: radius, and angle from the middle of the tooth.
     pub(super) round_radius: f64,

@@ -42,7 +42,9 @@ mod cut;
 pub mod form;
 pub(crate) mod kept;
 pub mod limits;
+mod paths;
 mod satellite;
+mod tooth;
 mod track;
 
 #[cfg(test)]
@@ -57,10 +59,14 @@ use crate::motor::Motor;
 use crate::quantity::Quantity;
 use crate::satellites::Point;
 use cut::Cut;
-use form::Teeth;
+
+pub(crate) use form::Teeth;
+pub(crate) use paths::FlankPath;
 use satellite::SatelliteTooth;
 use std::f64::consts::PI;
-use track::{Side, Track};
+pub(crate) use tooth::{Loading, Tooth};
+pub(crate) use track::Side;
+use track::Track;
 
 /// The most points of an outline.
 pub const MOST_POINTS: u32 = 10_000_000;
@@ -102,7 +108,7 @@ pub struct Profile {
     motor: Motor,
     form: ToothForm,
     teeth: Teeth,
-    satellite: SatelliteTooth,
+    pub(crate) satellite: SatelliteTooth,
     /// Of stator and rotor.
     cuts: [Cut; 2],
 }

@@ -26,7 +26,7 @@ const CHORDS: u32 = 64;
 
 /// A satellite's tooth in modules.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct SatelliteTooth {
+pub(crate) struct SatelliteTooth {
     teeth: Teeth,
     /// Half the angle of a pitch.
     half_pitch: f64,
@@ -116,13 +116,13 @@ impl SatelliteTooth {
     }
 
     /// The point of the involute at a roll angle.
-    fn on_flank(&self, t: f64) -> [f64; 2] {
+    pub(crate) fn on_flank(&self, t: f64) -> [f64; 2] {
         let radius = self.teeth.base * (1.0 + t * t).sqrt();
         polar(radius, self.teeth.half_angle(self.teeth.half_tooth, t))
     }
 
     /// The part of a tooth at a share of its length, counter-clockwise; parts in the order of [`Self::parts`].
-    fn on(&self, index: usize, part: f64) -> [f64; 2] {
+    pub(crate) fn on(&self, index: usize, part: f64) -> [f64; 2] {
         let mirrored = |[x, y]: [f64; 2]| [x, -y];
         let (tip, root) = (self.tip_angle, self.root_angle);
         let roll = |part: f64| self.from + (self.to - self.from) * part;

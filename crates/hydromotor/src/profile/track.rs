@@ -17,7 +17,7 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    pub(super) const BOTH: [Self; 2] = [Self::Stator, Self::Rotor];
+    pub(crate) const BOTH: [Self; 2] = [Self::Stator, Self::Rotor];
 
     pub(super) fn wheel(self) -> Wheel {
         match self {

@@ -1,0 +1,255 @@
+//! Bending at the roots of the teeth, after Lewis, and the pressure that a shape allows.
+//!
+//! # The model
+//! A tooth is a cantilever. The force `N` acts at a point of its flank along the line of action, and in the section at `x` on the
+//! tooth's middle line, of thickness `s`, it bends with the moment `M` about the section's middle:
+//!
+//! ```text
+//! σ_F = 6·M/(b·s²)        greatest over the sections down to the root
+//! ```
+//!
+//! The sections are those below the place where the line of action crosses the middle line: above it `N` bends the tooth's tip the other way.
+//! Where the stress is greatest, the parabola of equal strength from that place touches the outline from within (Lewis). The sections are
+//! those of the generated outline: flank, the fillet that the tool leaves, undercut if there is any. With `N ∝ Δp·b·m` the width and the module drop out.
+//!
+//! The stress is nominal: the compression by the force's part along the tooth, shear and the notch of the fillet are left out. The load is `N` of
+//! contacts at the pitch points, whole on one pair of flanks, at the worst point of the path of contact that [`LoadedPath`] says.
+//! For the satellite this is a usual model; for the teeth of stator and rotor, whose two flanks differ and whose rims and hollow roots carry in other ways,
+//! it is a comparison of shapes. The values are reported; they certify nothing.
+
+use uom::si::f64::{Angle, Length, Pressure};
+
+use super::forces::Push;
+use super::kernel::{flank_number, pressure_angle};
+use super::stress::{LoadedPath, arc};
+use crate::Error;
+use crate::centrode::Wheel;
+use crate::contact::Conjugate;
+use crate::motor::Motor;
+use crate::profile::{Loading, Profile, Side, Tooth};
+use crate::quantity::Quantity;
+use crate::roots::golden;
+use crate::units::{angle, pascals, positive_pressure, pressure_of_pascals};
+
+/// Points of a fillet of the outline among which the section is sought: the stress is within a thousandth of that of many more.
+const POINTS: u32 = 24;
+
+/// Parts of a path at whose ends the load is tried, and steps of the golden section between.
+const PLACES: u32 = 6;
+const STEPS: u32 = 12;
+
+/// The greatest nominal bending stress at the roots of a wheel's teeth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RootStress {
+    /// The wheel.
+    pub wheel: Wheel,
+    /// The stress.
+    pub stress: Pressure,
+    /// Which way the satellites are pushed.
+    pub push: Push,
+    /// Rotation of the rotor at which satellite 0 loads, or is, the wheel so.
+    pub rotation: Angle,
+    /// Point of load: `e` along the line of action from the pitch point, positive towards the satellite's base circle.
+    pub offset: Length,
+    /// Thickness of the section that is stressed most.
+    pub thickness: Length,
+    /// Tooth of the lobe, from the one after the first space on; of the satellite, whose teeth are alike, 0.
+    pub tooth: u32,
+}
+
+/// What materials bear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MaterialLimits {
+    /// Pressure of Hertz.
+    pub contact: Pressure,
+    /// Nominal bending stress at the root.
+    pub root: Pressure,
+    /// Effective modulus `E*`.
+    pub modulus: Pressure,
+}
+
+/// What limits the pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Governing {
+    /// The pressure of Hertz.
+    Contact,
+    /// The bending of this wheel's teeth.
+    Root(Wheel),
+}
+
+/// The pressure drop that a shape allows; it depends on neither module nor width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AllowedPressure {
+    /// The least of both.
+    pub pressure: Pressure,
+    /// By the pressures of Hertz.
+    pub by_contact: Pressure,
+    /// By the bending of the teeth.
+    pub by_root: Pressure,
+    /// What limits it.
+    pub governing: Governing,
+}
+
+/// A stress over `Δp`, with its place.
+#[derive(Debug, Clone, Copy)]
+struct Worst {
+    stress: f64,
+    thickness: f64,
+    sigma: f64,
+    phase: f64,
+    offset: f64,
+    tooth: usize,
+}
+
+/// Bending stress of a force of 1 on a width of 1, and the thickness of the section.
+fn bending(tooth: &Tooth, (at, force): Loading) -> (f64, f64) {
+    let mut worst = (0.0, 0.0);
+    for section in tooth.sections.iter().filter(|section| section.x < at[0]) {
+        // Above where the line of action crosses the middle line the moment has the other sign.
+        let moment = ((at[0] - section.x) * force[1] - (at[1] - section.y) * force[0]) * force[1].signum();
+        let stress = 6.0 * moment / (section.thickness * section.thickness);
+        if stress > worst.0 {
+            worst = (stress, section.thickness);
+        }
+    }
+    worst
+}
+
+impl Profile {
+    /// The greatest nominal bending stresses of stator, rotor and satellite over a revolution, in this order; a wheel is left out that no
+    /// loaded satellite meets on such a path.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for the pressure drop, [`Error::CannotHold`] where the flanks hold no satellite.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::flanks::LoadedPath;
+    /// use epicyclic_hydromotor::profile::{Profile, ToothForm};
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{f64::{Length, Pressure}, length::millimeter, pressure::megapascal};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0), mm(40.0))?;
+    /// let profile = Profile::new(&motor, ToothForm::default())?;
+    /// let stresses = profile.root_stresses(LoadedPath::Whole, Pressure::new::<megapascal>(20.0))?;
+    /// assert_eq!(stresses.len(), 3);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn root_stresses(&self, path: LoadedPath, pressure_drop: Pressure) -> Result<Vec<RootStress>, Error> {
+        let drop = pascals(positive_pressure(Quantity::PressureDrop, pressure_drop)?);
+        let stress = |(wheel, worst): (Wheel, Worst)| RootStress {
+            wheel,
+            stress: pressure_of_pascals(worst.stress * drop),
+            push: Push::of(worst.sigma),
+            rotation: angle(worst.phase),
+            offset: self.motor().length(worst.offset),
+            thickness: self.motor().length(worst.thickness),
+            tooth: worst.tooth as u32,
+        };
+        Ok(self.bent(path, POINTS)?.into_iter().map(stress).collect())
+    }
+
+    /// The worst of stator, rotor and satellite, from outlines with so many points a fillet.
+    fn bent(&self, path: LoadedPath, points: u32) -> Result<Vec<(Wheel, Worst)>, Error> {
+        let motor = self.motor();
+        let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
+        let own = self.satellite_tooth(points);
+        let mut worst: [Option<Worst>; 3] = [None; 3];
+        for (i, side) in Side::BOTH.into_iter().enumerate() {
+            let teeth = self.wheel_teeth(side, points);
+            for crest in [true, false] {
+                let sigma = Motor::push(crest, 1.0);
+                for stretch in self.stretches(side, sigma, crest) {
+                    let [from, to] = match path {
+                        LoadedPath::Whole => stretch.whole,
+                        LoadedPath::SingleContact => stretch.alone,
+                    };
+                    if from >= to {
+                        continue;
+                    }
+                    let (index, lobe) = self.tooth_of(side, stretch.sign, stretch.pitch);
+                    let offset = |s: f64| stretch.sign * (s - stretch.pitch) * self.teeth().cos;
+                    let number = |s: f64| flank_number(r, alpha, &motor.shape.at(arc(side), s), sigma);
+                    // What holds at both ends and the steepest slope between holds throughout.
+                    number(from).and(number(to))?;
+                    let on_wheel = |s: f64| {
+                        let (sign, pitch) = (stretch.sign, stretch.pitch - lobe);
+                        bending(&teeth[index], self.wheel_loading(side, &teeth[index], sign, pitch, s - lobe))
+                    };
+                    let on_satellite = |s: f64| bending(&own, self.satellite_loading(offset(s)));
+                    let mut keep = |slot: usize, tooth: usize, unit: &dyn Fn(f64) -> (f64, f64)| {
+                        let stress = |s: f64| number(s).unwrap_or(f64::NAN) * unit(s).0;
+                        let (s, value) = greatest(from, to, stress);
+                        if worst[slot].is_none_or(|worst| value > worst.stress) {
+                            worst[slot] = Some(Worst {
+                                stress: value,
+                                thickness: unit(s).1,
+                                sigma,
+                                phase: motor.shape.at(arc(side), s).phase,
+                                offset: offset(s),
+                                tooth,
+                            });
+                        }
+                    };
+                    keep(i, index, &on_wheel);
+                    keep(2, 0, &on_satellite);
+                }
+            }
+        }
+        let wheels = [Wheel::Stator, Wheel::Rotor, Wheel::Satellite];
+        Ok(wheels.into_iter().zip(worst).filter_map(|(wheel, worst)| Some((wheel, worst?))).collect())
+    }
+
+    /// The pressure drop that the flanks allow, for given limits of the materials.
+    ///
+    /// | symbol | argument | meaning | unit |
+    /// |---|---|---|---|
+    /// | `p_lim` | `limits.contact` | allowed pressure of Hertz | Pa |
+    /// | `σ_lim` | `limits.root` | allowed nominal bending stress | Pa |
+    /// | `E*` | `limits.modulus` | effective modulus | Pa |
+    ///
+    /// ```text
+    /// Δp = p_lim²/(E*·max p_H²/(Δp·E*))        Δp = σ_lim/(max σ_F/Δp)
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a limit, [`Error::CannotHold`] where the flanks hold no satellite.
+    pub fn allowed_pressure(
+        &self,
+        path: LoadedPath,
+        limits: &MaterialLimits,
+    ) -> Result<AllowedPressure, Error> {
+        let contact = pascals(positive_pressure(Quantity::ContactLimit, limits.contact)?);
+        let root = pascals(positive_pressure(Quantity::RootLimit, limits.root)?);
+        let modulus = pascals(positive_pressure(Quantity::ContactModulus, limits.modulus)?);
+        let by_contact = contact * contact / (modulus * self.greatest_severity(path)?);
+        let (wheel, stress) = self
+            .bent(path, POINTS)?
+            .into_iter()
+            .map(|(wheel, worst)| (wheel, worst.stress))
+            .fold((Wheel::Satellite, 0.0), |worst, here| if here.1 > worst.1 { here } else { worst });
+        let by_root = root / stress;
+        let governing = if by_contact <= by_root { Governing::Contact } else { Governing::Root(wheel) };
+        Ok(AllowedPressure {
+            pressure: pressure_of_pascals(by_contact.min(by_root)),
+            by_contact: pressure_of_pascals(by_contact),
+            by_root: pressure_of_pascals(by_root),
+            governing,
+        })
+    }
+}
+
+/// The greatest value on a path and its place.
+fn greatest(from: f64, to: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
+    let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PLACES);
+    let (top, value) = (0..=PLACES)
+        .map(|i| (i, f(place(i))))
+        .fold((0, f64::NEG_INFINITY), |best, here| if here.1 > best.1 { here } else { best });
+    let (low, high) = (place(top.saturating_sub(1)), place((top + 1).min(PLACES)));
+    let (at, least) = golden(low, high, STEPS, |x| -f(x));
+    if -least > value { (at, -least) } else { (place(top), value) }
+}
+
+#[cfg(test)]
+mod tests;

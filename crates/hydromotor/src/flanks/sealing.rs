@@ -1,0 +1,407 @@
+//! Where the flanks seal, and what the chambers take there: flow and ripple at the flanks.
+//!
+//! # The swept area
+//! The line that parts two chambers runs from the contact `K₃` of the satellite and the stator to the contact `K₁` of the satellite
+//! and the rotor, at the distances `e₃` and `e₁` along the lines of action from the pitch points. What passes it a radian of the rotor is
+//! the rotor's sector under `K₁` and what the satellite, which turns about `P` at `ρ₁/c` of the rotor's speed, sweeps between:
+//!
+//! ```text
+//! f′ = ½·|OK₁|² + ½·(ρ₁/c)·(|PK₁|² − |PK₃|²) = ½·ρ₁·ρ₃ + (ρ₃·e₁² − ρ₁·e₃²)/(2·c)        c = ρ₃ − ρ₁ = 2·r·cos μ
+//! ```
+//!
+//! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and `|PK₁|² = c² − 2·c·e₁·cos ψ + e₁²`.
+//!
+//! # The contacts
+//! A satellite pushed forward presses on the stator's flanks behind the middles of the spaces and on the rotor's before them; pushed
+//! back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
+//! space, `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
+//!
+//! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes over, `f′` has a kink if
+//! both are at `p_b/2`, and jumps if they are not. The satellite is taken to stand in the middle of its backlash, which moves a contact by less
+//! than half of it.
+//!
+//! # Flow
+//! `Q′ = b·Σ σ·f′` over the loaded satellites. It is smooth between changeovers of chambers, where it jumps, passages of junctions, and
+//! changes of the sealing contacts, all known phases; on each smooth piece the extremes are ends, taken from within, or zeros of
+//! `dQ′/dφ` in closed form. So nothing hinges on a sample but the number of zeros on a piece, which is looked at in four parts.
+//!
+//! The mean of `f′ − f` over a pitch is `p_b²/24` for every satellite, since the mean of `e²` is `p_b²/12`: it drops out of the
+//! displacement but for the change of the radii within a pitch.
+
+use uom::si::f64::{Angle, Area, Length};
+
+use super::kernel::windings;
+use crate::Error;
+use crate::contact::{By, Conjugate, Contact};
+use crate::flow::Ripple;
+use crate::motor::Motor;
+use crate::profile::{FlankPath, Profile, Side};
+use crate::quantity::Quantity;
+use crate::roots::{bracketed, quadrature};
+use crate::tolerance::WITHIN;
+use crate::units::{angle, area, finite_angle, finite_modules};
+use std::f64::consts::PI;
+
+/// Parts of a smooth piece between which zeros of the slope are sought.
+const PARTS: u32 = 4;
+
+/// Which of two contacts in mesh seals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum SealingContact {
+    /// The one nearest to the pitch point, `|e| ≤ p_b/2`, even where the flank ends before.
+    #[default]
+    Nearest,
+    /// The nearest of those whose flanks reach there: another takes over where a flank ends before `p_b/2`.
+    NearestInMesh,
+}
+
+/// Flow over width a radian of the rotor at the flanks, and its ripple.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlankRipple {
+    /// Least, greatest, mean and ripple at the flanks.
+    pub at_flanks: Ripple,
+    /// The same at the pitch points.
+    pub at_pitch_points: Ripple,
+    /// Least over mean at the flanks: what is left of the torque at the worst angle.
+    pub least_over_mean: f64,
+    /// Rotation of the rotor with the least flow, within the first period.
+    pub least_at: Angle,
+    /// Rotation of the rotor with the greatest flow, within the first period.
+    pub greatest_at: Angle,
+}
+
+/// A contact on a flank that seals between two arc lengths.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Seal {
+    /// `±1`: behind or before the middle of its space.
+    pub(super) sign: f64,
+    /// `s₀`.
+    pub(super) pitch: f64,
+}
+
+impl Seal {
+    /// `e` at an arc length.
+    pub(super) fn offset(&self, s: f64, cos: f64) -> f64 {
+        self.sign * (s - self.pitch) * cos
+    }
+}
+
+/// The flanks of a wheel that carry a push, and where each begins to seal.
+struct Row {
+    side: Side,
+    sign: f64,
+    lobe: f64,
+    /// Arc length where the flank's turn begins, and its `s₀`; in order, over a lobe.
+    turns: Vec<(f64, f64)>,
+}
+
+impl Row {
+    fn new(profile: &Profile, side: Side, sigma: f64, rule: SealingContact) -> Self {
+        let sign = match side {
+            Side::Stator => sigma,
+            Side::Rotor => -sigma,
+        };
+        let cos = profile.teeth().cos;
+        let lobe = profile.lobe_length(side);
+        let paths = profile.paths(side, sign);
+        let turn = |i: usize| {
+            let (here, shift) = (paths[i], if i == 0 { lobe } else { 0.0 });
+            let before = paths[(i + paths.len() - 1) % paths.len()];
+            let middle = here.pitch - 0.5 * PI;
+            let start = match rule {
+                SealingContact::Nearest => middle,
+                SealingContact::NearestInMesh => {
+                    // Arc lengths at which this flank begins and the one before ends its path.
+                    let ends = |path: FlankPath| {
+                        let [one, other] = [path.from, path.to].map(|e| path.pitch + sign * e / cos);
+                        (one.min(other), one.max(other))
+                    };
+                    let (enters, leaves) = (ends(here).0, ends(before).1 - shift);
+                    if enters <= leaves { middle.clamp(enters, leaves) } else { middle }
+                }
+            };
+            (start, here.pitch)
+        };
+        Self { side, sign, lobe, turns: (0..paths.len()).map(turn).collect() }
+    }
+
+    fn arc(&self) -> By {
+        match self.side {
+            Side::Stator => By::StatorArc,
+            Side::Rotor => By::RotorArc,
+        }
+    }
+
+    /// The contact that seals at an arc length.
+    fn at(&self, s: f64) -> Seal {
+        let first = self.turns[0].0;
+        let lobes = ((s - first) / self.lobe).floor();
+        let rest = s - lobes * self.lobe;
+        let found = self.turns.partition_point(|turn| turn.0 <= rest).max(1) - 1;
+        Seal { sign: self.sign, pitch: self.turns[found].1 + lobes * self.lobe }
+    }
+
+    /// Phases within a range at which the sealing contact changes.
+    fn changes(&self, motor: &Motor, range: [f64; 2]) -> Vec<f64> {
+        let [from, to] = range.map(|phase| motor.shape.at(By::Phase, phase).get(self.arc()));
+        let places = self.turns.iter().flat_map(|turn| windings(turn.0, self.lobe, [from, to]));
+        places.map(|s| motor.shape.at(self.arc(), s).phase).collect()
+    }
+}
+
+/// The rows of both wheels for a push.
+pub(super) struct Rows {
+    rows: [Row; 2],
+    cos: f64,
+}
+
+impl Rows {
+    pub(super) fn new(profile: &Profile, sigma: f64, rule: SealingContact) -> Self {
+        let rows = Side::BOTH.map(|side| Row::new(profile, side, sigma, rule));
+        Self { rows, cos: profile.teeth().cos }
+    }
+
+    /// The contacts that seal on stator and rotor.
+    pub(super) fn at(&self, contact: &Contact) -> [Seal; 2] {
+        [self.rows[0].at(contact.s3), self.rows[1].at(contact.s1)]
+    }
+
+    /// `e₃` and `e₁`.
+    pub(super) fn offsets(&self, seals: &[Seal; 2], contact: &Contact) -> [f64; 2] {
+        [seals[0].offset(contact.s3, self.cos), seals[1].offset(contact.s1, self.cos)]
+    }
+
+    /// Ends of the smooth pieces of a range of phases.
+    pub(super) fn pieces(&self, motor: &Motor, range: [f64; 2]) -> Vec<f64> {
+        let changes = self.rows.iter().flat_map(|row| row.changes(motor, range));
+        motor.smooth_ends(range, changes.collect::<Vec<_>>())
+    }
+}
+
+/// `f′` with contacts at offsets.
+fn sealed(contact: &Contact, [e3, e1]: [f64; 2]) -> f64 {
+    let Contact { rho3, rho1, .. } = *contact;
+    contact.flow() + (rho3 * e1 * e1 - rho1 * e3 * e3) / (2.0 * (rho3 - rho1))
+}
+
+/// `df′/dΦ`, as the contacts run along their flanks by `rates` a unit of arc length.
+fn sealed_slope(contact: &Contact, r: f64, [e3, e1]: [f64; 2], rates: [f64; 2]) -> f64 {
+    let Contact { rho3, rho1, mu, .. } = *contact;
+    let ds3 = 1.0 / contact.slope(By::Phase, r);
+    let ds1 = contact.slope(By::RotorArc, r) * ds3;
+    let (sin, c) = (mu.sin(), rho3 - rho1);
+    let (by_rho3, by_rho1) = (sin * ds3, sin * ds1);
+    let product = rho3 * e1 * e1 - rho1 * e3 * e3;
+    let by_product = by_rho3 * e1 * e1 + 2.0 * rho3 * e1 * rates[1] * ds1
+        - by_rho1 * e3 * e3
+        - 2.0 * rho1 * e3 * rates[0] * ds3;
+    contact.flow_slope(r) + (by_product - product * (by_rho3 - by_rho1) / c) / (2.0 * c)
+}
+
+/// The flow on a smooth piece: every loaded satellite with its contacts.
+struct Piece<'a> {
+    motor: &'a Motor,
+    cos: f64,
+    times: f64,
+    loaded: Vec<(u32, f64, [Seal; 2])>,
+}
+
+impl Piece<'_> {
+    /// `Q′/b` and its slope.
+    fn at(&self, rotation: f64) -> (f64, f64) {
+        let r = self.motor.shape.satellite_radius();
+        let of = |&(j, sigma, seals): &(u32, f64, [Seal; 2])| {
+            let contact = self.motor.shape.at(By::Phase, self.motor.phase(rotation, j));
+            let offsets = [seals[0].offset(contact.s3, self.cos), seals[1].offset(contact.s1, self.cos)];
+            let rates = seals.map(|seal| seal.sign * self.cos);
+            let slope = sealed_slope(&contact, r, offsets, rates);
+            (sigma * sealed(&contact, offsets), sigma * slope)
+        };
+        let (flow, slope) =
+            self.loaded.iter().map(of).fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+        (self.times * flow, self.times * slope)
+    }
+}
+
+/// The flow of a profile piece by piece.
+struct Flow<'a> {
+    profile: &'a Profile,
+    /// Of satellites by a crest and by a trough.
+    rows: [Rows; 2],
+    ends: Vec<f64>,
+}
+
+impl<'a> Flow<'a> {
+    fn new(profile: &'a Profile, rule: SealingContact) -> Self {
+        let motor = profile.motor();
+        let rows = [1.0, -1.0].map(|sigma| Rows::new(profile, sigma, rule));
+        let period = motor.period();
+        let mut ends = vec![0.0, 0.5 * period, period];
+        for (rows, crest) in rows.iter().zip([true, false]) {
+            let places = rows.pieces(motor, motor.loaded(crest));
+            ends.extend(places.iter().map(|phase| phase.rem_euclid(period)));
+        }
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|late, early| *late - *early < WITHIN * period);
+        Self { profile, rows, ends }
+    }
+
+    /// The piece about a rotation, at which no chamber changes over and no contact changes.
+    fn piece(&self, rotation: f64) -> Piece<'a> {
+        let motor = self.profile.motor();
+        let numbers = motor.numbers();
+        let divisor = numbers.common_divisor();
+        let loaded = (0..numbers.satellites() / divisor).filter_map(|j| {
+            let phase = motor.phase(rotation, j);
+            let sigma = motor.pushed(phase, 1.0)?;
+            let rows = &self.rows[usize::from(sigma < 0.0)];
+            Some((j, sigma, rows.at(&motor.shape.at(By::Phase, phase))))
+        });
+        let loaded = loaded.collect();
+        Piece { motor, cos: self.profile.teeth().cos, times: f64::from(divisor), loaded }
+    }
+
+    /// `Q′/b` at any rotation; where it jumps, the value behind the jump.
+    fn at(&self, rotation: f64) -> f64 {
+        let period = self.profile.motor().period();
+        let rest = rotation.rem_euclid(period);
+        let last = self.ends.len() - 2;
+        let piece = (self.ends.partition_point(|&end| end <= rest).max(1) - 1).min(last);
+        self.piece(0.5 * (self.ends[piece] + self.ends[piece + 1])).at(rest).0
+    }
+
+    fn pieces(&self) -> impl Iterator<Item = ([f64; 2], Piece<'a>)> {
+        self.ends.windows(2).map(|pair| ([pair[0], pair[1]], self.piece(0.5 * (pair[0] + pair[1]))))
+    }
+}
+
+impl Motor {
+    /// The area that a satellite sweeps a radian of the rotor, `f′`, with contacts at `e₃` and `e₁` along the lines of action from
+    /// the pitch points, positive towards the satellite's base circle; `rotation` since the satellite stood between two crests.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{angle::radian, area::square_millimeter, f64::{Angle, Length}, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, mm(1.0), mm(40.0))?;
+    /// let swept = |e3, e1| motor.sealed_sweep(Angle::new::<radian>(0.3), mm(e3), mm(e1));
+    /// let change = swept(0.8, 0.3)? - swept(0.0, 0.0)?;
+    /// assert!((change.get::<square_millimeter>() + 0.603780).abs() < 1e-6);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn sealed_sweep(
+        &self,
+        rotation: Angle,
+        stator_offset: Length,
+        rotor_offset: Length,
+    ) -> Result<Area, Error> {
+        let contact = self.shape.at(By::Phase, finite_angle(Quantity::Rotation, rotation)?);
+        let e3 = finite_modules(Quantity::StatorOffset, stator_offset, self.module())?;
+        let e1 = finite_modules(Quantity::RotorOffset, rotor_offset, self.module())?;
+        Ok(area(sealed(&contact, [e3, e1]), self.module()))
+    }
+}
+
+impl Profile {
+    /// Flow over width a radian of the rotor with the flanks as seals, for a pressure that drives the rotor counter-clockwise; the other
+    /// way it is that at the opposite rotation. Where it jumps, the value behind the jump.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn flank_flow_per_width(&self, rule: SealingContact, rotation: Angle) -> Result<Area, Error> {
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
+        let flow = Flow::new(self, rule);
+        Ok(area(flow.at(rotation), self.motor().module()))
+    }
+
+    /// Flow over width at the flanks at many rotations, as [`flank_flow_per_width`](Self::flank_flow_per_width) at each.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn flank_flows_per_width(
+        &self,
+        rule: SealingContact,
+        rotations: &[Angle],
+    ) -> Result<Vec<Area>, Error> {
+        let flow = Flow::new(self, rule);
+        let at = |&rotation: &Angle| {
+            let rotation = finite_angle(Quantity::Rotation, rotation)?;
+            Ok(area(flow.at(rotation), self.motor().module()))
+        };
+        rotations.iter().map(at).collect()
+    }
+
+    /// Rotations within a period `2π/lcm(N, n)` at which the flow at the flanks has a kink or jumps, both ends of the period included.
+    #[must_use]
+    pub fn flank_changes(&self, rule: SealingContact) -> Vec<Angle> {
+        Flow::new(self, rule).ends.into_iter().map(angle).collect()
+    }
+
+    /// The ripple of flow and torque with the flanks as seals, beside that at the pitch points.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::flanks::SealingContact;
+    /// use epicyclic_hydromotor::profile::{Profile, ToothForm};
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::{f64::Length, length::millimeter};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(6, 4, 66, 10)?, mm(1.0), mm(40.0))?;
+    /// let ripple = Profile::new(&motor, ToothForm::default())?.flank_ripple(SealingContact::Nearest);
+    /// assert!(ripple.at_flanks.delta > ripple.at_pitch_points.delta);
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    #[must_use]
+    pub fn flank_ripple(&self, rule: SealingContact) -> FlankRipple {
+        let flow = Flow::new(self, rule);
+        let (mut least, mut greatest) = ((f64::INFINITY, 0.0), (f64::NEG_INFINITY, 0.0));
+        let mut volume = 0.0;
+        for ([from, to], piece) in flow.pieces() {
+            let mut meet = |place: f64, value: f64| {
+                if value < least.0 {
+                    least = (value, place);
+                }
+                if value > greatest.0 {
+                    greatest = (value, place);
+                }
+            };
+            let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
+            let mut before = piece.at(from);
+            meet(from, before.0);
+            for i in 1..=PARTS {
+                let here = piece.at(place(i));
+                meet(place(i), here.0);
+                if before.1 * here.1 < 0.0 {
+                    let flat = bracketed(place(i - 1), place(i), |place| piece.at(place).1);
+                    meet(flat, piece.at(flat).0);
+                }
+                before = here;
+            }
+            volume += quadrature(from, to, 1, |place| piece.at(place).0);
+        }
+        let motor = self.motor();
+        let mean = volume / motor.period();
+        let of = |value| area(value, motor.module());
+        FlankRipple {
+            at_flanks: Ripple {
+                least: of(least.0),
+                greatest: of(greatest.0),
+                mean: of(mean),
+                delta: (greatest.0 - least.0) / mean,
+            },
+            at_pitch_points: motor.ripple(),
+            least_over_mean: least.0 / mean,
+            least_at: angle(least.1),
+            greatest_at: angle(greatest.1),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

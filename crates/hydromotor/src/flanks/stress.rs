@@ -1,0 +1,364 @@
+//! The pressure of Hertz where flanks touch.
+//!
+//! Along the line of action the satellite's involute has the radius of curvature `r·sin α − e`, and the wheel's flank `sin α/κ + e`,
+//! since its normal turns by `κ` a unit of arc length as its point moves on by `sin α + κ·e` (the envelope in [`crate::profile`]);
+//! `κ` is the wheel's curvature there, positive where it bulges towards the satellite:
+//!
+//! ```text
+//! 1/ρ_rel = 1/(r·sin α − e) + κ/(sin α + κ·e)        p_H² = N·E*/(π·b·ρ_rel)        1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂
+//! ```
+//!
+//! `N` is that of contacts at the pitch points, on one pair of flanks alone. With `N = Δp·b·r·cos μ/cos(α + σ·μ)` width and module drop out:
+//! `p_H²/(Δp·E*)` belongs to the shape. At the pitch point and `μ = 0` it is `(2/sin 2α)·(1 + r·κ)/π`.
+//!
+//! # The path
+//! A flank meets the satellite from `e₋` to `e₊` ([`crate::profile`]): from the satellite's tip, or the beginning of its own flank, to its tip, or
+//! the beginning of the satellite's involute. Where the next flank is in mesh too, two pairs share the load, how is not calculated: values on
+//! the whole path, each with the whole load, are bounds for rigid teeth; those in single contact are not shared.
+//!
+//! # Left out
+//! Friction, lubrication, edges of tips, the third contact, dynamic loads. The values are reported; they certify nothing.
+
+use uom::si::f64::{Angle, Length, Pressure};
+
+use super::forces::Push;
+use super::kernel::{flank_number, greatest_on, pressure_angle, windings};
+use crate::Error;
+use crate::contact::{By, Conjugate, Contact};
+use crate::motor::Motor;
+use crate::profile::{FlankPath, Profile, Side};
+use crate::quantity::Quantity;
+use crate::tolerance::BESIDE_JUMP;
+use crate::units::{angle, finite_angle, finite_modules, pascals, positive_pressure, pressure_of_pascals};
+use std::f64::consts::PI;
+
+/// A mesh of a satellite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Mesh {
+    /// With the stator.
+    Stator,
+    /// With the rotor.
+    Rotor,
+}
+
+impl Mesh {
+    /// Both.
+    pub const BOTH: [Self; 2] = [Self::Stator, Self::Rotor];
+
+    pub(super) fn of(side: Side) -> Self {
+        match side {
+            Side::Stator => Self::Stator,
+            Side::Rotor => Self::Rotor,
+        }
+    }
+
+    pub(super) fn side(self) -> Side {
+        match self {
+            Self::Stator => Side::Stator,
+            Self::Rotor => Side::Rotor,
+        }
+    }
+}
+
+/// Which part of the path of contact a stress is taken on, with the whole load on one pair of flanks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum LoadedPath {
+    /// The whole path: a bound for rigid teeth, whichever pair carries.
+    #[default]
+    Whole,
+    /// Where one pair alone is in mesh, and the pitch point: no load is shared there.
+    SingleContact,
+}
+
+/// The greatest pressure of Hertz of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PeakPressure {
+    /// The pressure; infinite where a path reaches a cusp.
+    pub pressure: Pressure,
+    /// Rotation of the rotor at which satellite 0 has it.
+    pub rotation: Angle,
+    /// `e`, from the pitch point along the line of action, positive towards the satellite's base circle.
+    pub offset: Length,
+}
+
+/// The pressures of Hertz of the satellites that are pushed one way in one mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactStress {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// Which way the satellites are pushed.
+    pub push: Push,
+    /// The greatest with the contact at the pitch point, at any angle.
+    pub at_pitch_point: PeakPressure,
+    /// The greatest where one pair alone is in mesh; none where there always are two.
+    pub in_single_contact: Option<PeakPressure>,
+    /// The greatest on the whole path with the whole load on one pair; none where no flank of a loaded satellite has a path.
+    pub on_path: Option<PeakPressure>,
+}
+
+/// `p_H²/(Δp·E*)` at an offset.
+pub(super) fn severity(
+    side: Side,
+    r: f64,
+    alpha: f64,
+    contact: &Contact,
+    sigma: f64,
+    e: f64,
+) -> Result<f64, Error> {
+    let number = flank_number(r, alpha, contact, sigma)?;
+    let bulge = match side {
+        Side::Stator => -contact.kappa3,
+        Side::Rotor => contact.kappa1,
+    };
+    let (own, wheel) = (r * alpha.sin() - e, alpha.sin() + bulge * e);
+    if own <= 0.0 || wheel <= 0.0 {
+        return Ok(f64::INFINITY);
+    }
+    Ok((number * (1.0 / own + bulge / wheel) / PI).max(0.0))
+}
+
+/// A place of the greatest severity.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Peak {
+    pub(super) severity: f64,
+    pub(super) phase: f64,
+    pub(super) offset: f64,
+}
+
+/// Keeps the greater.
+fn keep(best: &mut Option<Peak>, peak: Peak) {
+    if best.is_none_or(|best| peak.severity > best.severity) {
+        *best = Some(peak);
+    }
+}
+
+/// One flank while it carries: its path and the arc lengths of contact, whole and alone.
+pub(super) struct Stretch {
+    pub(super) sign: f64,
+    pub(super) pitch: f64,
+    pub(super) whole: [f64; 2],
+    pub(super) alone: [f64; 2],
+}
+
+impl Profile {
+    /// The stretches of all flanks of a wheel that carry satellites pushed by `sigma`, by a crest or by a trough.
+    pub(super) fn stretches(&self, side: Side, sigma: f64, crest: bool) -> Vec<Stretch> {
+        let sign = match side {
+            Side::Stator => sigma,
+            Side::Rotor => -sigma,
+        };
+        let (cos, lobe, motor) = (self.teeth().cos, self.lobe_length(side), self.motor());
+        let arc = arc(side);
+        let [from, to] = motor.loaded(crest).map(|phase| motor.shape.at(By::Phase, phase).get(arc));
+        let paths = self.paths(side, sign);
+        let ends = |path: &FlankPath| {
+            let [one, other] = [path.from, path.to].map(|e| path.pitch + sign * e / cos);
+            [one.min(other), one.max(other)]
+        };
+        let count = paths.len();
+        let mut stretches = Vec::new();
+        for (i, path) in paths.iter().enumerate() {
+            let whole = ends(path);
+            let before = ends(&paths[(i + count - 1) % count])[1] - if i == 0 { lobe } else { 0.0 };
+            let after = ends(&paths[(i + 1) % count])[0] + if i + 1 == count { lobe } else { 0.0 };
+            let alone = [whole[0].max(before), whole[1].min(after)];
+            // The flank of every lobe whose path reaches into the range.
+            for place in
+                windings(path.pitch, lobe, [from + path.pitch - whole[1], to + path.pitch - whole[0]])
+            {
+                let shift = place - path.pitch;
+                let within = |[a, b]: [f64; 2]| [(a + shift).max(from), (b + shift).min(to)];
+                stretches.push(Stretch { sign, pitch: place, whole: within(whole), alone: within(alone) });
+            }
+        }
+        stretches
+    }
+
+    fn peaks(&self, side: Side, sigma: f64, crest: bool) -> Result<[Option<Peak>; 3], Error> {
+        let motor = self.motor();
+        let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
+        let arc = arc(side);
+        let range = motor.loaded(crest);
+        let at = |contact: &Contact, e: f64| severity(side, r, alpha, contact, sigma, e).unwrap_or(f64::NAN);
+        let mut best = [None; 3];
+        let ends = motor.smooth_ends(range, [0.0, motor.shape.trough().phase]);
+        // Refuses what no flank holds before anything is compared.
+        for phase in
+            ends.iter().copied().chain(motor.steepest().into_iter().flat_map(|place| [place, -place]))
+        {
+            if (range[0]..=range[1]).contains(&phase) {
+                flank_number(r, alpha, &motor.shape.at(By::Phase, phase), sigma)?;
+            }
+        }
+        let (phase, value) =
+            greatest_on(&ends, BESIDE_JUMP, |_, phase| at(&motor.shape.at(By::Phase, phase), 0.0));
+        keep(&mut best[0], Peak { severity: value, phase, offset: 0.0 });
+        let kinks: Vec<f64> =
+            ends[1..ends.len() - 1].iter().map(|&phase| motor.shape.at(By::Phase, phase).get(arc)).collect();
+        for stretch in self.stretches(side, sigma, crest) {
+            for (slot, [from, to]) in [(1, stretch.alone), (2, stretch.whole)] {
+                if from >= to {
+                    continue;
+                }
+                let mut ends = vec![from];
+                ends.extend(kinks.iter().copied().filter(|&kink| kink > from && kink < to));
+                ends.push(to);
+                let offset = |s: f64| stretch.sign * (s - stretch.pitch) * self.teeth().cos;
+                let (s, value) =
+                    greatest_on(&ends, BESIDE_JUMP, |_, s| at(&motor.shape.at(arc, s), offset(s)));
+                let phase = motor.shape.at(arc, s).phase;
+                keep(&mut best[slot], Peak { severity: value, phase, offset: offset(s) });
+            }
+        }
+        Ok(best)
+    }
+
+    /// The greatest pressures of Hertz over a revolution, of both meshes and both pushes.
+    ///
+    /// | symbol | argument | meaning | unit |
+    /// |---|---|---|---|
+    /// | `Δp` | `pressure_drop` | high less low pressure, above 0 | Pa |
+    /// | `E*` | `modulus` | effective modulus of the pair of materials, [`effective_modulus`] | Pa |
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for either, [`Error::CannotHold`] where the flanks hold no satellite.
+    ///
+    /// # Example
+    /// ```
+    /// use epicyclic_hydromotor::flanks::{Mesh, effective_modulus};
+    /// use epicyclic_hydromotor::profile::{Profile, ToothForm};
+    /// use epicyclic_hydromotor::{Motor, MotorNumbers};
+    /// use uom::si::f64::{Length, Pressure};
+    /// use uom::si::{length::millimeter, pressure::{gigapascal, megapascal}};
+    ///
+    /// let mm = Length::new::<millimeter>;
+    /// let motor = Motor::of_two_arcs(MotorNumbers::new(5, 3, 55, 10)?, mm(1.0), mm(40.0))?;
+    /// let profile = Profile::new(&motor, ToothForm::default())?;
+    /// let steel = effective_modulus([Pressure::new::<gigapascal>(206.0); 2], [0.3; 2])?;
+    /// let stresses = profile.contact_stresses(Pressure::new::<megapascal>(20.0), steel)?;
+    /// assert_eq!(stresses.len(), 4);
+    /// assert!(stresses.iter().any(|stress| stress.mesh == Mesh::Rotor));
+    /// # Ok::<(), epicyclic_hydromotor::Error>(())
+    /// ```
+    pub fn contact_stresses(
+        &self,
+        pressure_drop: Pressure,
+        modulus: Pressure,
+    ) -> Result<Vec<ContactStress>, Error> {
+        let drop = pascals(positive_pressure(Quantity::PressureDrop, pressure_drop)?);
+        let modulus = pascals(positive_pressure(Quantity::ContactModulus, modulus)?);
+        let peak = |peak: Peak| PeakPressure {
+            pressure: pressure_of_pascals((peak.severity * drop * modulus).sqrt()),
+            rotation: angle(peak.phase),
+            offset: self.motor().length(peak.offset),
+        };
+        let mut stresses = Vec::with_capacity(4);
+        for mesh in Mesh::BOTH {
+            for crest in [true, false] {
+                let sigma = Motor::push(crest, 1.0);
+                let [at_pitch, alone, whole] = self.peaks(mesh.side(), sigma, crest)?;
+                let Some(at_pitch) = at_pitch else { continue };
+                stresses.push(ContactStress {
+                    mesh,
+                    push: Push::of(sigma),
+                    at_pitch_point: peak(at_pitch),
+                    in_single_contact: alone.map(peak),
+                    on_path: whole.map(peak),
+                });
+            }
+        }
+        Ok(stresses)
+    }
+
+    /// The greatest `p_H²/(Δp·E*)` of all meshes.
+    pub(super) fn greatest_severity(&self, path: LoadedPath) -> Result<f64, Error> {
+        let mut greatest = 0.0_f64;
+        for side in Side::BOTH {
+            for crest in [true, false] {
+                let [at_pitch, alone, whole] = self.peaks(side, Motor::push(crest, 1.0), crest)?;
+                let peaks = match path {
+                    LoadedPath::Whole => [at_pitch, whole],
+                    LoadedPath::SingleContact => [at_pitch, alone],
+                };
+                greatest = peaks.into_iter().flatten().map(|peak| peak.severity).fold(greatest, f64::max);
+            }
+        }
+        Ok(greatest)
+    }
+}
+
+pub(super) fn arc(side: Side) -> By {
+    match side {
+        Side::Stator => By::StatorArc,
+        Side::Rotor => By::RotorArc,
+    }
+}
+
+impl Motor {
+    /// The pressure of Hertz between a satellite and a wheel with the contact at `e`; `rotation` since the satellite stood between two
+    /// crests. Nothing while it is idle.
+    ///
+    /// # Errors
+    /// As [`Profile::contact_stresses`], and [`Error::OutOfRange`] for an offset beyond the centres of curvature of either flank.
+    pub fn contact_pressure(
+        &self,
+        pressure_angle_of_teeth: Angle,
+        mesh: Mesh,
+        rotation: Angle,
+        offset: Length,
+        pressure_drop: Pressure,
+        modulus: Pressure,
+    ) -> Result<Pressure, Error> {
+        let alpha = pressure_angle(pressure_angle_of_teeth)?;
+        let phase = finite_angle(Quantity::Rotation, rotation)?;
+        let e = finite_modules(Quantity::ContactOffset, offset, self.module())?;
+        let drop = pascals(positive_pressure(Quantity::PressureDrop, pressure_drop)?);
+        let modulus = pascals(positive_pressure(Quantity::ContactModulus, modulus)?);
+        let Some(sigma) = self.pushed(phase, 1.0) else { return Ok(Pressure::default()) };
+        let contact = self.shape.at(By::Phase, phase);
+        let (r, side) = (self.shape.satellite_radius(), mesh.side());
+        let value = severity(side, r, alpha, &contact, sigma, e)?;
+        if !value.is_finite() {
+            let bulge = match side {
+                Side::Stator => -contact.kappa3,
+                Side::Rotor => contact.kappa1,
+            };
+            let cusp = -alpha.sin() / bulge;
+            let (low, high) = if bulge > 0.0 { (cusp, f64::INFINITY) } else { (f64::NEG_INFINITY, cusp) };
+            let high = high.min(r * alpha.sin());
+            return Err(Error::OutOfRange {
+                quantity: Quantity::ContactOffset,
+                value: e,
+                low,
+                high,
+                unit: "modules",
+            });
+        }
+        Ok(pressure_of_pascals((value * drop * modulus).sqrt()))
+    }
+}
+
+/// Effective modulus of a pair of materials, `1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂`.
+///
+/// # Errors
+/// [`Error::NotPositive`] for a modulus, [`Error::OutOfRange`] unless Poisson's ratios lie from 0 to 0.5.
+pub fn effective_modulus(moduli: [Pressure; 2], poisson: [f64; 2]) -> Result<Pressure, Error> {
+    let mut compliance = 0.0;
+    for (modulus, nu) in moduli.into_iter().zip(poisson) {
+        let modulus = pascals(positive_pressure(Quantity::ElasticModulus, modulus)?);
+        if !(0.0..=0.5).contains(&nu) {
+            return Err(Error::OutOfRange {
+                quantity: Quantity::PoissonRatio,
+                value: nu,
+                low: 0.0,
+                high: 0.5,
+                unit: "",
+            });
+        }
+        compliance += (1.0 - nu * nu) / modulus;
+    }
+    Ok(pressure_of_pascals(1.0 / compliance))
+}
+
+#[cfg(test)]
+pub(super) mod tests;

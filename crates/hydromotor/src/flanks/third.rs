@@ -1,0 +1,252 @@
+//! The third contact: what holds a satellite whose contacts are off the pitch points.
+//!
+//! The pressures act on the chord `K₁K₃` between the contacts: a force `Δp·b·|K₁K₃|` at right angles to it, through its middle. Both
+//! flank forces stay in their lines of action, through the pitch points. These cross on the chord's perpendicular bisector only
+//! if the contacts are at the pitch points; else the two leave a moment, and the satellite turns in its backlash until a back flank holds it:
+//!
+//! ```text
+//! N₃·u₃ + N₁·u₁ + N_b·u_b + F = 0        r·cos α·σ·(−N₃ + N₁ ± N_b) + (moment of F about the centre) = 0
+//! ```
+//!
+//! with `−N_b` for the rotor's back flank, `+N_b` for the stator's. The two back flanks are mirror images in the satellite's bisector of the
+//! pitch points, and so are the front ones; about the point where the front lines of action cross, their moments are opposite. So exactly one of
+//! them can hold the satellite: the one with `N_b ≥ 0`. It changes within a pitch.
+//!
+//! These are bounds for rigid teeth with one pair in each mesh: the pair that seals. The tooth space between the front and the back contact is
+//! taken to be on the side of the seal.
+
+use uom::si::f64::{Angle, Force, Length, Pressure};
+
+use super::forces::{Load, Push};
+use super::kernel::{direction, flank_number, greatest_on, moment};
+use super::sealing::{Rows, Seal, SealingContact};
+use super::stress::Mesh;
+use crate::Error;
+use crate::contact::{By, Conjugate, Contact};
+use crate::motor::Motor;
+use crate::profile::{Profile, Side};
+use crate::quantity::Quantity;
+use crate::roots::bracketed;
+use crate::units::{angle, finite_angle, finite_modules};
+
+/// What holds a satellite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThirdContact {
+    /// Which way it is pushed.
+    pub push: Push,
+    /// `N₃`, the force of the stator's flank.
+    pub stator: Force,
+    /// `N₁`, the force of the rotor's flank.
+    pub rotor: Force,
+    /// The wheel whose back flank holds it.
+    pub back_wheel: Mesh,
+    /// `N_b`, the force of that flank.
+    pub back: Force,
+}
+
+/// A force of the third contact where it is greatest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForceBound {
+    /// The force.
+    pub force: Force,
+    /// Which way the satellite is pushed.
+    pub push: Push,
+    /// Rotation of the rotor at which satellite 0 has it.
+    pub rotation: Angle,
+}
+
+/// Bounds of the forces over a revolution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThirdContactBounds {
+    /// On the stator's flanks.
+    pub stator: ForceBound,
+    /// On the rotor's flanks.
+    pub rotor: ForceBound,
+    /// On the stator's back flanks; none where they never hold.
+    pub stator_back: Option<ForceBound>,
+    /// On the rotor's back flanks; none where they never hold.
+    pub rotor_back: Option<ForceBound>,
+}
+
+/// `N₃`, `N₁`, and what the rotor's back flank has, or with the sign changed the stator's, over `Δp·b·m`.
+fn held(r: f64, alpha: f64, contact: &Contact, sigma: f64, [e3, e1]: [f64; 2]) -> Option<([f64; 3], Side)> {
+    let mu = contact.mu;
+    let (sin, cos) = mu.sin_cos();
+    let front = Side::BOTH.map(|side| direction(side, sigma, alpha, mu));
+    let k3 = [r * cos + e3 * front[0][0], e3 * front[0][1]];
+    let k1 = [-r * cos + e1 * front[1][0], e1 * front[1][1]];
+    let chord = [k3[0] - k1[0], k3[1] - k1[1]];
+    let force = [-sigma * chord[1], sigma * chord[0]];
+    let arm = [0.5 * (k3[0] + k1[0]), 0.5 * (k3[1] + k1[1]) - r * sin];
+    let turning = (arm[0] * force[1] - arm[1] * force[0]) / (r * alpha.cos());
+    let solved = |side: Side| {
+        let back = direction(side, -sigma, alpha, mu);
+        let columns = [
+            [front[0][0], front[0][1], moment(Side::Stator, sigma)],
+            [front[1][0], front[1][1], moment(Side::Rotor, sigma)],
+            [back[0], back[1], moment(side, -sigma)],
+        ];
+        cramer(columns, [-force[0], -force[1], -turning])
+    };
+    let by_rotor = solved(Side::Rotor)?;
+    if by_rotor[2] >= 0.0 {
+        Some((by_rotor, Side::Rotor))
+    } else {
+        Some((solved(Side::Stator)?, Side::Stator))
+    }
+}
+
+/// The solution of three equations by their columns.
+fn cramer(columns: [[f64; 3]; 3], right: [f64; 3]) -> Option<[f64; 3]> {
+    let determinant = |[a, b, c]: [[f64; 3]; 3]| {
+        a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1])
+            + c[0] * (a[1] * b[2] - a[2] * b[1])
+    };
+    let whole = determinant(columns);
+    if whole.abs() < crate::tolerance::SINGULAR {
+        return None;
+    }
+    Some([0, 1, 2].map(|i| {
+        let mut replaced = columns;
+        replaced[i] = right;
+        determinant(replaced) / whole
+    }))
+}
+
+impl Motor {
+    /// What holds a satellite with contacts at `e₃` and `e₁` along the lines of action from the pitch points, positive towards its base circle;
+    /// `rotation` since it stood between two crests. None while it is idle.
+    ///
+    /// # Errors
+    /// As [`flank_forces`](Self::flank_forces).
+    #[allow(clippy::too_many_arguments)] // the load, the place, and the two offsets
+    pub fn third_contact(
+        &self,
+        pressure_angle: Angle,
+        rotation: Angle,
+        stator_offset: Length,
+        rotor_offset: Length,
+        width: Length,
+        pressure_drop: Pressure,
+    ) -> Result<Option<ThirdContact>, Error> {
+        let load = Load::new(pressure_angle, width, pressure_drop)?;
+        let phase = finite_angle(Quantity::Rotation, rotation)?;
+        let e3 = finite_modules(Quantity::StatorOffset, stator_offset, self.module())?;
+        let e1 = finite_modules(Quantity::RotorOffset, rotor_offset, self.module())?;
+        let Some(sigma) = self.pushed(phase, load.sign()) else { return Ok(None) };
+        let contact = self.shape.at(By::Phase, phase);
+        self.third(&load, &contact, sigma, [e3, e1]).map(Some)
+    }
+
+    fn third(
+        &self,
+        load: &Load,
+        contact: &Contact,
+        sigma: f64,
+        offsets: [f64; 2],
+    ) -> Result<ThirdContact, Error> {
+        let r = self.shape.satellite_radius();
+        // Where two flanks do not hold it a third does no better.
+        flank_number(r, load.alpha, contact, sigma)?;
+        let ([stator, rotor, back], side) =
+            held(r, load.alpha, contact, sigma, offsets).unwrap_or(([f64::INFINITY; 3], Side::Rotor));
+        Ok(ThirdContact {
+            push: Push::of(sigma),
+            stator: load.force(self, stator),
+            rotor: load.force(self, rotor),
+            back_wheel: Mesh::of(side),
+            back: load.force(self, back),
+        })
+    }
+}
+
+impl Profile {
+    /// What holds each satellite after a rotation, with contacts where its flanks seal; none of an idle one.
+    ///
+    /// # Errors
+    /// As [`Motor::flank_forces`].
+    pub fn third_contacts(
+        &self,
+        rule: SealingContact,
+        rotation: Angle,
+        width: Length,
+        pressure_drop: Pressure,
+    ) -> Result<Vec<Option<ThirdContact>>, Error> {
+        let load = Load::new(self.form().pressure_angle, width, pressure_drop)?;
+        let rotation = finite_angle(Quantity::Rotation, rotation)?;
+        let motor = self.motor();
+        let rows = [1.0, -1.0].map(|sigma| Rows::new(self, sigma, rule));
+        let of = |j: u32| {
+            let phase = motor.phase(rotation, j);
+            let Some(sigma) = motor.pushed(phase, load.sign()) else { return Ok(None) };
+            let contact = motor.shape.at(By::Phase, phase);
+            let rows = &rows[usize::from(sigma < 0.0)];
+            motor.third(&load, &contact, sigma, rows.offsets(&rows.at(&contact), &contact)).map(Some)
+        };
+        (0..motor.numbers().satellites()).map(of).collect()
+    }
+
+    /// Bounds of the forces with a third contact over a revolution.
+    ///
+    /// Each smooth piece of the loaded phases, between changes of the sealing contacts, junctions and changes of the back flank, is looked at with
+    /// its own contacts up to both ends.
+    ///
+    /// # Errors
+    /// As [`Motor::flank_forces`].
+    pub fn third_contact_bounds(
+        &self,
+        rule: SealingContact,
+        width: Length,
+        pressure_drop: Pressure,
+    ) -> Result<ThirdContactBounds, Error> {
+        let load = Load::new(self.form().pressure_angle, width, pressure_drop)?;
+        let motor = self.motor();
+        motor.greatest_flank_forces(self.form().pressure_angle, width, pressure_drop)?;
+        let r = motor.shape.satellite_radius();
+        // Stator, rotor, the stator's and the rotor's back flank.
+        let mut best = [(f64::NEG_INFINITY, 1.0, 0.0); 4];
+        for crest in [true, false] {
+            let sigma = Motor::push(crest, load.sign());
+            let rows = Rows::new(self, sigma, rule);
+            let forces = |seals: &[Seal; 2], phase: f64| {
+                let contact = motor.shape.at(By::Phase, phase);
+                let ([stator, rotor, back], side) =
+                    held(r, load.alpha, &contact, sigma, rows.offsets(seals, &contact))
+                        .unwrap_or(([f64::NAN; 3], Side::Rotor));
+                match side {
+                    Side::Stator => [stator, rotor, back, -back],
+                    Side::Rotor => [stator, rotor, -back, back],
+                }
+            };
+            for pair in rows.pieces(motor, motor.loaded(crest)).windows(2) {
+                let seals = rows.at(&motor.shape.at(By::Phase, 0.5 * (pair[0] + pair[1])));
+                let back = |phase: f64| forces(&seals, phase)[3];
+                let mut ends = pair.to_vec();
+                if back(pair[0]) * back(pair[1]) < 0.0 {
+                    ends.insert(1, bracketed(pair[0], pair[1], back));
+                }
+                for (i, best) in best.iter_mut().enumerate() {
+                    let (place, force) = greatest_on(&ends, 0.0, |_, phase| forces(&seals, phase)[i]);
+                    if force > best.0 {
+                        *best = (force, sigma, place);
+                    }
+                }
+            }
+        }
+        let [stator, rotor, stator_back, rotor_back] = best.map(|(number, sigma, place)| ForceBound {
+            force: load.force(motor, number),
+            push: Push::of(sigma),
+            rotation: angle(place),
+        });
+        let positive = |bound: ForceBound| (bound.force > Force::default()).then_some(bound);
+        Ok(ThirdContactBounds {
+            stator,
+            rotor,
+            stator_back: positive(stator_back),
+            rotor_back: positive(rotor_back),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,124 @@
+//! Tests of the third contact.
+
+use super::*;
+use crate::centrode::tests::any_motor;
+use crate::flanks::forces::tests::{alpha, mm, motor, mpa};
+use crate::profile::ToothForm;
+use crate::units::{angle_of_degrees, radians};
+use proptest::prelude::*;
+use uom::si::force::newton;
+
+#[test]
+fn the_forces_of_the_derivation_are_met() {
+    let motor = motor((6, 4, 66, 10), 1.0, 40.0);
+    let held =
+        motor.third_contact(alpha(), angle(0.0), mm(-0.8), mm(0.9), mm(1.0), mpa(1.0)).unwrap().unwrap();
+    for (force, expected) in [(held.stator, 5.8806), (held.rotor, 7.3164), (held.back, 2.2098)] {
+        assert!((force.get::<newton>() - expected).abs() < 5e-5, "{held:?}");
+    }
+    assert_eq!((held.back_wheel, held.push), (Mesh::Rotor, Push::Forward));
+    // With the offsets exchanged the stator's back flank holds it.
+    let other =
+        motor.third_contact(alpha(), angle(0.0), mm(0.9), mm(-0.8), mm(1.0), mpa(1.0)).unwrap().unwrap();
+    assert_eq!(other.back_wheel, Mesh::Stator);
+    assert!(
+        (other.back - held.back).get::<newton>().abs() < 1e-12
+            && (other.stator - held.rotor).get::<newton>().abs() < 1e-12
+    );
+    // Between ±π/N about the crest and the trough a satellite is idle.
+    let idle = angle(std::f64::consts::PI * (1.0 / 6.0 + 1.0 / 4.0) / 2.0);
+    assert!(motor.third_contact(alpha(), idle, mm(0.0), mm(0.0), mm(1.0), mpa(1.0)).unwrap().is_none());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn three_flanks_and_the_pressure_leave_a_satellite_at_rest(
+        motor in any_motor(), phase in -9.0..9.0, e3 in -1.2..1.2, e1 in -1.2..1.2, alpha_deg in 10.0..40.0, reversed in any::<bool>(),
+    ) {
+        let drop = if reversed { mpa(-1.0) } else { mpa(1.0) };
+        let alpha = angle_of_degrees(alpha_deg);
+        let ask = |e3: f64, e1: f64| motor.third_contact(alpha, angle(phase), motor.length(e3), motor.length(e1), mm(1e-3), drop);
+        prop_assume!(ask(e3, e1).is_ok());
+        let Some(held) = ask(e3, e1).unwrap() else { return Ok(()) };
+        prop_assert!(held.back.get::<newton>() >= 0.0);
+        // In the stator's frame: forces in lines of action through the pitch points, turned from the tangents by α.
+        let place = motor.place_at(phase);
+        let sigma = if held.push == Push::Forward { 1.0 } else { -1.0 };
+        let line = |at: [f64; 2], outer: bool, sigma: f64| {
+            let (x, y) = (place.centre[0] - at[0], place.centre[1] - at[1]);
+            let r = x.hypot(y);
+            // From the pitch point towards the centre, turned by 90° − α towards where the flank pushes.
+            let by = sigma * (std::f64::consts::FRAC_PI_2 - radians(alpha)) * if outer { 1.0 } else { -1.0 };
+            super::super::kernel::turned([x / r, y / r], by)
+        };
+        let (u3, u1) = (line(place.on_stator, true, sigma), line(place.on_rotor, false, sigma));
+        let k3 = [place.on_stator[0] + e3 * u3[0], place.on_stator[1] + e3 * u3[1]];
+        let k1 = [place.on_rotor[0] + e1 * u1[0], place.on_rotor[1] + e1 * u1[1]];
+        let back = match held.back_wheel {
+            Mesh::Stator => (place.on_stator, line(place.on_stator, true, -sigma)),
+            Mesh::Rotor => (place.on_rotor, line(place.on_rotor, false, -sigma)),
+        };
+        let pressure = [-sigma * (k3[1] - k1[1]), sigma * (k3[0] - k1[0])];
+        let middle = [0.5 * (k3[0] + k1[0]), 0.5 * (k3[1] + k1[1])];
+        let scale = (held.stator + held.rotor + held.back).get::<newton>();
+        let loads = [
+            (place.on_stator, u3, held.stator.get::<newton>()),
+            (place.on_rotor, u1, held.rotor.get::<newton>()),
+            (back.0, back.1, held.back.get::<newton>()),
+            (middle, pressure, 1.0),
+        ];
+        let (mut sum, mut moment) = ([0.0; 2], 0.0);
+        for ([x, y], [fx, fy], force) in loads {
+            sum = [sum[0] + force * fx, sum[1] + force * fy];
+            moment += force * ((x - place.centre[0]) * fy - (y - place.centre[1]) * fx);
+        }
+        prop_assert!(sum[0].hypot(sum[1]) < 1e-9 * scale && moment.abs() < 1e-8 * scale, "{sum:?} {moment} {held:?}");
+    }
+
+    #[test]
+    fn at_the_pitch_points_no_third_flank_is_needed(motor in any_motor(), phase in -9.0..9.0) {
+        let ask = motor.third_contact(alpha(), angle(phase), mm(0.0), mm(0.0), mm(1.0), mpa(1.0));
+        prop_assume!(ask.is_ok());
+        if let Some(held) = ask.unwrap() {
+            let forces = motor.flank_forces(alpha(), angle(phase), mm(1.0), mpa(1.0)).unwrap();
+            let two = forces[0].force.get::<newton>();
+            prop_assert!(held.back.get::<newton>().abs() < 1e-9 * two, "{held:?}");
+            prop_assert!((held.stator.get::<newton>() - two).abs() < 1e-9 * two);
+            prop_assert!((held.rotor.get::<newton>() - two).abs() < 1e-9 * two);
+        }
+    }
+}
+
+#[test]
+fn no_force_of_a_revolution_exceeds_its_bound() {
+    for (numbers, rule) in
+        [((6, 4, 66, 10), SealingContact::Nearest), ((5, 3, 55, 10), SealingContact::NearestInMesh)]
+    {
+        let motor = motor(numbers, 1.0, 40.0);
+        let profile = Profile::new(&motor, ToothForm::default()).unwrap();
+        let bounds = profile.third_contact_bounds(rule, mm(1.0), mpa(1.0)).unwrap();
+        let (stator_back, rotor_back) = (bounds.stator_back.unwrap(), bounds.rotor_back.unwrap());
+        let limits = [bounds.stator.force, bounds.rotor.force, stator_back.force, rotor_back.force];
+        let mut seen = [Force::default(); 4];
+        for i in 0..6000 {
+            let rotation = angle(motor.chamber_phase() * f64::from(i) / 6000.0);
+            for held in
+                profile.third_contacts(rule, rotation, mm(1.0), mpa(1.0)).unwrap().into_iter().flatten()
+            {
+                let slot = if held.back_wheel == Mesh::Stator { 2 } else { 3 };
+                for (slot, force) in [(0, held.stator), (1, held.rotor), (slot, held.back)] {
+                    seen[slot] = seen[slot].max(force);
+                }
+            }
+        }
+        for (seen, limit) in seen.into_iter().zip(limits) {
+            assert!(seen <= limit * (1.0 + 1e-12) && seen > limit * 0.995, "{seen:?} {limit:?}");
+        }
+        // Reversed, everything is the mirror image.
+        let reversed = profile.third_contact_bounds(rule, mm(1.0), mpa(-1.0)).unwrap();
+        assert!((reversed.stator.force - bounds.stator.force).get::<newton>().abs() < 1e-9);
+        assert_ne!(reversed.stator.push, bounds.stator.push);
+    }
+}
