@@ -307,6 +307,15 @@ pub enum Error {
         /// What there is none of.
         what: Choice,
     },
+    /// Objectives of flanks under load without what they are calculated with.
+    #[error("objectives of flanks under load without materials: give them, or other objectives")]
+    NoFlankOrder,
+    /// A limit of a stress without a pressure drop.
+    #[error("a limit of the {quantity} without a pressure drop: give the pressure drop")]
+    NoPressureDrop {
+        /// The stress.
+        quantity: Quantity,
+    },
     /// A search that its observer ended.
     #[error("the search was cancelled")]
     Cancelled,
@@ -355,6 +364,8 @@ impl Error {
             Self::EmptySteps { .. } => "empty-steps",
             Self::TooManyForms { .. } => "too-many-forms",
             Self::NothingToChoose { .. } => "nothing-to-choose",
+            Self::NoFlankOrder => "no-flank-order",
+            Self::NoPressureDrop { .. } => "no-pressure-drop",
             Self::Cancelled => "cancelled",
             Self::TooManySets { .. } => "too-many-sets",
         }

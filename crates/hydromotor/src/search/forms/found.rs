@@ -6,7 +6,9 @@ use super::super::point::Yardstick;
 use super::super::requirements::mean_flow;
 use super::FormSearch;
 use super::cover::Value;
+use super::loaded::FlankFigures;
 use super::shape::{Curves, FamilyKind, Shape, ShapeReason, motor};
+use super::trial::Point;
 use crate::Error;
 use crate::checks::Subject;
 use crate::motor::Motor;
@@ -15,6 +17,7 @@ use crate::profile::kept::Failure;
 use crate::profile::limits::LimitKind;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
+use crate::threads::map;
 use crate::units::{length, length_of_metres, positive_length, power, torque, volume, volume_rate};
 
 /// The answer of a search.
@@ -43,6 +46,8 @@ pub struct FormDesign {
     pub least_radius: f64,
     /// Shortest path of contact of any flank over the base pitch.
     pub contact_ratio: f64,
+    /// Figures of the flanks under load, where they are asked for; none where the flanks cannot hold a satellite.
+    pub flanks: Option<FlankFigures>,
     /// The sizes that keep the limits, at least one, in the order of the modules given.
     pub sizes: Vec<FormSize>,
     curves: Curves,
@@ -117,11 +122,23 @@ pub enum FormRefusal {
     Check(Subject),
     /// A limit of the teeth.
     Limit(LimitKind),
+    /// The flanks cannot hold a loaded satellite.
+    CannotHold,
+    /// The pressure of Hertz is above the wanted one.
+    ContactStress,
+    /// The bending stress at a root is above the wanted one.
+    RootStress,
+    /// The materials allow less than the wanted pressure drop.
+    AllowedPressure,
+    /// The ripple at the flanks is above the wanted one.
+    FlankRipple,
+    /// The least torque over the mean is below the wanted one.
+    LeastTorque,
 }
 
 impl FormRefusal {
     /// All of them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 21] = [
         Self::NoTeeth,
         Self::Check(Subject::StatorBulge),
         Self::Check(Subject::RotorBulge),
@@ -137,6 +154,12 @@ impl FormRefusal {
         Self::Limit(LimitKind::TipCurve),
         Self::Limit(LimitKind::Neighbours),
         Self::Limit(LimitKind::Wheels),
+        Self::CannotHold,
+        Self::ContactStress,
+        Self::RootStress,
+        Self::AllowedPressure,
+        Self::FlankRipple,
+        Self::LeastTorque,
     ];
 
     fn of(failure: Failure) -> Self {
@@ -158,7 +181,10 @@ pub(super) struct Counts {
 
 impl Counts {
     pub(super) fn fail(&mut self, failure: Failure) {
-        let refusal = FormRefusal::of(failure);
+        self.refuse(FormRefusal::of(failure));
+    }
+
+    pub(super) fn refuse(&mut self, refusal: FormRefusal) {
         if let Some(place) = FormRefusal::ALL.iter().position(|other| *other == refusal) {
             self.refused[place] += 1;
         }
@@ -230,27 +256,21 @@ impl FormSearch {
         funnel: FormFunnel,
         shapes: &[Shape],
         forms: &[ToothForm],
-        found: Vec<(usize, usize, f64, Value)>,
+        found: Vec<(usize, Point)>,
     ) -> FormFound {
         // A design found later may be better than one found before.
-        let costs: Vec<Value> = found.iter().map(|(.., value)| value.map(|part| -part)).collect();
+        let costs: Vec<Value> = found.iter().map(|(_, point)| point.value.map(|part| -part)).collect();
         let mut places = epicyclic_pareto::non_dominated(&costs);
         let by_volume = |place: u32| shapes[found[place as usize].0].working.by_volume();
         places.sort_by(|&one, &other| by_volume(other).total_cmp(&by_volume(one)).then(one.cmp(&other)));
-        let design = |place: u32| {
-            let (shape, form, contact_ratio, _) = found[place as usize];
-            self.design(yardstick, &shapes[shape], forms[form], contact_ratio)
+        let design = |place: &u32| {
+            let (shape, point) = &found[*place as usize];
+            self.design(yardstick, &shapes[*shape], forms[point.form], point)
         };
-        FormFound { designs: places.into_iter().map(design).collect(), funnel }
+        FormFound { designs: map(&places, design), funnel }
     }
 
-    fn design(
-        &self,
-        yardstick: &Yardstick,
-        shape: &Shape,
-        form: ToothForm,
-        contact_ratio: f64,
-    ) -> FormDesign {
+    fn design(&self, yardstick: &Yardstick, shape: &Shape, form: ToothForm, point: &Point) -> FormDesign {
         let working = &shape.working;
         let sizes = yardstick.sizing.sizes(working.displacement, working.diameter);
         FormDesign {
@@ -260,7 +280,8 @@ impl FormSearch {
             displacement_by_volume: working.by_volume(),
             ripple: working.ripple(),
             least_radius: shape.radius,
-            contact_ratio,
+            contact_ratio: point.contact_ratio,
+            flanks: point.figures.or_else(|| self.figures(shape, form)?.ok()),
             sizes: sizes.into_iter().map(|size| self.size(shape, size)).collect(),
             curves: shape.curves,
         }

@@ -18,7 +18,9 @@
 //! A point is not tried where its motor is refused; where a limit fails that the form fails on every motor with such satellites; and where
 //! a design found before is *as good*: in no objective is the point's best possible value better than the design's by more
 //! than the [`resolution`](FormSearch::resolution). The best possible value is the motor's own where an objective does not depend on the form, and
-//! a bound where it does: the contact ratio cannot exceed that of the satellite's whole involute. [`FormFunnel`] counts all, and its parts add up
+//! a bound where it does: the contact ratio cannot exceed that of the satellite's whole involute, nor that of the flanks looked at
+//! so far; the pressure of Hertz is no less than that at crests and troughs with contacts at the pitch points. Of other figures of the flanks there is no
+//! bound: with them as objectives every admissible point is tried. [`FormFunnel`] counts all, and its parts add up
 //! to the space. So:
 //!
 //! - *without a resolution* the designs are the Pareto front of all admissible points, of points equal in every objective one;
@@ -54,6 +56,7 @@
 
 mod cover;
 mod found;
+mod loaded;
 mod shape;
 mod space;
 mod trial;
@@ -74,6 +77,7 @@ use shape::shapes;
 use trial::{Forms, Tried, tried};
 
 pub use found::{FormDesign, FormFound, FormFunnel, FormRefusal, FormSize};
+pub use loaded::{FlankFigures, FlankOrder};
 pub use shape::{FamilyKind, ShapeReason};
 pub use space::{FormSpace, MOST_FORMS, Steps};
 
@@ -88,12 +92,44 @@ pub enum Objective {
     LeastRadius,
     /// The greatest contact ratio: the shortest path of contact of any flank over the base pitch.
     ContactRatio,
+    /// The least ripple, satellites sealing at the flanks.
+    FlankRipple,
+    /// The greatest least torque over the mean, satellites sealing at the flanks.
+    LeastTorque,
+    /// The least pressure of Hertz, at one pressure drop.
+    ContactStress,
+    /// The least bending stress at the roots, at one pressure drop.
+    RootStress,
+    /// The greatest pressure drop that the materials allow.
+    AllowedPressure,
 }
 
 impl Objective {
     /// All of them.
-    pub const ALL: [Self; 4] =
-        [Self::DisplacementByVolume, Self::Ripple, Self::LeastRadius, Self::ContactRatio];
+    pub const ALL: [Self; 9] = [
+        Self::DisplacementByVolume,
+        Self::Ripple,
+        Self::LeastRadius,
+        Self::ContactRatio,
+        Self::FlankRipple,
+        Self::LeastTorque,
+        Self::ContactStress,
+        Self::RootStress,
+        Self::AllowedPressure,
+    ];
+
+    /// Whether it needs the figures of the flanks under load, [`FormSearch::flanks`].
+    #[must_use]
+    pub const fn is_of_flanks(self) -> bool {
+        matches!(
+            self,
+            Self::FlankRipple
+                | Self::LeastTorque
+                | Self::ContactStress
+                | Self::RootStress
+                | Self::AllowedPressure
+        )
+    }
 }
 
 /// A search for designs with the tooth form free.
@@ -113,6 +149,8 @@ pub struct FormSearch {
     pub forms: FormSpace,
     /// Least contact ratio; 1 and below ask no more than the limits do.
     pub least_contact_ratio: f64,
+    /// What the flanks under load are calculated with, and their limits; without, designs have no figures of them.
+    pub flanks: Option<FlankOrder>,
     /// What designs are held against each other by: by default all but [`Objective::LeastRadius`].
     pub objectives: Vec<Objective>,
     /// Relative difference of the objectives up to which designs are as good, 2 % by default. With none the front is exact.
@@ -148,6 +186,7 @@ impl FormSearch {
             places: 16,
             forms: FormSpace::default(),
             least_contact_ratio: 1.0,
+            flanks: None,
             objectives: vec![Objective::DisplacementByVolume, Objective::Ripple, Objective::ContactRatio],
             resolution: Some(0.02),
         }
@@ -158,7 +197,8 @@ impl FormSearch {
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::OutOfRange`] for a quantity of requirements, limits, forms or search,
     /// [`Error::NoModules`], [`Error::EmptyLimits`], [`Error::EmptyRange`], [`Error::EmptySteps`] for ranges the wrong way round,
-    /// [`Error::NothingToChoose`] without families, crests or objectives, [`Error::TooManyTeeth`], [`Error::TooManySets`] and
+    /// [`Error::NothingToChoose`] without families, crests or objectives, [`Error::NoFlankOrder`] and [`Error::NoPressureDrop`] for
+    /// objectives and limits of flanks without what they need, [`Error::TooManyTeeth`], [`Error::TooManySets`] and
     /// [`Error::TooManyForms`].
     pub fn front(&self) -> Result<FormFound, Error> {
         self.front_watched(&|_| ControlFlow::Continue(()))
@@ -203,14 +243,15 @@ impl FormSearch {
         let pass = Pass::new(1, order.len(), watch)?;
         let (mut cover, mut designs) = (Cover::default(), Vec::new());
         for batch in order.chunks(BATCH) {
-            let results =
-                pass.each(batch, |&k: &usize| tried(self, &found[k], values[k], &forms, &cover, slack))?;
+            let results = pass.each(batch, |&k: &usize| {
+                tried(self, &found[k], values[k], (&all_forms, &forms), &cover, slack)
+            })?;
             for (&k, Tried { counts, admissible }) in batch.iter().zip(results) {
                 funnel.add(&counts);
-                for (form, contact_ratio, value) in admissible {
-                    if !cover.is_as_good(&value, slack) {
-                        cover.add(value);
-                        designs.push((k, form, contact_ratio, value));
+                for point in admissible {
+                    if !cover.is_as_good(&point.value, slack) {
+                        cover.add(point.value);
+                        designs.push((k, point));
                     }
                 }
             }
@@ -240,6 +281,13 @@ impl FormSearch {
             return Err(out_of(Quantity::ContactRatio, self.least_contact_ratio, 0.0, 10.0));
         }
         let sizing = Sizing::new(&self.requirements, &self.limits.size)?;
+        match &self.flanks {
+            Some(order) => order.checked(self.requirements.pressure_drop)?,
+            None if self.objectives.iter().any(|objective| objective.is_of_flanks()) => {
+                return Err(Error::NoFlankOrder);
+            }
+            None => {}
+        }
         let ripple =
             self.limits.ripple.map_or(Ok(f64::INFINITY), |ripple| positive(Quantity::Ripple, ripple, ""))?;
         let least_radius = self.limits.least_radius.unwrap_or(0.0);
@@ -255,7 +303,7 @@ impl FormSearch {
                 Objective::DisplacementByVolume => shape.working.by_volume().ln(),
                 Objective::Ripple => -shape.working.ripple().ln(),
                 Objective::LeastRadius => shape.radius.ln(),
-                Objective::ContactRatio => 0.0,
+                _ => 0.0,
             };
         }
         value

@@ -4,6 +4,7 @@ use super::*;
 use crate::checks::{Check, Subject};
 use crate::closure::Family;
 use crate::cosine::Numbers;
+use crate::flanks::{LoadedPath, MaterialLimits, SealingContact, effective_modulus};
 use crate::motor::Motor;
 use crate::profile::limits::{Limit, LimitKind};
 use crate::profile::{Crest, Profile, ToothForm};
@@ -131,6 +132,96 @@ fn objectives(design: &FormDesign) -> [f64; 4] {
     [design.displacement_by_volume, design.ripple.recip(), design.least_radius, design.contact_ratio]
 }
 
+fn mpa(value: f64) -> Pressure {
+    Pressure::new::<megapascal>(value)
+}
+
+fn steel() -> MaterialLimits {
+    let modulus = effective_modulus([mpa(206e3); 2], [0.3; 2]).unwrap();
+    MaterialLimits { contact: mpa(1500.0), root: mpa(400.0), modulus }
+}
+
+/// Flanks as objectives and as limits against every admissible point, each with its own profile.
+#[test]
+fn flanks_under_load_are_those_of_every_profile() {
+    let mut search = small();
+    search.requirements.pressure_drop = Some(mpa(20.0));
+    search.resolution = None;
+    search.flanks = Some(FlankOrder::of(steel()));
+    // By the objectives' own order: −ripple, least torque, −contact, −root, allowed pressure.
+    let drop = mpa(20.0);
+    let all: Vec<(&Point, [f64; 5])> = all_of_small()
+        .iter()
+        .map(|point| {
+            let profile = Profile::new(&point.motor, point.form).unwrap();
+            let stresses = profile.contact_stresses(drop, steel().modulus).unwrap();
+            let contact = stresses
+                .iter()
+                .flat_map(|stress| [Some(stress.at_pitch_point), stress.on_path])
+                .flatten()
+                .map(|peak| peak.pressure.value)
+                .fold(0.0, f64::max);
+            let roots = profile.root_stresses(LoadedPath::Whole, drop).unwrap();
+            let root = roots.iter().map(|root| root.stress.value).fold(0.0, f64::max);
+            let allowed = profile.allowed_pressure(LoadedPath::Whole, &steel()).unwrap().pressure.value;
+            let ripple = profile.flank_ripple(SealingContact::Nearest);
+            (point, [-ripple.at_flanks.delta, ripple.least_over_mean, -contact, -root, allowed])
+        })
+        .collect();
+    let own = |design: &FormDesign| {
+        let flanks = design.flanks.unwrap();
+        let [contact, root] = [flanks.contact_stress, flanks.root_stress].map(|stress| stress.unwrap().value);
+        [-flanks.ripple, flanks.least_over_mean, -contact, -root, flanks.allowed.pressure.value]
+    };
+    let near = |one: f64, other: f64| (one - other).abs() <= 1e-6 * other.abs();
+    for (i, objective) in Objective::ALL[4..].iter().enumerate() {
+        search.objectives = vec![*objective];
+        let found = search.front().unwrap();
+        let best = all.iter().map(|(_, values)| values[i]).fold(f64::NEG_INFINITY, f64::max);
+        assert_eq!(found.designs.len(), 1);
+        assert!(near(own(&found.designs[0])[i], best), "{objective:?} {best} {:?}", found.designs[0].flanks);
+    }
+    // Two that pull apart: every trial point is reached, and every design is one of them.
+    search.objectives =
+        vec![Objective::DisplacementByVolume, Objective::ContactStress, Objective::FlankRipple];
+    let pick = |by_volume: f64, values: &[f64; 5]| [by_volume, values[2], values[0]];
+    let found = search.front().unwrap();
+    assert!(found.designs.len() > 3);
+    let listed: Vec<[f64; 3]> =
+        found.designs.iter().map(|design| pick(design.displacement_by_volume, &own(design))).collect();
+    let tried: Vec<[f64; 3]> = all.iter().map(|(point, values)| pick(point.objectives[0], values)).collect();
+    let no_less =
+        |one: &[f64; 3], other: &[f64; 3]| (0..3).all(|i| one[i] >= other[i] - 1e-6 * other[i].abs());
+    assert!(tried.iter().all(|point| listed.iter().any(|design| no_less(design, point))));
+    assert!(listed.iter().all(|design| tried.iter().any(|point| (0..3).all(|i| near(design[i], point[i])))));
+    // Limits: what keeps them, as many as by trial, none that does not.
+    let middle = |i: usize| {
+        let mut values: Vec<f64> = all.iter().map(|(_, values)| values[i]).collect();
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    let base = FlankOrder::of(steel());
+    let pascal = |value: f64| Pressure::new::<uom::si::pressure::pascal>(value);
+    let limited = [
+        (FlankOrder { ripple: Some(-middle(0)), ..base.clone() }, FormRefusal::FlankRipple),
+        (FlankOrder { least_torque: Some(middle(1)), ..base.clone() }, FormRefusal::LeastTorque),
+        (FlankOrder { contact_stress: Some(pascal(-middle(2))), ..base.clone() }, FormRefusal::ContactStress),
+        (FlankOrder { root_stress: Some(pascal(-middle(3))), ..base.clone() }, FormRefusal::RootStress),
+        (FlankOrder { allowed_pressure: Some(pascal(middle(4))), ..base }, FormRefusal::AllowedPressure),
+    ];
+    for (i, (order, refusal)) in limited.into_iter().enumerate() {
+        search.flanks = Some(order);
+        search.objectives = vec![Objective::DisplacementByVolume];
+        let found = search.front().unwrap();
+        assert!(found.funnel.refused(refusal) > 0, "{refusal:?}");
+        let kept =
+            all.iter().filter(|(_, values)| values[i] >= middle(i) * (1.0 - 1e-9 * middle(i).signum()));
+        let best = kept.map(|(point, _)| point.objectives[0]).fold(0.0, f64::max);
+        assert!(near(found.designs[0].displacement_by_volume, best), "{refusal:?}");
+        assert!(own(&found.designs[0])[i] >= middle(i) - 1e-6 * middle(i).abs());
+    }
+}
+
 #[test]
 fn the_exact_front_is_that_of_a_trial_of_every_point() {
     let mut search = small();
@@ -138,7 +229,7 @@ fn the_exact_front_is_that_of_a_trial_of_every_point() {
     let all = all_of_small();
     assert!(all.len() > 200, "{}", all.len());
     for chosen in
-        [&Objective::ALL[..], &Objective::ALL[..2], &[Objective::ContactRatio, Objective::LeastRadius]]
+        [&Objective::ALL[..4], &Objective::ALL[..2], &[Objective::ContactRatio, Objective::LeastRadius]]
     {
         search.objectives = chosen.to_vec();
         let found = search.front().unwrap();
@@ -176,7 +267,7 @@ fn the_exact_front_is_that_of_a_trial_of_every_point() {
 #[test]
 fn no_admissible_point_is_better_than_some_design_by_more_than_the_resolution() {
     let mut search = small();
-    search.objectives = Objective::ALL.to_vec();
+    search.objectives = Objective::ALL[..4].to_vec();
     let all = all_of_small();
     let mut last = usize::MAX;
     for resolution in [0.01, 0.05, 0.2] {
@@ -336,6 +427,23 @@ fn orders_that_make_no_sense_are_refused() {
     let messages = [
         refused(&|search| search.families.clear()),
         refused(&|search| search.objectives.clear()),
+        refused(&|search| search.objectives.push(Objective::RootStress)),
+        refused(&|search| {
+            search.flanks = Some(FlankOrder { contact_stress: Some(mpa(1e3)), ..FlankOrder::of(steel()) });
+        }),
+        refused(&|search| {
+            search.flanks = Some(FlankOrder { root_stress: Some(mpa(-1.0)), ..FlankOrder::of(steel()) });
+        }),
+        refused(&|search| {
+            search.flanks = Some(FlankOrder { allowed_pressure: Some(mpa(0.0)), ..FlankOrder::of(steel()) });
+        }),
+        refused(&|search| {
+            search.flanks = Some(FlankOrder { least_torque: Some(1.2), ..FlankOrder::of(steel()) });
+        }),
+        refused(&|search| search.flanks = Some(FlankOrder { ripple: Some(0.0), ..FlankOrder::of(steel()) })),
+        refused(&|search| {
+            search.flanks = Some(FlankOrder::of(MaterialLimits { contact: mpa(0.0), ..steel() }));
+        }),
         refused(&|search| search.forms.crests.clear()),
         refused(&|search| search.places = 2),
         refused(&|search| search.resolution = Some(0.0)),

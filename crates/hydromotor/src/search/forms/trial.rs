@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::cover::{Cover, Value};
 use super::found::Counts;
+use super::loaded::{FlankFigures, PitchBound};
 use super::shape::Shape;
 use super::{FormSearch, Objective};
 use crate::profile::ToothForm;
@@ -35,18 +36,29 @@ impl Forms {
     }
 }
 
+/// An admissible point.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    /// Place of the form.
+    pub(super) form: usize,
+    pub(super) contact_ratio: f64,
+    /// Where an objective or a limit needs them.
+    pub(super) figures: Option<FlankFigures>,
+    pub(super) value: Value,
+}
+
 /// What became of the forms on a motor.
 pub(super) struct Tried {
     pub(super) counts: Counts,
-    /// Admissible points that nothing found before is as good as: place of the form, contact ratio, objectives.
-    pub(super) admissible: Vec<(usize, f64, Value)>,
+    /// Admissible points that nothing found before is as good as.
+    pub(super) admissible: Vec<Point>,
 }
 
 pub(super) fn tried(
     search: &FormSearch,
     shape: &Shape,
     of_shape: Value,
-    forms: &Forms,
+    (all, forms): (&[ToothForm], &Forms),
     cover: &Cover,
     slack: f64,
 ) -> Tried {
@@ -55,32 +67,68 @@ pub(super) fn tried(
         return Tried { counts: Counts::default(), admissible };
     };
     let mut counts = failed.clone();
-    let best = |form: &SatelliteForm| search.value(of_shape, form.greatest_contact_ratio());
     // The first form may have the greatest contact ratio of all.
-    if forms.first().is_none_or(|(_, form)| cover.is_as_good(&best(form), slack)) {
+    let mut best =
+        forms.first().map_or(of_shape, |(_, form)| search.value(of_shape, form.greatest_contact_ratio()));
+    for &objective in search.objectives.iter().filter(|objective| objective.is_of_flanks()) {
+        best[objective as usize] = f64::INFINITY;
+    }
+    if forms.is_empty() || cover.is_as_good(&best, slack) {
         counts.as_good += forms.len() as u64;
         return Tried { counts, admissible };
     }
-    let mut near = cover.near(&of_shape, slack, |i| i != Objective::ContactRatio as usize);
+    let of_motor = |i: usize| i < Objective::ContactRatio as usize;
+    let mut near = cover.near(&of_shape, slack, of_motor);
     let motor = shape.motor();
+    let pitch = PitchBound::of(&motor);
+    let (least, needs_flanks) = (search.least_contact_ratio, search.needs_flanks());
     let mut room = None;
     for (place, form) in forms {
-        if near.is_as_good(&best(form), slack) {
+        let chosen = all[*place];
+        let at_best = |ratio: f64| search.bound(search.value(of_shape, ratio), &pitch, chosen);
+        if near.is_as_good(&at_best(form.greatest_contact_ratio()), slack) {
             counts.as_good += 1;
             continue;
         }
+        if let Some(refusal) = search
+            .flanks
+            .as_ref()
+            .and_then(|order| pitch.refusal(order, search.requirements.pressure_drop, chosen))
+        {
+            counts.refuse(refusal);
+            continue;
+        }
         let room = room.get_or_insert_with(|| Room::of(&motor, shape.curvatures));
-        let least = search.least_contact_ratio;
-        let wanted = |ratio: f64| ratio >= least && !near.is_as_good(&search.value(of_shape, ratio), slack);
-        match contact_ratio(&motor, room, form, wanted) {
-            Ok(Some(ratio)) => {
-                counts.admissible += 1;
-                let value = search.value(of_shape, ratio);
-                near.add(value);
-                admissible.push((*place, ratio, value));
+        let wanted = |ratio: f64| ratio >= least && !near.is_as_good(&at_best(ratio), slack);
+        let contact_ratio = match contact_ratio(&motor, room, form, wanted) {
+            Ok(Some(ratio)) => ratio,
+            Ok(None) => {
+                counts.as_good += 1;
+                continue;
             }
-            Ok(None) => counts.as_good += 1,
-            Err(failure) => counts.fail(failure),
+            Err(failure) => {
+                counts.fail(failure);
+                continue;
+            }
+        };
+        let mut value = search.value(of_shape, contact_ratio);
+        let figures = match needs_flanks.then(|| search.figures(shape, chosen)).flatten() {
+            Some(Err(refusal)) => {
+                counts.refuse(refusal);
+                continue;
+            }
+            Some(Ok(figures)) => {
+                for &objective in &search.objectives {
+                    value[objective as usize] = figures.value(objective).unwrap_or(value[objective as usize]);
+                }
+                Some(figures)
+            }
+            None => None,
+        };
+        counts.admissible += 1;
+        if !near.is_as_good(&value, slack) {
+            near.add(value);
+            admissible.push(Point { form: *place, contact_ratio, figures, value });
         }
     }
     Tried { counts, admissible }
