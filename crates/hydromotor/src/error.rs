@@ -1,6 +1,6 @@
 //! What this crate refuses.
 
-use crate::quantity::{ArcsFault, OpenPair, PortSide, Quantity, WheelKind};
+use crate::quantity::{ArcsFault, Choice, OpenPair, PortSide, Quantity, WheelKind};
 
 /// An input that describes no motor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -192,6 +192,28 @@ pub enum Error {
         /// What the stator's half-lobe spans too much there, degrees.
         excess_deg: f64,
     },
+    /// An amplitude of the second harmonic with which no rotor closes without cusps.
+    #[error(
+        "ε₂ = {second}: a second-harmonic rotor of these numbers closes without cusps for ε₂ between \
+         {low:.6} and {high:.6}"
+    )]
+    OutsideHarmonic {
+        /// The amplitude given.
+        second: f64,
+        /// The range's lower end.
+        low: f64,
+        /// Its upper end.
+        high: f64,
+    },
+    /// Numbers for which no second-harmonic rotor closes without cusps.
+    #[error(
+        "no second-harmonic rotor closes with these numbers without cusps: where the stator gets them, its \
+         half-lobe still spans at least {excess_deg:.6}° too much; take more satellite teeth"
+    )]
+    NoSecondHarmonicRotor {
+        /// What the stator's half-lobe spans too much there at least, degrees.
+        excess_deg: f64,
+    },
     /// A tooth whose flanks meet below its tip.
     #[error("a tooth of the {wheel} is pointed at an addendum of {addendum} modules: below {most:.4}")]
     PointedTip {
@@ -254,6 +276,49 @@ pub enum Error {
         /// Unit of both.
         unit: &'static str,
     },
+    /// Steps that lead nowhere.
+    #[error(
+        "{quantity} from {from} to {to} in steps of {step}{}: write the smaller end first, and a step above 0 where they differ",
+        spaced(.unit)
+    )]
+    EmptySteps {
+        /// What is stepped.
+        quantity: Quantity,
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
+        /// Step.
+        step: f64,
+        /// Unit of the three.
+        unit: &'static str,
+    },
+    /// More tooth forms than a search takes.
+    #[error("{forms} tooth forms within the steps: a search takes at most {most}; take greater steps")]
+    TooManyForms {
+        /// Forms within the steps.
+        forms: u64,
+        /// The greatest number allowed.
+        most: u64,
+    },
+    /// A search without something to choose from.
+    #[error("no {what} to choose from: give at least one")]
+    NothingToChoose {
+        /// What there is none of.
+        what: Choice,
+    },
+    /// Objectives of flanks under load without what they are calculated with.
+    #[error("objectives of flanks under load without materials: give them, or other objectives")]
+    NoFlankOrder,
+    /// A limit of a stress without a pressure drop.
+    #[error("a limit of the {quantity} without a pressure drop: give the pressure drop")]
+    NoPressureDrop {
+        /// The stress.
+        quantity: Quantity,
+    },
+    /// A search that its observer ended.
+    #[error("the search was cancelled")]
+    Cancelled,
     /// More sets of numbers than a search takes.
     #[error("{sets} sets of numbers within the bounds: a search takes at most {most}; narrow the bounds")]
     TooManySets {
@@ -382,6 +447,8 @@ impl Error {
             Self::OutsideFamilyByCrest { .. } => "outside-family-by-crest",
             Self::NoFamily => "no-family",
             Self::NoCosineRotor { .. } => "no-cosine-rotor",
+            Self::OutsideHarmonic { .. } => "outside-harmonic",
+            Self::NoSecondHarmonicRotor { .. } => "no-second-harmonic-rotor",
             Self::PointedTip { .. } => "pointed-tip",
             Self::FilletTooLarge { .. } => "fillet-too-large",
             Self::NoTip { .. } => "no-tip",
@@ -389,6 +456,12 @@ impl Error {
             Self::CannotHold { .. } => "cannot-hold",
             Self::NoModules => "no-modules",
             Self::EmptyLimits { .. } => "empty-limits",
+            Self::EmptySteps { .. } => "empty-steps",
+            Self::TooManyForms { .. } => "too-many-forms",
+            Self::NothingToChoose { .. } => "nothing-to-choose",
+            Self::NoFlankOrder => "no-flank-order",
+            Self::NoPressureDrop { .. } => "no-pressure-drop",
+            Self::Cancelled => "cancelled",
             Self::TooManySets { .. } => "too-many-sets",
             Self::PortOutside { .. } => "port-outside",
             Self::PortsOverlap => "ports-overlap",

@@ -12,6 +12,7 @@
 //! | [`closure`] | which of them close: the whole family of motors of given numbers, sensitivity |
 //! | [`junction`] | the point where the images of the arcs meet on the rotor, by the source's formulas |
 //! | [`cosine`] | the other way: a cosine-law rotor and its conjugate stator |
+//! | [`second_harmonic`] | the same with a second harmonic: one family, no jump of the curvature; its range |
 //! | [`motor`] | a closed motor; frame and signs |
 //! | [`centrode`] | stator, rotor and satellite as curves of their arc length |
 //! | [`satellites`] | where each satellite is, how it has turned, how near its neighbours come |
@@ -79,6 +80,7 @@ mod real;
 mod roots;
 pub mod satellites;
 pub mod search;
+pub mod second_harmonic;
 mod threads;
 mod tolerance;
 pub mod two_arc_fit;

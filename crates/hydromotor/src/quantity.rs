@@ -50,10 +50,16 @@ words! {
         OuterDiameter "outer diameter"
         Ripple "ripple"
         LeastRadius "least radius"
+        ContactRatio "contact ratio"
+        LeastTorque "least torque over the mean"
+        ContactStress "pressure of Hertz"
+        RootStress "bending stress at the roots"
+        AllowedPressure "allowed pressure drop"
         FamilyPoints "points of a family"
         Resolution "resolution"
         Steps "steps"
         Points "points"
+        SecondAmplitude "ε₂"
         PressureAngle "pressure angle"
         Addendum "addendum"
         Dedendum "dedendum"
@@ -125,6 +131,15 @@ words! {
     PortSide {
         High "high-pressure"
         Low "low-pressure"
+    }
+}
+
+words! {
+    /// What a search chooses from.
+    Choice {
+        Families "families"
+        Objectives "objectives"
+        Crests "crests"
     }
 }
 

@@ -165,6 +165,11 @@ pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Er
     }
 }
 
+/// A pressure over another.
+pub(crate) fn over(one: Pressure, other: Pressure) -> f64 {
+    one.get::<pascal>() / other.get::<pascal>()
+}
+
 pub(crate) fn metres(value: Length) -> f64 {
     value.get::<meter>()
 }

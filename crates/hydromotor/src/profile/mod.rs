@@ -9,6 +9,7 @@
 //! | `cut` | the teeth of stator and rotor in closed form |
 //! | `satellite` | the satellite's teeth, and how far a point is from them |
 //! | [`limits`] | undercut, pointed tips, reach of the flanks: which limit fails, where, what it allows |
+//! | `kept` | whether a motor keeps all limits in a form, for searches |
 //! | [`clearance`] | how near the teeth come over a revolution |
 //!
 //! # In phase
@@ -39,6 +40,7 @@
 pub mod clearance;
 mod cut;
 pub mod form;
+pub(crate) mod kept;
 pub mod limits;
 mod paths;
 mod satellite;
