@@ -31,6 +31,7 @@ use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::checks::{self, ToothHeights};
 use epicyclic_hydromotor::closure::{self, Family};
+use epicyclic_hydromotor::second_harmonic::{self, HarmonicLaw};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length, Pressure};
@@ -172,8 +173,38 @@ pub struct CosineLaw {
     pub mean_radius_m: f64,
     /// Relative amplitude, `ε`.
     pub amplitude: f64,
-    /// The relative amplitude at which the stator gets cusps.
-    pub cusp_amplitude: f64,
+    /// Relative amplitude of the second harmonic, `ε₂`; 0 without one.
+    pub second_amplitude: f64,
+    /// The relative amplitude at which the stator gets cusps; null with a second harmonic.
+    pub cusp_amplitude: Option<f64>,
+    /// The values of `ε₂` with which motors of these numbers close without cusps; null where there are none.
+    pub second_harmonics: Option<HarmonicRange>,
+}
+
+/// Values of `ε₂`, both ends excluded.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct HarmonicRange {
+    /// Above this.
+    pub from: f64,
+    /// Below this.
+    pub to: f64,
+}
+
+impl CosineLaw {
+    fn of(motor: &hydromotor::Motor, law: &HarmonicLaw) -> Self {
+        let range = second_harmonic::range(motor.numbers()).ok();
+        Self {
+            mean_radius_m: si(law.mean_radius),
+            amplitude: plain(law.amplitude),
+            second_amplitude: plain(law.second_amplitude),
+            cusp_amplitude: motor.cosine_law().map(|law| plain(law.cusp_amplitude)),
+            second_harmonics: range.map(|range| HarmonicRange {
+                from: range.lower.second_amplitude,
+                to: range.upper.second_amplitude,
+            }),
+        }
+    }
 }
 
 /// How near arcs come to the rotor's exact curve.
@@ -471,11 +502,7 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
     Ok(Motor {
         numbers: Numbers::of(motor),
         arcs,
-        cosine_law: motor.cosine_law().map(|law| CosineLaw {
-            mean_radius_m: si(law.mean_radius),
-            amplitude: plain(law.amplitude),
-            cusp_amplitude: plain(law.cusp_amplitude),
-        }),
+        cosine_law: motor.harmonic_law().map(|law| CosineLaw::of(motor, &law)),
         rotor: Rotor::of(motor),
         work: Work::of(designed)?,
         flanks,

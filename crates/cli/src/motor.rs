@@ -100,6 +100,10 @@ pub(crate) struct Design {
     #[arg(long, group = "place")]
     cosine: bool,
 
+    /// Relative amplitude ε₂ of a second harmonic of the cosine law.
+    #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
+    second_harmonic: Option<Number>,
+
     /// Width of the wheels, for displacement, torque and forces.
     #[arg(long, allow_hyphen_values = true)]
     width: Option<Quantity<Length>>,

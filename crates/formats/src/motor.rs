@@ -53,6 +53,8 @@ pub struct MotorFile {
     pub a: Option<Quantity<Length>>,
     /// Part of the family, from 0, where the arcs of the troughs vanish, to 1, even in 1/l; in place of `l`.
     pub part: Option<Number>,
+    /// `ε₂`: relative amplitude of a second harmonic of a rotor by the cosine law. Default 0.
+    pub second_harmonic: Option<Number>,
     /// Width of the wheels. Without it volumes, torques and flows are per width.
     pub width: Option<Quantity<Length>>,
     /// Pressure difference between the ports.
@@ -125,12 +127,16 @@ impl MotorFile {
     /// The motor, and the family that it is of; a cosine-law motor has none.
     ///
     /// # Errors
-    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`].
+    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`], [`Motor::of_second_harmonic`].
     pub fn motor(&self) -> Result<(Motor, Option<Family>), MotorError> {
         let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs)?;
         let module = self.module.0;
         if self.law == Some(Law::Cosine) {
-            return Ok((Motor::of_cosine_law(numbers, module)?, None));
+            let motor = match self.second_harmonic {
+                Some(second) => Motor::of_second_harmonic(numbers, module, second.get()),
+                None => Motor::of_cosine_law(numbers, module),
+            };
+            return Ok((motor?, None));
         }
         let family = Family::new(numbers, module)?;
         let arcs = match (self.l, self.a, self.part) {
@@ -183,6 +189,9 @@ pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), E
     let refuse = |key: &str, message: &str| {
         Err(document.error(&Path::root().key(key), Problem::Refused { message: message.to_owned() }))
     };
+    if file.second_harmonic.is_some() && file.law != Some(Law::Cosine) {
+        return refuse("second_harmonic", "it is of a rotor by the cosine law: give law: cosine, too");
+    }
     let given = [file.l.is_some(), file.a.is_some(), file.part.is_some()];
     match file.place_key() {
         Some(key) if file.law == Some(Law::Cosine) => {
@@ -216,6 +225,8 @@ pub fn place(error: &MotorError) -> Path {
         MotorError::SatelliteTooLarge { .. } | MotorError::NoFamily | MotorError::NoCosineRotor { .. } => {
             "zs"
         }
+        MotorError::NoSecondHarmonicRotor { .. } => "zs",
+        MotorError::OutsideHarmonic { .. } => "second_harmonic",
         MotorError::OutsideFamily { .. } => "l",
         MotorError::OutsideFamilyByCrest { .. } => "a",
         MotorError::CannotHold { .. } => "teeth.pressure_angle",
@@ -242,6 +253,7 @@ fn of_quantity(quantity: Of) -> &'static str {
         Of::TroughDistance => "l",
         Of::CrestDistance => "a",
         Of::FamilyPart => "part",
+        Of::SecondAmplitude => "second_harmonic",
         Of::Width => "width",
         Of::PressureDrop | Of::HighPressure => "pressure",
         Of::Speed => "speed",

@@ -184,7 +184,7 @@ pub enum Error {
     /// Numbers for which no cosine-law rotor closes.
     #[error(
         "no cosine-law rotor closes with these numbers: at the relative amplitude {cusp_amplitude:.6}, where \
-         the stator gets cusps, its half-lobe still spans {excess_deg:.6}° too much; take more satellite teeth"
+         the stator gets cusps, its half-lobe still spans {excess_deg:.6}° too much; take more satellite teeth, or try a second harmonic"
     )]
     NoCosineRotor {
         /// The relative amplitude at which the stator gets cusps.

@@ -179,11 +179,21 @@ fn limit(limit: FamilyLimit) -> &'static str {
 
 fn cosine_law(law: &CosineLaw) -> Vec<Row> {
     let number = |name, label, symbol, value| Row::new(name, label, symbol, [Figure::Number(value)]);
-    vec![
+    let mut rows = vec![
         one("mean_radius", "mean radius of the rotor", "c", Length, law.mean_radius_m),
         number("amplitude", "relative amplitude", "ε", law.amplitude),
-        number("cusp_amplitude", "at which the stator gets cusps", "", law.cusp_amplitude),
-    ]
+    ];
+    if law.second_amplitude != 0.0 {
+        rows.push(number("second_amplitude", "of the second harmonic", "ε₂", law.second_amplitude));
+    }
+    rows.extend(
+        law.cusp_amplitude.map(|cusp| number("cusp_amplitude", "at which the stator gets cusps", "", cusp)),
+    );
+    if let Some(range) = &law.second_harmonics {
+        rows.push(number("second_from", "second harmonics close above ε₂ =", "", range.from));
+        rows.push(number("second_to", "… and below ε₂ =", "", range.to));
+    }
+    rows
 }
 
 /// A row of a figure that may be missing, and is left out then.

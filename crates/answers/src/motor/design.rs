@@ -46,6 +46,8 @@ pub enum Place {
     Part(f64),
     /// A rotor by the cosine law: one motor, no family.
     CosineLaw,
+    /// A rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
+    SecondHarmonic(f64),
 }
 
 /// How a motor was chosen from its family.
@@ -92,13 +94,14 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
     let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
     let (motor, family) = match place {
         Place::CosineLaw => (Motor::of_cosine_law(numbers, module)?, None),
+        Place::SecondHarmonic(second) => (Motor::of_second_harmonic(numbers, module, second)?, None),
         place => {
             let family = Family::new(numbers, module)?;
             let arcs = match place {
                 Place::TroughDistance(l) => family.at(l),
                 Place::CrestDistance(a) => family.at_crest_distance(a),
                 Place::Part(part) => family.at_part(part),
-                Place::Middle | Place::CosineLaw => family.at_part(0.5),
+                Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
             }?;
             (Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family))
         }

@@ -20,7 +20,9 @@ pub(super) fn read(args: &Design) -> Result<Designed, Failure> {
         None => MotorNumbers::new(stator, rotor, z3, zs),
     };
     let place = match (args.cosine, args.l, args.a, args.part) {
-        (true, ..) => Place::CosineLaw,
+        (true, ..) => {
+            args.second_harmonic.map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()))
+        }
         (_, Some(l), ..) => Place::TroughDistance(l.0),
         (_, _, Some(a), _) => Place::CrestDistance(a.0),
         (.., Some(part)) => Place::Part(part.get()),
@@ -110,7 +112,8 @@ fn of_motor(error: &Error) -> Option<&'static str> {
         Error::SatelliteTooLarge { .. } => Some("--zs"),
         Error::OutsideFamily { .. } => Some("--l"),
         Error::OutsideFamilyByCrest { .. } => Some("--a"),
-        Error::NoCosineRotor { .. } => Some("--cosine"),
+        Error::NoCosineRotor { .. } | Error::NoSecondHarmonicRotor { .. } => Some("--cosine"),
+        Error::OutsideHarmonic { .. } => Some("--second-harmonic"),
         Error::NoModules => Some("--module"),
         Error::TooManySets { .. } => Some("--stator, --z3, --zs"),
         Error::NotPositive { quantity, .. }
@@ -126,6 +129,7 @@ fn quantity_option(quantity: Quantity) -> Option<&'static str> {
         Quantity::TroughDistance => "--l",
         Quantity::CrestDistance => "--a",
         Quantity::FamilyPart => "--part",
+        Quantity::SecondAmplitude => "--second-harmonic",
         Quantity::Width => "--width",
         Quantity::PressureDrop | Quantity::HighPressure => "--pressure",
         Quantity::Speed => "--speed",
