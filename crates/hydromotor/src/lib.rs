@@ -19,15 +19,15 @@
 //! | [`chambers`] | areas and outlines of the chambers, displacement |
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
-//! | [`flanks`] | the flanks under load: forces, the rotor's bearing |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
+//! | [`flanks`] | the flanks under load: forces, the rotor's bearing, sealing, a third contact, stresses, the pressure that a shape allows |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
 //! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
 //!
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-//! Drawings; leaks, friction, contact forces, strength.
+//! Drawings; leaks, friction; elastic teeth, strength beyond the stresses of [`flanks`].
 //!
 //! # Example
 //!
