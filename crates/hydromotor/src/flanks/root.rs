@@ -149,6 +149,8 @@ impl Profile {
     fn bent(&self, path: LoadedPath, points: u32) -> Result<Vec<(Wheel, Worst)>, Error> {
         let motor = self.motor();
         let (alpha, r) = (pressure_angle(self.form().pressure_angle)?, motor.shape.satellite_radius());
+        // Refuses what no flank holds before anything is compared.
+        motor.greatest_flank_forces(self.form().pressure_angle, motor.module(), pressure_of_pascals(1.0))?;
         let own = self.satellite_tooth(points);
         let mut worst: [Option<Worst>; 3] = [None; 3];
         for (i, side) in Side::BOTH.into_iter().enumerate() {
@@ -171,10 +173,6 @@ impl Profile {
                 let offset =
                     |piece: usize, s: f64| flanks[piece].sign * (s - flanks[piece].pitch) * self.teeth().cos;
                 let number = |s: f64| flank_number(r, alpha, &motor.shape.at(arc(side), s), sigma);
-                // Refuses what no flank holds before anything is compared.
-                for &[from, to] in &pieces {
-                    number(from).and(number(to))?;
-                }
                 let on_wheel = |piece: usize, s: f64| {
                     let (flank, (index, lobe)) = (flanks[piece], places[piece]);
                     let tooth = &teeth[index];
