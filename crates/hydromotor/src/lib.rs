@@ -20,14 +20,10 @@
 //! | [`chambers`] | areas and outlines of the chambers, displacement |
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
-<<<<<<< HEAD
-//! | [`flanks`] | the flanks under load: forces, the rotor's bearing |
 //! | [`ports`] | ports as made: openings, timing, trapped pressure, throttling |
 //! | [`leakage`] | leakage through the gaps at the end faces |
 //! | [`friction`] | friction of flanks and end gaps, starting torque |
 //! | [`efficiency`] | volumetric, mechanical, total efficiency over speed and pressure |
-=======
->>>>>>> flanks
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`flanks`] | the flanks under load: forces, the rotor's bearing, sealing, a third contact, stresses, the pressure that a shape allows |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
@@ -36,12 +32,8 @@
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!
 //! # Left out
-<<<<<<< HEAD
 //! Drawings; leaks at the flanks, the friction of bearings and seals, the pressure in a chamber while it opens or closes, the change of
-//! viscosity.
-=======
-//! Drawings; leaks, friction; elastic teeth, strength beyond the stresses of [`flanks`].
->>>>>>> flanks
+//! viscosity; elastic teeth, strength beyond the stresses of [`flanks`].
 //!
 //! # Example
 //!
