@@ -16,7 +16,7 @@
 //! a chamber at its greatest in front, at the phase `−π/n`, and until it has one at its least behind, at `−π/N`: within the lens that
 //! the two discs share. The high ports lie behind the crests, the low ones before; the other way round the motor turns back.
 //!
-//! Left out: contact forces of the teeth, which share `F` between stator and rotor, inertia, friction.
+//! Left out: inertia, friction. The contact forces of the teeth, which share `F` between stator and rotor, are in [`crate::flanks`].
 
 use crate::quantity::Quantity;
 use uom::si::f64::{Angle, Force, Length, Pressure};

@@ -19,12 +19,12 @@
 //! | [`chambers`] | areas and outlines of the chambers, displacement |
 //! | [`flow`] | flow, torque, power, and their ripple |
 //! | [`forces`] | forces of the pressure on the satellites, ports |
-//! | [`flanks`] | the flanks under load: forces, the rotor's bearing |
 //! | [`ports`] | ports as made: openings, timing, trapped pressure, throttling |
 //! | [`leakage`] | leakage through the gaps at the end faces |
 //! | [`friction`] | friction of flanks and end gaps, starting torque |
 //! | [`efficiency`] | volumetric, mechanical, total efficiency over speed and pressure |
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
+//! | [`flanks`] | the flanks under load: forces, the rotor's bearing, sealing, a third contact, stresses, the pressure that a shape allows |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
 //! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
 //!
@@ -32,7 +32,7 @@
 //!
 //! # Left out
 //! Drawings; leaks at the flanks, the friction of bearings and seals, the pressure in a chamber while it opens or closes, the change of
-//! viscosity.
+//! viscosity; elastic teeth, strength beyond the stresses of [`flanks`].
 //!
 //! # Example
 //!

@@ -9,6 +9,8 @@
 //! | `cut` | the teeth of stator and rotor in closed form |
 //! | `satellite` | the satellite's teeth, and how far a point is from them |
 //! | [`limits`] | undercut, pointed tips, reach of the flanks: which limit fails, where, what it allows |
+//! | `paths` | the path of contact of every flank |
+//! | `tooth` | single teeth in their own frame: sections, points of load |
 //! | [`clearance`] | how near the teeth come over a revolution |
 //!
 //! # In phase
@@ -34,7 +36,7 @@
 //! the fillet cut the flank almost in one place.
 //!
 //! # Left out
-//! Loads, and with them contact and root stress; modifications of the flank; the thickness across the face.
+//! Loads, which are in [`crate::flanks`]; modifications of the flank; the thickness across the face.
 
 pub mod clearance;
 mod cut;
