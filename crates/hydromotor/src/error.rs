@@ -347,10 +347,10 @@ pub enum Error {
     /// Ports of both pressures that share an area.
     #[error("a high-pressure and a low-pressure port overlap: move them apart, or make them smaller")]
     PortsOverlap,
-    /// Centrodes steeper than 45°, or a satellite that reaches across the ray through its neighbour's contacts.
+    /// A rotor that reaches into the stator, centrodes steeper than 45°, or a satellite that reaches across the ray through its neighbour's contacts or into a wheel.
     #[error(
-        "ports of this motor: its centrodes are steeper than 45°, or a satellite reaches across the ray through its neighbour's contacts, so that \
-         the rays do not part the chambers; choose an l or numbers with less steep centrodes"
+        "ports of this motor: its rotor's crests reach into the stator, its centrodes are steeper than 45°, or a satellite reaches across the ray through its neighbour's contacts or into a \
+         wheel, so that the rays do not part the chambers; choose an l or numbers with less steep centrodes"
     )]
     SatelliteAcrossRay,
     /// A port that stays covered.

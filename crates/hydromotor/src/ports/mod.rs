@@ -150,7 +150,7 @@ impl PortPlate {
         let module = motor.module();
         let lobes = motor.numbers().stator_lobes();
         let ports = [Port::new(high, module, lobes)?, Port::new(low, module, lobes)?];
-        if !rays_part_satellites(motor) {
+        if !rays_part_chambers(motor) {
             return Err(Error::SatelliteAcrossRay);
         }
         let (crest, trough) = (motor.shape.within(By::Phase, 0.0), motor.shape.trough());
@@ -315,20 +315,29 @@ impl PortPlate {
     }
 }
 
-/// Whether the rays through the contacts part the satellites: no contact is steeper than 45°, and no satellite reaches across its
-/// neighbour's ray. Looked at for 64 phases of a cycle.
-fn rays_part_satellites(motor: &Motor) -> bool {
+/// Whether the rays through the contacts part the chambers: the rotor passes within the stator's troughs, no contact is steeper than 45°,
+/// no satellite reaches across its neighbour's ray, and none cuts into a wheel. Looked at for 64 phases of a cycle, and at 64 points of a
+/// satellite.
+fn rays_part_chambers(motor: &Motor) -> bool {
     const PLACES: u32 = 64;
     let (cycle, r) = (2.0 * motor.shape.trough().phase, motor.shape.satellite_radius());
-    (0..PLACES).all(|i| {
-        let phase = cycle * f64::from(i) / f64::from(PLACES);
-        let [back, front] = [phase, phase + motor.chamber_phase()].map(|phase| motor.place_at(phase));
-        let beyond = |[x, y]: [f64; 2], theta: f64| y * theta.cos() - x * theta.sin();
-        let turn = front.contact.theta3 - back.contact.theta3;
-        let apart =
-            beyond(front.centre, back.contact.theta3) >= r && -beyond(back.centre, front.contact.theta3) >= r;
-        back.contact.mu.abs() <= 0.125 * TAU && (apart || turn > 0.25 * TAU)
-    })
+    motor.shape.within(By::Phase, 0.0).rho1 < motor.shape.trough().rho3
+        && (0..PLACES).all(|i| {
+            let phase = cycle * f64::from(i) / f64::from(PLACES);
+            let [back, front] = [phase, phase + motor.chamber_phase()].map(|phase| motor.place_at(phase));
+            let beyond = |[x, y]: [f64; 2], theta: f64| y * theta.cos() - x * theta.sin();
+            let turn = front.contact.theta3 - back.contact.theta3;
+            let apart = beyond(front.centre, back.contact.theta3) >= r
+                && -beyond(back.centre, front.contact.theta3) >= r;
+            let is_free = |j: u32| {
+                let (sin, cos) = (TAU * f64::from(j) / f64::from(PLACES)).sin_cos();
+                let [x, y] = [back.centre[0] + r * cos, back.centre[1] + r * sin];
+                let (rho, theta) = (x.hypot(y), y.atan2(x));
+                rho <= motor.shape.at(By::StatorAngle, theta).rho3 + crate::tolerance::MET
+                    && rho >= motor.shape.at(By::RotorAngle, theta - phase).rho1 - crate::tolerance::MET
+            };
+            back.contact.mu.abs() <= 0.125 * TAU && (apart || turn > 0.25 * TAU) && (0..PLACES).all(is_free)
+        })
 }
 
 /// The place of a pressure in a pair.
