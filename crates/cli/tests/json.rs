@@ -530,6 +530,88 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "motor",
+        &[
+            "motor",
+            "--stator",
+            "8",
+            "--rotor",
+            "6",
+            "--z3",
+            "88",
+            "--zs",
+            "10",
+            "--module",
+            "2 mm",
+            "--cosine",
+            "--second-harmonic",
+            "0.002",
+        ],
+    ),
+    // A port that is a kidney, and ports that join both pressures.
+    (
+        "motor",
+        &[
+            "motor",
+            "--stator",
+            "6",
+            "--rotor",
+            "4",
+            "--z3",
+            "66",
+            "--zs",
+            "10",
+            "--module",
+            "2 mm",
+            "--l",
+            "80 mm",
+            "--width",
+            "40 mm",
+            "--pressure",
+            "20 MPa",
+            "--speed",
+            "100 rpm",
+            "--oil",
+            "viscosity: 46 mm²/s, density: 870 kg/m³, bulk_modulus: 1.4 GPa",
+            "--gaps",
+            "satellites: 10 µm",
+            "--friction",
+            "0.05..0.1",
+            "--material",
+            "contact_limit: 2000 MPa, root_limit: 400 MPa",
+            "--ports",
+            "high: { angle: -15 deg, inner_radius: 48 mm, outer_radius: 56 mm, span: 18 deg }, discharge: 0.7, most_trapped: 1 MPa",
+        ],
+    ),
+    (
+        "motor",
+        &[
+            "motor",
+            "--stator",
+            "6",
+            "--rotor",
+            "4",
+            "--z3",
+            "66",
+            "--zs",
+            "10",
+            "--module",
+            "2 mm",
+            "--l",
+            "80 mm",
+            "--width",
+            "40 mm",
+            "--pressure",
+            "20 MPa",
+            "--oil",
+            "bulk_modulus: 1.4 GPa",
+            "--ports",
+            "part: 0.7, most_trapped: 1 MPa",
+            "--friction",
+            "0.1",
+        ],
+    ),
+    (
         "motor search",
         &[
             "motor",
@@ -581,6 +663,8 @@ const RUNS: &[(&str, &[&str])] = &[
     ("report", &["report", "motor-5x3.yaml"]),
     ("report", &["report", "cosine.yaml"]),
     ("report", &["report", "tips.yaml"]),
+    ("report", &["report", "ported.yaml"]),
+    ("report", &["report", "every-motor-key.yaml"]),
     ("report", &["report", "real-transmissions.yaml", "--transmission", "prius"]),
     ("report", &["report", "real-transmissions.yaml", "--transmission", "8HP"]),
     ("report", &["report", "sized-gearbox.yaml", "--power", "75 kW", "--speed", "1475 rpm"]),
@@ -635,6 +719,10 @@ const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id
 
 /// A motor by the cosine law, and one whose tips have no room: where they overlap is told.
 const COSINE: &str = "stator: 7\nrotor: 5\nz3: 84\nzs: 11\nmodule: 1 mm\nlaw: cosine\n";
+/// A motor with a kidney at high and a hole at low pressure, and nothing said of its oil.
+const PORTED: &str = "stator: 6\nrotor: 4\nz3: 66\nzs: 10\nmodule: 2 mm\nl: 80 mm\nfriction: 0.1\nports:\n  \
+                      high: { angle: -15 deg, inner_radius: 48 mm, outer_radius: 56 mm, span: 12 deg }\n  \
+                      low: { angle: 15 deg, diameter: 12 mm, pitch_radius: 52 mm }\n";
 const TIPS: &str = "stator: 5\nrotor: 3\nz3: 55\nzs: 10\nmodule: 2 mm\nteeth: { clearance: 0.02 }\n";
 
 /// The wind stage with a duty that wears its roots, too.
@@ -717,6 +805,7 @@ fn folder() -> tempfile::TempDir {
     let short = scenario.replace("duration: 2 s", "duration: 0.7 s");
     std::fs::write(folder.path().join("short.yaml"), short).unwrap();
     std::fs::write(folder.path().join("tips.yaml"), TIPS).unwrap();
+    std::fs::write(folder.path().join("ported.yaml"), PORTED).unwrap();
     folder
 }
 

@@ -67,11 +67,17 @@ fn written() -> Vec<(&'static str, String)> {
     run("simulate shift-two-three.yaml -o shift-speeds.svg");
     run("simulate shift-two-three.yaml --view torques -o shift-torques.svg");
     run("simulate tip-in.yaml --view torques -o tip-in.svg");
+    let motor =
+        "motor --stator 5 --rotor 3 --z3 55 --zs 10 --module 2mm --l 80mm --width 50mm --pressure 20MPa";
+    run(&format!("{motor} --view forces --svg motor-forces.svg"));
+    run(&format!("{motor} --ports 'part: 0.95' --view ports --svg motor-ports.svg"));
     let read = |name: &'static str| (name, fs::read_to_string(folder.path().join(name)).unwrap());
     [
         "campbell.svg",
         "modes.svg",
         "motor-chambers.svg",
+        "motor-forces.svg",
+        "motor-ports.svg",
         "synthesized.svg",
         "shift-speeds.svg",
         "shift-torques.svg",

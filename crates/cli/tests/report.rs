@@ -402,7 +402,7 @@ fn the_page_of_a_motor_has_drawings_results_and_plots() {
     is_sound(&page);
     assert_eq!(sections(&page), ["Contents", "Drawings", "Results and checks", "Plots", "Sources", "Input"]);
     assert!(page.contains("<h1>Motor 5×3</h1>") && page.contains("Flow, ripple 7.64 %"));
-    assert_eq!(page.matches("<svg").count(), 5);
+    assert_eq!(page.matches("<svg").count(), 7);
 }
 
 #[test]

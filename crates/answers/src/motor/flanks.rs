@@ -30,6 +30,8 @@ pub struct Flanks {
     pub least_torque_n_m: Option<f64>,
     /// Forces; null without width and pressure.
     pub forces: Option<FlankForces>,
+    /// Effective modulus of the teeth, `1/E* = 2(1 − ν²)/E`.
+    pub effective_modulus_pa: f64,
     /// Contact stresses of Hertz, of stator and rotor, by crests and by troughs; empty without a pressure.
     pub contact: Vec<ContactStresses>,
     /// Bending at the roots; empty without a pressure.
@@ -157,6 +159,7 @@ impl Flanks {
                 .zip(designed.pressure)
                 .map(|(width, drop)| FlankForces::of(profile, width, drop))
                 .transpose()?,
+            effective_modulus_pa: si(designed.made.modulus),
             contact,
             roots,
             allowed: designed.made.limits.map(|limits| AllowedPressure::of(profile, &limits)).transpose()?,

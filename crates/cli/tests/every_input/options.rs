@@ -461,6 +461,16 @@ motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --output motor.png
   --dpi 60
 motor: --stator 7 --rotor 5 --z3 84 --zs 11 --module '1 mm'
   --cosine
+motor: --stator 8 --rotor 6 --z3 88 --zs 10 --module '2 mm' --cosine
+  --second-harmonic 0.002
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width '50 mm' --pressure '20 MPa' --speed '60 rpm' --format json
+  --material 'contact_limit: 2000 MPa, root_limit: 400 MPa'
+  --ports 'part: 0.9'
+  --friction 0.05..0.1
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width '50 mm' --pressure '20 MPa' --oil 'viscosity: 46 mm²/s, density: 870 kg/m³' --format json
+  --gaps '{ satellites: 10 µm }'
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width '50 mm' --pressure '20 MPa' --ports 'part: 0.9' --format json
+  --oil 'bulk_modulus: 1.4 GPa'
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width '50 mm' --format json
   --pressure '20 MPa'
   --speed '60 rpm'
@@ -621,6 +631,27 @@ teeth: --ratio 6 --ring-offset 1 --double-planet | --double-planet
 teeth: --ratio 6 --ring-offset 1 --no-undercut | --no-undercut
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --view teeth | --svg
 motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --points 5 | --csv
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --view forces --svg forces.svg | width and pressure
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --view ports --svg ports.svg | ports as made
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width 50mm --pressure 20MPa --gaps 'satellites: 10 µm' --view efficiency --svg map.svg | oil.viscosity
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --second-harmonic 0.01 | --cosine
+motor: --stator 6 --rotor 4 --z3 66 --zs 10 --module '2 mm' --cosine --second-harmonic 0.1 | between
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --oil 'viscosity: 46 mm²/s' | density
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --oil 'viscosity: 46' | unit
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --oil 'density: 1 kg/m³, viscosity: 1 mm²/s, dynamic_viscosity: 1 mPa·s' | either
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --oil 'thickness: 46 mm²/s' | unknown key
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --material 'contact_limit: 2000 MPa' | root_limit
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --material 'poissons_ratio: 0.7' | 0.5
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --friction 0.1..2 | 1
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width 50mm --pressure 20MPa --oil 'viscosity: 0.5 mm²/s, density: 1000 kg/m³' --gaps 'satellites: 100 µm' | laminar
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --width 50mm --gaps 'satellites: 3 µm, expansion: 12e-6 /K, temperature_rise: 40 K' | warmer
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --gaps 'satellites: 3 µm, expansion: 12e-6 /K' | temperature_rise
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'part: 1.5' | 1
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'dead_volume: 3 mm³, part: 0.9' | width
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'discharge: 0.7' | part
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: -15 deg, diameter: 8 mm }' | pitch_radius
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: 0 deg, diameter: 1 mm, pitch_radius: 100 mm }' | axis
+motor: --stator 5 --rotor 3 --z3 55 --zs 10 --module '2 mm' --ports 'high: { angle: -15 deg, diameter: 8 mm, pitch_radius: 46 mm }, low: { angle: -14 deg, diameter: 8 mm, pitch_radius: 46 mm }' | overlap
 motor search: --displacement '250 cm3/rev' --z3 55 --view teeth | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --csv a.csv --angle '5 deg' | --svg
 motor search: --displacement '250 cm3/rev' --z3 55 --design 2 | --csv

@@ -51,8 +51,8 @@ pub fn forces(
     let sizes = on_flanks.iter().map(|one| newtons(one.force));
     let sizes = sizes.chain(of_pressure.iter().map(|one| newtons(one.force).abs()));
     let greatest = sizes.chain([newtons(bearing.force)]).fold(0.0, f64::max);
-    // The greatest force is two and a half radii of a satellite long.
-    let scale = 2.5 * r / greatest;
+    // The greatest force is two radii of a satellite long.
+    let scale = 2.0 * r / greatest;
 
     for ((satellite, on_flank), force) in satellites.iter().zip(&on_flanks).zip(&of_pressure) {
         let centre = Point::new(mm(satellite.centre.x), mm(satellite.centre.y));
@@ -69,7 +69,7 @@ pub fn forces(
         // Where the force of the pressure does not go.
         let side = if on_flank.push == Some(Push::Forward) { -0.5 } else { 0.5 };
         let beside = Point::polar(centre, 0.55 * r, centre.y.atan2(centre.x) + side * std::f64::consts::PI);
-        sheet.scene.add(numbers, Text::new(beside, 0.8 * sheet.letter(), satellite.index.to_string()));
+        sheet.scene.add(numbers, Text::new(beside, sheet.letter(), satellite.index.to_string()));
     }
     let is_loaded = newtons(bearing.force) > 1e-9 * greatest;
     if is_loaded {

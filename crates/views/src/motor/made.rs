@@ -53,6 +53,13 @@ pub(super) fn flanks(flanks: &Flanks) -> Vec<Part> {
         rows.extend(back("rotor_back_bound", "bound on its back flanks, rotor", forces.rotor_back_bound));
         rows.push(force("bearing_load", "greatest load of the rotor's bearing", "", forces.bearing_load));
     }
+    rows.push(one(
+        "effective_modulus",
+        "effective modulus of the teeth",
+        "E*",
+        Pressure,
+        flanks.effective_modulus_pa,
+    ));
     let note = "Chambers are sealed where flanks touch, not at the pitch points. Bounds: the contacts where they are, one pair a mesh, rigid teeth; the back flank of a wheel holds the satellite.";
     let mut parts = vec![facts("flanks", "Flanks under load", rows, note)];
     if !flanks.contact.is_empty() {
