@@ -122,6 +122,17 @@ pub(crate) fn contact_ratio(
     let count = motor.numbers().teeth_per_lobe();
     // The rotor's crests and the stator's troughs bend most: the flanks there first.
     let sides = [(Side::Rotor, form.offsets[1], 0), (Side::Stator, form.offsets[0], count / 2)];
+    // The path of one flank on the rotor's crest bounds the shortest of all.
+    let base_pitch = PI * teeth.cos;
+    let (track, pitch) =
+        (Track { shape: &motor.shape, side: Side::Rotor }, form.offsets[1] + teeth.half_space);
+    let Some((tip, ..)) = Cut::tip(&track, teeth, pitch, 1.0, teeth.wheel_addendum) else {
+        return Err(Failure::NoTeeth);
+    };
+    let longest = ((tip - pitch) * teeth.cos).min(mesh.satellite_path()) + mesh.satellite_tip();
+    if !wanted(longest / base_pitch) {
+        return Ok(None);
+    }
     // Most forms fail by undercut, and mostly there: the end of every flank, before any is cut.
     for (side, offset, first) in sides {
         let track = Track { shape: &motor.shape, side };
@@ -148,7 +159,7 @@ pub(crate) fn contact_ratio(
             after[i as usize] = Some(flank);
             // The shortest path of all is no longer than the shortest of some.
             let so_far = worsts.contact_path().map_or(shortest, |path| shortest.min(path));
-            if !wanted(so_far / (PI * teeth.cos)) {
+            if !wanted(so_far / base_pitch) {
                 return Ok(None);
             }
         }
@@ -171,7 +182,7 @@ pub(crate) fn contact_ratio(
             }
         }
     }
-    Ok(Some(shortest / (PI * teeth.cos)))
+    Ok(Some(shortest / base_pitch))
 }
 
 /// All places of a lobe from one on, to both sides in turn.
