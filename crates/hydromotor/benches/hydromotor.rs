@@ -1,9 +1,10 @@
-//! A closed motor from its numbers and a distance, with displacement and ripple; its tooth profiles; the search for designs on one core.
+//! A closed motor from its numbers and a distance, with displacement and ripple; its tooth profiles and their flanks under load; the search for designs on one core.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::flanks::{LoadedPath, MaterialLimits, SealingContact, effective_modulus};
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
@@ -68,6 +69,38 @@ fn profiles(c: &mut Criterion) {
     slow.sample_size(10);
     slow.bench_function("clearances_120", |b| b.iter(|| black_box(&profile).clearances(120)));
     slow.finish();
+}
+
+/// Ripple at the flanks, forces and stresses of a motor whose teeth are known.
+fn flanks(c: &mut Criterion) {
+    let mm = Length::new::<millimeter>;
+    let mpa = Pressure::new::<megapascal>;
+    let numbers = MotorNumbers::new(6, 4, 66, 10).expect("admissible");
+    let motor = Motor::of_two_arcs(numbers, mm(1.0), mm(40.0)).expect("within the family");
+    let profile = Profile::new(&motor, ToothForm::default()).expect("within the limits");
+    let modulus = effective_modulus([mpa(206e3); 2], [0.3; 2]).expect("sound");
+    let limits = MaterialLimits { contact: mpa(1500.0), root: mpa(400.0), modulus };
+    let ripple = |profile: &Profile| profile.flank_ripple(SealingContact::Nearest);
+    let forces = |profile: &Profile| {
+        let alpha = profile.form().pressure_angle;
+        let greatest = profile.motor().greatest_flank_forces(alpha, mm(10.0), mpa(20.0)).expect("held");
+        let bearing = profile.motor().greatest_bearing_load(alpha, mm(10.0), mpa(20.0)).expect("held");
+        let third = profile.third_contact_bounds(SealingContact::Nearest, mm(10.0), mpa(20.0)).expect("held");
+        (greatest, bearing, third)
+    };
+    let stresses = |profile: &Profile| {
+        let contact = profile.contact_stresses(mpa(20.0), modulus).expect("held");
+        (contact, profile.root_stresses(LoadedPath::Whole, mpa(20.0)).expect("held"))
+    };
+    let all = |profile: &Profile| (ripple(profile), forces(profile), stresses(profile));
+    assert!((ripple(&profile).at_flanks.delta - 0.0780).abs() < 5e-5 && stresses(&profile).1.len() == 3);
+    c.bench_function("hydromotor/flanks/ripple", |b| b.iter(|| ripple(black_box(&profile))));
+    c.bench_function("hydromotor/flanks/forces", |b| b.iter(|| forces(black_box(&profile))));
+    c.bench_function("hydromotor/flanks/stresses", |b| b.iter(|| stresses(black_box(&profile))));
+    c.bench_function("hydromotor/flanks/all", |b| b.iter(|| all(black_box(&profile))));
+    c.bench_function("hydromotor/flanks/allowed_pressure", |b| {
+        b.iter(|| black_box(&profile).allowed_pressure(LoadedPath::Whole, &limits).expect("held"));
+    });
 }
 
 /// The requirements of the benches: 900 N·m at 20 MPa.
@@ -169,5 +202,5 @@ fn admissible(search: &FormSearch) -> usize {
     count
 }
 
-criterion_group!(benches, closed_motor, profiles, search, forms);
+criterion_group!(benches, closed_motor, profiles, flanks, search, forms);
 criterion_main!(benches);

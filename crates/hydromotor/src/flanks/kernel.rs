@@ -14,8 +14,8 @@ use uom::si::f64::Angle;
 /// Pieces in which a smooth stretch is looked at for its extremes.
 const PIECES: u32 = 8;
 
-/// Steps of a golden section: what is left is below the root of rounding.
-const STEPS: u32 = 48;
+/// Steps of a golden section: a hundred-thousandth of the bracket is left, and of a flat value its square.
+const STEPS: u32 = 24;
 
 /// A pressure angle of a tooth form, in radians.
 pub(super) fn pressure_angle(value: Angle) -> Result<f64, Error> {
@@ -136,25 +136,53 @@ impl Motor {
     }
 }
 
-/// The greatest value of a function that is smooth between neighbouring `ends`, and its place; `f` is told the index of the piece,
-/// so that it keeps to one branch there up to both ends; one that does not, but jumps, is taken a `hair` of the piece within.
+/// The greatest value of a function that is smooth between neighbouring `ends`, and its place: [`greatest_of`].
 pub(super) fn greatest_on(ends: &[f64], hair: f64, f: impl Fn(usize, f64) -> f64) -> (f64, f64) {
-    let mut best = (f64::NAN, f64::NEG_INFINITY);
-    for (piece, pair) in ends.windows(2).enumerate() {
-        let hair = hair * (pair[1] - pair[0]);
-        let (from, to) = (pair[0] + hair, pair[1] - hair);
+    let pieces: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let (_, place, value) = greatest_of(&pieces, hair, f);
+    (place, value)
+}
+
+/// The greatest value of a function that is smooth on some pieces: the piece, the place, and the value.
+///
+/// `f` is told the index of the piece, so that it keeps to one branch there up to both ends; one that does not, but jumps, is taken a
+/// `hair` of the piece within. Each piece is sampled; those are refined, by golden section about their best sample, that reach the best of all if
+/// they rise from there by as much as they have come from its neighbours.
+pub(super) fn greatest_of(
+    pieces: &[[f64; 2]],
+    hair: f64,
+    f: impl Fn(usize, f64) -> f64,
+) -> (usize, f64, f64) {
+    let mut best = (0, f64::NAN, f64::NEG_INFINITY);
+    let mut tops = Vec::with_capacity(pieces.len());
+    for (piece, &[from, to]) in pieces.iter().enumerate() {
+        let hair = hair * (to - from);
+        let (from, to) = (from + hair, to - hair);
         let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PIECES);
-        let values: Vec<f64> = (0..=PIECES).map(|i| f(piece, place(i))).collect();
-        let (top, value) = (0_u32..)
-            .zip(&values)
-            .fold((0, f64::NEG_INFINITY), |best, (i, &value)| if value > best.1 { (i, value) } else { best });
-        if value > best.1 {
-            best = (place(top), value);
+        let mut values = [0.0; PIECES as usize + 1];
+        let mut top = 0;
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = f(piece, place(i as u32));
         }
-        let (low, high) = (place(top.saturating_sub(1)), place((top + 1).min(PIECES)));
-        let (at, least) = golden(low, high, STEPS, |x| -f(piece, x));
-        if -least > best.1 {
-            best = (at, -least);
+        for (i, &value) in values.iter().enumerate() {
+            if value > values[top] || values[top].is_nan() {
+                top = i;
+            }
+        }
+        let around = &values[top.saturating_sub(1)..=(top + 1).min(PIECES as usize)];
+        let rise = around.iter().map(|value| values[top] - value).fold(0.0, f64::max);
+        if values[top] > best.2 {
+            best = (piece, place(top as u32), values[top]);
+        }
+        let i = top as u32;
+        tops.push((values[top] + rise, [place(i.saturating_sub(1)), place((i + 1).min(PIECES))]));
+    }
+    for (piece, (reach, [low, high])) in tops.into_iter().enumerate() {
+        if reach > best.2 {
+            let (at, least) = golden(low, high, STEPS, |x| -f(piece, x));
+            if -least > best.2 {
+                best = (piece, at, -least);
+            }
         }
     }
     best

@@ -20,23 +20,18 @@
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
-use super::kernel::{flank_number, pressure_angle};
-use super::stress::{LoadedPath, arc};
+use super::kernel::{flank_number, greatest_of, pressure_angle};
+use super::stress::{LoadedPath, Stretch, arc};
 use crate::Error;
 use crate::centrode::Wheel;
 use crate::contact::Conjugate;
 use crate::motor::Motor;
 use crate::profile::{Loading, Profile, Side, Tooth};
 use crate::quantity::Quantity;
-use crate::roots::golden;
 use crate::units::{angle, pascals, positive_pressure, pressure_of_pascals};
 
 /// Points of a fillet of the outline among which the section is sought: the stress is within a thousandth of that of many more.
 const POINTS: u32 = 24;
-
-/// Parts of a path at whose ends the load is tried, and steps of the golden section between.
-const PLACES: u32 = 6;
-const STEPS: u32 = 12;
 
 /// The greatest nominal bending stress at the roots of a wheel's teeth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -160,41 +155,49 @@ impl Profile {
             let teeth = self.wheel_teeth(side, points);
             for crest in [true, false] {
                 let sigma = Motor::push(crest, 1.0);
-                for stretch in self.stretches(side, sigma, crest) {
-                    let [from, to] = match path {
-                        LoadedPath::Whole => stretch.whole,
-                        LoadedPath::SingleContact => stretch.alone,
-                    };
-                    if from >= to {
-                        continue;
-                    }
-                    let (index, lobe) = self.tooth_of(side, stretch.sign, stretch.pitch);
-                    let offset = |s: f64| stretch.sign * (s - stretch.pitch) * self.teeth().cos;
-                    let number = |s: f64| flank_number(r, alpha, &motor.shape.at(arc(side), s), sigma);
-                    // What holds at both ends and the steepest slope between holds throughout.
-                    number(from).and(number(to))?;
-                    let on_wheel = |s: f64| {
-                        let (sign, pitch) = (stretch.sign, stretch.pitch - lobe);
-                        bending(&teeth[index], self.wheel_loading(side, &teeth[index], sign, pitch, s - lobe))
-                    };
-                    let on_satellite = |s: f64| bending(&own, self.satellite_loading(offset(s)));
-                    let mut keep = |slot: usize, tooth: usize, unit: &dyn Fn(f64) -> (f64, f64)| {
-                        let stress = |s: f64| number(s).unwrap_or(f64::NAN) * unit(s).0;
-                        let (s, value) = greatest(from, to, stress);
-                        if worst[slot].is_none_or(|worst| value > worst.stress) {
-                            worst[slot] = Some(Worst {
-                                stress: value,
-                                thickness: unit(s).1,
-                                sigma,
-                                phase: motor.shape.at(arc(side), s).phase,
-                                offset: offset(s),
-                                tooth,
-                            });
-                        }
-                    };
-                    keep(i, index, &on_wheel);
-                    keep(2, 0, &on_satellite);
+                let stretches: Vec<Stretch> = self.stretches(side, sigma, crest);
+                let part = |stretch: &Stretch| match path {
+                    LoadedPath::Whole => stretch.whole,
+                    LoadedPath::SingleContact => stretch.alone,
+                };
+                let flanks: Vec<&Stretch> =
+                    stretches.iter().filter(|stretch| part(stretch)[0] < part(stretch)[1]).collect();
+                if flanks.is_empty() {
+                    continue;
                 }
+                let pieces: Vec<[f64; 2]> = flanks.iter().map(|stretch| part(stretch)).collect();
+                let places: Vec<(usize, f64)> =
+                    flanks.iter().map(|stretch| self.tooth_of(side, stretch.sign, stretch.pitch)).collect();
+                let offset =
+                    |piece: usize, s: f64| flanks[piece].sign * (s - flanks[piece].pitch) * self.teeth().cos;
+                let number = |s: f64| flank_number(r, alpha, &motor.shape.at(arc(side), s), sigma);
+                // Refuses what no flank holds before anything is compared.
+                for &[from, to] in &pieces {
+                    number(from).and(number(to))?;
+                }
+                let on_wheel = |piece: usize, s: f64| {
+                    let (flank, (index, lobe)) = (flanks[piece], places[piece]);
+                    let tooth = &teeth[index];
+                    bending(tooth, self.wheel_loading(side, tooth, flank.sign, flank.pitch - lobe, s - lobe))
+                };
+                let on_satellite =
+                    |piece: usize, s: f64| bending(&own, self.satellite_loading(offset(piece, s)));
+                let mut keep = |slot: usize, unit: &dyn Fn(usize, f64) -> (f64, f64)| {
+                    let stress = |piece: usize, s: f64| number(s).unwrap_or(f64::NAN) * unit(piece, s).0;
+                    let (piece, s, value) = greatest_of(&pieces, 0.0, stress);
+                    if worst[slot].is_none_or(|worst| value > worst.stress) {
+                        worst[slot] = Some(Worst {
+                            stress: value,
+                            thickness: unit(piece, s).1,
+                            sigma,
+                            phase: motor.shape.at(arc(side), s).phase,
+                            offset: offset(piece, s),
+                            tooth: if slot == 2 { 0 } else { places[piece].0 },
+                        });
+                    }
+                };
+                keep(i, &on_wheel);
+                keep(2, &on_satellite);
             }
         }
         let wheels = [Wheel::Stator, Wheel::Rotor, Wheel::Satellite];
@@ -238,17 +241,6 @@ impl Profile {
             governing,
         })
     }
-}
-
-/// The greatest value on a path and its place.
-fn greatest(from: f64, to: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
-    let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PLACES);
-    let (top, value) = (0..=PLACES)
-        .map(|i| (i, f(place(i))))
-        .fold((0, f64::NEG_INFINITY), |best, here| if here.1 > best.1 { here } else { best });
-    let (low, high) = (place(top.saturating_sub(1)), place((top + 1).min(PLACES)));
-    let (at, least) = golden(low, high, STEPS, |x| -f(x));
-    if -least > value { (at, -least) } else { (place(top), value) }
 }
 
 #[cfg(test)]

@@ -12,8 +12,8 @@
 //! The direction of the lines of action drops out, since `|OK₁|² = ρ₁² + 2·ρ₁·e₁·cos ψ + e₁²` and `|PK₁|² = c² − 2·c·e₁·cos ψ + e₁²`.
 //!
 //! # The contacts
-//! A satellite pushed forward presses on the stator's flanks behind the middles of the spaces and on the rotor's before them; pushed
-//! back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
+//! A satellite pushed forward presses on the stator's flanks at the front of the spaces and on the rotor's at their back, as seen along the
+//! tracks ([`crate::profile`]); pushed back the other way round. The contact on a flank that cuts the centrode at `s₀` is at `e = ±(s − s₀)·cos α`, and `s₀` is half a
 //! space, `π/4 + x·tan α + ½·(1 − q)·j` modules, from the middle of its space, for even and odd `Z_s`. For `x = j = 0` that is `e = ±(s − s_c)·cos α − p_b/4`.
 //!
 //! Of two contacts in mesh one is taken to seal: [`SealingContact`] says which. Where the next one takes over, `f′` has a kink if
@@ -37,13 +37,16 @@ use crate::flow::Ripple;
 use crate::motor::Motor;
 use crate::profile::{FlankPath, Profile, Side};
 use crate::quantity::Quantity;
-use crate::roots::{bracketed, quadrature};
+use crate::roots::bracketed;
 use crate::tolerance::WITHIN;
 use crate::units::{angle, area, finite_angle, finite_modules};
 use std::f64::consts::PI;
 
 /// Parts of a smooth piece between which zeros of the slope are sought.
 const PARTS: u32 = 4;
+
+/// Weights of the values at the parts' ends in the integral over a piece (Boole), exact up to the fifth power.
+const BOOLE: [f64; 5] = [7.0 / 90.0, 32.0 / 90.0, 12.0 / 90.0, 32.0 / 90.0, 7.0 / 90.0];
 
 /// Which of two contacts in mesh seals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -73,7 +76,7 @@ pub struct FlankRipple {
 /// A contact on a flank that seals between two arc lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Seal {
-    /// `±1`: behind or before the middle of its space.
+    /// `±1`: at the front or at the back of its space along the track.
     pub(super) sign: f64,
     /// `s₀`.
     pub(super) pitch: f64,
@@ -374,16 +377,18 @@ impl Profile {
             let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
             let mut before = piece.at(from);
             meet(from, before.0);
+            let mut integral = BOOLE[0] * before.0;
             for i in 1..=PARTS {
                 let here = piece.at(place(i));
                 meet(place(i), here.0);
+                integral += BOOLE[i as usize] * here.0;
                 if before.1 * here.1 < 0.0 {
                     let flat = bracketed(place(i - 1), place(i), |place| piece.at(place).1);
                     meet(flat, piece.at(flat).0);
                 }
                 before = here;
             }
-            volume += quadrature(from, to, 1, |place| piece.at(place).0);
+            volume += (to - from) * integral;
         }
         let motor = self.motor();
         let mean = volume / motor.period();

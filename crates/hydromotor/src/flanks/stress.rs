@@ -22,7 +22,7 @@
 use uom::si::f64::{Angle, Length, Pressure};
 
 use super::forces::Push;
-use super::kernel::{flank_number, greatest_on, pressure_angle, windings};
+use super::kernel::{flank_number, greatest_of, greatest_on, pressure_angle, windings};
 use crate::Error;
 use crate::contact::{By, Conjugate, Contact};
 use crate::motor::Motor;
@@ -125,13 +125,6 @@ pub(super) struct Peak {
     pub(super) offset: f64,
 }
 
-/// Keeps the greater.
-fn keep(best: &mut Option<Peak>, peak: Peak) {
-    if best.is_none_or(|best| peak.severity > best.severity) {
-        *best = Some(peak);
-    }
-}
-
 /// One flank while it carries: its path and the arc lengths of contact, whole and alone.
 pub(super) struct Stretch {
     pub(super) sign: f64,
@@ -192,23 +185,32 @@ impl Profile {
         }
         let (phase, value) =
             greatest_on(&ends, BESIDE_JUMP, |_, phase| at(&motor.shape.at(By::Phase, phase), 0.0));
-        keep(&mut best[0], Peak { severity: value, phase, offset: 0.0 });
+        best[0] = Some(Peak { severity: value, phase, offset: 0.0 });
         let kinks: Vec<f64> =
             ends[1..ends.len() - 1].iter().map(|&phase| motor.shape.at(By::Phase, phase).get(arc)).collect();
-        for stretch in self.stretches(side, sigma, crest) {
-            for (slot, [from, to]) in [(1, stretch.alone), (2, stretch.whole)] {
+        let stretches = self.stretches(side, sigma, crest);
+        for slot in [1, 2] {
+            let (mut pieces, mut flanks) = (Vec::new(), Vec::new());
+            for stretch in &stretches {
+                let [from, to] = if slot == 1 { stretch.alone } else { stretch.whole };
                 if from >= to {
                     continue;
                 }
                 let mut ends = vec![from];
                 ends.extend(kinks.iter().copied().filter(|&kink| kink > from && kink < to));
                 ends.push(to);
-                let offset = |s: f64| stretch.sign * (s - stretch.pitch) * self.teeth().cos;
-                let (s, value) =
-                    greatest_on(&ends, BESIDE_JUMP, |_, s| at(&motor.shape.at(arc, s), offset(s)));
-                let phase = motor.shape.at(arc, s).phase;
-                keep(&mut best[slot], Peak { severity: value, phase, offset: offset(s) });
+                pieces.extend(ends.windows(2).map(|pair| [pair[0], pair[1]]));
+                flanks.resize(pieces.len(), stretch);
             }
+            if pieces.is_empty() {
+                continue;
+            }
+            let offset =
+                |piece: usize, s: f64| flanks[piece].sign * (s - flanks[piece].pitch) * self.teeth().cos;
+            let (piece, s, severity) =
+                greatest_of(&pieces, BESIDE_JUMP, |piece, s| at(&motor.shape.at(arc, s), offset(piece, s)));
+            let phase = motor.shape.at(arc, s).phase;
+            best[slot] = Some(Peak { severity, phase, offset: offset(piece, s) });
         }
         Ok(best)
     }

@@ -18,7 +18,7 @@
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
 use super::forces::{Load, Push};
-use super::kernel::{direction, flank_number, greatest_on, moment};
+use super::kernel::{direction, flank_number, greatest_of, moment};
 use super::sealing::{Rows, Seal, SealingContact};
 use super::stress::Mesh;
 use crate::Error;
@@ -218,18 +218,24 @@ impl Profile {
                     Side::Rotor => [stator, rotor, -back, back],
                 }
             };
+            let (mut pieces, mut seals) = (Vec::new(), Vec::new());
             for pair in rows.pieces(motor, motor.loaded(crest)).windows(2) {
-                let seals = rows.at(&motor.shape.at(By::Phase, 0.5 * (pair[0] + pair[1])));
-                let back = |phase: f64| forces(&seals, phase)[3];
-                let mut ends = pair.to_vec();
+                let sealing = rows.at(&motor.shape.at(By::Phase, 0.5 * (pair[0] + pair[1])));
+                let back = |phase: f64| forces(&sealing, phase)[3];
                 if back(pair[0]) * back(pair[1]) < 0.0 {
-                    ends.insert(1, bracketed(pair[0], pair[1], back));
+                    let change = bracketed(pair[0], pair[1], back);
+                    pieces.extend([[pair[0], change], [change, pair[1]]]);
+                    seals.extend([sealing, sealing]);
+                } else {
+                    pieces.push([pair[0], pair[1]]);
+                    seals.push(sealing);
                 }
-                for (i, best) in best.iter_mut().enumerate() {
-                    let (place, force) = greatest_on(&ends, 0.0, |_, phase| forces(&seals, phase)[i]);
-                    if force > best.0 {
-                        *best = (force, sigma, place);
-                    }
+            }
+            for (i, best) in best.iter_mut().enumerate() {
+                let (_, place, force) =
+                    greatest_of(&pieces, 0.0, |piece, phase| forces(&seals[piece], phase)[i]);
+                if force > best.0 {
+                    *best = (force, sigma, place);
                 }
             }
         }

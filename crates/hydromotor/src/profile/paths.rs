@@ -18,7 +18,7 @@ pub(crate) struct FlankPath {
 }
 
 impl Profile {
-    /// The paths of all flanks of a lobe on one side of their spaces, in order along the track: behind the middle for a `sign` of 1.
+    /// The paths of all flanks of a lobe on one side of their spaces, in order along the track: at their front for a `sign` of 1.
     pub(crate) fn paths(&self, side: Side, sign: f64) -> Vec<FlankPath> {
         let teeth = &self.teeth;
         let satellite = teeth.base * (teeth.tan - self.satellite.from);

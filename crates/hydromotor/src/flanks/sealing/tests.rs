@@ -7,6 +7,7 @@ use crate::chambers::polygon_area;
 use crate::flanks::forces::tests::{mm, motor};
 use crate::flanks::kernel::{direction, turned};
 use crate::profile::{Crest, Outline, ToothForm};
+use crate::roots::quadrature;
 use proptest::prelude::*;
 use uom::si::area::square_millimeter;
 use uom::si::length::millimeter;
@@ -42,6 +43,11 @@ fn the_ripples_of_the_derivation_are_met_and_that_of_five_by_three_is_a_little_m
         assert!((ripple.at_flanks.delta - delta).abs() < 5e-5, "{ripple:?}");
         assert!((ripple.least_over_mean - least).abs() < 5e-5, "{ripple:?}");
         assert!((ripple.at_pitch_points.delta - at_pitch).abs() < 5e-5, "{ripple:?}");
+        // The mean is the integral of the flow piece by piece.
+        let flow = Flow::new(&profile, SealingContact::Nearest);
+        let volume: f64 =
+            flow.pieces().map(|([from, to], piece)| quadrature(from, to, 2, |place| piece.at(place).0)).sum();
+        assert!((volume / profile.motor().period() / get(ripple.at_flanks.mean) - 1.0).abs() < 1e-10);
         let change = (ripple.at_flanks.mean / ripple.at_pitch_points.mean).value - 1.0;
         assert!(change.abs() < 5e-4 && change != 0.0, "{change}");
         // From the middles of 360 parts of a period.
