@@ -2,8 +2,9 @@
 
 use uom::si::f64::Pressure;
 
+use super::refusal::FormRefusal;
 use super::shape::Shape;
-use super::{FormRefusal, FormSearch, Objective};
+use super::{FormSearch, Objective};
 use crate::Error;
 use crate::contact::{By, Conjugate};
 use crate::flanks::{AllowedPressure, LoadedPath, MaterialLimits, SealingContact};
