@@ -8,7 +8,7 @@ use epicyclic_hydromotor::flanks::{LoadedPath, MaterialLimits, SealingContact, e
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
-use epicyclic_hydromotor::search::forms::FormSearch;
+use epicyclic_hydromotor::search::forms::{FamilyKind, FormSearch, Steps};
 use epicyclic_hydromotor::search::{MotorSearch, Requirements, Size};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::hint::black_box;
@@ -172,7 +172,34 @@ fn forms(c: &mut Criterion) {
     let mut group = c.benchmark_group("hydromotor/forms");
     group.sample_size(10);
     group.bench_function("all", |b| b.iter(|| black_box(&search).front()));
+    // Few motors of two arcs and few forms beside the plain way: every profile with all its limits.
+    let mut few = search;
+    few.bounds = Bounds { stator_lobes: 6..=6, stator_teeth: 66..=66, satellite_teeth: 9..=10 };
+    few.families = vec![FamilyKind::TwoArcs];
+    few.forms.addendum = Steps { from: 0.8, to: 0.85, step: 0.05 };
+    (few.places, few.resolution) = (6, None);
+    assert!(few.front().expect("sound").funnel.admissible > 0 && admissible(&few) > 0);
+    group.bench_function("few", |b| b.iter(|| black_box(&few).front()));
+    group.bench_function("few_by_trial", |b| b.iter(|| admissible(black_box(&few))));
     group.finish();
+}
+
+/// How many points are admissible, the plain way.
+fn admissible(search: &FormSearch) -> usize {
+    let module = Length::new::<meter>(1.0);
+    let forms = search.forms.forms().expect("sound");
+    let mut count = 0;
+    for numbers in search.bounds.all().expect("sound") {
+        let Ok(family) = Family::new(numbers, module) else { continue };
+        for i in 0..search.places {
+            let part = (f64::from(i) / f64::from(search.places - 1)).clamp(1e-6, 1.0 - 1e-6);
+            let l = family.at_part(part).expect("within the family").trough_distance();
+            let motor = Motor::of_two_arcs(numbers, module, l).expect("within the family");
+            let profiles = forms.iter().filter_map(|&form| Profile::new(&motor, form).ok());
+            count += profiles.filter(|profile| profile.limits().iter().all(Limit::holds)).count();
+        }
+    }
+    count
 }
 
 criterion_group!(benches, closed_motor, profiles, flanks, search, forms);

@@ -27,7 +27,8 @@
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`flanks`] | the flanks under load: forces, the rotor's bearing, sealing, a third contact, stresses, the pressure that a shape allows |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
-//! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and families |
+//! | [`search`] | for a wanted displacement or torque, the Pareto front over all numbers and motors of two arcs |
+//! | [`search::forms`] | the same over three families and with the tooth form free |
 //!
 //! Quantities are `uom` quantities; the kernels work in units of the module. Nothing here prints, reads or writes.
 //!

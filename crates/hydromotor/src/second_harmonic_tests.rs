@@ -153,6 +153,21 @@ fn the_range_is_what_a_scan_finds() {
     }
 }
 
+/// The ranges that the chapter of the theory tells, from the closure's own stretch on either side.
+#[test]
+fn the_ranges_of_the_two_motors_of_the_document() {
+    for (n, low, high) in [(SIX, 0.0011, 0.0252), ((5, 3, 55, 10), 0.0034, 0.0333)] {
+        let HarmonicRange { lower, upper } = range(numbers(n)).unwrap();
+        assert_eq!((lower.limit, upper.limit), (HarmonicLimit::StatorCusp, HarmonicLimit::FlatTrough));
+        let told = |value: f64| (value * 1e4).round() / 1e4;
+        assert_eq!([told(lower.second_amplitude), told(upper.second_amplitude)], [low, high], "{n:?}");
+        let stretch = |second: f64| closure(numbers(n), mm(1.0), second).unwrap().least_stretch;
+        let cusp = bracketed(low - 1e-3, low + 1e-3, stretch);
+        assert!((cusp - lower.second_amplitude).abs() < 1e-8, "{cusp}");
+        assert!((upper.amplitude - 4.0 * upper.second_amplitude).abs() < 1e-12);
+    }
+}
+
 #[test]
 fn bad_amplitudes_are_refused() {
     let of = |second: f64| Motor::of_second_harmonic(numbers(SIX), mm(1.0), second).unwrap_err();

@@ -314,7 +314,7 @@ impl Cut {
 
     /// Where a flank meets the parallel of the centrode at the addendum, or ends in a cusp before: contact, foot on the centrode,
     /// and what is missing.
-    fn tip(
+    pub(super) fn tip(
         track: &Track<'_>,
         teeth: &Teeth,
         pitch: f64,

@@ -122,6 +122,17 @@ pub(crate) fn contact_ratio(
     let count = motor.numbers().teeth_per_lobe();
     // The rotor's crests and the stator's troughs bend most: the flanks there first.
     let sides = [(Side::Rotor, form.offsets[1], 0), (Side::Stator, form.offsets[0], count / 2)];
+    // The path of one flank on the rotor's crest bounds the shortest of all.
+    let base_pitch = PI * teeth.cos;
+    let (track, pitch) =
+        (Track { shape: &motor.shape, side: Side::Rotor }, form.offsets[1] + teeth.half_space);
+    let Some((tip, ..)) = Cut::tip(&track, teeth, pitch, 1.0, teeth.wheel_addendum) else {
+        return Err(Failure::NoTeeth);
+    };
+    let longest = ((tip - pitch) * teeth.cos).min(mesh.satellite_path()) + mesh.satellite_tip();
+    if !wanted(longest / base_pitch) {
+        return Ok(None);
+    }
     // Most forms fail by undercut, and mostly there: the end of every flank, before any is cut.
     for (side, offset, first) in sides {
         let track = Track { shape: &motor.shape, side };
@@ -148,7 +159,7 @@ pub(crate) fn contact_ratio(
             after[i as usize] = Some(flank);
             // The shortest path of all is no longer than the shortest of some.
             let so_far = worsts.contact_path().map_or(shortest, |path| shortest.min(path));
-            if !wanted(so_far / (PI * teeth.cos)) {
+            if !wanted(so_far / base_pitch) {
                 return Ok(None);
             }
         }
@@ -171,7 +182,7 @@ pub(crate) fn contact_ratio(
             }
         }
     }
-    Ok(Some(shortest / (PI * teeth.cos)))
+    Ok(Some(shortest / base_pitch))
 }
 
 /// All places of a lobe from one on, to both sides in turn.
@@ -180,4 +191,48 @@ fn outward(first: u32, count: u32) -> impl Iterator<Item = u32> {
         let away = k.div_ceil(2);
         (if k % 2 == 0 { first + away } else { first + count - away }) % count
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::centrode::tests::any_motor;
+    use crate::checks::{Check, ToothHeights};
+    use crate::profile::limits::Limit;
+    use crate::profile::{Crest, Profile};
+    use crate::units::angle_of_degrees;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(160))]
+
+        /// The short way answers as the profile with all its limits does, and tells its contact ratio.
+        #[test]
+        fn a_form_is_kept_where_the_profile_keeps_every_limit(
+            motor in any_motor(), degrees in 20.0..30.0, heights in (0.5..0.9, 0.15..0.3, 0.0..0.4), tooth in any::<bool>(),
+        ) {
+            let (addendum, clearance, shift) = heights;
+            let crest = if tooth { Crest::Tooth } else { Crest::Space };
+            let form = ToothForm {
+                pressure_angle: angle_of_degrees(degrees), addendum, clearance, shift, crest, ..ToothForm::default()
+            };
+            let asked = ToothHeights { addendum: addendum + shift, dedendum: addendum + clearance + shift };
+            let profile = Profile::new(&motor, form).ok().filter(|profile| {
+                profile.limits().iter().all(Limit::holds)
+                    && motor.checks(asked).is_ok_and(|checks| checks.iter().all(Check::holds))
+            });
+            let room = Room::of(&motor, motor.shape.curvature_extremes());
+            let short = SatelliteForm::new(form, motor.numbers().satellite_teeth())
+                .and_then(|form| contact_ratio(&motor, &room, &form, |_| true).map(|ratio| (ratio, form)));
+            prop_assert_eq!(profile.is_some(), short.is_ok(), "{:?}", short.map(|(ratio, _)| ratio));
+            if let (Some(profile), Ok((ratio, form))) = (profile, short) {
+                let ratio = ratio.unwrap();
+                let paths = profile.limits().into_iter().filter(|limit| limit.kind == LimitKind::ContactPath);
+                let least = paths.map(|limit| (limit.value / limit.bound).value).fold(f64::INFINITY, f64::min);
+                prop_assert!((ratio / least - 1.0).abs() < 1e-9 && ratio <= form.greatest_contact_ratio() * (1.0 + 1e-12));
+                // What is not wanted ends the trial.
+                prop_assert_eq!(contact_ratio(&motor, &room, &form, |most| most > ratio * 1.001), Ok(None));
+            }
+        }
+    }
 }

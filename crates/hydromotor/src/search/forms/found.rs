@@ -7,14 +7,12 @@ use super::super::requirements::mean_flow;
 use super::FormSearch;
 use super::cover::Value;
 use super::loaded::FlankFigures;
+use super::refusal::{Counts, FormRefusal};
 use super::shape::{Curves, FamilyKind, Shape, ShapeReason, motor};
 use super::trial::Point;
 use crate::Error;
-use crate::checks::Subject;
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
-use crate::profile::kept::Failure;
-use crate::profile::limits::LimitKind;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
 use crate::threads::map;
@@ -113,84 +111,6 @@ impl FormDesign {
     }
 }
 
-/// Why a point is refused.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FormRefusal {
-    /// The form gives no teeth.
-    NoTeeth,
-    /// A check of the centrodes against the heights of the form.
-    Check(Subject),
-    /// A limit of the teeth.
-    Limit(LimitKind),
-    /// The flanks cannot hold a loaded satellite.
-    CannotHold,
-    /// The pressure of Hertz is above the wanted one.
-    ContactStress,
-    /// The bending stress at a root is above the wanted one.
-    RootStress,
-    /// The materials allow less than the wanted pressure drop.
-    AllowedPressure,
-    /// The ripple at the flanks is above the wanted one.
-    FlankRipple,
-    /// The least torque over the mean is below the wanted one.
-    LeastTorque,
-}
-
-impl FormRefusal {
-    /// All of them.
-    pub const ALL: [Self; 21] = [
-        Self::NoTeeth,
-        Self::Check(Subject::StatorBulge),
-        Self::Check(Subject::RotorBulge),
-        Self::Check(Subject::RotorLeastRadius),
-        Self::Check(Subject::Neighbours),
-        Self::Limit(LimitKind::Undercut),
-        Self::Limit(LimitKind::TipCusp),
-        Self::Limit(LimitKind::SatelliteRoot),
-        Self::Limit(LimitKind::WheelRoot),
-        Self::Limit(LimitKind::TipThickness),
-        Self::Limit(LimitKind::ContactPath),
-        Self::Limit(LimitKind::RootCurve),
-        Self::Limit(LimitKind::TipCurve),
-        Self::Limit(LimitKind::Neighbours),
-        Self::Limit(LimitKind::Wheels),
-        Self::CannotHold,
-        Self::ContactStress,
-        Self::RootStress,
-        Self::AllowedPressure,
-        Self::FlankRipple,
-        Self::LeastTorque,
-    ];
-
-    fn of(failure: Failure) -> Self {
-        match failure {
-            Failure::NoTeeth => Self::NoTeeth,
-            Failure::Check(subject) => Self::Check(subject),
-            Failure::Limit(kind) => Self::Limit(kind),
-        }
-    }
-}
-
-/// What became of some points.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(super) struct Counts {
-    refused: [u64; FormRefusal::ALL.len()],
-    pub(super) as_good: u64,
-    pub(super) admissible: u64,
-}
-
-impl Counts {
-    pub(super) fn fail(&mut self, failure: Failure) {
-        self.refuse(FormRefusal::of(failure));
-    }
-
-    pub(super) fn refuse(&mut self, refusal: FormRefusal) {
-        if let Some(place) = FormRefusal::ALL.iter().position(|other| *other == refusal) {
-            self.refused[place] += 1;
-        }
-    }
-}
-
 /// How many motors and points fell where.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FormFunnel {
@@ -256,7 +176,7 @@ impl FormSearch {
         funnel: FormFunnel,
         shapes: &[Shape],
         forms: &[ToothForm],
-        found: Vec<(usize, Point)>,
+        found: &[(usize, Point)],
     ) -> FormFound {
         // A design found later may be better than one found before.
         let costs: Vec<Value> = found.iter().map(|(_, point)| point.value.map(|part| -part)).collect();

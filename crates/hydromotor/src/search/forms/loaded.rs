@@ -2,8 +2,9 @@
 
 use uom::si::f64::Pressure;
 
+use super::refusal::FormRefusal;
 use super::shape::Shape;
-use super::{FormRefusal, FormSearch, Objective};
+use super::{FormSearch, Objective};
 use crate::Error;
 use crate::contact::{By, Conjugate};
 use crate::flanks::{AllowedPressure, LoadedPath, MaterialLimits, SealingContact};
@@ -109,16 +110,17 @@ impl FlankFigures {
         let contact_stress =
             pressure_drop.map(|drop| materials.contact * over(drop, allowed.by_contact).sqrt());
         let root_stress = pressure_drop.map(|drop| materials.root * over(drop, allowed.by_root));
-        let above = |value: Option<Pressure>, most: Option<Pressure>| {
-            value.zip(most).is_some_and(|(value, most)| !(value <= most))
+        // What is no number keeps no limit.
+        let keeps = |value: Option<Pressure>, most: Option<Pressure>| {
+            value.zip(most).is_none_or(|(value, most)| value <= most)
         };
-        if above(contact_stress, order.contact_stress) {
+        if !keeps(contact_stress, order.contact_stress) {
             return Err(FormRefusal::ContactStress);
         }
-        if above(root_stress, order.root_stress) {
+        if !keeps(root_stress, order.root_stress) {
             return Err(FormRefusal::RootStress);
         }
-        if order.allowed_pressure.is_some_and(|least| !(allowed.pressure >= least)) {
+        if !order.allowed_pressure.is_none_or(|least| allowed.pressure >= least) {
             return Err(FormRefusal::AllowedPressure);
         }
         let ripple = profile.flank_ripple(order.sealing);
@@ -129,10 +131,10 @@ impl FlankFigures {
             root_stress,
             allowed,
         };
-        if order.ripple.is_some_and(|most| !(figures.ripple <= most)) {
+        if !order.ripple.is_none_or(|most| figures.ripple <= most) {
             return Err(FormRefusal::FlankRipple);
         }
-        if order.least_torque.is_some_and(|least| !(figures.least_over_mean >= least)) {
+        if !order.least_torque.is_none_or(|least| figures.least_over_mean >= least) {
             return Err(FormRefusal::LeastTorque);
         }
         Ok(figures)

@@ -8,7 +8,7 @@
 //! 2. of each the families wanted ([`FamilyKind`]): of two arcs so many places `l` in each interval, even in `1/l`, of the second
 //!    harmonic so many `ε₂`, even in `4·ε₂/ε₁` from end to end of their range, in both the first and the last a millionth within the
 //!    ends, which are no motors; and the motor of the cosine law;
-//! 3. every [`ToothForm`] of the [`FormSpace`].
+//! 3. every [`ToothForm`](crate::profile::ToothForm) of the [`FormSpace`].
 //!
 //! A point is *admissible* if the motor keeps the [`Limits`], the form gives teeth ([`crate::profile::Profile::new`]) that keep every limit
 //! ([`crate::profile::Profile::limits`]), and the centrodes keep the [checks](crate::checks) with the form's heights: the
@@ -31,7 +31,7 @@
 //! not tried, and no estimate is made of them: [`crate::search`] makes one for motors of two arcs.
 //!
 //! # Cost and threads
-//! See the bench `hydromotor/forms`. The designs do not depend on the number of threads: motors are tried in batches in an order
+//! The default space takes some 15 s of one core (`hydromotor/forms/all`); objectives of flanks take several milliseconds a point. The designs do not depend on the number of threads: motors are tried in batches in an order
 //! of their own, and a batch sees the designs of those before.
 //!
 //! # Example
@@ -57,6 +57,7 @@
 mod cover;
 mod found;
 mod loaded;
+mod refusal;
 mod shape;
 mod space;
 mod trial;
@@ -76,8 +77,9 @@ use cover::{Cover, Value};
 use shape::shapes;
 use trial::{Forms, Tried, tried};
 
-pub use found::{FormDesign, FormFound, FormFunnel, FormRefusal, FormSize};
+pub use found::{FormDesign, FormFound, FormFunnel, FormSize};
 pub use loaded::{FlankFigures, FlankOrder};
+pub use refusal::FormRefusal;
 pub use shape::{FamilyKind, ShapeReason};
 pub use space::{FormSpace, MOST_FORMS, Steps};
 
@@ -256,7 +258,7 @@ impl FormSearch {
                 }
             }
         }
-        Ok(self.found(&yardstick, funnel, &found, &all_forms, designs))
+        Ok(self.found(&yardstick, funnel, &found, &all_forms, &designs))
     }
 
     fn yardstick(&self) -> Result<Yardstick, Error> {

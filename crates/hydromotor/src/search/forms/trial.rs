@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::cover::{Cover, Value};
-use super::found::Counts;
 use super::loaded::{FlankFigures, PitchBound};
+use super::refusal::Counts;
 use super::shape::Shape;
 use super::{FormSearch, Objective};
 use crate::profile::ToothForm;
