@@ -5,6 +5,7 @@ mod design;
 mod flanks;
 mod made;
 mod over_angle;
+mod shape;
 mod teeth;
 
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
@@ -19,19 +20,16 @@ pub use made::ports::{
 };
 pub use made::{Groups, Made};
 pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
+pub use shape::{Arcs, CosineLaw, FamilyLimit, HarmonicRange, Interval, Rotor};
 pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
 
 use crate::number::{maybe_si, plain, si};
-use crate::tolerance::CLOSED;
 use crate::{Answer, Error, Warning};
 use epicyclic_formats::Physical as _;
 use epicyclic_formats::quantity::format;
 use epicyclic_hydromotor as hydromotor;
-use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::checks::{self, ToothHeights};
-use epicyclic_hydromotor::closure::{self, Family};
-use epicyclic_hydromotor::second_harmonic::{self, HarmonicLaw};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length, Pressure};
@@ -109,114 +107,6 @@ pub struct Numbers {
     pub module_m: f64,
     /// Pitch radius of a satellite, `r = m·Z_s/2`.
     pub satellite_radius_m: f64,
-}
-
-/// A stator of two arcs, and the family of motors that it is of.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Arcs {
-    /// How the motor was chosen from its family.
-    pub chosen: Chosen,
-    /// Distance of the centre of arc 1, at the troughs, from the axis.
-    pub l_m: f64,
-    /// Distance of the centre of arc 2, at the crests, from the axis.
-    pub a_m: f64,
-    /// Radius of arc 1.
-    pub r1_m: f64,
-    /// Radius of arc 2.
-    pub r2_m: f64,
-    /// Angle of arc 1 at its centre.
-    pub gamma_rad: f64,
-    /// Angle of arc 2 at its centre.
-    pub beta_rad: f64,
-    /// Distances `l` for which a motor of these numbers closes: nearly always one interval, of few lobes two.
-    pub family: Vec<Interval>,
-    /// What quadrature of the rolling leaves open in a half-lobe, rounded up to a power of ten.
-    pub closes_by_quadrature_within_rad: f64,
-    /// What an error of 0.01 modules in `a` opens in a half-lobe.
-    pub opened_by_a_hundredth_module_rad: f64,
-}
-
-/// An interval of a family.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Interval {
-    /// Its least `l`.
-    pub from_m: f64,
-    /// What ends it there.
-    pub from_limit: FamilyLimit,
-    /// Its greatest `l`; null where it goes on to a straight arc.
-    pub to_m: Option<f64>,
-    /// What ends it there.
-    pub to_limit: FamilyLimit,
-}
-
-/// What ends an interval of a family.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FamilyLimit {
-    /// The arcs at the troughs vanish.
-    NoTroughArc,
-    /// The rotor gets cusps.
-    RotorCusp,
-    /// The stator's flanks become radial.
-    RadialFlank,
-    /// The arcs at the troughs become straight: there is no end.
-    StraightArc,
-}
-
-/// A rotor by the cosine law.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct CosineLaw {
-    /// Mean radius of the rotor, `c`.
-    pub mean_radius_m: f64,
-    /// Relative amplitude, `ε`.
-    pub amplitude: f64,
-    /// Relative amplitude of the second harmonic, `ε₂`; 0 without one.
-    pub second_amplitude: f64,
-    /// The relative amplitude at which the stator gets cusps; null with a second harmonic.
-    pub cusp_amplitude: Option<f64>,
-    /// The values of `ε₂` with which motors of these numbers close without cusps; null where there are none.
-    pub second_harmonics: Option<HarmonicRange>,
-}
-
-/// Values of `ε₂`, both ends excluded.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct HarmonicRange {
-    /// Above this.
-    pub from: f64,
-    /// Below this.
-    pub to: f64,
-}
-
-impl CosineLaw {
-    fn of(motor: &hydromotor::Motor, law: &HarmonicLaw) -> Self {
-        let range = second_harmonic::range(motor.numbers()).ok();
-        Self {
-            mean_radius_m: si(law.mean_radius),
-            amplitude: plain(law.amplitude),
-            second_amplitude: plain(law.second_amplitude),
-            cusp_amplitude: motor.cosine_law().map(|law| plain(law.cusp_amplitude)),
-            second_harmonics: range.map(|range| HarmonicRange {
-                from: range.lower.second_amplitude,
-                to: range.upper.second_amplitude,
-            }),
-        }
-    }
-}
-
-/// How near arcs come to the rotor's exact curve.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct Rotor {
-    /// By how much the best pair of tangent arcs misses it.
-    pub best_arcs_deviation_m: f64,
-    /// By how much the circles that the source gives miss it; null where it gives none.
-    pub published_circles_deviation_m: Option<f64>,
-    /// The angle at which these circles meet.
-    pub published_circles_kink_rad: Option<f64>,
 }
 
 /// Displacement, torque and flow, without losses.
@@ -540,69 +430,6 @@ impl Numbers {
             bearing_reactions_vanish: numbers.bearing_reactions_vanish(),
             module_m: si(motor.module()),
             satellite_radius_m: si(motor.satellite_radius()),
-        }
-    }
-}
-
-impl Arcs {
-    fn of(
-        motor: &hydromotor::Motor,
-        arcs: &StatorArcs,
-        family: &Family,
-        chosen: Chosen,
-    ) -> Result<Self, Error> {
-        let closed = closure::closure(motor.numbers(), arcs)?;
-        // Rounding alone: a power of ten that it keeps within says all.
-        let mut within = CLOSED;
-        while within < closed.residual_by_quadrature_rad.abs() {
-            within *= 10.0;
-        }
-        Ok(Self {
-            chosen,
-            l_m: si(arcs.trough_distance()),
-            a_m: si(arcs.crest_distance()),
-            r1_m: si(arcs.trough_radius()),
-            r2_m: si(arcs.crest_radius()),
-            gamma_rad: si(arcs.trough_angle()),
-            beta_rad: si(arcs.crest_angle()),
-            family: family.intervals().iter().filter_map(Interval::of).collect(),
-            closes_by_quadrature_within_rad: within,
-            // What a hundredth of a module in a, at the same l, opens.
-            opened_by_a_hundredth_module_rad: plain(0.01 * closed.by_crest_distance),
-        })
-    }
-}
-
-impl Interval {
-    fn of(interval: &closure::Interval) -> Option<Self> {
-        let at = |end: &closure::End| end.arcs().map(StatorArcs::trough_distance);
-        Some(Self {
-            from_m: si(at(&interval.lower)?),
-            from_limit: FamilyLimit::of(interval.lower.limit),
-            to_m: maybe_si(at(&interval.upper)),
-            to_limit: FamilyLimit::of(interval.upper.limit),
-        })
-    }
-}
-
-impl FamilyLimit {
-    const fn of(limit: closure::Limit) -> Self {
-        match limit {
-            closure::Limit::NoTroughArc => Self::NoTroughArc,
-            closure::Limit::RotorCusp => Self::RotorCusp,
-            closure::Limit::RadialFlank => Self::RadialFlank,
-            closure::Limit::StraightArc => Self::StraightArc,
-        }
-    }
-}
-
-impl Rotor {
-    fn of(motor: &hydromotor::Motor) -> Self {
-        let circles = motor.published_circles();
-        Self {
-            best_arcs_deviation_m: si(motor.two_arc_fit().deviation),
-            published_circles_deviation_m: circles.as_ref().map(|circles| si(circles.deviation)),
-            published_circles_kink_rad: circles.as_ref().map(|circles| si(circles.kink)),
         }
     }
 }

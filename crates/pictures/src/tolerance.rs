@@ -11,11 +11,15 @@
 //! | `PLACE` | a difference of places on a lever, over its length | places are ratios of a few tooth numbers |
 //! | `LEVEL` | a rise of a tie, mm, or a difference of costs | heights are steps of an iteration |
 //! | `HAIR_MM` | what a box grows by, mm | of a straight line the box has no width |
+//! | `BALANCED` | a sum of forces over the greatest of them | what is left of 0 by rounding |
 //! | `SHOWN` | a number in words | it has at most nine decimals |
 //! | `EXTREME` | the growth of a chamber over the greatest | the angles of extremes are known to about its root |
 //! | `CURVE` | the deviation of arcs from a curve, over its length | its points are not known better |
 //! | `MARK` | a difference of numbers on an axis, over them or a step | the rounding of a power of ten and some products |
 //! | `LEAST_SPAN` | the span of an axis | what divides is not 0 |
+
+/// Forces whose sum is less, over the greatest, balance.
+pub(crate) const BALANCED: f64 = 1e-9;
 
 /// A slower link rests.
 pub(crate) const RESTS: f64 = 1e-9;

@@ -10,6 +10,7 @@ use uom::si::f64::{Angle, Length, Pressure};
 use super::chambers::{coloured, direction};
 use super::sheet::{AUXILIARY, Sheet, number};
 use crate::Error;
+use crate::tolerance::BALANCED;
 use crate::units::{deg, mm, newtons, rad};
 
 /// Of the pressure.
@@ -71,7 +72,7 @@ pub fn forces(
         let beside = Point::polar(centre, 0.55 * r, centre.y.atan2(centre.x) + side * std::f64::consts::PI);
         sheet.scene.add(numbers, Text::new(beside, sheet.letter(), satellite.index.to_string()));
     }
-    let is_loaded = newtons(bearing.force) > 1e-9 * greatest;
+    let is_loaded = newtons(bearing.force) > BALANCED * greatest;
     if is_loaded {
         let on_axis = [scale * newtons(bearing.x), scale * newtons(bearing.y)];
         arrow(&mut sheet, layers[2], Point::default(), on_axis);
