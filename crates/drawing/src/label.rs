@@ -77,7 +77,7 @@ impl Text {
     /// Width of a line that a wider font would make longer than it may be: of those that have some letters, each of a width that is known.
     pub(crate) fn fixed_width_mm(&self) -> Option<f64> {
         let is_long = self.content.chars().nth(LONG).is_some();
-        (is_long && self.content.chars().all(|c| helvetica(c).is_some())).then(|| self.width_mm())
+        (is_long && self.content.chars().all(|c| known(c).is_some())).then(|| self.width_mm())
     }
 
     /// The box around it.
@@ -106,15 +106,11 @@ pub(crate) fn one_line(text: &str) -> String {
 
 /// Advance of a character in thousandths of the font's size.
 fn width(c: char) -> f64 {
-    f64::from(helvetica(c).unwrap_or(match c {
-        '₀'..='₉' => 400,
-        'α'..='ω' => 630,
-        _ => 1000,
-    }))
+    f64::from(known(c).unwrap_or(1000))
 }
 
-/// The same of a character in the table of Helvetica.
-fn helvetica(c: char) -> Option<u16> {
+/// The same of a character in the table of Helvetica, or of one whose width is much the same in its fonts.
+fn known(c: char) -> Option<u16> {
     Some(match c {
         'i' | 'j' | 'l' | '\'' | '|' => 222,
         ' ' | '!' | ',' | '.' | '/' | ':' | ';' | '[' | ']' | 'I' | 'f' | 't' | '\\' | '·' | '\u{a0}' => 278,
@@ -123,9 +119,22 @@ fn helvetica(c: char) -> Option<u16> {
         '*' => 389,
         '°' => 400,
         'J' | 'c' | 'k' | 's' | 'v' | 'x' | 'y' | 'z' => 500,
-        'a' | 'b' | 'd' | 'e' | 'g' | 'h' | 'n' | 'o' | 'p' | 'q' | 'u' | 'L' | '0'..='9' | '?' | '–' => {
-            556
-        }
+        'a'
+        | 'b'
+        | 'd'
+        | 'e'
+        | 'g'
+        | 'h'
+        | 'n'
+        | 'o'
+        | 'p'
+        | 'q'
+        | 'u'
+        | 'L'
+        | '0'..='9'
+        | '?'
+        | '–'
+        | '_' => 556,
         '+' | '<' | '=' | '>' | '~' | '×' | '−' => 584,
         'F' | 'T' | 'Z' => 611,
         'A' | 'B' | 'E' | 'K' | 'P' | 'S' | 'V' | 'X' | 'Y' | '&' => 667,
@@ -134,6 +143,8 @@ fn helvetica(c: char) -> Option<u16> {
         'M' | 'm' => 833,
         '%' => 889,
         'W' => 944,
+        '₀'..='₉' => 400,
+        'α'..='ω' => 630,
         _ => return None,
     })
 }
